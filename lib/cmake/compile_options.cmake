@@ -1,0 +1,13 @@
+# Flags that every target of the project shares. They are properties of our own targets, never global: a project that
+# adds Espalier as a subdirectory keeps its own flags.
+
+# espalier_compile_options(<target>): warnings, and arithmetic that means the same on every machine (no contraction).
+function(espalier_compile_options target)
+  target_compile_options(${target} PRIVATE
+    -ffp-contract=off -fno-math-errno
+    -Wall -Wextra -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Wcast-align -Wundef)
+  if(ESPALIER_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()

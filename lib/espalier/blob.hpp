@@ -1,0 +1,98 @@
+// Opening a blob: from flash, from a mapped file, from a buffer that a stranger filled.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <espalier/format.hpp>
+#include <espalier/status.hpp>
+#include <espalier/types.hpp>
+
+namespace espalier {
+
+namespace detail {
+
+/// What `open` proved about the bytes; the queries read this and the bytes, nothing else.
+struct BlobData {
+    const std::byte* bytes = nullptr;    // the whole blob
+    const std::byte* nodes = nullptr;    // null when empty
+    const std::byte* leaves = nullptr;
+    const std::byte* sources = nullptr;  // null without original ids
+    const std::byte* ids = nullptr;
+    const std::byte* materials = nullptr;
+    std::uint32_t size = 0;
+    std::uint32_t features = 0;
+    std::uint32_t triangle_count = 0;
+    std::uint32_t vertex_count = 0;
+    std::uint32_t node_count = 0;
+    std::uint32_t leaf_bytes = 0;
+    std::uint32_t source_count = 0;
+    std::uint32_t source_triangles = 0;
+    std::uint32_t checksum = 0;
+    float origin[3] = {};
+    std::int32_t extent[3] = {};
+    float max_error = 0.0f;
+    std::int16_t step_exponent = 0;
+    std::uint8_t bits = 1;
+    std::uint8_t depth = 0;
+    std::uint8_t id_bits = 0;
+    format::Profile profile = format::Profile::fast;
+};
+
+}  // namespace detail
+
+/// A view of a baked mesh: a few words, copied freely, owning nothing. Either empty (no triangles; every query finds
+/// nothing) or opened. The bytes must outlive it and stay unchanged; they are never written.
+class Blob {
+public:
+    constexpr Blob() noexcept = default;
+
+    [[nodiscard]] constexpr std::uint32_t triangle_count() const noexcept { return data_.triangle_count; }
+    [[nodiscard]] constexpr std::uint32_t vertex_count() const noexcept { return data_.vertex_count; }
+    [[nodiscard]] constexpr std::uint32_t size_bytes() const noexcept { return data_.size; }
+    [[nodiscard]] constexpr std::uint32_t checksum() const noexcept { return data_.checksum; }
+    /// Nodes on the longest way down, at most format::max_depth.
+    [[nodiscard]] constexpr unsigned depth() const noexcept { return data_.depth; }
+    [[nodiscard]] constexpr unsigned bits() const noexcept { return data_.bits; }
+    [[nodiscard]] constexpr format::Profile profile() const noexcept { return data_.profile; }
+    /// The lattice step, a power of two, in world units.
+    [[nodiscard]] float step() const noexcept;
+    /// The baked surface differs from its source by at most this, in world units.
+    [[nodiscard]] constexpr float max_error() const noexcept { return data_.max_error; }
+    /// Corners of the box around all triangles, each coordinate rounded to float. Two zeros when empty.
+    [[nodiscard]] Vec3 bounds_min() const noexcept;
+    [[nodiscard]] Vec3 bounds_max() const noexcept;
+    /// Every edge is shared by exactly two triangles of opposite direction.
+    [[nodiscard]] constexpr bool closed() const noexcept { return (data_.features & format::feature::closed) != 0; }
+    [[nodiscard]] constexpr bool has_original_ids() const noexcept { return data_.ids != nullptr; }
+    [[nodiscard]] constexpr bool has_materials() const noexcept { return data_.materials != nullptr; }
+
+    /// For the library's own parts and its tests; its layout is no promise.
+    [[nodiscard]] constexpr const detail::BlobData& data() const noexcept { return data_; }
+
+private:
+    friend Status open(std::span<const std::byte> bytes, Blob& blob) noexcept;
+    detail::BlobData data_;
+};
+
+/// Proves that `bytes` is a blob on which every query is safe, and points `blob` at it. Any bytes, any alignment: reads
+/// only inside `bytes`, writes only `blob`, no heap, no recursion, time proportional to the size. On any status but ok the
+/// blob is empty. It does not promise that a maliciously made blob describes the mesh that you baked: sign it for that.
+[[nodiscard]] Status open(std::span<const std::byte> bytes, Blob& blob) noexcept;
+
+/// Where a triangle came from: which input file, which mesh in it, which triangle of that mesh, all counted from 0.
+struct OriginalTriangle {
+    std::uint32_t file = 0;
+    std::uint32_t mesh = 0;
+    std::uint32_t triangle = 0;
+    friend constexpr bool operator==(const OriginalTriangle&, const OriginalTriangle&) = default;
+};
+
+/// False, and `original` untouched, when the blob carries no ids or has no such triangle. O(log(number of meshes)).
+bool original_triangle(const Blob& blob, Triangle triangle, OriginalTriangle& original) noexcept;
+
+/// The material number given at bake, or 0 when the blob carries none or has no such triangle. O(1).
+[[nodiscard]] std::uint16_t material(const Blob& blob, Triangle triangle) noexcept;
+
+}  // namespace espalier

@@ -1,0 +1,11 @@
+// Everything that answers from a blob. No heap, no exceptions, no libc. The baker is apart: <espalier/bake.hpp>.
+#pragma once
+
+#include <espalier/blob.hpp>
+#include <espalier/nearest.hpp>
+#include <espalier/overlap.hpp>
+#include <espalier/ray.hpp>
+#include <espalier/status.hpp>
+#include <espalier/types.hpp>
+#include <espalier/version.hpp>
+#include <espalier/walk.hpp>

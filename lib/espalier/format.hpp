@@ -1,0 +1,116 @@
+// The bytes of a blob: every offset, width and limit, once. docs/format.md is the normative text.
+// All numbers are little-endian; nothing is aligned to more than a byte when read, so that a blob may lie anywhere.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace espalier::format {
+
+/// The format's version, apart from the library's. Readers accept the same major and a minor up to their own.
+inline constexpr std::uint16_t version_major = 1;
+inline constexpr std::uint16_t version_minor = 0;
+inline constexpr std::uint32_t magic = 0x4C505345u;  // "ESPL"
+
+// ---- limits -------------------------------------------------------------------------------------------------------
+inline constexpr int max_bits = 24;             ///< lattice bits per axis: integers that float32 holds exactly
+inline constexpr int min_step_exponent = -100;  ///< step = 2^exponent
+inline constexpr int max_step_exponent = 100;
+inline constexpr std::uint32_t max_nodes = 1u << 24;
+inline constexpr unsigned max_depth = 16;  ///< nodes on the longest way down; sizes every query's stack
+inline constexpr unsigned max_children = 8;
+inline constexpr unsigned max_leaf_triangles = 16;
+inline constexpr unsigned max_leaf_vertices = 32;
+inline constexpr std::uint32_t max_triangles = 0x7FFFFFFFu;
+
+// ---- header: 128 bytes --------------------------------------------------------------------------------------------
+namespace header {
+inline constexpr std::size_t magic_at = 0;              // u32
+inline constexpr std::size_t version_major_at = 4;      // u16
+inline constexpr std::size_t version_minor_at = 6;      // u16
+inline constexpr std::size_t total_bytes_at = 8;        // u32, the whole blob
+inline constexpr std::size_t checksum_at = 12;          // u32, CRC-32 (IEEE 802.3) of the blob with this field zero
+inline constexpr std::size_t features_at = 16;          // u32, see `feature`
+inline constexpr std::size_t profile_at = 20;           // u8, see `Profile`
+inline constexpr std::size_t bits_at = 21;              // u8, 1..24: coordinates are below 2^bits
+inline constexpr std::size_t step_exponent_at = 22;     // i16
+inline constexpr std::size_t triangle_count_at = 24;    // u32
+inline constexpr std::size_t vertex_count_at = 28;      // u32, distinct lattice points
+inline constexpr std::size_t node_count_at = 32;        // u32, 0 only for an empty mesh
+inline constexpr std::size_t leaf_bytes_at = 36;        // u32, a multiple of 4
+inline constexpr std::size_t origin_at = 40;            // 3 x f32, world position of lattice point 0 0 0
+inline constexpr std::size_t extent_at = 52;            // 3 x u32, largest coordinate per axis (the smallest is 0)
+inline constexpr std::size_t max_error_at = 64;         // f32, world units
+inline constexpr std::size_t depth_at = 68;             // u8
+inline constexpr std::size_t id_bits_at = 69;           // u8, width of an original id, 0..32
+inline constexpr std::size_t source_count_at = 72;      // u32, entries of the source table
+inline constexpr std::size_t source_triangles_at = 76;  // u32, triangles in the sources, dropped ones included
+inline constexpr std::size_t reserved_at = 80;          // zero up to the end (and the two bytes at 70)
+inline constexpr std::size_t bytes = 128;
+static_assert(reserved_at < bytes && bytes % 64 == 0);
+}  // namespace header
+
+/// How nodes and leaves are coded.
+enum class Profile : std::uint8_t { fast = 0 };
+
+/// Bits of the features field. An optional section is there exactly when its bit is set; they follow in bit order.
+namespace feature {
+inline constexpr std::uint32_t original_ids = 1u << 0;
+inline constexpr std::uint32_t materials_8 = 1u << 1;
+inline constexpr std::uint32_t materials_16 = 1u << 2;  // never together with materials_8
+inline constexpr std::uint32_t closed = 1u << 3;        // no bytes: every edge is shared by two triangles, oppositely wound
+inline constexpr std::uint32_t known = original_ids | materials_8 | materials_16 | closed;
+}  // namespace feature
+
+// ---- sections, in this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4 bytes
+inline constexpr std::size_t guard_bytes = 64;  ///< zeros after the leaves, so that wide loads stay inside the blob
+
+namespace source {                          // one entry of the source table
+inline constexpr std::size_t first_at = 0;  // u32, original id of its first triangle; ascending, the first is 0
+inline constexpr std::size_t file_at = 4;   // u32
+inline constexpr std::size_t mesh_at = 8;   // u32
+inline constexpr std::size_t bytes = 12;
+}  // namespace source
+
+// ---- profile fast: a node is one cache line ------------------------------------------------------------------------
+// Children are numbered nodes first, then leaves. The node children are contiguous; blocks of siblings stand in depth-
+// first order. Child boxes are base + plane * 2^shift per axis, rounded outward.
+namespace fast_node {
+inline constexpr std::size_t base_at = 0;        // 3 x u16, in units of 2^max(0, bits - 16)
+inline constexpr std::size_t shifts_at = 6;      // u16: 5 bits x, 5 bits y, 5 bits z, a zero
+inline constexpr std::size_t children_at = 8;    // u32: 24 bits first child node, 4 bits node children, 4 bits leaves
+inline constexpr std::size_t leaf_block_at = 12; // u32, in units of 4 bytes from the start of the leaf section; 0 without leaves
+inline constexpr std::size_t lo_at = 16;         // u8 [axis][child]
+inline constexpr std::size_t hi_at = 40;         // u8 [axis][child]
+inline constexpr std::size_t bytes = 64;
+inline constexpr unsigned max_shift = 17;
+static_assert(hi_at + 3 * max_children == bytes);
+}  // namespace fast_node
+
+// A node's leaves lie together in one block: u32 storage index of the first triangle, a u32 descriptor for each leaf,
+// then each leaf's data, at even offsets. A block is padded with zeros to 4 bytes.
+namespace fast_leaf {
+inline constexpr std::size_t descriptors_at = 4;
+inline constexpr std::size_t descriptor_bytes = 4;
+inline constexpr unsigned offset_bits = 11;    // of the data, in units of 2 bytes from the end of the descriptors
+inline constexpr unsigned triangles_shift = 11;  // 4 bits: triangles - 1
+inline constexpr unsigned vertices_shift = 15;   // 5 bits: vertices - 1
+inline constexpr unsigned widths_shift = 20;     // 3 x 4 bits: width codes of x, y, z
+// Data: a stream of x, of y, of z (offsets from the low corner of the leaf's own box in its node, vertex by vertex) and a
+// stream of triangles (three vertex numbers, the first in the low bits). Each stream is fields of one width, low bits
+// first, padded with zero bits to a byte.
+
+/// The field width that a width code stands for: codes count from 1 to the lattice's own width, 0 means a constant axis.
+constexpr unsigned coordinate_width(unsigned code, unsigned bits) {
+    return code == 0 ? 0 : bits <= 15 ? code : code + (bits - 15);
+}
+/// Bits of one vertex number; a triangle's field is three of them.
+constexpr unsigned corner_width(unsigned vertex_count) {
+    unsigned width = 1;
+    while ((1u << width) < vertex_count) ++width;
+    return width;
+}
+constexpr std::size_t stream_bytes(unsigned count, unsigned width) { return (std::size_t{count} * width + 7) / 8; }
+}  // namespace fast_leaf
+
+}  // namespace espalier::format

@@ -1,0 +1,27 @@
+// The point of the surface that is closest to a given point.
+//
+// Numbers. The point is rounded once onto a grid finer than the asset's lattice (docs/numerics.md). Distances are compared
+// by their correctly ordered squares, within 6 ulp of the exact ones; of equal ones the lowest storage index wins. Whether
+// anything lies within max_distance is decided exactly. The distance is within 4 ulp, the point within 4 ulp of the largest
+// coordinate of the asset's bounds.
+// Arguments. Any bit pattern is safe. A NaN, an infinite point or a negative max_distance finds nothing, O(1).
+#pragma once
+
+#include <espalier/blob.hpp>
+#include <espalier/types.hpp>
+
+namespace espalier {
+
+struct Nearest {
+    Vec3 point;
+    float distance = 0.0f;
+    float u = 0.0f;  ///< barycentric weight of corner b
+    float v = 0.0f;  ///< barycentric weight of corner c; corner a has 1 - u - v
+    Triangle triangle;
+};
+
+/// The closest point of the surface within max_distance (which may be infinite) of `point`. `nearest` is untouched when
+/// there is none.
+bool closest_point(const Blob& blob, Vec3 point, float max_distance, Nearest& nearest) noexcept;
+
+}  // namespace espalier

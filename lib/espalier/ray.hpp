@@ -1,0 +1,53 @@
+// Rays against a blob: closest hit, any hit, all hits.
+//
+// Numbers. The ray is rounded once onto a grid finer than the asset's lattice (docs/numerics.md), and that ray is answered
+// exactly: whether a triangle is hit, within [t_min, t_max], is decided in integers, touching counts, and neighbours never
+// leave a gap. t, u, v are within 4 ulp of the exact values, the normal within 4 ulp of a unit vector's coordinates.
+// A ray inside the plane of a triangle does not hit that triangle.
+// Arguments. Any bit pattern is safe. A NaN anywhere, an infinite origin or direction, or a zero direction: no hit, O(1).
+// t_max may be infinite; t_min below zero counts as zero; t_min > t_max hits nothing.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <espalier/function_ref.hpp>
+#include <espalier/types.hpp>
+
+namespace espalier {
+
+/// Which sides of triangles a ray sees. The front is the side from which the corners run counter-clockwise.
+enum class Faces : std::uint8_t { both, front, back };
+
+struct Ray {
+    Vec3 origin;
+    Vec3 direction;  ///< any length; t counts in it
+    float t_min = 0.0f;
+    float t_max = __builtin_inff();
+    Faces faces = Faces::both;
+};
+
+struct RayHit {
+    float t = 0.0f;  ///< the point is origin + t * direction
+    float u = 0.0f;  ///< barycentric weight of corner b
+    float v = 0.0f;  ///< barycentric weight of corner c; corner a has 1 - u - v
+    Vec3 normal;     ///< unit geometric normal of the front side
+    Triangle triangle;
+};
+
+/// Called with a triangle that the ray hits; answers whether the hit counts. May be called for hits behind the closest one,
+/// in no promised order: its answer must depend on the triangle alone.
+using TriangleFilter = FunctionRef<bool(Triangle)>;
+
+/// The hit with the smallest t, of equal t the one with the lowest storage index. `hit` is untouched when there is none.
+bool raycast(const Blob& blob, const Ray& ray, RayHit& hit) noexcept;
+bool raycast(const Blob& blob, const Ray& ray, RayHit& hit, TriangleFilter filter);
+
+/// Whether the ray hits anything. Cheaper than the closest hit.
+[[nodiscard]] bool occluded(const Blob& blob, const Ray& ray) noexcept;
+[[nodiscard]] bool occluded(const Blob& blob, const Ray& ray, TriangleFilter filter);
+
+/// Every hit, in storage order (not sorted by t), until the visitor answers stop. True when it saw them all.
+bool for_each_hit(const Blob& blob, const Ray& ray, FunctionRef<Visit(const RayHit&)> visit);
+
+}  // namespace espalier

@@ -1,0 +1,36 @@
+// The plain values that every query takes and gives.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace espalier {
+
+/// A point or a direction, in the units and axes that the asset was baked in.
+struct Vec3 {
+    float x = 0.0f;
+    float y = 0.0f;
+    float z = 0.0f;
+    friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+};
+
+/// A triangle of a blob, named by its storage index: 0 .. Blob::triangle_count() - 1.
+/// The order is the baker's; `original_triangle` leads back to the source when the blob carries ids.
+struct Triangle {
+    std::uint32_t index = 0;
+    friend constexpr auto operator<=>(const Triangle&, const Triangle&) = default;
+};
+
+/// The three corners of a triangle, in the winding of its source.
+struct Corners {
+    Vec3 a;
+    Vec3 b;
+    Vec3 c;
+};
+
+/// What a visitor answers after each triangle or hit.
+enum class Visit : std::uint8_t { keep_going, stop };
+inline constexpr Visit keep_going = Visit::keep_going;
+inline constexpr Visit stop = Visit::stop;
+
+}  // namespace espalier
