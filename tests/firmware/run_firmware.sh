@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# run_firmware.sh m0|m4f HOST_QUERY_ANSWERS BLOB_FOLDER BUILD_FOLDER CMAKE
+# Builds bare-metal images, runs them under QEMU, compares their answers with this machine's and prints code and stack size.
+# Exit status: 0 the same bits, 1 other bits or a failure, 77 a tool is missing.
+set -euo pipefail
+
+core=$1 host_program=$2 blobs=$3 build=$4 cmake=$5
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+questions=50
+
+case $core in
+    m0) board=microbit ;;
+    m4f) board=mps2-an386 ;;
+    *) echo "failed: no such core: $core"; exit 1 ;;
+esac
+for tool in arm-none-eabi-g++ qemu-system-arm; do
+    if ! command -v "$tool" >/dev/null; then
+        echo "skipped: $tool is not installed (tools/dev test installs it)"
+        exit 77
+    fi
+done
+
+run_image() {  # prints what the image prints; its exit status is the image's
+    timeout 200 qemu-system-arm -M "$board" -nographic -monitor none -serial null \
+        -semihosting-config enable=on,target=native -kernel "$build/$1.elf" </dev/null 2>&1
+}
+flash_bytes() { arm-none-eabi-size "$build/$1.elf" | awk 'NR == 2 { print $1 + $2 }'; }
+
+mkdir -p "$build"
+"$cmake" -S "$here/image" -B "$build" -DBLOB_FOLDER="$blobs" -DQUESTIONS="$questions" \
+    -DCMAKE_TOOLCHAIN_FILE="$here/../../lib/cmake/toolchains/cortex-$core.cmake" >"$build/configure.log" 2>&1 ||
+    { cat "$build/configure.log"; exit 1; }
+"$cmake" --build "$build" --parallel 2 >"$build/build.log" 2>&1 || { cat "$build/build.log"; exit 1; }
+
+for image in empty closest_ray; do
+    run_image "$image" || { echo "failed: the image $image.elf ended with status $?"; exit 1; }
+done
+"$host_program" "$questions" "$blobs/small.espl" >"$build/host.txt"
+run_image answers >"$build/$core.txt" || { cat "$build/$core.txt"; echo "failed: answers.elf ended badly"; exit 1; }
+
+cat "$build/$core.txt"
+echo "code open+raycast $(($(flash_bytes closest_ray) - $(flash_bytes empty)))"
+echo "code everything $(($(flash_bytes answers) - $(flash_bytes empty)))"
+if ! diff "$build/host.txt" <(grep '^answers ' "$build/$core.txt"); then
+    echo "failed: $core answers with other bits than this machine (< this machine, > $core)"
+    exit 1
+fi
+echo "the same bits on $core as here"

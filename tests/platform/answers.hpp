@@ -1,0 +1,144 @@
+// Asks a blob everything the runtime can be asked, and hashes every bit that comes back. No heap, no libc, no doubles:
+// the same file runs on a server and on a Cortex-M0.
+#pragma once
+
+#include <cstdint>
+
+#include "fingerprint.hpp"
+#include "questions.hpp"
+
+namespace espalier::platform {
+
+/// What was asked and found. The counts show that the hash is not one of "nothing" a thousand times.
+struct Answers {
+    Fingerprint fingerprint;
+    std::uint32_t rays = 0;
+    std::uint32_t rays_hit = 0;
+    std::uint32_t hits = 0;
+    std::uint32_t spheres = 0;
+    std::uint32_t overlaps = 0;
+    std::uint32_t points = 0;
+    std::uint32_t points_found = 0;
+};
+
+inline void add_triangle(Fingerprint& fingerprint, const Blob& blob, Triangle triangle) {
+    OriginalTriangle original;
+    fingerprint.add(triangle.index);
+    fingerprint.add(original_triangle(blob, triangle, original));
+    fingerprint.add(original.file);
+    fingerprint.add(original.mesh);
+    fingerprint.add(original.triangle);
+    fingerprint.add(std::uint32_t{material(blob, triangle)});
+}
+
+inline void add_hit(Fingerprint& fingerprint, const Blob& blob, const RayHit& hit) {
+    fingerprint.add(hit.t);
+    fingerprint.add(hit.u);
+    fingerprint.add(hit.v);
+    fingerprint.add(hit.normal);
+    add_triangle(fingerprint, blob, hit.triangle);
+}
+
+inline void ask_closest_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        RayHit hit;
+        const bool found = raycast(blob, questions.ray(number), hit);
+        ++answers.rays;
+        answers.rays_hit += found ? 1u : 0u;
+        answers.fingerprint.add(found);
+        add_hit(answers.fingerprint, blob, hit);
+    }
+}
+
+inline void ask_filtered_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    const auto odd = [](Triangle triangle) { return (triangle.index & 1u) != 0; };
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Ray ray = questions.ray(number);
+        RayHit hit;
+        ++answers.rays;
+        answers.fingerprint.add(raycast(blob, ray, hit, odd));
+        add_hit(answers.fingerprint, blob, hit);
+        answers.fingerprint.add(occluded(blob, ray));
+        answers.fingerprint.add(occluded(blob, ray, odd));
+    }
+}
+
+inline void ask_all_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        std::uint32_t left = 6;  // so that stopping early is asked for too
+        const bool saw_all = for_each_hit(blob, questions.ray(number), [&](const RayHit& hit) {
+            ++answers.hits;
+            add_hit(answers.fingerprint, blob, hit);
+            return --left == 0 ? stop : keep_going;
+        });
+        ++answers.rays;
+        answers.fingerprint.add(saw_all);
+    }
+}
+
+inline void ask_spheres(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Sphere sphere = questions.sphere(number);
+        std::uint32_t left = 40;
+        answers.fingerprint.add(overlaps(blob, sphere));
+        const bool saw_all = for_each_overlap(blob, sphere, [&](Triangle triangle) {
+            ++answers.overlaps;
+            answers.fingerprint.add(triangle.index);
+            return --left == 0 ? stop : keep_going;
+        });
+        ++answers.spheres;
+        answers.fingerprint.add(saw_all);
+    }
+}
+
+inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Vec3 point = questions.point(number);
+        Nearest nearest;
+        const bool found = closest_point(blob, point, questions.distance(number), nearest);
+        ++answers.points;
+        answers.points_found += found ? 1u : 0u;
+        answers.fingerprint.add(found);
+        answers.fingerprint.add(nearest.point);
+        answers.fingerprint.add(nearest.distance);
+        answers.fingerprint.add(nearest.u);
+        answers.fingerprint.add(nearest.v);
+        add_triangle(answers.fingerprint, blob, nearest.triangle);
+    }
+}
+
+/// What `open` tells about the blob, and every triangle in it.
+inline void read_all(const Blob& blob, Answers& answers) {
+    answers.fingerprint.add(blob.triangle_count());
+    answers.fingerprint.add(blob.vertex_count());
+    answers.fingerprint.add(blob.size_bytes());
+    answers.fingerprint.add(blob.checksum());
+    answers.fingerprint.add(std::uint32_t{blob.depth()});
+    answers.fingerprint.add(std::uint32_t{blob.bits()});
+    answers.fingerprint.add(blob.step());
+    answers.fingerprint.add(blob.max_error());
+    answers.fingerprint.add(blob.bounds_min());
+    answers.fingerprint.add(blob.bounds_max());
+    answers.fingerprint.add(blob.closed());
+    for_each_triangle(blob, [&](Triangle triangle, const Corners& corners) {
+        add_triangle(answers.fingerprint, blob, triangle);
+        answers.fingerprint.add(corners.a);
+        answers.fingerprint.add(corners.b);
+        answers.fingerprint.add(corners.c);
+        return keep_going;
+    });
+}
+
+inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kind) {
+    Answers answers;
+    Questions questions(blob);
+    read_all(blob, answers);
+    ask_closest_hits(blob, questions, 2 * questions_of_a_kind, answers);
+    ask_filtered_hits(blob, questions, questions_of_a_kind, answers);
+    ask_all_hits(blob, questions, questions_of_a_kind, answers);
+    ask_spheres(blob, questions, questions_of_a_kind, answers);
+    ask_closest_points(blob, questions, questions_of_a_kind, answers);
+    return answers;
+}
+
+}  // namespace espalier::platform

@@ -1,0 +1,153 @@
+// make_blobs FOLDER: bakes the blobs that the emulated machines are asked about, as .espl files, and the smallest one as
+// a list of numbers that a firmware image can include. The meshes are made here, from integers: a landscape and a lumpy
+// closed body above it, so that ids, materials and several inputs have something to say.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+namespace {
+
+struct Mesh {
+    std::vector<espalier::Vec3> positions;
+    std::vector<espalier::TriangleVertices> triangles;
+    std::vector<std::uint32_t> materials;
+
+    void add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t material) {
+        triangles.push_back({a, b, c});
+        triangles.push_back({a, c, d});
+        materials.insert(materials.end(), 2, material);
+    }
+};
+
+std::uint32_t scramble(std::uint32_t value) {
+    value = (value ^ (value >> 16)) * 0x7FEB352Du;
+    value = (value ^ (value >> 15)) * 0x846CA68Bu;
+    return value ^ (value >> 16);
+}
+
+float height(std::uint32_t column, std::uint32_t row) {
+    const auto wide = static_cast<float>(scramble((column / 4) * 1000 + row / 4) >> 8) * 0x1p-23f;
+    const auto fine = static_cast<float>(scramble(column * 1000 + row) >> 8) * 0x1p-25f;
+    return wide + fine;
+}
+
+Mesh make_landscape(std::uint32_t side) {
+    Mesh mesh;
+    for (std::uint32_t row = 0; row <= side; ++row) {
+        for (std::uint32_t column = 0; column <= side; ++column) {
+            mesh.positions.push_back({static_cast<float>(column), static_cast<float>(row), height(column, row)});
+        }
+    }
+    for (std::uint32_t row = 0; row < side; ++row) {
+        for (std::uint32_t column = 0; column < side; ++column) {
+            const std::uint32_t corner = row * (side + 1) + column;
+            mesh.add_quad(corner, corner + 1, corner + side + 2, corner + side + 1, scramble(corner) % 5);
+        }
+    }
+    return mesh;
+}
+
+// The six faces of a cube, each a grid, blown up to a sphere with lumps. Faces share their border points by value.
+Mesh make_body(std::int32_t cells, float radius, const espalier::Vec3& center) {
+    Mesh mesh;
+    const auto add_point = [&](const std::array<std::int32_t, 3>& grid) {
+        const auto x = static_cast<float>(grid[0]);
+        const auto y = static_cast<float>(grid[1]);
+        const auto z = static_cast<float>(grid[2]);
+        const std::uint32_t lump = scramble(static_cast<std::uint32_t>(grid[0] * 10007 + grid[1] * 101 + grid[2]));
+        const float reach = radius * (1.0f + static_cast<float>(lump >> 8) * 0x1p-27f) / std::sqrt(x * x + y * y + z * z);
+        mesh.positions.push_back({center.x + x * reach, center.y + y * reach, center.z + z * reach});
+    };
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        for (const std::int32_t side : {-cells, cells}) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            for (std::int32_t row = -cells; row <= cells; row += 2) {
+                for (std::int32_t column = -cells; column <= cells; column += 2) {
+                    std::array<std::int32_t, 3> grid{};
+                    grid[axis] = side;
+                    grid[(axis + 1) % 3] = side > 0 ? column : row;
+                    grid[(axis + 2) % 3] = side > 0 ? row : column;
+                    add_point(grid);
+                }
+            }
+            const auto width = static_cast<std::uint32_t>(cells) + 1;
+            for (std::uint32_t row = 0; row + 1 < width; ++row) {
+                for (std::uint32_t column = 0; column + 1 < width; ++column) {
+                    const std::uint32_t corner = first + row * width + column;
+                    mesh.add_quad(corner, corner + 1, corner + width + 1, corner + width, 200 + axis);
+                }
+            }
+        }
+    }
+    return mesh;
+}
+
+espalier::MeshView view(const Mesh& mesh, std::uint32_t file, const char* name) {
+    return {.positions = mesh.positions,
+            .triangles = mesh.triangles,
+            .materials = mesh.materials,
+            .file = file,
+            .mesh = 0,
+            .name = name};
+}
+
+bool write_file(const std::string& path, const void* bytes, std::size_t count) {
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    const bool written = file != nullptr && std::fwrite(bytes, 1, count, file) == count;
+    const bool closed = file != nullptr && std::fclose(file) == 0;
+    if (!written || !closed) std::fprintf(stderr, "make_blobs: %s could not be written\n", path.c_str());
+    return written && closed;
+}
+
+bool write_number_list(const std::string& path, const std::vector<std::byte>& blob) {
+    std::string text;
+    for (std::size_t index = 0; index < blob.size(); ++index) {
+        text += std::to_string(std::to_integer<unsigned>(blob[index]));
+        text += index % 32 == 31 ? ",\n" : ",";
+    }
+    text += '\n';
+    return write_file(path, text.data(), text.size());
+}
+
+bool bake_to(const std::string& path, const std::vector<espalier::MeshView>& meshes, const espalier::BakeOptions& options,
+             const std::string& number_list_path = {}) {
+    const auto baked = espalier::bake(meshes, options);
+    if (!baked) {
+        std::fprintf(stderr, "make_blobs: %s: %s\n", path.c_str(), baked.error().message.c_str());
+        return false;
+    }
+    std::fprintf(stderr, "%s: %u triangles, %zu bytes\n", path.c_str(), baked->report.triangles, baked->blob.size());
+    return write_file(path, baked->blob.data(), baked->blob.size()) &&
+           (number_list_path.empty() || write_number_list(number_list_path, baked->blob));
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    if (argument_count != 2) {
+        std::fputs("usage: make_blobs FOLDER\n", stderr);
+        return 1;
+    }
+    const std::string folder = std::string(arguments[1]) + "/";
+    const Mesh landscape = make_landscape(32);
+    const Mesh body = make_body(8, 6.0f, {15.0f, 17.0f, 11.0f});
+    const Mesh far_body = make_body(32, 2.0f, {148376.0f, 1234.0f, -223423.0f});
+
+    espalier::BakeOptions options;
+    options.original_ids = true;
+    options.materials = espalier::Materials::bits_8;
+    const bool small = bake_to(folder + "small.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")}, options,
+                               folder + "small.inc");
+    options.bits = 24;
+    options.materials = espalier::Materials::bits_16;
+    const bool fine = bake_to(folder + "fine.espl", {view(far_body, 0, "far body"), view(far_body, 1, "twin")}, options);
+    espalier::BakeOptions plain;
+    plain.bits = 5;
+    const bool coarse = bake_to(folder + "coarse.espl", {view(landscape, 0, "landscape")}, plain);
+    return small && fine && coarse ? 0 : 2;
+}

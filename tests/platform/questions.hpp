@@ -1,0 +1,170 @@
+// A fixed list of questions to ask a blob: the same on every machine, because every float in it comes from integers by
+// operations that round alike everywhere. Half of them are awkward on purpose: aimed at corners and at points of the
+// surface, axis-parallel, from far away, or any bit pattern at all.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <espalier/espalier.hpp>
+
+namespace espalier::platform {
+
+class Questions {
+public:
+    explicit Questions(const Blob& blob) : blob_(blob) {
+        const Vec3 low = blob.bounds_min();
+        const Vec3 high = blob.bounds_max();
+        center_ = {(low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f, (low.z + high.z) * 0.5f};
+        half_ = {(high.x - low.x) * 0.5f, (high.y - low.y) * 0.5f, (high.z - low.z) * 0.5f};
+        collect_corners();
+    }
+
+    Ray ray(std::uint32_t number) {
+        Ray ray;
+        switch (number % 8) {
+        case 0:
+            ray = towards(point_around(2.0f), point_around(1.0f));
+            break;
+        case 1:
+            ray = {.origin = point_around(1.0f), .direction = axis()};
+            break;
+        case 2:
+            ray = towards(point_around(4096.0f), surface_point());
+            break;
+        case 3:
+            ray = towards(surface_point(), point_around(1.0f));
+            break;
+        case 4:
+            ray = towards(point_around(2.0f), corner());
+            break;
+        case 5:
+            ray = {.origin = corner(), .direction = axis()};
+            step_back(ray);
+            break;
+        case 6:
+            ray = {.origin = any_bits(), .direction = any_bits()};
+            break;
+        default:
+            ray = towards(corner(), corner());
+            ray.t_min = fraction() * 0.25f;
+            ray.t_max = 0.5f + fraction();
+            break;
+        }
+        ray.faces = static_cast<Faces>(word() % 3);
+        return ray;
+    }
+
+    Sphere sphere(std::uint32_t number) {
+        switch (number % 4) {
+        case 0:
+            return {point_around(1.0f), size() * 0.125f * fraction()};
+        case 1:
+            return {surface_point(), 0.0f};
+        case 2:
+            return {corner(), size() * 0.03125f * fraction()};
+        default:
+            return {any_bits(), any_float()};
+        }
+    }
+
+    Vec3 point(std::uint32_t number) {
+        switch (number % 4) {
+        case 0:
+            return point_around(1.0f);
+        case 1:
+            return surface_point();
+        case 2:
+            return point_around(1024.0f);
+        default:
+            return any_bits();
+        }
+    }
+
+    float distance(std::uint32_t number) {
+        switch (number % 3) {
+        case 0:
+            return __builtin_inff();
+        case 1:
+            return size() * fraction();
+        default:
+            return any_float();
+        }
+    }
+
+private:
+    static constexpr std::uint32_t corner_capacity = 32;
+
+    std::uint32_t word() {  // xorshift32: no 64-bit arithmetic, for the smallest cores
+        state_ ^= state_ << 13;
+        state_ ^= state_ >> 17;
+        state_ ^= state_ << 5;
+        return state_;
+    }
+    float fraction() { return static_cast<float>(word() >> 8) * 0x1p-24f; }
+    float signed_fraction() { return static_cast<float>(static_cast<std::int32_t>(word() >> 8) - 0x800000) * 0x1p-23f; }
+    float any_float() { return std::bit_cast<float>(word()); }
+    Vec3 any_bits() {
+        const float x = any_float();
+        const float y = any_float();
+        return {x, y, any_float()};
+    }
+
+    [[nodiscard]] float size() const { return half_.x + half_.y + half_.z; }
+
+    Vec3 point_around(float scale) {
+        const float x = center_.x + half_.x * signed_fraction() * scale;
+        const float y = center_.y + half_.y * signed_fraction() * scale;
+        return {x, y, center_.z + half_.z * signed_fraction() * scale};
+    }
+
+    Vec3 surface_point() {
+        const Vec3 near = point_around(1.0f);
+        Nearest nearest;
+        return closest_point(blob_, near, __builtin_inff(), nearest) ? nearest.point : near;
+    }
+
+    Vec3 corner() { return corner_count_ == 0 ? center_ : corners_[word() % corner_count_]; }
+
+    Vec3 axis() {
+        const std::uint32_t choice = word();
+        const float length = (choice & 1u) != 0 ? 1.0f : -1.0f;
+        switch ((choice >> 8) % 3) {
+        case 0:
+            return {length, 0.0f, 0.0f};
+        case 1:
+            return {-0.0f, length, 0.0f};
+        default:
+            return {0.0f, -0.0f, length};
+        }
+    }
+
+    void step_back(Ray& ray) const {
+        ray.origin.x -= ray.direction.x * size();
+        ray.origin.y -= ray.direction.y * size();
+        ray.origin.z -= ray.direction.z * size();
+    }
+
+    static Ray towards(const Vec3& from, const Vec3& to) {
+        return {.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}};
+    }
+
+    void collect_corners() {
+        const std::uint32_t stride = blob_.triangle_count() / corner_capacity + 1;
+        for_each_triangle(blob_, [&](Triangle triangle, const Corners& corners) {
+            if (triangle.index % stride == 0 && corner_count_ < corner_capacity) {
+                corners_[corner_count_++] = corners.b;
+            }
+            return keep_going;
+        });
+    }
+
+    const Blob& blob_;
+    Vec3 center_;
+    Vec3 half_;
+    Vec3 corners_[corner_capacity];
+    std::uint32_t corner_count_ = 0;
+    std::uint32_t state_ = 0x9E3779B9u;
+};
+
+}  // namespace espalier::platform
