@@ -1,0 +1,3 @@
+// The one executable that holds every claim.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>

@@ -1,0 +1,231 @@
+#include "decoder.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+#include <string>
+
+#include <espalier/format.hpp>
+
+namespace espalier::tests {
+
+namespace {
+
+class Bytes {
+public:
+    explicit Bytes(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    [[nodiscard]] std::uint32_t u8(std::size_t at) const {
+        if (at >= bytes_.size()) throw std::runtime_error("decoder: read past the end at byte " + std::to_string(at));
+        return std::to_integer<std::uint32_t>(bytes_[at]);
+    }
+    [[nodiscard]] std::uint32_t u16(std::size_t at) const { return u8(at) | u8(at + 1) << 8; }
+    [[nodiscard]] std::uint32_t u32(std::size_t at) const { return u16(at) | u16(at + 2) << 16; }
+    [[nodiscard]] float f32(std::size_t at) const { return std::bit_cast<float>(u32(at)); }
+
+    /// `width` bits, `bit` bits after the byte `at`, low bits first; one bit at a time, so that nobody has to trust a shift.
+    [[nodiscard]] std::uint32_t field(std::size_t at, std::size_t bit, unsigned width) const {
+        std::uint32_t value = 0;
+        for (unsigned i = 0; i < width; ++i, ++bit) value |= (u8(at + bit / 8) >> (bit % 8) & 1u) << i;
+        return value;
+    }
+
+private:
+    std::span<const std::byte> bytes_;
+};
+
+std::size_t padded(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
+
+/// One leaf, whose data begin at `at`.
+struct Leaf {
+    std::uint32_t descriptor;
+    std::size_t at;
+    GridPoint anchor;
+};
+
+void append_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits, std::vector<GridTriangle>& triangles) {
+    namespace layout = format::fast_leaf;
+    const unsigned triangle_count = (leaf.descriptor >> layout::triangles_shift & 15u) + 1;
+    const unsigned vertex_count = (leaf.descriptor >> layout::vertices_shift & 31u) + 1;
+    std::size_t at = leaf.at;
+    std::vector<GridPoint> vertices(vertex_count);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const unsigned code = leaf.descriptor >> (layout::widths_shift + 4 * axis) & 15u;
+        const unsigned width = layout::coordinate_width(code, bits);
+        for (unsigned i = 0; i < vertex_count; ++i) {
+            vertices[i][axis] =
+                leaf.anchor[axis] + static_cast<std::int32_t>(bytes.field(at, std::size_t{i} * width, width));
+        }
+        at += layout::stream_bytes(vertex_count, width);
+    }
+    const unsigned corner = layout::corner_width(vertex_count);
+    for (unsigned i = 0; i < triangle_count; ++i) {
+        const auto vertex = [&](unsigned k) {
+            const std::uint32_t number = bytes.field(at, std::size_t{3 * i + k} * corner, corner);
+            if (number >= vertex_count) throw std::runtime_error("decoder: a triangle names no vertex of its leaf");
+            return vertices[number];
+        };
+        triangles.push_back({vertex(0), vertex(1), vertex(2)});
+    }
+}
+
+class Decoder {
+public:
+    explicit Decoder(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    DecodedBlob run() {
+        read_header();
+        if (node_count_ > 0) read_nodes();
+        if (decoded_.triangles.size() != decoded_.triangle_count) {
+            throw std::runtime_error("decoder: the leaves hold another number of triangles than the header says");
+        }
+        read_optional_sections();
+        return std::move(decoded_);
+    }
+
+private:
+    void read_header() {
+        namespace at = format::header;
+        decoded_.features = bytes_.u32(at::features_at);
+        decoded_.bits = bytes_.u8(at::bits_at);
+        decoded_.step_exponent = static_cast<std::int16_t>(bytes_.u16(at::step_exponent_at));
+        decoded_.triangle_count = bytes_.u32(at::triangle_count_at);
+        decoded_.vertex_count = bytes_.u32(at::vertex_count_at);
+        node_count_ = bytes_.u32(at::node_count_at);
+        leaf_bytes_ = bytes_.u32(at::leaf_bytes_at);
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            decoded_.origin[axis] = bytes_.f32(at::origin_at + 4 * axis);
+            decoded_.extent[axis] = bytes_.u32(at::extent_at + 4 * axis);
+        }
+        decoded_.max_error = bytes_.f32(at::max_error_at);
+        decoded_.depth = bytes_.u8(at::depth_at);
+        id_bits_ = bytes_.u8(at::id_bits_at);
+        source_count_ = bytes_.u32(at::source_count_at);
+        decoded_.source_triangles = bytes_.u32(at::source_triangles_at);
+        leaves_at_ = at::bytes + std::size_t{node_count_} * format::fast_node::bytes;
+    }
+
+    // Leaf blocks hold consecutive storage indices but are reached in the order of the nodes, so each leaf's triangles are
+    // put where its block says.
+    void read_nodes() {
+        decoded_.nodes.resize(node_count_);
+        decoded_.nodes[0].depth = 1;
+        decoded_.triangles.resize(decoded_.triangle_count);
+        std::vector<std::pair<std::uint32_t, std::uint8_t>> leaf_sizes;
+        std::size_t filled = 0;
+        for (std::uint32_t node = 0; node < node_count_; ++node) read_node(node, leaf_sizes, filled);
+        if (filled != decoded_.triangle_count) {
+            throw std::runtime_error("decoder: the leaves hold another number of triangles than the header says");
+        }
+        std::sort(leaf_sizes.begin(), leaf_sizes.end());
+        for (const auto& [first, count] : leaf_sizes) decoded_.triangles_in_leaf.push_back(count);
+    }
+
+    void read_node(std::uint32_t node, std::vector<std::pair<std::uint32_t, std::uint8_t>>& leaf_sizes,
+                   std::size_t& filled) {
+        namespace layout = format::fast_node;
+        const std::size_t at = format::header::bytes + std::size_t{node} * layout::bytes;
+        const std::uint32_t children = bytes_.u32(at + layout::children_at);
+        const std::uint32_t first_node = children & 0xFFFFFFu;
+        const std::uint32_t nodes = children >> 24 & 15u;
+        const std::uint32_t leaves = children >> 28;
+        if (nodes + leaves > format::max_children) throw std::runtime_error("decoder: a node has more than 8 children");
+        const std::uint32_t shifts = bytes_.u16(at + layout::shifts_at);
+        const unsigned unit = decoded_.bits > 16 ? decoded_.bits - 16 : 0;
+        const auto plane = [&](std::size_t planes_at, unsigned axis, unsigned child) {
+            const std::uint32_t base = bytes_.u16(at + layout::base_at + 2 * axis) << unit;
+            const std::uint32_t steps = bytes_.u8(at + planes_at + format::max_children * axis + child);
+            return static_cast<std::int32_t>(base + (steps << (shifts >> (5 * axis) & 31u)));
+        };
+        const std::size_t block =
+            leaves_at_ + std::size_t{4} * bytes_.u32(at + layout::leaf_block_at);
+        std::uint32_t triangle = leaves > 0 ? bytes_.u32(block) : 0;
+        for (unsigned child = 0; child < nodes + leaves; ++child) {
+            DecodedChild out;
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                out.box.low[axis] = plane(layout::lo_at, axis, child);
+                out.box.high[axis] = plane(layout::hi_at, axis, child);
+            }
+            if (child < nodes) {
+                out.is_node = true;
+                out.node = first_node + child;
+                if (out.node >= node_count_) throw std::runtime_error("decoder: a child node is out of range");
+                decoded_.nodes[out.node].depth = decoded_.nodes[node].depth + 1;
+            } else {
+                namespace leaf = format::fast_leaf;
+                const std::size_t data = block + leaf::descriptors_at + leaf::descriptor_bytes * std::size_t{leaves};
+                const std::uint32_t descriptor =
+                    bytes_.u32(block + leaf::descriptors_at + leaf::descriptor_bytes * std::size_t{child - nodes});
+                const std::size_t offset = std::size_t{2} * (descriptor & ((1u << leaf::offset_bits) - 1));
+                std::vector<GridTriangle> triangles;
+                append_leaf(bytes_, {descriptor, data + offset, out.box.low}, decoded_.bits, triangles);
+                out.first_triangle = triangle;
+                out.triangle_count = static_cast<std::uint32_t>(triangles.size());
+                if (std::size_t{triangle} + triangles.size() > decoded_.triangles.size()) {
+                    throw std::runtime_error("decoder: a leaf's storage indices are out of range");
+                }
+                std::copy(triangles.begin(), triangles.end(), decoded_.triangles.begin() + triangle);
+                leaf_sizes.emplace_back(triangle, static_cast<std::uint8_t>(triangles.size()));
+                filled += triangles.size();
+                triangle += out.triangle_count;
+            }
+            decoded_.nodes[node].children.push_back(out);
+        }
+    }
+
+    void read_optional_sections() {
+        const std::size_t triangles = decoded_.triangle_count;
+        std::size_t at = leaves_at_ + leaf_bytes_ + format::guard_bytes;
+        if ((decoded_.features & format::feature::original_ids) != 0) {
+            for (std::uint32_t i = 0; i < source_count_; ++i, at += format::source::bytes) {
+                decoded_.sources.push_back({bytes_.u32(at + format::source::first_at),
+                                            bytes_.u32(at + format::source::file_at),
+                                            bytes_.u32(at + format::source::mesh_at)});
+            }
+            for (std::size_t i = 0; i < triangles; ++i) {
+                decoded_.original_ids.push_back(bytes_.field(at, i * id_bits_, id_bits_));
+            }
+            at += padded((triangles * id_bits_ + 7) / 8);
+        }
+        if ((decoded_.features & format::feature::materials_8) != 0) {
+            for (std::size_t i = 0; i < triangles; ++i) {
+                decoded_.materials.push_back(static_cast<std::uint16_t>(bytes_.u8(at + i)));
+            }
+            at += padded(triangles);
+        }
+        if ((decoded_.features & format::feature::materials_16) != 0) {
+            for (std::size_t i = 0; i < triangles; ++i) {
+                decoded_.materials.push_back(static_cast<std::uint16_t>(bytes_.u16(at + 2 * i)));
+            }
+            at += padded(2 * triangles);
+        }
+        if (at != bytes_.u32(format::header::total_bytes_at)) {
+            throw std::runtime_error("decoder: the sections do not fill the blob");
+        }
+    }
+
+    Bytes bytes_;
+    DecodedBlob decoded_;
+    std::uint32_t node_count_ = 0;
+    std::uint32_t leaf_bytes_ = 0;
+    std::uint32_t source_count_ = 0;
+    unsigned id_bits_ = 0;
+    std::size_t leaves_at_ = 0;
+};
+
+}  // namespace
+
+DecodedBlob decode(std::span<const std::byte> bytes) { return Decoder(bytes).run(); }
+
+std::vector<GridPoint> distinct_corners(const DecodedBlob& decoded) {
+    std::vector<GridPoint> corners;
+    corners.reserve(3 * decoded.triangles.size());
+    for (const GridTriangle& triangle : decoded.triangles) {
+        corners.insert(corners.end(), {triangle.a, triangle.b, triangle.c});
+    }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+}  // namespace espalier::tests

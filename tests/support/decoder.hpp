@@ -1,0 +1,75 @@
+// A decoder of blobs that was written from format.hpp alone and shares no code with the runtime or the baker: slow, plain,
+// and the tests' second opinion on what the bytes mean.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <espalier/types.hpp>
+
+namespace espalier::tests {
+
+/// In lattice steps.
+using GridPoint = std::array<std::int32_t, 3>;
+
+struct GridBox {
+    GridPoint low;
+    GridPoint high;
+    friend bool operator==(const GridBox&, const GridBox&) = default;
+};
+
+struct GridTriangle {
+    GridPoint a;
+    GridPoint b;
+    GridPoint c;
+    friend bool operator==(const GridTriangle&, const GridTriangle&) = default;
+};
+
+struct DecodedChild {
+    GridBox box;
+    bool is_node = false;
+    std::uint32_t node = 0;            // of a node child
+    std::uint32_t first_triangle = 0;  // of a leaf
+    std::uint32_t triangle_count = 0;
+};
+
+struct DecodedNode {
+    unsigned depth = 0;  // the root's is 1
+    std::vector<DecodedChild> children;
+};
+
+struct DecodedSource {
+    std::uint32_t first = 0;
+    std::uint32_t file = 0;
+    std::uint32_t mesh = 0;
+};
+
+struct DecodedBlob {
+    std::uint32_t features = 0;
+    unsigned bits = 0;
+    int step_exponent = 0;
+    std::array<float, 3> origin{};
+    std::array<std::uint32_t, 3> extent{};
+    float max_error = 0.0f;
+    unsigned depth = 0;
+    std::uint32_t triangle_count = 0;
+    std::uint32_t vertex_count = 0;
+    std::uint32_t source_triangles = 0;
+    std::vector<DecodedNode> nodes;
+    std::vector<GridTriangle> triangles;         // in storage order
+    std::vector<DecodedSource> sources;          // empty without original ids
+    std::vector<std::uint32_t> original_ids;     // one for each triangle, or none
+    std::vector<std::uint16_t> materials;        // one for each triangle, or none
+    std::vector<std::uint8_t> triangles_in_leaf; // of each leaf, in storage order
+};
+
+/// Throws std::runtime_error on bytes that do not follow the format; it checks what it needs to go on, not every rule.
+DecodedBlob decode(std::span<const std::byte> bytes);
+
+/// Every distinct corner of the triangles, in order of coordinates.
+std::vector<GridPoint> distinct_corners(const DecodedBlob& decoded);
+
+}  // namespace espalier::tests

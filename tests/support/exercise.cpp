@@ -1,0 +1,179 @@
+#include "exercise.hpp"
+
+#include <bit>
+#include <stdexcept>
+
+#include <espalier/espalier.hpp>
+
+#include "hostile_values.hpp"
+
+namespace espalier::tests {
+
+namespace {
+
+/// FNV-1a over words.
+class Hash {
+public:
+    void add(std::uint32_t word) {
+        for (int i = 0; i < 4; ++i) {
+            value_ ^= word >> (8 * i) & 255u;
+            value_ *= 0x100000001B3u;
+        }
+    }
+    void add(float number) { add(std::bit_cast<std::uint32_t>(number)); }
+    void add(Vec3 v) {
+        add(v.x);
+        add(v.y);
+        add(v.z);
+    }
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 0xCBF29CE484222325u;
+};
+
+void require(bool holds, const char* what) {
+    if (!holds) throw std::runtime_error(what);
+}
+
+bool is_number(float value) { return value == value; }
+
+/// A point near the asset more often than not, so that queries reach the leaves.
+Vec3 some_point(const Blob& blob, Random& random) {
+    const Vec3 low = blob.bounds_min();
+    const Vec3 high = blob.bounds_max();
+    const auto coordinate = [&](float from, float to) {
+        switch (random.below(8)) {
+            case 0: return hostile_values[random.below(hostile_values.size())];
+            case 1: return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+            case 2: return from;
+            case 3: return to;
+            default: return from + (to - from) * (random.unit() * 1.5f - 0.25f);
+        }
+    };
+    const float x = coordinate(low.x, high.x);
+    const float y = coordinate(low.y, high.y);
+    const float z = coordinate(low.z, high.z);
+    return {x, y, z};
+}
+
+float some_length(const Blob& blob, Random& random) {
+    if (random.below(3) == 0) return hostile_values[random.below(hostile_values.size())];
+    return (blob.bounds_max().x - blob.bounds_min().x) * random.unit();
+}
+
+void check_hit(const Blob& blob, const RayHit& hit, Hash& hash) {
+    require(hit.triangle.index < blob.triangle_count(), "a ray hit a triangle that does not exist");
+    require(is_number(hit.t) && hit.t >= 0.0f, "a hit's t is negative or NaN");
+    require(is_number(hit.u) && is_number(hit.v), "a hit's barycentrics are NaN");
+    require(is_number(hit.normal.x) && is_number(hit.normal.y) && is_number(hit.normal.z), "a hit's normal is NaN");
+    hash.add(hit.triangle.index);
+    hash.add(hit.t);
+    hash.add(hit.u);
+    hash.add(hit.v);
+    hash.add(hit.normal);
+}
+
+void exercise_rays(const Blob& blob, Random& random, Hash& hash) {
+    Ray ray;
+    ray.origin = some_point(blob, random);
+    if (random.coin()) {
+        const Vec3 target = some_point(blob, random);
+        ray.direction = {target.x - ray.origin.x, target.y - ray.origin.y, target.z - ray.origin.z};
+    } else {
+        ray.direction = some_point(blob, random);
+    }
+    if (random.below(3) == 0) ray.t_min = hostile_values[random.below(hostile_values.size())];
+    if (random.below(3) == 0) ray.t_max = hostile_values[random.below(hostile_values.size())];
+    ray.faces = static_cast<Faces>(random.below(4));  // one value more than the type names
+    const std::uint32_t parity = random.below(2);
+    const auto filter = [&](Triangle triangle) {
+        require(triangle.index < blob.triangle_count(), "a filter was asked about a triangle that does not exist");
+        return triangle.index % 2 == parity;
+    };
+
+    RayHit hit;
+    const bool found = raycast(blob, ray, hit);
+    if (found) check_hit(blob, hit, hash);
+    require(occluded(blob, ray) == found, "occluded and raycast disagree");
+    RayHit filtered;
+    const bool found_filtered = raycast(blob, ray, filtered, filter);
+    if (found_filtered) check_hit(blob, filtered, hash);
+    require(occluded(blob, ray, filter) == found_filtered, "occluded and raycast disagree under a filter");
+    std::uint32_t visited = 0;
+    std::uint32_t last = 0;
+    const bool saw_all = for_each_hit(blob, ray, [&](const RayHit& each) {
+        check_hit(blob, each, hash);
+        require(visited == 0 || each.triangle.index > last, "hits are not in storage order");
+        last = each.triangle.index;
+        return ++visited == 64 ? stop : keep_going;
+    });
+    require((visited > 0) == found, "for_each_hit and raycast disagree");
+    require(saw_all == (visited < 64), "for_each_hit says wrongly whether it saw all");
+}
+
+void exercise_spheres(const Blob& blob, Random& random, Hash& hash) {
+    const Sphere sphere{some_point(blob, random), some_length(blob, random)};
+    const bool any = overlaps(blob, sphere);
+    std::uint32_t visited = 0;
+    std::uint32_t last = 0;
+    for_each_overlap(blob, sphere, [&](Triangle triangle) {
+        require(triangle.index < blob.triangle_count(), "a sphere overlaps a triangle that does not exist");
+        require(visited == 0 || triangle.index > last, "overlaps are not in storage order");
+        last = triangle.index;
+        hash.add(triangle.index);
+        return ++visited == 64 ? stop : keep_going;
+    });
+    require((visited > 0) == any, "for_each_overlap and overlaps disagree");
+
+    Nearest nearest;
+    if (closest_point(blob, some_point(blob, random), some_length(blob, random), nearest)) {
+        require(nearest.triangle.index < blob.triangle_count(), "the nearest triangle does not exist");
+        require(nearest.distance >= 0.0f, "the nearest distance is negative or NaN");
+        hash.add(nearest.triangle.index);
+        hash.add(nearest.distance);
+        hash.add(nearest.u);
+        hash.add(nearest.v);
+        hash.add(nearest.point);
+    }
+}
+
+void exercise_lookups(const Blob& blob, Random& random, Hash& hash) {
+    const std::uint32_t indices[] = {0, random.below(blob.triangle_count() + 1), blob.triangle_count(), 0x80000000u,
+                                     0xFFFFFFFFu};
+    for (const std::uint32_t index : indices) {
+        OriginalTriangle original;
+        if (original_triangle(blob, {index}, original)) {
+            require(index < blob.triangle_count(), "a triangle that does not exist has an original");
+            hash.add(original.file);
+            hash.add(original.mesh);
+            hash.add(original.triangle);
+        }
+        hash.add(std::uint32_t{material(blob, {index})});
+    }
+    hash.add(blob.step());
+    hash.add(blob.bounds_min());
+    hash.add(blob.bounds_max());
+    std::uint32_t visited = 0;
+    for_each_triangle(blob, [&](Triangle triangle, const Corners& corners) {
+        require(triangle.index == visited++, "triangles are not walked in storage order");
+        hash.add(corners.a);
+        hash.add(corners.b);
+        hash.add(corners.c);
+        return visited == 4096 ? stop : keep_going;
+    });
+}
+
+}  // namespace
+
+std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds) {
+    Hash hash;
+    exercise_lookups(blob, random, hash);
+    for (unsigned i = 0; i < rounds; ++i) {
+        exercise_rays(blob, random, hash);
+        exercise_spheres(blob, random, hash);
+    }
+    return hash.value();
+}
+
+}  // namespace espalier::tests
