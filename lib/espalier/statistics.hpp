@@ -1,0 +1,27 @@
+// The same answers with the work counted: for heat maps, cost models and tests of the culling.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <espalier/ray.hpp>
+
+namespace espalier {
+
+/// Work of the scalar path, added up over calls.
+struct QueryCounters {
+    std::uint64_t nodes = 0;       ///< nodes whose children were tested
+    std::uint64_t leaves = 0;      ///< leaves that were decoded
+    std::uint64_t triangles = 0;   ///< triangles that went through the filter
+    std::uint64_t candidates = 0;  ///< triangles that were decided exactly
+
+    void count_node() { ++nodes; }
+    void count_leaf() { ++leaves; }
+    void count_triangles(unsigned count) { triangles += count; }
+    void count_candidates(unsigned count) { candidates += count; }
+};
+
+/// raycast, counting. Always the scalar path, so that the counts are the same on every machine.
+bool raycast_counted(const Blob& blob, const Ray& ray, RayHit& hit, QueryCounters& counters) noexcept;
+
+}  // namespace espalier

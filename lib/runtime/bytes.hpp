@@ -1,0 +1,27 @@
+// Reading little-endian numbers from bytes that may lie anywhere: no alignment, any byte order of the machine.
+// Compilers turn each of these into one load where the machine has one.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace espalier::detail {
+
+static_assert(sizeof(float) == 4, "float must be IEEE binary32");
+
+inline std::uint32_t load_u8(const std::byte* at) { return std::to_integer<std::uint32_t>(*at); }
+inline std::uint32_t load_u16(const std::byte* at) { return load_u8(at) | load_u8(at + 1) << 8; }
+inline std::uint32_t load_u32(const std::byte* at) { return load_u16(at) | load_u16(at + 2) << 16; }
+inline std::uint64_t load_u64(const std::byte* at) { return load_u32(at) | std::uint64_t{load_u32(at + 4)} << 32; }
+inline std::int16_t load_i16(const std::byte* at) { return static_cast<std::int16_t>(load_u16(at)); }
+inline float load_f32(const std::byte* at) { return std::bit_cast<float>(load_u32(at)); }
+
+/// Field `index` of a stream of `width`-bit fields, low bits first; width at most 25. Reads the 4 bytes from the one in
+/// which the field begins: the format's guard keeps that inside the blob.
+inline std::uint32_t load_field(const std::byte* stream, unsigned width, unsigned index) {
+    const unsigned bit = width * index;
+    return (load_u32(stream + bit / 8) >> (bit % 8)) & ((1u << width) - 1u);
+}
+
+}  // namespace espalier::detail

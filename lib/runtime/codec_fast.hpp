@@ -1,0 +1,105 @@
+// The `fast` profile, decoded: nodes of one cache line, leaves of bit-packed streams. The layout is in format.hpp.
+// What comes out is integers on the lattice: boxes as base + plane * 2^shift, triangles as corners.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/bytes.hpp>
+#include <runtime/ray_triangle.hpp>
+
+namespace espalier::detail {
+
+/// Where the pieces of a node are.
+struct FastNode {
+    const std::byte* bytes;
+
+    [[nodiscard]] std::uint32_t first_child() const { return load_u32(bytes + format::fast_node::children_at) & 0xFFFFFFu; }
+    [[nodiscard]] unsigned node_children() const { return load_u8(bytes + format::fast_node::children_at + 3) & 15u; }
+    [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + format::fast_node::children_at + 3) >> 4; }
+    [[nodiscard]] unsigned shift(int axis) const {
+        return (load_u16(bytes + format::fast_node::shifts_at) >> (5 * axis)) & 31u;
+    }
+    [[nodiscard]] std::int32_t base(int axis, unsigned bits) const {
+        const unsigned unit = bits > 16 ? bits - 16 : 0;
+        return static_cast<std::int32_t>(load_u16(bytes + format::fast_node::base_at + 2 * static_cast<std::size_t>(axis))
+                                         << unit);
+    }
+    [[nodiscard]] const std::byte* low_planes(int axis) const {
+        return bytes + format::fast_node::lo_at + 8 * static_cast<std::size_t>(axis);
+    }
+    [[nodiscard]] const std::byte* high_planes(int axis) const {
+        return bytes + format::fast_node::hi_at + 8 * static_cast<std::size_t>(axis);
+    }
+    [[nodiscard]] std::int32_t low(int axis, unsigned child, unsigned bits) const {
+        return base(axis, bits) + static_cast<std::int32_t>(load_u8(low_planes(axis) + child) << shift(axis));
+    }
+    [[nodiscard]] std::int32_t high(int axis, unsigned child, unsigned bits) const {
+        return base(axis, bits) + static_cast<std::int32_t>(load_u8(high_planes(axis) + child) << shift(axis));
+    }
+    [[nodiscard]] const std::byte* leaf_block(const BlobData& blob) const {
+        return blob.leaves + 4 * std::size_t{load_u32(bytes + format::fast_node::leaf_block_at)};
+    }
+};
+
+inline FastNode fast_node(const BlobData& blob, std::uint32_t index) {
+    return {blob.nodes + std::size_t{index} * format::fast_node::bytes};
+}
+
+/// One leaf: where its streams are and how wide their fields.
+struct FastLeaf {
+    const std::byte* block;          ///< of the node's leaves
+    const std::byte* coordinates[3];
+    const std::byte* triangles;
+    std::int32_t anchor[3];          ///< lattice point that the coordinates count from
+    unsigned width[3];
+    unsigned corner_width;
+    unsigned vertex_count;
+    unsigned triangle_count;
+    unsigned number;                 ///< among the node's leaves
+
+    /// Storage index of its first triangle.
+    [[nodiscard]] std::uint32_t first_triangle() const {
+        std::uint32_t first = load_u32(block);
+        const std::byte* descriptor = block + format::fast_leaf::descriptors_at;
+        for (unsigned i = 0; i < number; ++i, descriptor += format::fast_leaf::descriptor_bytes)
+            first += ((load_u32(descriptor) >> format::fast_leaf::triangles_shift) & 15u) + 1;
+        return first;
+    }
+    [[nodiscard]] LatticeTriangle triangle(unsigned index) const {
+        std::uint32_t corners = load_field(triangles, 3 * corner_width, index);
+        LatticeTriangle result;
+        for (auto& corner : result.corner) {
+            const unsigned vertex = corners & ((1u << corner_width) - 1u);
+            corners >>= corner_width;
+            for (int k = 0; k < 3; ++k)
+                corner[k] = anchor[k] + static_cast<std::int32_t>(load_field(coordinates[k], width[k], vertex));
+        }
+        return result;
+    }
+};
+
+/// The leaf that is child `node.node_children() + number` of the node.
+inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned number) {
+    using namespace format::fast_leaf;
+    FastLeaf leaf;
+    leaf.block = node.leaf_block(blob);
+    leaf.number = number;
+    const std::uint32_t descriptor = load_u32(leaf.block + descriptors_at + descriptor_bytes * std::size_t{number});
+    leaf.triangle_count = ((descriptor >> triangles_shift) & 15u) + 1;
+    leaf.vertex_count = ((descriptor >> vertices_shift) & 31u) + 1;
+    leaf.corner_width = format::fast_leaf::corner_width(leaf.vertex_count);
+    const std::byte* at = leaf.block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
+                          2 * std::size_t{descriptor & ((1u << offset_bits) - 1u)};
+    for (int k = 0; k < 3; ++k) {
+        leaf.anchor[k] = node.low(k, node.node_children() + number, blob.bits);
+        leaf.width[k] = coordinate_width((descriptor >> (widths_shift + 4 * static_cast<unsigned>(k))) & 15u, blob.bits);
+        leaf.coordinates[k] = at;
+        at += stream_bytes(leaf.vertex_count, leaf.width[k]);
+    }
+    leaf.triangles = at;
+    return leaf;
+}
+
+}  // namespace espalier::detail

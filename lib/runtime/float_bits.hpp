@@ -1,0 +1,71 @@
+// Floats taken apart and put together in integers, so that the result does not depend on flush-to-zero modes or a libm.
+#pragma once
+
+#include <bit>
+#include <cfloat>
+#include <cstdint>
+
+namespace espalier::detail {
+
+static_assert(FLT_EVAL_METHOD == 0, "float arithmetic must be done in float: use SSE on 32-bit x86");
+
+inline constexpr float infinity = __builtin_inff();
+inline constexpr std::uint32_t magnitude_mask = 0x7FFFFFFFu;
+inline constexpr std::uint32_t infinity_bits = 0x7F800000u;
+
+constexpr std::uint32_t magnitude_bits(float x) { return std::bit_cast<std::uint32_t>(x) & magnitude_mask; }
+constexpr bool is_nan(float x) { return magnitude_bits(x) > infinity_bits; }
+constexpr bool is_finite(float x) { return magnitude_bits(x) < infinity_bits; }
+constexpr bool is_negative(float x) { return std::bit_cast<std::uint32_t>(x) >> 31 != 0; }
+
+/// 2^exponent, for exponents of normal numbers: -126 .. 127.
+constexpr float power_of_two(int exponent) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);
+}
+
+/// Exponent of a normal number: |x| is in [2^e, 2^(e+1)).
+constexpr int exponent_of(float x) { return static_cast<int>(magnitude_bits(x) >> 23) - 127; }
+
+/// Subnormal numbers count as zero.
+constexpr float flush_subnormal(float x) { return magnitude_bits(x) < 0x00800000u ? 0.0f : x; }
+
+/// x * 2^exponent, rounded once to nearest even, for every x and exponent.
+constexpr float scale_by_power_of_two(float x, int exponent) {
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
+    const std::uint32_t sign = bits & 0x80000000u;
+    const std::uint32_t magnitude = bits & magnitude_mask;
+    if (magnitude == 0 || magnitude >= infinity_bits) return x;
+    std::uint32_t mantissa = magnitude & 0x007FFFFFu;
+    int biased = static_cast<int>(magnitude >> 23);
+    if (biased == 0) {
+        const int shift = std::countl_zero(mantissa) - 8;
+        mantissa <<= shift;
+        biased = 1 - shift;
+    } else {
+        mantissa |= 0x00800000u;
+    }
+    biased = exponent > 1000 ? 1000 : exponent < -1000 ? -1000 : biased + exponent;
+    if (biased >= 255) return std::bit_cast<float>(sign | infinity_bits);
+    if (biased >= 1) return std::bit_cast<float>(sign | ((static_cast<std::uint32_t>(biased - 1) << 23) + mantissa));
+    const int shift = 1 - biased;
+    if (shift > 24) return std::bit_cast<float>(sign);
+    const std::uint32_t half = 1u << (shift - 1);
+    const std::uint32_t rest = mantissa & ((half << 1) - 1u);
+    std::uint32_t result = mantissa >> shift;
+    if (rest > half || (rest == half && (result & 1u) != 0)) ++result;
+    return std::bit_cast<float>(sign | result);
+}
+
+/// The nearest integer, ties to even, for |x| < 2^24. Relies on round-to-nearest: adding 2^23 leaves no fraction bits.
+inline float round_to_integer(float x) {
+    constexpr float big = 8388608.0f;
+    if (x >= 0.0f) return x < big ? (x + big) - big : x;
+    return x > -big ? (x - big) + big : x;
+}
+
+/// Where either order is right: the second operand when one is not a number, as x86's instructions do.
+inline float minimum(float a, float b) { return a < b ? a : b; }
+inline float maximum(float a, float b) { return a > b ? a : b; }
+inline float absolute(float x) { return std::bit_cast<float>(magnitude_bits(x)); }
+
+}  // namespace espalier::detail

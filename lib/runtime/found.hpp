@@ -1,0 +1,37 @@
+// What the inner queries find, still in lattice units.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <espalier/overlap.hpp>
+#include <espalier/ray.hpp>
+#include <espalier/statistics.hpp>
+#include <runtime/lattice_point.hpp>
+#include <runtime/lattice_ray.hpp>
+#include <runtime/point_triangle.hpp>
+#include <runtime/ray_triangle.hpp>
+
+namespace espalier::detail {
+
+struct FoundHit {
+    float tau;
+    std::uint32_t index;
+    LatticeTriangle triangle;
+};
+
+struct FoundNearest {
+    PointDistance distance;
+    std::uint32_t index;
+    LatticeTriangle triangle;
+};
+
+/// Counts nothing, costs nothing.
+struct NoCounters {
+    void count_node() {}
+    void count_leaf() {}
+    void count_triangles(unsigned) {}
+    void count_candidates(unsigned) {}
+};
+
+}  // namespace espalier::detail

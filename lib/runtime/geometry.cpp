@@ -1,0 +1,97 @@
+// The parts of the kernels that are called once a hit or a candidate: not worth a copy in every instruction set.
+#include <runtime/point_triangle.hpp>
+#include <runtime/ray_triangle.hpp>
+#include <runtime/square_root.hpp>
+
+namespace espalier::detail {
+
+HitSurface surface_of_hit(const LatticeRay& ray, const LatticeTriangle& triangle) noexcept {
+    const OriginRelative t = relative_to(ray, triangle);
+    const Integer3 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
+    const Integer3 normal = cross(t.ab, t.ac);
+    const float volume = to_float(dot<Int128>(direction, normal) << ray.fraction_bits);
+    HitSurface surface;
+    // Adding zero turns -0 into +0: a weight has no sign.
+    surface.u = to_float(dot<Int128>(direction, cross(t.ac, t.a))) / volume + 0.0f;
+    surface.v = to_float(dot<Int128>(direction, cross(t.a, t.ab))) / volume + 0.0f;
+    const float x = to_float(normal.x);
+    const float y = to_float(normal.y);
+    const float z = to_float(normal.z);
+    const float length = square_root(x * x + y * y + z * z);
+    surface.normal = {x / length, y / length, z / length};
+    return surface;
+}
+
+namespace {
+
+/// Exactly; neither is the distance to a face.
+bool is_closer(const PointDistance& a, const PointDistance& b) {
+    if (a.squared * distance_slack < b.squared) return true;
+    if (b.squared * distance_slack < a.squared) return false;
+    return compare_scaled(Unsigned256::product(Unsigned256(a.numerator), Unsigned256(b.denominator)),
+                          Unsigned256::product(Unsigned256(b.numerator), Unsigned256(a.denominator)), 0) < 0;
+}
+
+}  // namespace
+
+PointDistance distance_to(const LatticePoint& point, const LatticeTriangle& triangle) noexcept {
+    const OriginRelative t = relative_to(point, triangle);
+    const int bits = point.fraction_bits;
+    const Integer3 p = {-t.a.x, -t.a.y, -t.a.z};  // the point, seen from corner a
+    const Integer3 normal = cross(t.ab, t.ac);
+    const Int128 area = point_triangle::squared_length(normal);
+    const Int128 weight_b = dot<Int128>(normal, cross(p, t.ac));
+    const Int128 weight_c = dot<Int128>(normal, cross(t.ab, p));
+    const Int128 weight_a = (area << bits) - weight_b - weight_c;
+    const bool flat = area.is_zero();
+
+    if (!flat && !weight_a.is_negative() && !weight_b.is_negative() && !weight_c.is_negative()) {
+        PointDistance face;
+        face.numerator = dot<Int128>(normal, p);
+        if (face.numerator.is_negative()) face.numerator = -face.numerator;
+        face.denominator = area;
+        face.square_numerator = true;
+        point_triangle::finish(face, bits);
+        const float whole = to_float(area << bits);
+        face.u = to_float(weight_b) / whole;
+        face.v = to_float(weight_c) / whole;
+        return face;
+    }
+    // Outside of the prism over the face the closest point lies on a side that the point is beyond of.
+    PointDistance best;
+    best.squared = infinity;
+    const auto offer = [&](const Integer3& from, const Integer3& edge, auto place) {
+        float along = 0.0f;
+        PointDistance side = point_triangle::to_segment(from, edge, bits, along);
+        if (!is_closer(side, best)) return;
+        place(side, along);
+        best = side;
+    };
+    if (flat || weight_c.is_negative())
+        offer(p, t.ab, [](PointDistance& side, float along) { side.u = along; });
+    if (flat || weight_b.is_negative())
+        offer(p, t.ac, [](PointDistance& side, float along) { side.v = along; });
+    if (flat || weight_a.is_negative()) {
+        const Integer3 from_b = {p.x - (t.ab.x << bits), p.y - (t.ab.y << bits), p.z - (t.ab.z << bits)};
+        offer(from_b, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, [](PointDistance& side, float along) {
+            side.u = 1.0f - along;
+            side.v = along;
+        });
+    }
+    return best;
+}
+
+bool is_within_radius(const LatticePoint& point, const PointDistance& distance, float radius) noexcept {
+    const float squared = radius * radius;
+    if (distance.squared > squared * distance_slack) return false;
+    if (distance.squared * distance_slack < squared) return true;
+    if (radius == 0.0f) return distance.numerator.is_zero();
+    Unsigned256 numerator(distance.numerator);
+    if (distance.square_numerator) numerator = Unsigned256::product(numerator, numerator);
+    const int exponent = exponent_of(radius) - 23;
+    const auto mantissa = static_cast<std::int64_t>((magnitude_bits(radius) & 0x007FFFFFu) | 0x00800000u);
+    const Unsigned256 bound = Unsigned256::product(Unsigned256(distance.denominator), Unsigned256(Int128(mantissa * mantissa)));
+    return compare_scaled(numerator, bound, 2 * (exponent + point.fraction_bits)) <= 0;
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,76 @@
+// A point and a radius moved into lattice units and rounded there, once: the query that everything else answers exactly.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/float_bits.hpp>
+#include <runtime/square_root.hpp>
+
+namespace espalier::detail {
+
+/// Squared distances of boxes are compared with this much slack: 16 units in the last place cover the rounding of both sides.
+inline constexpr float distance_slack = 1.0f + 0x1p-18f;
+
+struct LatticePoint {
+    std::int64_t origin[3];  ///< the point, in units of 2^-fraction_bits lattice steps; below 2^34 steps
+    int fraction_bits;       ///< 0..6
+    float steps[3];          ///< the same in float, exactly
+    float radius;            ///< lattice steps; may be infinite
+    float limit;             ///< squared radius with slack: boxes farther away hold nothing
+    float distance_offset;   ///< lattice steps: how far a point from far away was moved towards the asset
+};
+
+/// False when nothing can be within the radius: an argument out of the domain.
+inline bool round_point(const BlobData& blob, const Vec3& world, float radius, LatticePoint& point) {
+    const float center_world[3] = {world.x, world.y, world.z};
+    if (is_nan(radius) || (is_negative(radius) && magnitude_bits(radius) != 0)) return false;
+    const float steps_per_unit = power_of_two(-blob.step_exponent);
+    float center[3];
+    float gap[3];  // from the asset's box
+    float farthest = 0.0f;
+    float reach = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        if (!is_finite(center_world[k])) return false;
+        center[k] = (flush_subnormal(center_world[k]) - blob.origin[k]) * steps_per_unit;
+        if (!(absolute(center[k]) < 0x1p120f)) return false;
+        const float high = static_cast<float>(blob.extent[k]);
+        gap[k] = center[k] < 0.0f ? center[k] : center[k] > high ? center[k] - high : 0.0f;
+        farthest = maximum(absolute(gap[k]), farthest);
+        reach = maximum(maximum(absolute(center[k]), absolute(high - center[k])), reach);
+    }
+    float radius_steps = scale_by_power_of_two(radius, -blob.step_exponent);
+    // No distance between a lattice triangle and a rounded point is in (0, 2^-100).
+    if (magnitude_bits(radius) != 0 && radius_steps < 0x1p-100f) radius_steps = 0x1p-100f;
+
+    point.distance_offset = 0.0f;
+    if (farthest >= 0x1p32f) {
+        // From this far every direction to the asset is the same to float precision: move the point closer along the gap.
+        const int shrink = exponent_of(farthest) - 31;
+        float squared = 0.0f;
+        for (int k = 0; k < 3; ++k) {
+            const float near = gap[k] * power_of_two(-shrink);
+            center[k] = (center[k] - gap[k]) + near;
+            squared += near * near;
+        }
+        const float near_distance = square_root(squared);
+        const float distance = scale_by_power_of_two(near_distance, shrink);
+        point.distance_offset = distance - near_distance;
+        radius_steps -= point.distance_offset;
+        if (radius_steps < 0.0f) return false;
+        reach = 0x1p33f;
+    }
+    const int spare = 23 - exponent_of(reach);
+    point.fraction_bits = spare > 6 ? 6 : spare < 0 ? 0 : spare;
+    for (int k = 0; k < 3; ++k) {
+        const float fine = center[k] * power_of_two(point.fraction_bits);
+        const float rounded = absolute(fine) < 0x1p24f ? round_to_integer(fine) : fine;
+        point.origin[k] = static_cast<std::int64_t>(rounded);
+        point.steps[k] = rounded * power_of_two(-point.fraction_bits);
+    }
+    point.radius = radius_steps;
+    point.limit = radius_steps * radius_steps * distance_slack;
+    return true;
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,190 @@
+// A ray moved into lattice units and rounded there, once. What is rounded here is the query that everything else answers
+// exactly: an integer origin on a sub-lattice and an integer direction. docs/numerics.md bounds what the rounding moves.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <espalier/ray.hpp>
+#include <runtime/float_bits.hpp>
+
+namespace espalier::detail {
+
+/// Slab intervals are widened by this factor: 8 units in the last place cover their rounding and that of t.
+inline constexpr float interval_slack = 1.0f + 0x1p-21f;
+
+struct LatticeRay {
+    // The ray, exactly: point(tau) = origin * 2^-fraction_bits + tau * direction, in lattice steps from lattice point 0 0 0.
+    std::int32_t origin[3];     ///< |origin - 2^fraction_bits * v| <= 2^24 for every lattice point v of the asset
+    std::int32_t direction[3];  ///< the largest is in [2^23, 2^24)
+    int fraction_bits;          ///< 0..6
+    float tau_min;              ///< >= 0
+    float tau_max;              ///< may be infinite
+    // Back to the caller: t = (tau_offset + tau) * 2^t_exponent. The offset is not 0 for rays from far away, whose origin was
+    // moved along them to the asset.
+    float tau_offset;
+    int t_exponent;
+
+    // The same in float, exactly.
+    float origin_steps[3];
+    float inverse[3];  ///< 1 / direction, rounded; +infinity for 0
+
+    // For the filters that reject triangles without deciding: axes with the longest component of the direction last, the
+    // shear that turns the ray into that axis, and a bound on the error of sheared coordinates.
+    unsigned axis[3];
+    float shear[2];
+    float shear_error;
+
+    Faces faces;
+};
+
+namespace lattice_ray {
+
+/// Largest distance of a coordinate of the asset's box from the origin, along any axis.
+inline float reach(const float* origin, const std::int32_t* extent) {
+    float result = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        result = maximum(absolute(origin[k]), result);
+        result = maximum(absolute(static_cast<float>(extent[k]) - origin[k]), result);
+    }
+    return result;
+}
+
+/// Moves an origin far outside the asset along the ray to the asset's box, grown by its own size where the lattice has room.
+/// False when the ray passes the box by.
+inline bool approach(const BlobData& blob, LatticeRay& ray, float* origin) {
+    const std::int32_t size = blob.extent[0] > blob.extent[1] ? blob.extent[0] : blob.extent[1];
+    const std::int32_t largest = size > blob.extent[2] ? size : blob.extent[2];
+    const std::int32_t room = (1 << format::max_bits) - 1 - largest;
+    const std::int32_t margin = largest < room ? largest : room;
+    float low[3], high[3];
+    float near = -infinity;
+    float far = infinity;
+    int entry = 0;
+    for (int k = 0; k < 3; ++k) {
+        low[k] = static_cast<float>(-margin);
+        high[k] = static_cast<float>(blob.extent[k] + margin);
+        if (ray.direction[k] == 0) {
+            if (origin[k] < low[k] || origin[k] > high[k]) return false;
+            continue;
+        }
+        const bool negative = ray.direction[k] < 0;
+        const float enter = ((negative ? high[k] : low[k]) - origin[k]) * ray.inverse[k];
+        const float leave = ((negative ? low[k] : high[k]) - origin[k]) * ray.inverse[k];
+        if (enter > near) {
+            near = enter;
+            entry = k;
+        }
+        far = minimum(leave, far);
+    }
+    if (!(near <= far * interval_slack) || far < 0.0f) return false;
+    if (near <= 0.0f) return true;  // already inside the grown box
+    for (int k = 0; k < 3; ++k) {
+        const float moved = origin[k] + near * static_cast<float>(ray.direction[k]);
+        origin[k] = moved > high[k] ? high[k] : moved > low[k] ? moved : low[k];
+    }
+    origin[entry] = ray.direction[entry] < 0 ? high[entry] : low[entry];
+    ray.tau_offset = near;
+    return true;
+}
+
+/// t in units of tau; a positive t too small to matter stays positive (no intersection has 0 < tau < 2^-100).
+inline float to_tau(float t, int t_exponent) {
+    const float tau = scale_by_power_of_two(t, -t_exponent);
+    return magnitude_bits(t) != 0 && tau < 0x1p-100f ? 0x1p-100f : tau;
+}
+
+}  // namespace lattice_ray
+
+/// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by.
+inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
+    const float origin_world[3] = {world.origin.x, world.origin.y, world.origin.z};
+    const float direction_world[3] = {world.direction.x, world.direction.y, world.direction.z};
+    std::uint32_t longest = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (!is_finite(origin_world[k])) return false;
+        const std::uint32_t magnitude = magnitude_bits(direction_world[k]);
+        longest = magnitude > longest ? magnitude : longest;
+    }
+    if (longest == 0 || longest >= infinity_bits || is_nan(world.t_min) || is_nan(world.t_max)) return false;
+    const float t_min = is_negative(world.t_min) ? 0.0f : world.t_min;
+    if (magnitude_bits(world.t_max) != 0 && is_negative(world.t_max)) return false;
+    if (magnitude_bits(t_min) > magnitude_bits(world.t_max)) return false;
+
+    // The direction as three integers. One whose components are tiny is scaled first, in integers: it may be subnormal.
+    int exponent = static_cast<int>(longest >> 23) - 127;
+    float scaled[3];
+    if (exponent < -100) {
+        constexpr int lift = 120;
+        longest = 0;
+        for (int k = 0; k < 3; ++k) {
+            scaled[k] = scale_by_power_of_two(direction_world[k], lift);
+            longest = magnitude_bits(scaled[k]) > longest ? magnitude_bits(scaled[k]) : longest;
+        }
+        const int lifted = static_cast<int>(longest >> 23) - 127;
+        exponent = lifted - lift;
+        for (float& component : scaled) component *= power_of_two(23 - lifted);
+    } else {
+        for (int k = 0; k < 3; ++k) scaled[k] = direction_world[k] * power_of_two(23 - exponent);
+    }
+    for (int k = 0; k < 3; ++k) {
+        const float rounded = round_to_integer(scaled[k]);
+        ray.direction[k] = static_cast<std::int32_t>(rounded);
+        ray.inverse[k] = ray.direction[k] == 0 ? infinity : 1.0f / rounded;
+    }
+
+    float origin[3];
+    const float steps_per_unit = power_of_two(-blob.step_exponent);
+    for (int k = 0; k < 3; ++k) {
+        origin[k] = (flush_subnormal(origin_world[k]) - blob.origin[k]) * steps_per_unit;
+        if (!(absolute(origin[k]) < 0x1p120f)) return false;
+    }
+    ray.tau_offset = 0.0f;
+    float reach = lattice_ray::reach(origin, blob.extent);
+    if (reach >= 0x1p23f) {
+        if (!lattice_ray::approach(blob, ray, origin)) return false;
+        reach = lattice_ray::reach(origin, blob.extent);
+    }
+    const int spare = 23 - exponent_of(reach);
+    ray.fraction_bits = spare > 6 ? 6 : spare;
+    for (int k = 0; k < 3; ++k) {
+        const float rounded = round_to_integer(origin[k] * power_of_two(ray.fraction_bits));
+        ray.origin[k] = static_cast<std::int32_t>(rounded);
+        ray.origin_steps[k] = rounded * power_of_two(-ray.fraction_bits);
+    }
+
+    ray.t_exponent = blob.step_exponent - exponent + 23;
+    ray.tau_min = lattice_ray::to_tau(t_min, ray.t_exponent);
+    ray.tau_max = lattice_ray::to_tau(world.t_max, ray.t_exponent);
+    if (ray.tau_offset > 0.0f) {
+        ray.tau_min = maximum(ray.tau_min - ray.tau_offset, 0.0f);
+        ray.tau_max = ray.tau_max - ray.tau_offset;
+        if (ray.tau_max < 0.0f) return false;
+    }
+    if (ray.tau_min == infinity) return false;
+
+    unsigned last = 0;
+    for (unsigned k = 1; k < 3; ++k) {
+        const auto length = [&](unsigned axis) { return ray.direction[axis] < 0 ? -ray.direction[axis] : ray.direction[axis]; };
+        if (length(k) > length(last)) last = k;
+    }
+    ray.axis[2] = last;
+    ray.axis[0] = last == 2 ? 0 : last + 1;
+    ray.axis[1] = last == 0 ? 2 : last - 1;
+    for (int i = 0; i < 2; ++i)
+        ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * ray.inverse[last];
+    ray.shear_error = (reach + 1.0f) * (5.0f * 0x1p-24f);
+    ray.faces = world.faces;
+    return true;
+}
+
+/// tau as the caller's t.
+inline float to_t(const LatticeRay& ray, float tau, const Ray& world) {
+    const float t = scale_by_power_of_two(ray.tau_offset + tau, ray.t_exponent);
+    // A hit is decided exactly; rounding must not report it outside of the window that it was found in.
+    const float low = is_negative(world.t_min) ? 0.0f : world.t_min;
+    const auto less = [](float a, float b) { return magnitude_bits(a) < magnitude_bits(b); };  // neither is negative
+    return less(world.t_max, t) ? world.t_max : less(t, low) ? low : t;
+}
+
+}  // namespace espalier::detail

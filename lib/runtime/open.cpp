@@ -1,0 +1,259 @@
+// The proof that every query on a blob is safe. One pass over the bytes in the order in which they are stored; the only
+// place that checks anything, through the one bounds check of `Bytes`.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <espalier/blob.hpp>
+#include <runtime/bytes.hpp>
+#include <runtime/checksum.hpp>
+#include <runtime/codec_fast.hpp>
+#include <runtime/float_bits.hpp>
+
+namespace espalier {
+namespace detail {
+namespace {
+
+using format::feature::materials_16;
+using format::feature::materials_8;
+
+/// Takes sections off the front of what is left. The only bounds check.
+struct Bytes {
+    const std::byte* at;
+    std::size_t left;
+
+    const std::byte* take(std::uint64_t count) {
+        if (count > left) return nullptr;
+        const std::byte* taken = at;
+        at += static_cast<std::size_t>(count);
+        left -= static_cast<std::size_t>(count);
+        return taken;
+    }
+};
+
+bool is_zero(const std::byte* bytes, std::size_t count) {
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum |= load_u8(bytes + i);
+    return sum == 0;
+}
+
+/// The unused high bits of the last byte of a stream.
+bool is_padded_with_zeros(const std::byte* stream, std::uint64_t bit_count) {
+    return bit_count % 8 == 0 || load_u8(stream + bit_count / 8) >> (bit_count % 8) == 0;
+}
+
+std::uint64_t round_up_to_4(std::uint64_t count) { return (count + 3) & ~std::uint64_t{3}; }
+
+Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
+    using namespace format::header;
+    if (bytes.size() < format::header::bytes) return Status::too_short;
+    const std::byte* h = bytes.data();
+    if (load_u32(h + magic_at) != format::magic) return Status::not_a_blob;
+    if (load_u16(h + version_major_at) != format::version_major || load_u16(h + version_minor_at) > format::version_minor)
+        return Status::unsupported_version;
+    blob.size = load_u32(h + total_bytes_at);
+    if (blob.size > bytes.size()) return Status::too_short;
+    if (blob.size < bytes.size()) return Status::trailing_bytes;
+    blob.checksum = load_u32(h + checksum_at);
+    if (blob.checksum != checksum_of_blob(bytes)) return Status::bad_checksum;
+    blob.features = load_u32(h + features_at);
+    if ((blob.features & ~format::feature::known) != 0) return Status::unsupported_feature;
+    if (load_u8(h + profile_at) != static_cast<unsigned>(format::Profile::fast)) return Status::unsupported_profile;
+    blob.profile = format::Profile::fast;
+
+    blob.bytes = h;
+    blob.triangle_count = load_u32(h + triangle_count_at);
+    blob.vertex_count = load_u32(h + vertex_count_at);
+    blob.node_count = load_u32(h + node_count_at);
+    blob.leaf_bytes = load_u32(h + leaf_bytes_at);
+    blob.source_count = load_u32(h + source_count_at);
+    blob.source_triangles = load_u32(h + source_triangles_at);
+    blob.max_error = load_f32(h + max_error_at);
+    blob.step_exponent = load_i16(h + step_exponent_at);
+    const unsigned bits = load_u8(h + bits_at);
+    const unsigned depth = load_u8(h + depth_at);
+    const unsigned id_bits = load_u8(h + id_bits_at);
+
+    const bool empty = blob.triangle_count == 0;
+    const bool ids = (blob.features & format::feature::original_ids) != 0;
+    bool good = bits >= 1 && bits <= unsigned{format::max_bits};
+    good &= blob.step_exponent >= format::min_step_exponent && blob.step_exponent <= format::max_step_exponent;
+    good &= blob.triangle_count <= format::max_triangles && blob.node_count <= format::max_nodes;
+    good &= empty == (blob.node_count == 0) && empty == (blob.leaf_bytes == 0) && empty == (blob.vertex_count == 0);
+    good &= empty == (depth == 0) && depth <= format::max_depth && blob.leaf_bytes % 4 == 0;
+    good &= is_finite(blob.max_error) && !is_negative(blob.max_error);
+    good &= (blob.features & (materials_8 | materials_16)) != (materials_8 | materials_16);
+    good &= !(empty && (blob.features & format::feature::closed) != 0);
+    good &= ids ? id_bits <= 32 : id_bits == 0 && blob.source_count == 0;
+    good &= is_zero(h + id_bits_at + 1, 2) && is_zero(h + reserved_at, format::header::bytes - reserved_at);
+    if (!good) return Status::bad_header;
+    for (std::size_t k = 0; k < 3; ++k) {
+        blob.origin[k] = load_f32(h + origin_at + 4 * k);
+        const std::uint32_t extent = load_u32(h + extent_at + 4 * k);
+        if (!is_finite(blob.origin[k]) || flush_subnormal(blob.origin[k]) != blob.origin[k] || extent >> bits != 0)
+            return Status::bad_header;
+        blob.extent[k] = static_cast<std::int32_t>(extent);
+    }
+    blob.bits = static_cast<std::uint8_t>(bits);
+    blob.depth = static_cast<std::uint8_t>(depth);
+    blob.id_bits = static_cast<std::uint8_t>(id_bits);
+    return Status::ok;
+}
+
+/// What the pass over the nodes has seen so far.
+struct Progress {
+    std::uint32_t nodes = 1;       ///< the root, then every block of siblings when their parent is reached
+    std::uint32_t triangles = 0;
+    std::uint32_t leaf_words = 0;  ///< of 4 bytes
+    unsigned depth = 0;
+};
+
+/// One leaf at `at`, of which `left` bytes may be read; its size, or 0.
+std::uint32_t leaf_size(const BlobData& blob, const FastLeaf& leaf, std::size_t left) {
+    std::size_t size = 0;
+    for (int k = 0; k < 3; ++k) size += format::fast_leaf::stream_bytes(leaf.vertex_count, leaf.width[k]);
+    size += format::fast_leaf::stream_bytes(leaf.triangle_count, 3 * leaf.corner_width);
+    if (size > left) return 0;
+    for (int k = 0; k < 3; ++k) {
+        if (leaf.width[k] > blob.bits) return 0;
+        if (!is_padded_with_zeros(leaf.coordinates[k], std::uint64_t{leaf.vertex_count} * leaf.width[k])) return 0;
+    }
+    if (!is_padded_with_zeros(leaf.triangles, std::uint64_t{leaf.triangle_count} * 3 * leaf.corner_width)) return 0;
+    for (int k = 0; k < 3; ++k)
+        for (unsigned i = 0; i < leaf.vertex_count; ++i)
+            if (leaf.anchor[k] + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], i)) > blob.extent[k])
+                return 0;
+    for (unsigned i = 0; i < leaf.triangle_count; ++i) {
+        std::uint32_t corners = load_field(leaf.triangles, 3 * leaf.corner_width, i);
+        for (int corner = 0; corner < 3; ++corner, corners >>= leaf.corner_width)
+            if ((corners & ((1u << leaf.corner_width) - 1u)) >= leaf.vertex_count) return 0;
+    }
+    return static_cast<std::uint32_t>(size);
+}
+
+Status check_leaves(const BlobData& blob, const FastNode& node, Progress& seen) {
+    using namespace format::fast_leaf;
+    const unsigned count = node.leaf_children();
+    const std::uint32_t block_words = load_u32(node.bytes + format::fast_node::leaf_block_at);
+    if (count == 0) return block_words == 0 ? Status::ok : Status::bad_node;
+    if (block_words != seen.leaf_words) return Status::bad_node;
+    std::size_t left = blob.leaf_bytes - std::size_t{4} * seen.leaf_words;
+    const std::size_t head = descriptors_at + descriptor_bytes * std::size_t{count};
+    if (head > left) return Status::bad_leaf;
+    left -= head;
+    const std::byte* block = node.leaf_block(blob);
+    if (load_u32(block) != seen.triangles) return Status::bad_leaf;
+    std::uint32_t used = 0;
+    for (unsigned number = 0; number < count; ++number) {
+        const std::uint32_t descriptor = load_u32(block + descriptors_at + descriptor_bytes * std::size_t{number});
+        if ((descriptor & ((1u << offset_bits) - 1u)) != used / 2) return Status::bad_leaf;
+        const FastLeaf leaf = fast_leaf(blob, node, number);
+        const std::uint32_t size = leaf_size(blob, leaf, left - used);
+        if (size == 0) return Status::bad_leaf;
+        seen.triangles += leaf.triangle_count;
+        used += size;
+        const std::uint32_t padding = number + 1 == count ? (4 - (head + used) % 4) % 4 : used % 2;
+        if (padding > left - used || !is_zero(block + head + used, padding)) return Status::bad_leaf;
+        used += padding;
+    }
+    seen.leaf_words += static_cast<std::uint32_t>((head + used) / 4);
+    return Status::ok;
+}
+
+Status check_node(const BlobData& blob, const FastNode& node, Progress& seen) {
+    const unsigned nodes = node.node_children();
+    const unsigned children = nodes + node.leaf_children();
+    if (children == 0 || children > format::max_children) return Status::bad_node;
+    if (load_u16(node.bytes + format::fast_node::shifts_at) >> 15 != 0) return Status::bad_node;
+    if (node.first_child() != (nodes == 0 ? 0 : seen.nodes)) return Status::bad_node;
+    if (nodes > blob.node_count - seen.nodes) return Status::bad_node;
+    seen.nodes += nodes;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (node.shift(axis) > format::fast_node::max_shift) return Status::bad_node;
+        for (unsigned child = 0; child < format::max_children; ++child) {
+            const std::uint32_t low = load_u8(node.low_planes(axis) + child);
+            const std::uint32_t high = load_u8(node.high_planes(axis) + child);
+            if (child < children ? low > high : (low | high) != 0) return Status::bad_node;
+        }
+    }
+    return check_leaves(blob, node, seen);
+}
+
+/// Every node exactly once, children after their parents, in depth-first order with a stack as deep as the format allows.
+Status check_tree(const BlobData& blob) {
+    struct Siblings {
+        std::uint32_t next;
+        std::uint32_t end;
+    };
+    Siblings stack[format::max_depth + 1];
+    Progress seen;
+    unsigned depth = 1;
+    stack[1 - 1] = {0, 1};
+    while (depth != 0) {
+        Siblings& siblings = stack[depth - 1];
+        if (siblings.next == siblings.end) {
+            --depth;
+            continue;
+        }
+        if (depth > blob.depth) return Status::bad_node;
+        seen.depth = depth > seen.depth ? depth : seen.depth;
+        const FastNode node = fast_node(blob, siblings.next++);
+        if (const Status status = check_node(blob, node, seen); status != Status::ok) return status;
+        stack[depth++] = {node.first_child(), node.first_child() + node.node_children()};
+    }
+    if (seen.nodes != blob.node_count || seen.depth != blob.depth) return Status::bad_node;
+    if (seen.triangles != blob.triangle_count || std::uint64_t{4} * seen.leaf_words != blob.leaf_bytes) return Status::bad_leaf;
+    return Status::ok;
+}
+
+/// The source table and the ids that count through it.
+Status check_original_ids(BlobData& blob, Bytes& rest) {
+    blob.sources = rest.take(std::uint64_t{blob.source_count} * format::source::bytes);
+    if (blob.sources == nullptr) return Status::bad_section;
+    std::uint32_t previous = 0;
+    for (std::uint32_t i = 0; i < blob.source_count; ++i) {
+        const std::uint32_t first = load_u32(blob.sources + std::size_t{i} * format::source::bytes);
+        if (i == 0 ? first != 0 : first < previous) return Status::bad_section;
+        previous = first;
+    }
+    if (previous > blob.source_triangles || (blob.source_count == 0 && blob.triangle_count != 0)) return Status::bad_section;
+    const std::uint64_t bit_count = std::uint64_t{blob.triangle_count} * blob.id_bits;
+    const std::uint64_t used = (bit_count + 7) / 8;
+    blob.ids = rest.take(round_up_to_4(used));
+    if (blob.ids == nullptr || !is_padded_with_zeros(blob.ids, bit_count)) return Status::bad_section;
+    return is_zero(blob.ids + used, static_cast<std::size_t>(round_up_to_4(used) - used)) ? Status::ok : Status::bad_section;
+}
+
+Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
+    Bytes rest = {bytes.data(), bytes.size()};
+    rest.take(format::header::bytes);
+    blob.nodes = rest.take(std::uint64_t{blob.node_count} * format::fast_node::bytes);
+    blob.leaves = blob.nodes == nullptr ? nullptr : rest.take(blob.leaf_bytes);
+    const std::byte* guard = blob.leaves == nullptr ? nullptr : rest.take(format::guard_bytes);
+    if (guard == nullptr || !is_zero(guard, format::guard_bytes)) return Status::bad_section;
+    if (blob.triangle_count != 0)
+        if (const Status status = check_tree(blob); status != Status::ok) return status;
+    if ((blob.features & format::feature::original_ids) != 0)
+        if (const Status status = check_original_ids(blob, rest); status != Status::ok) return status;
+    if ((blob.features & (materials_8 | materials_16)) != 0) {
+        const std::uint64_t used = std::uint64_t{blob.triangle_count} * ((blob.features & materials_16) != 0 ? 2u : 1u);
+        blob.materials = rest.take(round_up_to_4(used));
+        if (blob.materials == nullptr) return Status::bad_section;
+        if (!is_zero(blob.materials + used, static_cast<std::size_t>(round_up_to_4(used) - used))) return Status::bad_section;
+    }
+    return rest.left == 0 ? Status::ok : Status::bad_section;
+}
+
+}  // namespace
+}  // namespace detail
+
+Status open(std::span<const std::byte> bytes, Blob& blob) noexcept {
+    blob = Blob();
+    detail::BlobData data;
+    Status status = detail::read_header(bytes, data);
+    if (status == Status::ok) status = detail::check_sections(bytes, data);
+    if (status == Status::ok) blob.data_ = data;
+    return status;
+}
+
+}  // namespace espalier

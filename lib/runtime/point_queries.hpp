@@ -1,0 +1,27 @@
+// The queries by distance in lattice units, once for each instruction set.
+#pragma once
+
+#include <espalier/function_ref.hpp>
+#include <runtime/found.hpp>
+#include <runtime/simd/select.hpp>
+
+#define ESPALIER_DECLARE_POINT_QUERIES(instruction_set)                                                          \
+    namespace instruction_set {                                                                                  \
+    bool any_overlap(const BlobData& blob, const LatticePoint& point);                                           \
+    bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit);     \
+    bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best);                  \
+    }
+
+namespace espalier::detail {
+
+ESPALIER_DECLARE_POINT_QUERIES(scalar)
+#if ESPALIER_X86
+ESPALIER_DECLARE_POINT_QUERIES(sse42)
+ESPALIER_DECLARE_POINT_QUERIES(avx2)
+#elif ESPALIER_NEON
+ESPALIER_DECLARE_POINT_QUERIES(neon)
+#endif
+
+}  // namespace espalier::detail
+
+#undef ESPALIER_DECLARE_POINT_QUERIES

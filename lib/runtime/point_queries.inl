@@ -1,0 +1,122 @@
+// Spheres and closest points: the tests of boxes in lanes, and the queries as visitors. Included once per instruction set,
+// inside its namespace. Lanes only ever reject; what they let through is decided by point_triangle.hpp.
+
+/// Squared distance from the origin to boxes, given by planes relative to it.
+inline Floats squared_distance(const Floats* low, const Floats* high) {
+    Floats sum = splat(0.0f);
+    for (int k = 0; k < 3; ++k) {
+        const Floats gap = larger(larger(low[k], negate(high[k])), splat(0.0f));
+        sum = add(multiply(gap, gap), sum);
+    }
+    return sum;
+}
+
+/// The children whose box is within the limit, and the squared distance of each.
+inline unsigned distance_test(const FastNode& node, const FrameOrigin& origin, float limit, float* distances) {
+    const Frame frame = load_frame(node, origin);
+    unsigned mask = 0;
+    for (unsigned first = 0; first < format::max_children; first += lanes) {
+        Floats low[3], high[3];
+        for (int k = 0; k < 3; ++k) {
+            low[k] = multiply_add(bytes_to_floats(node.low_planes(k) + first), frame.scale[k], frame.offset[k]);
+            high[k] = multiply_add(bytes_to_floats(node.high_planes(k) + first), frame.scale[k], frame.offset[k]);
+        }
+        const Floats distance = squared_distance(low, high);
+        mask |= at_most(distance, splat(limit)) << first;
+        store(distances + first, distance);
+    }
+    return mask & ((1u << (node.node_children() + node.leaf_children())) - 1u);
+}
+
+/// The triangles of a leaf whose box is within the limit.
+template <unsigned groups>
+inline unsigned point_candidates_of(const FastLeaf& leaf, const LatticePoint& point, float limit) {
+    Table<groups> coordinates[3];
+    for (unsigned k = 0; k < 3; ++k) {
+        const Floats offset = splat(static_cast<float>(leaf.anchor[k]) - point.steps[k]);
+        for (unsigned group = 0; group < groups; ++group) {
+            if (group * lanes >= leaf.vertex_count) break;
+            coordinates[k].set(group, add(to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes)), offset));
+        }
+    }
+    unsigned mask = 0;
+    for (unsigned first = 0; first < leaf.triangle_count; first += lanes) {
+        const Ints a = unpack(leaf.triangles, 3 * leaf.corner_width, first);
+        const Ints b = shift_right(a, leaf.corner_width);
+        const Ints c = shift_right(a, 2 * leaf.corner_width);
+        Floats low[3], high[3];
+        for (int k = 0; k < 3; ++k) {
+            const Floats at_a = coordinates[k].look_up(a), at_b = coordinates[k].look_up(b), at_c = coordinates[k].look_up(c);
+            low[k] = smaller(at_a, smaller(at_b, at_c));
+            high[k] = larger(at_a, larger(at_b, at_c));
+        }
+        mask |= at_most(squared_distance(low, high), splat(limit)) << first;
+    }
+    return mask & ((1u << leaf.triangle_count) - 1u);
+}
+
+inline unsigned point_candidates(const FastLeaf& leaf, const LatticePoint& point, float limit) {
+    return with_table_groups(leaf.vertex_count, [&](auto groups) { return point_candidates_of<groups>(leaf, point, limit); });
+}
+
+/// Overlapping triangles in storage order, handed to a callable.
+template <class OnOverlap>
+struct EveryOverlap {
+    const LatticePoint& point;
+    FrameOrigin origin;
+    OnOverlap on_overlap;
+
+    unsigned children(const FastNode& node, float* keys) { return distance_test(node, origin, point.limit, keys); }
+    Visit leaf(const FastLeaf& leaf) {
+        for (unsigned candidates = point_candidates(leaf, point, point.limit); candidates != 0; candidates &= candidates - 1) {
+            const auto number = static_cast<unsigned>(std::countr_zero(candidates));
+            if (!is_within_radius(point, distance_to(point, leaf.triangle(number)), point.radius)) continue;
+            if (on_overlap(Triangle{leaf.first_triangle() + number}) == stop) return stop;
+        }
+        return keep_going;
+    }
+};
+
+/// The closest triangle; of equal ones the lowest index.
+struct ClosestTriangle {
+    const LatticePoint& point;
+    FrameOrigin origin;
+    FoundNearest& best;
+    float limit_;
+    bool found = false;
+
+    [[nodiscard]] float limit() const { return limit_; }
+    unsigned children(const FastNode& node, float* keys) { return distance_test(node, origin, limit_, keys); }
+    Visit leaf(const FastLeaf& leaf) {
+        for (unsigned candidates = point_candidates(leaf, point, limit_); candidates != 0; candidates &= candidates - 1) {
+            const auto number = static_cast<unsigned>(std::countr_zero(candidates));
+            const LatticeTriangle triangle = leaf.triangle(number);
+            const PointDistance distance = distance_to(point, triangle);
+            if (found && distance.squared > best.distance.squared) continue;
+            if (!is_within_radius(point, distance, point.radius)) continue;
+            const std::uint32_t index = leaf.first_triangle() + number;
+            if (found && distance.squared == best.distance.squared && index > best.index) continue;
+            best = {distance, index, triangle};
+            found = true;
+            limit_ = minimum(distance.squared * distance_slack, limit_);
+        }
+        return keep_going;
+    }
+};
+
+bool any_overlap(const BlobData& blob, const LatticePoint& point) {
+    const auto on_overlap = [](Triangle) { return stop; };
+    EveryOverlap<decltype(on_overlap)> visitor = {point, FrameOrigin(point.steps, blob.bits), on_overlap};
+    return !traverse_in_storage_order(blob, visitor);
+}
+
+bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit) {
+    EveryOverlap<decltype(visit)> visitor = {point, FrameOrigin(point.steps, blob.bits), visit};
+    return traverse_in_storage_order(blob, visitor);
+}
+
+bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best) {
+    ClosestTriangle visitor = {point, FrameOrigin(point.steps, blob.bits), best, point.limit};
+    traverse_nearest_first(blob, visitor);
+    return visitor.found;
+}

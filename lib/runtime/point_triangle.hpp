@@ -1,0 +1,64 @@
+// How far a rounded point is from a triangle of the lattice. Squared distances are exact quotients of integers; which part of
+// the triangle is closest is decided by exact signs. The regions are Ericson's (Real-Time Collision Detection, 2005, 5.1.5).
+#pragma once
+
+#include <cstdint>
+
+#include <runtime/lattice_point.hpp>
+#include <runtime/ray_triangle.hpp>
+#include <runtime/wide_integer.hpp>
+
+namespace espalier::detail {
+
+/// A squared distance in lattice steps, exactly: numerator / denominator * 2^(-2 fraction_bits), or numerator^2 / denominator
+/// for the distance to a face; and where on the triangle it is reached.
+struct PointDistance {
+    Int128 numerator;
+    Int128 denominator = Int128(1);
+    bool square_numerator = false;
+    float squared = 0.0f;  ///< within 6 ulp
+    float u = 0.0f;        ///< weights of corners b and c at the closest point
+    float v = 0.0f;
+};
+
+namespace point_triangle {
+
+inline Int128 squared_length(const Integer3& a) { return dot<Int128>(a, a); }
+
+/// Fills in the float value from the exact one.
+inline void finish(PointDistance& distance, int fraction_bits) {
+    const float numerator = to_float(distance.numerator);
+    const float quotient = numerator / to_float(distance.denominator);
+    distance.squared = (distance.square_numerator ? quotient * numerator : quotient) * power_of_two(-2 * fraction_bits);
+}
+
+/// From a point to the segment a, a + edge; `p` is the point seen from a. `along` is how far along the edge, 0..1.
+inline PointDistance to_segment(const Integer3& p, const Integer3& edge, int fraction_bits, float& along) {
+    PointDistance result;
+    const std::int64_t forward = dot<std::int64_t>(p, edge);
+    const std::int64_t length = dot<std::int64_t>(edge, edge) << fraction_bits;
+    if (forward <= 0) {
+        along = 0.0f;
+        result.numerator = squared_length(p);
+    } else if (forward >= length) {
+        along = 1.0f;
+        result.numerator = squared_length({p.x - (edge.x << fraction_bits), p.y - (edge.y << fraction_bits),
+                                           p.z - (edge.z << fraction_bits)});
+    } else {
+        along = to_float(forward) / to_float(length);
+        result.numerator = squared_length(cross(p, edge));
+        result.denominator = Int128(dot<std::int64_t>(edge, edge));
+    }
+    finish(result, fraction_bits);
+    return result;
+}
+
+}  // namespace point_triangle
+
+/// The distance from the point to the triangle (also to one without area: then to its longest side).
+PointDistance distance_to(const LatticePoint& point, const LatticeTriangle& triangle) noexcept;
+
+/// Whether the distance is at most the radius (lattice steps, >= 0), exactly.
+bool is_within_radius(const LatticePoint& point, const PointDistance& distance, float radius) noexcept;
+
+}  // namespace espalier::detail

@@ -1,0 +1,31 @@
+// The ray queries in lattice units, once for each instruction set.
+#pragma once
+
+#include <espalier/function_ref.hpp>
+#include <runtime/found.hpp>
+#include <runtime/simd/select.hpp>
+
+#define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                                    \
+    namespace instruction_set {                                                                                          \
+    bool closest_hit(const BlobData& blob, const LatticeRay& ray, const TriangleFilter* filter, FoundHit& best);         \
+    bool any_hit(const BlobData& blob, const LatticeRay& ray, const TriangleFilter* filter);                             \
+    bool every_hit(const BlobData& blob, const LatticeRay& ray, FunctionRef<Visit(const FoundHit&)> visit);              \
+    }
+
+namespace espalier::detail {
+
+ESPALIER_DECLARE_RAY_QUERIES(scalar)
+#if ESPALIER_X86
+ESPALIER_DECLARE_RAY_QUERIES(sse42)
+ESPALIER_DECLARE_RAY_QUERIES(avx2)
+#elif ESPALIER_NEON
+ESPALIER_DECLARE_RAY_QUERIES(neon)
+#endif
+
+namespace scalar {
+bool closest_hit_counted(const BlobData& blob, const LatticeRay& ray, FoundHit& best, QueryCounters& counters);
+}
+
+}  // namespace espalier::detail
+
+#undef ESPALIER_DECLARE_RAY_QUERIES

@@ -1,0 +1,15 @@
+// Calls the variant of a query that suits the machine.
+#pragma once
+
+#include <runtime/simd/select.hpp>
+
+#if ESPALIER_X86
+#define ESPALIER_DISPATCH(query, ...)                                        \
+    (::espalier::detail::instruction_set() == InstructionSet::avx2    ? avx2::query(__VA_ARGS__)  \
+     : ::espalier::detail::instruction_set() == InstructionSet::sse42 ? sse42::query(__VA_ARGS__) \
+                                                                      : scalar::query(__VA_ARGS__))
+#elif ESPALIER_NEON
+#define ESPALIER_DISPATCH(query, ...) neon::query(__VA_ARGS__)
+#else
+#define ESPALIER_DISPATCH(query, ...) scalar::query(__VA_ARGS__)
+#endif

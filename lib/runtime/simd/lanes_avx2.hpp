@@ -1,0 +1,124 @@
+// The vocabulary of the lanes for AVX2: eight lanes.
+#pragma once
+
+#include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <runtime/codec_fast.hpp>
+#include <runtime/float_bits.hpp>
+#include <runtime/simd/target.hpp>
+#include <runtime/simd/unpack_table.hpp>
+
+#define ESPALIER_AVX2 "avx2,fma,bmi,bmi2,lzcnt,popcnt"
+
+ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
+namespace espalier::detail::avx2 {
+
+inline constexpr unsigned lanes = 8;
+struct Floats {
+    __m256 v;
+};
+struct Ints {
+    __m256i v;
+};
+
+inline Floats splat(float x) { return {_mm256_set1_ps(x)}; }
+inline void store(float* to, Floats a) { _mm256_storeu_ps(to, a.v); }
+inline Floats add(Floats a, Floats b) { return {_mm256_add_ps(a.v, b.v)}; }
+inline Floats multiply(Floats a, Floats b) { return {_mm256_mul_ps(a.v, b.v)}; }
+inline Floats multiply_add(Floats a, Floats b, Floats c) { return {_mm256_fmadd_ps(a.v, b.v, c.v)}; }
+inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {_mm256_fmsub_ps(a.v, b.v, c.v)}; }
+inline Floats negate(Floats a) { return {_mm256_xor_ps(a.v, _mm256_set1_ps(-0.0f))}; }
+inline Floats magnitude(Floats a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
+inline Floats smaller(Floats a, Floats b) { return {_mm256_min_ps(a.v, b.v)}; }
+inline Floats larger(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
+inline float largest(Floats a) {
+    const __m128 four = _mm_max_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
+    const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+    return _mm_cvtss_f32(_mm_max_ss(two, _mm_movehdup_ps(two)));
+}
+inline unsigned at_most(Floats a, Floats b) {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
+}
+inline Floats bytes_to_floats(const std::byte* at) {
+    return {_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at))))};
+}
+inline Floats to_floats(Ints a) { return {_mm256_cvtepi32_ps(a.v)}; }
+inline Ints shift_right(Ints a, unsigned count) {
+    return {_mm256_srl_epi32(a.v, _mm_cvtsi32_si128(static_cast<int>(count)))};
+}
+inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
+    const std::byte* at = stream + first / 8 * width;
+    const __m128i low = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
+    const __m128i high = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at + width / 2));
+    const UnpackEntry& entry = unpack_table[width];
+    const __m256i spread = _mm256_shuffle_epi8(_mm256_set_m128i(high, low),
+                                               _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.shuffle)));
+    const __m256i shifted = _mm256_srlv_epi32(spread, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.shift)));
+    return {_mm256_and_si256(shifted, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.mask)))};
+}
+inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
+
+/// Values by vertex, in registers.
+template <unsigned groups>
+struct Table {
+    __m256 group[groups];
+    void set(unsigned number, Floats a) { group[number] = a.v; }
+    /// By the low bits of each index; bits above those that number the vertices are ignored.
+    [[nodiscard]] Floats look_up(Ints index) const {
+        const auto pick = [&](unsigned low, unsigned high) {
+            return _mm256_blendv_ps(_mm256_permutevar8x32_ps(group[low], index.v),
+                                    _mm256_permutevar8x32_ps(group[high], index.v),
+                                    _mm256_castsi256_ps(_mm256_slli_epi32(index.v, 28)));
+        };
+        if constexpr (groups == 1) return {_mm256_permutevar8x32_ps(group[0], index.v)};
+        else if constexpr (groups == 2) return {pick(0, 1)};
+        else if constexpr (groups == 3)
+            return {_mm256_blendv_ps(pick(0, 1), _mm256_permutevar8x32_ps(group[2], index.v),
+                                     _mm256_castsi256_ps(_mm256_slli_epi32(index.v, 27)))};
+        else return {_mm256_blendv_ps(pick(0, 1), pick(2, 3), _mm256_castsi256_ps(_mm256_slli_epi32(index.v, 27)))};
+    }
+};
+template <class Function>
+inline auto with_table_groups(unsigned vertex_count, Function function) {
+    if (vertex_count <= 8) return function(std::integral_constant<unsigned, 1>{});
+    if (vertex_count <= 16) return function(std::integral_constant<unsigned, 2>{});
+    if (vertex_count <= 24) return function(std::integral_constant<unsigned, 3>{});
+    return function(std::integral_constant<unsigned, 4>{});
+}
+
+struct Frame {
+    Floats scale[3];
+    Floats offset[3];
+};
+struct FrameOrigin {
+    FrameOrigin(const float* steps, unsigned bits)
+        : origin(_mm_setr_ps(steps[0], steps[1], steps[2], 0.0f)),
+          unit(_mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0))) {}
+    __m128 origin;
+    __m128 unit;
+};
+/// The constants of all three axes in one register, then spread.
+inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
+    const __m128i head = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.bytes));
+    const __m128i shifts = _mm_and_si128(
+        _mm_srlv_epi32(_mm_set1_epi32(static_cast<int>(load_u16(node.bytes + format::fast_node::shifts_at))),
+                       _mm_setr_epi32(0, 5, 10, 15)),
+        _mm_set1_epi32(31));
+    const __m128 scale = _mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(shifts, _mm_set1_epi32(127)), 23));
+    const __m128 offset = _mm_fmsub_ps(_mm_cvtepi32_ps(_mm_cvtepu16_epi32(head)), from.unit, from.origin);
+    Frame frame;
+    frame.scale[0] = {_mm256_broadcastss_ps(scale)};
+    frame.scale[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(scale))};
+    frame.scale[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(scale, scale))};
+    frame.offset[0] = {_mm256_broadcastss_ps(offset)};
+    frame.offset[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(offset))};
+    frame.offset[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(offset, offset))};
+    return frame;
+}
+
+}  // namespace espalier::detail::avx2
+ESPALIER_END_TARGET

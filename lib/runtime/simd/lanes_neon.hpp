@@ -1,0 +1,95 @@
+// The vocabulary of the lanes for AArch64: four lanes.
+#pragma once
+
+#include <arm_neon.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <runtime/codec_fast.hpp>
+#include <runtime/float_bits.hpp>
+#include <runtime/simd/unpack_table.hpp>
+
+namespace espalier::detail::neon {
+
+inline constexpr unsigned lanes = 4;
+struct Floats {
+    float32x4_t v;
+};
+struct Ints {
+    uint32x4_t v;
+};
+
+inline Floats splat(float x) { return {vdupq_n_f32(x)}; }
+inline void store(float* to, Floats a) { vst1q_f32(to, a.v); }
+inline Floats add(Floats a, Floats b) { return {vaddq_f32(a.v, b.v)}; }
+inline Floats multiply(Floats a, Floats b) { return {vmulq_f32(a.v, b.v)}; }
+inline Floats multiply_add(Floats a, Floats b, Floats c) { return {vfmaq_f32(c.v, a.v, b.v)}; }
+inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {vfmaq_f32(vnegq_f32(c.v), a.v, b.v)}; }
+inline Floats negate(Floats a) { return {vnegq_f32(a.v)}; }
+inline Floats magnitude(Floats a) { return {vabsq_f32(a.v)}; }
+/// The number when one is not a number.
+inline Floats smaller(Floats a, Floats b) { return {vminnmq_f32(a.v, b.v)}; }
+inline Floats larger(Floats a, Floats b) { return {vmaxnmq_f32(a.v, b.v)}; }
+inline float largest(Floats a) { return vmaxnmvq_f32(a.v); }
+inline unsigned at_most(Floats a, Floats b) {
+    const uint32x4_t bit = {1u, 2u, 4u, 8u};
+    return vaddvq_u32(vandq_u32(vcleq_f32(a.v, b.v), bit));
+}
+inline Floats bytes_to_floats(const std::byte* at) {
+    const uint8x8_t bytes = vreinterpret_u8_u32(vdup_n_u32(load_u32(at)));
+    return {vcvtq_f32_u32(vmovl_u16(vget_low_u16(vmovl_u8(bytes))))};
+}
+inline Floats to_floats(Ints a) { return {vcvtq_f32_u32(a.v)}; }
+inline Ints shift_right(Ints a, unsigned count) { return {vshlq_u32(a.v, vdupq_n_s32(-static_cast<int>(count)))}; }
+inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
+    const unsigned half = first / 4 % 2;
+    const std::byte* at = stream + first / 8 * width + half * (width / 2);
+    const UnpackEntry& entry = unpack_table[width];
+    const uint8x16_t bytes = vld1q_u8(reinterpret_cast<const std::uint8_t*>(at));
+    const uint32x4_t spread = vreinterpretq_u32_u8(vqtbl1q_u8(bytes, vld1q_u8(entry.shuffle + 16 * half)));
+    const int32x4_t shift = vreinterpretq_s32_u32(vld1q_u32(entry.shift + 4 * half));
+    return {vandq_u32(vshlq_u32(spread, vnegq_s32(shift)), vld1q_u32(entry.mask))};
+}
+inline void prefetch(const std::byte* at) { __builtin_prefetch(at); }
+
+/// Values by vertex, in memory.
+template <unsigned groups>
+struct Table {
+    alignas(16) float value[groups * lanes] = {};
+    void set(unsigned number, Floats a) { vst1q_f32(value + lanes * number, a.v); }
+    [[nodiscard]] Floats look_up(Ints index) const {
+        const uint32x4_t vertex = vandq_u32(index.v, vdupq_n_u32(groups * lanes - 1));
+        const float32x4_t result = {value[vgetq_lane_u32(vertex, 0)], value[vgetq_lane_u32(vertex, 1)],
+                                    value[vgetq_lane_u32(vertex, 2)], value[vgetq_lane_u32(vertex, 3)]};
+        return {result};
+    }
+};
+/// Exactly as many entries as the numbers of the vertices can name.
+template <class Function>
+inline auto with_table_groups(unsigned vertex_count, Function function) {
+    if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
+    if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
+    return function(std::integral_constant<unsigned, 8>{});
+}
+
+struct Frame {
+    Floats scale[3];
+    Floats offset[3];
+};
+struct FrameOrigin {
+    FrameOrigin(const float* steps, unsigned bits_) : origin{steps[0], steps[1], steps[2]}, bits(bits_) {}
+    float origin[3];
+    unsigned bits;
+};
+inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
+    Frame frame;
+    for (int k = 0; k < 3; ++k) {
+        frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))));
+        frame.offset[k] = splat(static_cast<float>(node.base(k, from.bits)) - from.origin[k]);
+    }
+    return frame;
+}
+
+}  // namespace espalier::detail::neon

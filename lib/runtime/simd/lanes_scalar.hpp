@@ -1,0 +1,70 @@
+// The vocabulary of the lanes, one lane wide: for every machine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <runtime/bytes.hpp>
+#include <runtime/codec_fast.hpp>
+#include <runtime/float_bits.hpp>
+
+namespace espalier::detail::scalar {
+
+inline constexpr unsigned lanes = 1;
+using Floats = float;
+using Ints = std::uint32_t;
+
+inline Floats splat(float x) { return x; }
+inline void store(float* to, Floats a) { *to = a; }
+inline Floats add(Floats a, Floats b) { return a + b; }
+inline Floats multiply(Floats a, Floats b) { return a * b; }
+/// a * b + c and a * b - c: fused or not, as the machine likes.
+inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
+inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return a * b - c; }
+inline Floats negate(Floats a) { return -a; }
+inline Floats magnitude(Floats a) { return absolute(a); }
+/// The second when one is not a number.
+inline Floats smaller(Floats a, Floats b) { return minimum(a, b); }
+inline Floats larger(Floats a, Floats b) { return maximum(a, b); }
+inline float largest(Floats a) { return a; }
+/// One bit a lane: a <= b.
+inline unsigned at_most(Floats a, Floats b) { return a <= b ? 1u : 0u; }
+inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
+inline Floats to_floats(Ints a) { return static_cast<float>(a); }
+inline Ints shift_right(Ints a, unsigned count) { return a >> count; }
+inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { return load_field(stream, width, first); }
+inline void prefetch(const std::byte*) {}
+
+/// Values by vertex.
+template <unsigned groups>
+struct Table {
+    float value[groups];
+    void set(unsigned group, Floats a) { value[group] = a; }
+    [[nodiscard]] Floats look_up(Ints index) const { return value[index & (groups - 1)]; }
+};
+template <class Function>
+inline auto with_table_groups(unsigned, Function function) {
+    return function(std::integral_constant<unsigned, format::max_leaf_vertices>{});
+}
+
+/// A node's frame seen from a point: plane * scale + offset.
+struct Frame {
+    Floats scale[3];
+    Floats offset[3];
+};
+struct FrameOrigin {
+    FrameOrigin(const float* steps, unsigned bits_) : origin{steps[0], steps[1], steps[2]}, bits(bits_) {}
+    float origin[3];
+    unsigned bits;
+};
+inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
+    Frame frame;
+    for (int k = 0; k < 3; ++k) {
+        frame.scale[k] = power_of_two(static_cast<int>(node.shift(k)));
+        frame.offset[k] = static_cast<float>(node.base(k, from.bits)) - from.origin[k];
+    }
+    return frame;
+}
+
+}  // namespace espalier::detail::scalar

@@ -1,0 +1,112 @@
+// The vocabulary of the lanes for SSE4.2: four lanes.
+#pragma once
+
+#include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <runtime/codec_fast.hpp>
+#include <runtime/float_bits.hpp>
+#include <runtime/simd/target.hpp>
+#include <runtime/simd/unpack_table.hpp>
+
+#define ESPALIER_SSE42 "sse4.2,popcnt"
+
+ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
+namespace espalier::detail::sse42 {
+
+inline constexpr unsigned lanes = 4;
+struct Floats {
+    __m128 v;
+};
+struct Ints {
+    __m128i v;
+};
+
+inline Floats splat(float x) { return {_mm_set1_ps(x)}; }
+inline void store(float* to, Floats a) { _mm_storeu_ps(to, a.v); }
+inline Floats add(Floats a, Floats b) { return {_mm_add_ps(a.v, b.v)}; }
+inline Floats multiply(Floats a, Floats b) { return {_mm_mul_ps(a.v, b.v)}; }
+inline Floats multiply_add(Floats a, Floats b, Floats c) { return {_mm_add_ps(_mm_mul_ps(a.v, b.v), c.v)}; }
+inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {_mm_sub_ps(_mm_mul_ps(a.v, b.v), c.v)}; }
+inline Floats negate(Floats a) { return {_mm_xor_ps(a.v, _mm_set1_ps(-0.0f))}; }
+inline Floats magnitude(Floats a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.v)}; }
+inline Floats smaller(Floats a, Floats b) { return {_mm_min_ps(a.v, b.v)}; }
+inline Floats larger(Floats a, Floats b) { return {_mm_max_ps(a.v, b.v)}; }
+inline float largest(Floats a) {
+    const __m128 two = _mm_max_ps(a.v, _mm_movehl_ps(a.v, a.v));
+    return _mm_cvtss_f32(_mm_max_ss(two, _mm_movehdup_ps(two)));
+}
+inline unsigned at_most(Floats a, Floats b) { return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.v, b.v))); }
+inline Floats bytes_to_floats(const std::byte* at) {
+    return {_mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(at)))))};
+}
+inline Floats to_floats(Ints a) { return {_mm_cvtepi32_ps(a.v)}; }
+inline Ints shift_right(Ints a, unsigned count) {
+    return {_mm_srl_epi32(a.v, _mm_cvtsi32_si128(static_cast<int>(count)))};
+}
+inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
+    const unsigned half = first / 4 % 2;
+    const std::byte* at = stream + first / 8 * width + half * (width / 2);
+    const UnpackEntry& entry = unpack_table[width];
+    const __m128i spread = _mm_shuffle_epi8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)),
+                                            _mm_loadu_si128(reinterpret_cast<const __m128i*>(entry.shuffle + 16 * half)));
+    // Lanes cannot be shifted right by different counts before AVX2: shift left to a common place by multiplying.
+    const __m128i shift = _mm_loadu_si128(reinterpret_cast<const __m128i*>(entry.shift + 4 * half));
+    const __m128i power = _mm_slli_epi32(_mm_sub_epi32(_mm_set1_epi32(7 + 127), shift), 23);
+    const __m128i raised = _mm_mullo_epi32(spread, _mm_cvttps_epi32(_mm_castsi128_ps(power)));
+    return {_mm_and_si128(_mm_srli_epi32(raised, 7), _mm_loadu_si128(reinterpret_cast<const __m128i*>(entry.mask)))};
+}
+inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
+
+/// Values by vertex, in memory: there is no permutation over several registers.
+template <unsigned groups>
+struct Table {
+    alignas(16) float value[groups * lanes] = {};
+    void set(unsigned number, Floats a) { _mm_store_ps(value + lanes * number, a.v); }
+    [[nodiscard]] Floats look_up(Ints index) const {
+        const __m128i vertex = _mm_and_si128(index.v, _mm_set1_epi32(groups * lanes - 1));
+        const auto at = [&](int lane) { return value[lane]; };
+        return {_mm_setr_ps(at(_mm_extract_epi32(vertex, 0)), at(_mm_extract_epi32(vertex, 1)),
+                            at(_mm_extract_epi32(vertex, 2)), at(_mm_extract_epi32(vertex, 3)))};
+    }
+};
+/// Exactly as many entries as the numbers of the vertices can name.
+template <class Function>
+inline auto with_table_groups(unsigned vertex_count, Function function) {
+    if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
+    if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
+    return function(std::integral_constant<unsigned, 8>{});
+}
+
+struct Frame {
+    Floats scale[3];
+    Floats offset[3];
+};
+struct FrameOrigin {
+    FrameOrigin(const float* steps, unsigned bits)
+        : origin(_mm_setr_ps(steps[0], steps[1], steps[2], 0.0f)),
+          unit(_mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0))) {}
+    __m128 origin;
+    __m128 unit;
+};
+/// The constants of all three axes in one register, then spread.
+inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
+    const __m128i head = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.bytes));
+    const auto biased = [&](int axis) { return static_cast<int>(node.shift(axis) + 127); };
+    const __m128 scale = _mm_castsi128_ps(_mm_slli_epi32(_mm_setr_epi32(biased(0), biased(1), biased(2), 0), 23));
+    const __m128 offset = _mm_sub_ps(_mm_mul_ps(_mm_cvtepi32_ps(_mm_cvtepu16_epi32(head)), from.unit), from.origin);
+    Frame frame;
+    frame.scale[0] = {_mm_shuffle_ps(scale, scale, 0x00)};
+    frame.scale[1] = {_mm_shuffle_ps(scale, scale, 0x55)};
+    frame.scale[2] = {_mm_shuffle_ps(scale, scale, 0xAA)};
+    frame.offset[0] = {_mm_shuffle_ps(offset, offset, 0x00)};
+    frame.offset[1] = {_mm_shuffle_ps(offset, offset, 0x55)};
+    frame.offset[2] = {_mm_shuffle_ps(offset, offset, 0xAA)};
+    return frame;
+}
+
+}  // namespace espalier::detail::sse42
+ESPALIER_END_TARGET

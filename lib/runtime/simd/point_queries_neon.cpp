@@ -1,0 +1,12 @@
+// Queries by distance, neon.
+#include <bit>
+
+#include <runtime/point_queries.hpp>
+#if ESPALIER_NEON
+#include <runtime/simd/lanes_neon.hpp>
+
+namespace espalier::detail::neon {
+#include <runtime/traverse.inl>
+#include <runtime/point_queries.inl>
+}  // namespace espalier::detail::neon
+#endif

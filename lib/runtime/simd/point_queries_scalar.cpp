@@ -1,0 +1,10 @@
+// Queries by distance, scalar.
+#include <bit>
+
+#include <runtime/point_queries.hpp>
+#include <runtime/simd/lanes_scalar.hpp>
+
+namespace espalier::detail::scalar {
+#include <runtime/traverse.inl>
+#include <runtime/point_queries.inl>
+}  // namespace espalier::detail::scalar

@@ -1,0 +1,14 @@
+// Ray queries, avx2.
+#include <bit>
+
+#include <runtime/ray_queries.hpp>
+#if ESPALIER_X86
+#include <runtime/simd/lanes_avx2.hpp>
+
+ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
+namespace espalier::detail::avx2 {
+#include <runtime/traverse.inl>
+#include <runtime/ray_queries.inl>
+}  // namespace espalier::detail::avx2
+ESPALIER_END_TARGET
+#endif

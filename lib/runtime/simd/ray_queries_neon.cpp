@@ -1,0 +1,12 @@
+// Ray queries, neon.
+#include <bit>
+
+#include <runtime/ray_queries.hpp>
+#if ESPALIER_NEON
+#include <runtime/simd/lanes_neon.hpp>
+
+namespace espalier::detail::neon {
+#include <runtime/traverse.inl>
+#include <runtime/ray_queries.inl>
+}  // namespace espalier::detail::neon
+#endif

@@ -1,0 +1,14 @@
+// Ray queries, sse42.
+#include <bit>
+
+#include <runtime/ray_queries.hpp>
+#if ESPALIER_X86
+#include <runtime/simd/lanes_sse42.hpp>
+
+ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
+namespace espalier::detail::sse42 {
+#include <runtime/traverse.inl>
+#include <runtime/ray_queries.inl>
+}  // namespace espalier::detail::sse42
+ESPALIER_END_TARGET
+#endif

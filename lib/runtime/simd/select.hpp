@@ -1,0 +1,62 @@
+// Which instruction set a query runs on.
+#pragma once
+
+#include <cstdint>
+
+#if defined(__x86_64__) || (defined(__i386__) && defined(__SSE2__))
+#define ESPALIER_X86 1
+#include <cpuid.h>
+#else
+#define ESPALIER_X86 0
+#endif
+#if defined(__aarch64__) && defined(__ARM_NEON) && !defined(__AARCH64EB__)
+#define ESPALIER_NEON 1
+#else
+#define ESPALIER_NEON 0
+#endif
+
+namespace espalier::detail {
+
+enum class InstructionSet : std::uint8_t { scalar, sse42, avx2, neon };
+
+#if ESPALIER_X86
+
+/// What the processor and the operating system allow.
+inline InstructionSet detect_instruction_set() {
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    if (__get_cpuid(1, &a, &b, &c, &d) == 0) return InstructionSet::scalar;
+    constexpr unsigned ssse3 = 1u << 9, sse41 = 1u << 19, sse42 = 1u << 20, popcnt = 1u << 23;
+    constexpr unsigned fma = 1u << 12, os_saves = 1u << 27, avx = 1u << 28;
+    if ((c & (ssse3 | sse41 | sse42 | popcnt)) != (ssse3 | sse41 | sse42 | popcnt)) return InstructionSet::scalar;
+    if ((c & (fma | os_saves | avx)) != (fma | os_saves | avx)) return InstructionSet::sse42;
+    unsigned saved = 0, saved_high = 0;
+    __asm__("xgetbv" : "=a"(saved), "=d"(saved_high) : "c"(0));
+    if ((saved & 6u) != 6u || __get_cpuid_count(7, 0, &a, &b, &c, &d) == 0) return InstructionSet::sse42;
+    constexpr unsigned bmi1 = 1u << 3, avx2 = 1u << 5, bmi2 = 1u << 8;
+    if ((b & (bmi1 | avx2 | bmi2)) != (bmi1 | avx2 | bmi2)) return InstructionSet::sse42;
+    if (__get_cpuid(0x80000001u, &a, &b, &c, &d) == 0 || (c & (1u << 5)) == 0) return InstructionSet::sse42;  // lzcnt
+    return InstructionSet::avx2;
+}
+
+/// Asked once: the question is slow on virtual machines. Every thread that races to answer stores the same.
+inline InstructionSet instruction_set() {
+    static std::uint8_t known = 0;  // 0: not yet asked, else the answer + 1
+    std::uint8_t value = __atomic_load_n(&known, __ATOMIC_RELAXED);
+    if (value == 0) {
+        value = static_cast<std::uint8_t>(static_cast<unsigned>(detect_instruction_set()) + 1u);
+        __atomic_store_n(&known, value, __ATOMIC_RELAXED);
+    }
+    return static_cast<InstructionSet>(value - 1);
+}
+
+#elif ESPALIER_NEON
+
+constexpr InstructionSet instruction_set() { return InstructionSet::neon; }
+
+#else
+
+constexpr InstructionSet instruction_set() { return InstructionSet::scalar; }
+
+#endif
+
+}  // namespace espalier::detail

@@ -1,0 +1,147 @@
+// Integers wide enough that no sign of a determinant on the lattice is ever guessed (docs/numerics.md has the widths).
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace espalier::detail {
+
+/// Signed 128 bits in two's complement. Only what the kernels need.
+struct Int128 {
+    std::uint64_t low = 0;
+    std::int64_t high = 0;
+
+    constexpr Int128() = default;
+    constexpr Int128(std::int64_t value)  // NOLINT(google-explicit-constructor): widening loses nothing
+        : low(static_cast<std::uint64_t>(value)), high(value < 0 ? -1 : 0) {}
+    constexpr Int128(std::int64_t high_word, std::uint64_t low_word) : low(low_word), high(high_word) {}
+
+    [[nodiscard]] constexpr bool is_negative() const { return high < 0; }
+    [[nodiscard]] constexpr bool is_zero() const { return (low | static_cast<std::uint64_t>(high)) == 0; }
+
+    friend constexpr Int128 operator+(Int128 a, Int128 b) {
+        const std::uint64_t low = a.low + b.low;
+        const std::uint64_t carry = low < a.low ? 1 : 0;
+        return {static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) + static_cast<std::uint64_t>(b.high) + carry),
+                low};
+    }
+    friend constexpr Int128 operator-(Int128 a) {
+        const std::uint64_t low = ~a.low + 1;
+        return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(a.high) + (low == 0 ? 1u : 0u)), low};
+    }
+    friend constexpr Int128 operator-(Int128 a, Int128 b) { return a + -b; }
+    friend constexpr bool operator<(Int128 a, Int128 b) { return a.high != b.high ? a.high < b.high : a.low < b.low; }
+    friend constexpr bool operator==(Int128 a, Int128 b) { return a.low == b.low && a.high == b.high; }
+    /// a * 2^shift, 0 <= shift < 64; the result must fit.
+    friend constexpr Int128 operator<<(Int128 a, int shift) {
+        if (shift == 0) return a;
+        return {static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) << shift | a.low >> (64 - shift)),
+                a.low << shift};
+    }
+};
+
+/// The full product of two words.
+constexpr void multiply_words(std::uint64_t a, std::uint64_t b, std::uint64_t& high, std::uint64_t& low) {
+#if defined(__SIZEOF_INT128__)
+    __extension__ using Native = unsigned __int128;
+    const Native product = static_cast<Native>(a) * b;
+    high = static_cast<std::uint64_t>(product >> 64);
+    low = static_cast<std::uint64_t>(product);
+#else
+    const std::uint64_t a0 = a & 0xFFFFFFFFu, a1 = a >> 32, b0 = b & 0xFFFFFFFFu, b1 = b >> 32;
+    const std::uint64_t p00 = a0 * b0, p01 = a0 * b1, p10 = a1 * b0, p11 = a1 * b1;
+    const std::uint64_t middle = (p00 >> 32) + (p01 & 0xFFFFFFFFu) + (p10 & 0xFFFFFFFFu);
+    low = (p00 & 0xFFFFFFFFu) | middle << 32;
+    high = p11 + (p01 >> 32) + (p10 >> 32) + (middle >> 32);
+#endif
+}
+
+constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
+    std::uint64_t high = 0;
+    std::uint64_t low = 0;
+    multiply_words(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b), high, low);
+    if (a < 0) high -= static_cast<std::uint64_t>(b);
+    if (b < 0) high -= static_cast<std::uint64_t>(a);
+    return {static_cast<std::int64_t>(high), low};
+}
+
+constexpr bool is_negative(std::int64_t a) { return a < 0; }
+constexpr bool is_negative(Int128 a) { return a.is_negative(); }
+constexpr bool is_zero(std::int64_t a) { return a == 0; }
+constexpr bool is_zero(Int128 a) { return a.is_zero(); }
+
+/// The nearest float, ties to even.
+inline float to_float(std::int64_t a) { return static_cast<float>(a); }
+inline float to_float(Int128 a) {
+    if (a.high == (static_cast<std::int64_t>(a.low) < 0 ? -1 : 0)) return to_float(static_cast<std::int64_t>(a.low));
+    const bool negative = a.is_negative();
+    const Int128 m = negative ? -a : a;
+    const std::uint64_t high = static_cast<std::uint64_t>(m.high);
+    // The top 62 bits and more stand in one word; whatever is below only matters as "not zero".
+    const int shift = 66 - std::countl_zero(high);  // high is not zero here, or low's top bit is set
+    std::uint64_t top = shift >= 64 ? high >> (shift - 64) : high << (64 - shift) | m.low >> shift;
+    const std::uint64_t rest = shift >= 64 ? m.low | (shift > 64 ? high << (128 - shift) : 0) : m.low << (64 - shift);
+    if (rest != 0) top |= 1;
+    const float value = static_cast<float>(static_cast<std::int64_t>(top)) *
+                        std::bit_cast<float>(static_cast<std::uint32_t>(shift + 127) << 23);
+    return negative ? -value : value;
+}
+
+/// Unsigned 256 bits, for comparing products of wide numbers.
+struct Unsigned256 {
+    std::uint64_t word[4] = {0, 0, 0, 0};
+
+    /// From a number that is not negative.
+    explicit constexpr Unsigned256(Int128 a) : word{a.low, static_cast<std::uint64_t>(a.high), 0, 0} {}
+
+    [[nodiscard]] constexpr int bit_length() const {
+        for (int i = 3; i >= 0; --i)
+            if (word[i] != 0) return 64 * i + 64 - std::countl_zero(word[i]);
+        return 0;
+    }
+    /// this * 2^shift, shift >= 0; the result must fit.
+    [[nodiscard]] constexpr Unsigned256 shifted_left(int shift) const {
+        Unsigned256 result{Int128{}};
+        const int words = shift / 64;
+        const int bits = shift % 64;
+        for (int i = 3; i >= words; --i) {
+            result.word[i] = word[i - words] << bits;
+            if (bits != 0 && i > words) result.word[i] |= word[i - words - 1] >> (64 - bits);
+        }
+        return result;
+    }
+    /// The product of two numbers below 2^128.
+    static constexpr Unsigned256 product(const Unsigned256& a, const Unsigned256& b) {
+        Unsigned256 result{Int128{}};
+        for (int i = 0; i < 2; ++i) {
+            std::uint64_t carry = 0;
+            for (int j = 0; j < 2; ++j) {
+                std::uint64_t high = 0;
+                std::uint64_t low = 0;
+                multiply_words(a.word[i], b.word[j], high, low);
+                low += carry;
+                high += low < carry ? 1 : 0;
+                result.word[i + j] += low;
+                high += result.word[i + j] < low ? 1 : 0;
+                carry = high;
+            }
+            result.word[i + 2] += carry;
+        }
+        return result;
+    }
+};
+
+/// Sign of a - b * 2^shift, for a and b below 2^192 and any shift.
+constexpr int compare_scaled(const Unsigned256& a, const Unsigned256& b, int shift) {
+    const int a_length = a.bit_length();
+    const int b_length = b.bit_length();
+    if (a_length == 0 || b_length == 0) return a_length != 0 ? 1 : b_length != 0 ? -1 : 0;
+    if (a_length != b_length + shift) return a_length > b_length + shift ? 1 : -1;
+    const Unsigned256 left = shift < 0 ? a.shifted_left(-shift) : a;
+    const Unsigned256 right = shift > 0 ? b.shifted_left(shift) : b;
+    for (int i = 3; i >= 0; --i)
+        if (left.word[i] != right.word[i]) return left.word[i] > right.word[i] ? 1 : -1;
+    return 0;
+}
+
+}  // namespace espalier::detail
