@@ -1,0 +1,124 @@
+#include "blob_layout.hpp"
+
+#include <bit>
+
+#include "exit_code.hpp"
+
+namespace espalier::tools {
+
+std::uint32_t read_u8(std::span<const std::byte> bytes, std::size_t at) {
+    return std::to_integer<std::uint32_t>(bytes[at]);
+}
+std::uint32_t read_u16(std::span<const std::byte> bytes, std::size_t at) {
+    return read_u8(bytes, at) | read_u8(bytes, at + 1) << 8;
+}
+std::uint32_t read_u32(std::span<const std::byte> bytes, std::size_t at) {
+    return read_u16(bytes, at) | read_u16(bytes, at + 2) << 16;
+}
+float read_f32(std::span<const std::byte> bytes, std::size_t at) { return std::bit_cast<float>(read_u32(bytes, at)); }
+
+std::uint32_t read_bits(std::span<const std::byte> bytes, std::size_t bit, unsigned width) {
+    std::uint32_t value = 0;
+    for (unsigned i = 0; i < width; ++i, ++bit) value |= ((read_u8(bytes, bit / 8) >> (bit % 8)) & 1u) << i;
+    return value;
+}
+
+namespace {
+
+std::size_t padded_to_4(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
+
+}  // namespace
+
+std::vector<Section> sections_of(const Blob& blob) {
+    const detail::BlobData& data = blob.data();
+    std::vector<Section> sections;
+    std::size_t at = 0;
+    const auto add = [&](const char* name, std::size_t bytes) {
+        sections.push_back({name, at, bytes});
+        at += bytes;
+    };
+    add("header", format::header::bytes);
+    add("nodes", std::size_t{data.node_count} * format::fast_node::bytes);
+    add("leaves", data.leaf_bytes);
+    add("guard", format::guard_bytes);
+    if ((data.features & format::feature::original_ids) != 0) {
+        add("sources", std::size_t{data.source_count} * format::source::bytes);
+        add("original_ids", padded_to_4((std::size_t{data.triangle_count} * data.id_bits + 7) / 8));
+    }
+    if ((data.features & format::feature::materials_8) != 0) add("materials", padded_to_4(data.triangle_count));
+    if ((data.features & format::feature::materials_16) != 0) {
+        add("materials", padded_to_4(std::size_t{data.triangle_count} * 2));
+    }
+    if (at != data.size) {
+        throw CommandError(ExitCode::internal, "the sections do not add up to the blob: please report this blob.");
+    }
+    return sections;
+}
+
+const Section& section_named(const std::vector<Section>& sections, std::string_view name) {
+    for (const Section& section : sections) {
+        if (section.name == name) return section;
+    }
+    throw CommandError(ExitCode::internal, "a section is missing: please report this blob.");
+}
+
+NodeFields read_node(std::span<const std::byte> bytes, std::size_t at) {
+    namespace field = format::fast_node;
+    NodeFields node{};
+    const std::uint32_t shifts = read_u16(bytes, at + field::shifts_at);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        node.base[axis] = read_u16(bytes, at + field::base_at + 2 * axis);
+        node.shifts[axis] = (shifts >> (5 * axis)) & 31u;
+    }
+    const std::uint32_t children = read_u32(bytes, at + field::children_at);
+    node.first_child = children & 0xFFFFFFu;
+    node.node_children = (children >> 24) & 15u;
+    node.leaves = children >> 28;
+    node.leaf_block = read_u32(bytes, at + field::leaf_block_at);
+    return node;
+}
+
+LeafFields read_leaf(std::uint32_t descriptor, unsigned bits) {
+    namespace field = format::fast_leaf;
+    LeafFields leaf{};
+    leaf.data_offset = std::size_t{2} * (descriptor & ((1u << field::offset_bits) - 1));
+    leaf.triangles = ((descriptor >> field::triangles_shift) & 15u) + 1;
+    leaf.vertices = ((descriptor >> field::vertices_shift) & 31u) + 1;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        leaf.widths[axis] = field::coordinate_width((descriptor >> (field::widths_shift + 4 * axis)) & 15u, bits);
+    }
+    return leaf;
+}
+
+std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob) {
+    std::uint64_t count = 0;
+    for (std::size_t node = 0; node < blob.data().node_count; ++node) {
+        count += read_node(bytes, format::header::bytes + node * format::fast_node::bytes).leaves;
+    }
+    return count;
+}
+
+const char* name_of(format::Profile profile) {
+    switch (profile) {
+        case format::Profile::fast: return "fast";
+    }
+    return "unknown";
+}
+
+std::string checksum_text(std::uint32_t checksum) {
+    constexpr char digits[] = "0123456789abcdef";
+    std::string result;
+    for (int shift = 28; shift >= 0; shift -= 4) result += digits[(checksum >> shift) & 15u];
+    return result;
+}
+
+std::vector<std::string> feature_names(std::uint32_t features) {
+    std::vector<std::string> names;
+    if ((features & format::feature::original_ids) != 0) names.emplace_back("original_ids");
+    if ((features & format::feature::materials_8) != 0) names.emplace_back("materials_8");
+    if ((features & format::feature::materials_16) != 0) names.emplace_back("materials_16");
+    if ((features & format::feature::closed) != 0) names.emplace_back("closed");
+    return names;
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,239 @@
+// dump: every byte of a blob, with its meaning.
+#include <algorithm>
+#include <iostream>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+
+#include "blob_file.hpp"
+#include "blob_layout.hpp"
+#include "byte_listing.hpp"
+#include "commands.hpp"
+#include "numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+struct HeaderField {
+    std::size_t at;
+    std::size_t bytes;
+    const char* name;
+    enum class Kind { integer, signed_integer, real, hexadecimal, text, vector, point, zero } kind;
+};
+
+constexpr HeaderField header_fields[] = {
+    {format::header::magic_at, 4, "magic", HeaderField::Kind::text},
+    {format::header::version_major_at, 2, "format version, major", HeaderField::Kind::integer},
+    {format::header::version_minor_at, 2, "format version, minor", HeaderField::Kind::integer},
+    {format::header::total_bytes_at, 4, "bytes in all", HeaderField::Kind::integer},
+    {format::header::checksum_at, 4, "checksum", HeaderField::Kind::hexadecimal},
+    {format::header::features_at, 4, "features", HeaderField::Kind::hexadecimal},
+    {format::header::profile_at, 1, "profile", HeaderField::Kind::integer},
+    {format::header::bits_at, 1, "lattice bits", HeaderField::Kind::integer},
+    {format::header::step_exponent_at, 2, "step exponent", HeaderField::Kind::signed_integer},
+    {format::header::triangle_count_at, 4, "triangles", HeaderField::Kind::integer},
+    {format::header::vertex_count_at, 4, "vertices", HeaderField::Kind::integer},
+    {format::header::node_count_at, 4, "nodes", HeaderField::Kind::integer},
+    {format::header::leaf_bytes_at, 4, "bytes of leaves", HeaderField::Kind::integer},
+    {format::header::origin_at, 12, "origin", HeaderField::Kind::point},
+    {format::header::extent_at, 12, "extent in steps", HeaderField::Kind::vector},
+    {format::header::max_error_at, 4, "max error", HeaderField::Kind::real},
+    {format::header::depth_at, 1, "depth", HeaderField::Kind::integer},
+    {format::header::id_bits_at, 1, "bits of an original id", HeaderField::Kind::integer},
+    {format::header::id_bits_at + 1, 2, "reserved", HeaderField::Kind::zero},
+    {format::header::source_count_at, 4, "source meshes", HeaderField::Kind::integer},
+    {format::header::source_triangles_at, 4, "source triangles", HeaderField::Kind::integer},
+    {format::header::reserved_at, format::header::bytes - format::header::reserved_at, "reserved",
+     HeaderField::Kind::zero},
+};
+
+std::string value_of(Bytes bytes, const HeaderField& field) {
+    const auto integer = [&](std::size_t at, std::size_t width) {
+        return width == 1 ? read_u8(bytes, at) : width == 2 ? read_u16(bytes, at) : read_u32(bytes, at);
+    };
+    switch (field.kind) {
+        case HeaderField::Kind::integer: return text(' ', integer(field.at, field.bytes));
+        case HeaderField::Kind::signed_integer:
+            return text(' ', static_cast<int>(static_cast<std::int16_t>(read_u16(bytes, field.at))));
+        case HeaderField::Kind::real: return text(' ', read_f32(bytes, field.at));
+        case HeaderField::Kind::hexadecimal: return text(' ', checksum_text(read_u32(bytes, field.at)));
+        case HeaderField::Kind::text:
+            return text(" \"", printable({reinterpret_cast<const char*>(bytes.data()) + field.at, field.bytes}), '"');
+        case HeaderField::Kind::vector:
+            return text(' ', read_u32(bytes, field.at), ' ', read_u32(bytes, field.at + 4), ' ',
+                        read_u32(bytes, field.at + 8));
+        case HeaderField::Kind::point:
+            return text(' ', read_f32(bytes, field.at), ' ', read_f32(bytes, field.at + 4), ' ',
+                        read_f32(bytes, field.at + 8));
+        case HeaderField::Kind::zero: return {};
+    }
+    return {};
+}
+
+/// As far as there are bytes: a refused blob may end within its header.
+void list_header(Bytes bytes, ByteListing& listing) {
+    listing.heading("header");
+    for (const HeaderField& field : header_fields) {
+        if (field.at + field.bytes > bytes.size()) {
+            listing.field_up_to(bytes.size(), text(field.name, ", cut short"));
+            return;
+        }
+        listing.field(field.bytes, field.name + value_of(bytes, field));
+    }
+}
+
+std::string octets(Bytes bytes, std::size_t at, unsigned count) {
+    std::string result;
+    for (unsigned i = 0; i < count; ++i) result += text(' ', read_u8(bytes, at + i));
+    return result;
+}
+
+void list_node(Bytes bytes, std::size_t number, ByteListing& listing) {
+    const NodeFields node = read_node(bytes, listing.at());
+    const unsigned children = std::min(node.node_children + node.leaves, format::max_children);
+    listing.field(6, text("node ", number, ": base ", node.base[0], ' ', node.base[1], ' ', node.base[2]));
+    listing.field(2, text("shifts ", node.shifts[0], ' ', node.shifts[1], ' ', node.shifts[2]));
+    listing.field(4, text("first child node ", node.first_child, ", ", node.node_children, " node children, ",
+                          node.leaves, " leaves"));
+    listing.field(4, text("leaf block at 4 x ", node.leaf_block));
+    for (const char* side : {"low", "high"}) {
+        for (const char axis : {'x', 'y', 'z'}) {
+            listing.field(format::max_children, text(side, ' ', axis, octets(bytes, listing.at(), children)));
+        }
+    }
+}
+
+void list_coordinates(Bytes bytes, char axis, unsigned count, unsigned width, ByteListing& listing) {
+    if (width == 0) return;
+    std::string values;
+    for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
+    listing.field(format::fast_leaf::stream_bytes(count, width), text("  ", axis, ", ", width, " bits:", values));
+}
+
+void list_corners(Bytes bytes, const LeafFields& leaf, ByteListing& listing) {
+    const unsigned width = format::fast_leaf::corner_width(leaf.vertices);
+    std::string values;
+    for (unsigned corner = 0; corner < 3 * leaf.triangles; ++corner) {
+        values += text(corner % 3 == 0 ? ' ' : '-', read_bits(bytes, listing.at() * 8 + corner * width, width));
+    }
+    listing.field(format::fast_leaf::stream_bytes(leaf.triangles, 3 * width),
+                  text("  corners, ", width, " bits:", values));
+}
+
+void list_leaf_block(Bytes bytes, unsigned leaves, unsigned bits, std::size_t node, ByteListing& listing) {
+    std::uint32_t triangle = read_u32(bytes, listing.at());
+    listing.field(4, text("leaves of node ", node, ": first triangle ", triangle));
+    std::vector<LeafFields> fields;
+    for (unsigned i = 0; i < leaves; ++i) {
+        fields.push_back(read_leaf(read_u32(bytes, listing.at()), bits));
+        const LeafFields& leaf = fields.back();
+        listing.field(format::fast_leaf::descriptor_bytes,
+                      text("leaf ", i, ": data at ", leaf.data_offset, ", ", counted(leaf.triangles, "triangle"), ", ",
+                           counted(leaf.vertices, "vertex"), ", widths ", leaf.widths[0], ' ', leaf.widths[1], ' ',
+                           leaf.widths[2]));
+    }
+    const std::size_t data = listing.at();
+    for (unsigned i = 0; i < leaves && !listing.full(); ++i) {
+        const LeafFields& leaf = fields[i];
+        listing.field_up_to(data + leaf.data_offset, "padding");
+        listing.heading(text("leaf ", i, " of node ", node, ", triangles from ", triangle));
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            list_coordinates(bytes, "xyz"[axis], leaf.vertices, leaf.widths[axis], listing);
+        }
+        list_corners(bytes, leaf, listing);
+        triangle += leaf.triangles;
+    }
+}
+
+void list_leaves(Bytes bytes, const Section& nodes, const Section& leaves, unsigned bits, ByteListing& listing) {
+    struct Block {
+        std::size_t at;
+        std::size_t node;
+        unsigned leaves;
+    };
+    std::vector<Block> blocks;
+    for (std::size_t node = 0; node < nodes.bytes / format::fast_node::bytes; ++node) {
+        const NodeFields fields = read_node(bytes, nodes.at + node * format::fast_node::bytes);
+        if (fields.leaves > 0) blocks.push_back({leaves.at + std::size_t{4} * fields.leaf_block, node, fields.leaves});
+    }
+    std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.at < b.at; });
+    for (const Block& block : blocks) {
+        if (listing.full()) return;
+        listing.field_up_to(block.at, "padding");
+        list_leaf_block(bytes, block.leaves, bits, block.node, listing);
+    }
+    listing.field_up_to(leaves.at + leaves.bytes, "padding");
+}
+
+/// Fields of one width, eight to a line: they end on a byte.
+void list_numbers(Bytes bytes, const Section& section, std::uint32_t count, unsigned width, const char* name,
+                  ByteListing& listing) {
+    for (std::uint32_t first = 0; first < count && !listing.full(); first += 8) {
+        const std::uint32_t here = std::min(count - first, 8u);
+        std::string values;
+        for (std::uint32_t i = 0; i < here; ++i) {
+            values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
+        }
+        listing.field((std::size_t{here} * width + 7) / 8, text(name, " of triangles from ", first, ':', values));
+    }
+    listing.field_up_to(section.at + section.bytes, "padding");
+}
+
+void list_sources(Bytes bytes, std::uint32_t count, ByteListing& listing) {
+    for (std::uint32_t i = 0; i < count && !listing.full(); ++i) {
+        const std::size_t at = listing.at();
+        listing.field(format::source::bytes,
+                      text("source ", i, ": ids from ", read_u32(bytes, at + format::source::first_at), ", file ",
+                           read_u32(bytes, at + format::source::file_at), ", mesh ",
+                           read_u32(bytes, at + format::source::mesh_at)));
+    }
+}
+
+void list_section(Bytes bytes, const Blob& blob, const std::vector<Section>& sections, const Section& section,
+                  ByteListing& listing) {
+    const std::string_view name = section.name;
+    const detail::BlobData& data = blob.data();
+    if (name == "header") return list_header(bytes, listing);
+    listing.heading(section.name);
+    if (name == "nodes") {
+        for (std::size_t node = 0; node < data.node_count && !listing.full(); ++node) list_node(bytes, node, listing);
+    } else if (name == "leaves") {
+        list_leaves(bytes, section_named(sections, "nodes"), section, blob.bits(), listing);
+    } else if (name == "guard") {
+        listing.field(section.bytes, "zeros, so that wide loads stay inside");
+    } else if (name == "sources") {
+        list_sources(bytes, data.source_count, listing);
+    } else if (name == "original_ids") {
+        list_numbers(bytes, section, data.id_bits == 0 ? 0 : data.triangle_count, data.id_bits, "ids", listing);
+    } else if (name == "materials") {
+        const bool wide = (data.features & format::feature::materials_16) != 0;
+        list_numbers(bytes, section, data.triangle_count, wide ? 16 : 8, "materials", listing);
+    }
+}
+
+}  // namespace
+
+ExitCode run_dump(const DumpArguments& arguments) {
+    const std::vector<std::byte> bytes = read_file(arguments.blob);
+    Blob blob;
+    const Status status = open(bytes, blob);
+    if (status != Status::ok) {
+        const std::size_t shown = std::min(bytes.size(), format::header::bytes);
+        ByteListing listing(Bytes(bytes).first(shown), arguments.limit, arguments.json);
+        list_header(Bytes(bytes).first(shown), listing);
+        listing.finish();
+        throw CommandError(exit_code_of(status), refusal_text(arguments.blob, status) + " Only its header was listed.");
+    }
+    ByteListing listing(bytes, arguments.limit, arguments.json);
+    const std::vector<Section> sections = sections_of(blob);
+    for (const Section& section : sections) {
+        if (section.bytes > 0 && !listing.full()) list_section(bytes, blob, sections, section, listing);
+    }
+    listing.finish();
+    return ExitCode::ok;
+}
+
+}  // namespace espalier::tools

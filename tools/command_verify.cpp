@@ -1,0 +1,105 @@
+// verify: is this blob sound, and is it the mesh it was baked from?
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+#include <espalier/espalier.hpp>
+
+#include <baker/verify.hpp>
+
+#include "blob_file.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "import_assimp.hpp"
+#include "json_output.hpp"
+#include "numbers.hpp"
+#include "source_options.hpp"
+#include "verify_source.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+/// What was asked, what came of it; `failure` is empty as long as all is well.
+struct Verification {
+    Status status = Status::ok;
+    bool deep = false;
+    std::optional<SourceCheck> source;
+    std::string failure;
+};
+
+std::string source_failure(const Blob& blob, const SourceCheck& check) {
+    if (check.too_far == 0) return {};
+    if (blob.triangle_count() == 0) return "the blob is empty, and the source has triangles.";
+    return text(check.too_far, " of ", counted(check.checked, "source vertex"),
+                " lie farther from the baked surface than ", "its max error ", shortest(blob.max_error()),
+                "; the farthest, at ", rounded(check.worst_distance), ": ", check.worst,
+                ". Is it this source, with the --unit, --scale and --up that it was baked with?");
+}
+
+void print_result_json(const VerifyArguments& arguments, const Verification& result) {
+    Json document = json_document();
+    document["file"] = arguments.blob;
+    document["ok"] = result.failure.empty();
+    document["status"] = static_cast<int>(result.status);
+    document["status_text"] = describe(result.status);
+    document["deep"] = result.deep;
+    if (result.source) {
+        const SourceCheck& check = *result.source;
+        document["source"] = {
+            {"vertices", check.vertices},
+            {"checked", check.checked},
+            {"too_far", check.too_far},
+            {"worst_distance", std::isfinite(check.worst_distance) ? Json(check.worst_distance) : Json()},
+            {"worst", check.worst}};
+    }
+    document["failure"] = result.failure.empty() ? Json() : Json(result.failure);
+    print_json(document);
+}
+
+void print_result(const VerifyArguments& arguments, const BlobFile& file, const Verification& result) {
+    if (!result.failure.empty()) return;  // said on stderr
+    std::cout << printable(arguments.blob) << ": ok, " << counted(file.blob.triangle_count(), "triangle") << '\n';
+    std::cout << "  opened: every query on it is safe\n";
+    if (result.deep) std::cout << "  deep: every box contains what is below it, and the header's counts are true\n";
+    if (result.source) {
+        std::cout << "  source: " << counted(result.source->checked, "vertex") << " of " << result.source->vertices
+                  << " within max error " << shortest(file.blob.max_error()) << ", farthest "
+                  << rounded(result.source->worst_distance) << '\n';
+    }
+    finish_standard_output();
+}
+
+}  // namespace
+
+ExitCode run_verify(const VerifyArguments& arguments) {
+    const ImportOptions options = import_options(arguments.source);
+    Verification result;
+    BlobFile file;
+    file.bytes = read_file(arguments.blob);
+    result.status = open(file.bytes, file.blob);
+    ExitCode code = exit_code_of(result.status);
+    if (result.status != Status::ok) result.failure = refusal_text(arguments.blob, result.status);
+    if (result.failure.empty() && arguments.deep) {
+        result.deep = true;
+        if (const auto broken = verify_deep(file.bytes)) {
+            result.failure = text("'", printable(arguments.blob), "': ", *broken, " Bake it again.");
+        }
+    }
+    if (result.failure.empty() && !arguments.sources.empty()) {
+        const Imported source = import_files(arguments.sources, options);
+        result.source = check_source(file.blob, source);
+        const std::string failure = source_failure(file.blob, *result.source);
+        if (!failure.empty()) result.failure = text("'", printable(arguments.blob), "': ", failure);
+    }
+    if (!result.failure.empty() && code == ExitCode::ok) code = ExitCode::invalid_input;
+    if (!result.failure.empty()) std::cerr << "espalier: " << result.failure << '\n';
+    if (arguments.json) {
+        print_result_json(arguments, result);
+    } else {
+        print_result(arguments, file, result);
+    }
+    return code;
+}
+
+}  // namespace espalier::tools

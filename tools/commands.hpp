@@ -1,0 +1,95 @@
+// The verbs of the command and what each takes. main.cpp fills these in; command_<verb>.cpp carries them out.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+#include <espalier/ray.hpp>
+
+#include "exit_code.hpp"
+#include "placement.hpp"
+
+namespace espalier::tools {
+
+/// How the numbers in mesh files are understood. The same for bake and for verify --source.
+struct SourceArguments {
+    double scale = 1.0;
+    std::string unit;  ///< empty: what the file says, else metres
+    std::optional<Axis> up;
+};
+
+struct BakeArguments {
+    std::vector<std::string> inputs;
+    std::string output;
+    SourceArguments source;
+    std::string tolerance;  ///< a length; empty: bits decide
+    unsigned bits = 16;
+    format::Profile profile = format::Profile::fast;
+    bool original_ids = false;
+    unsigned material_bits = 0;  ///< 0, 8 or 16
+    bool repair = false;
+    unsigned effort = 5;
+    unsigned threads = 0;
+    bool json = false;
+    bool quiet = false;
+};
+ExitCode run_bake(const BakeArguments& arguments);
+
+struct InfoArguments {
+    std::string blob;
+    bool json = false;
+};
+ExitCode run_info(const InfoArguments& arguments);
+
+struct VerifyArguments {
+    std::string blob;
+    bool deep = false;
+    std::vector<std::string> sources;
+    SourceArguments source;
+    bool json = false;
+    bool quiet = false;
+};
+ExitCode run_verify(const VerifyArguments& arguments);
+
+/// Numbers stay text here, so that inf and nan arrive as the floats they name.
+struct QueryArguments {
+    std::string blob;
+    std::vector<std::string> numbers;
+    std::string t_min = "0";
+    std::string t_max = "inf";
+    std::string max_distance = "inf";
+    Faces faces = Faces::both;
+    bool all = false;
+    bool any = false;
+    bool json = false;
+};
+ExitCode run_query_ray(const QueryArguments& arguments);
+ExitCode run_query_sphere(const QueryArguments& arguments);
+ExitCode run_query_nearest(const QueryArguments& arguments);
+
+struct RenderArguments {
+    std::string blob;
+    std::string output;
+    std::string size = "1280x720";
+    bool heatmap = false;
+    Axis up = Axis::y;
+    double azimuth = 35.0;    ///< degrees around the up axis
+    double elevation = 25.0;  ///< degrees above the horizon
+    unsigned samples = 2;     ///< along each side of a pixel
+    unsigned threads = 0;
+    bool json = false;
+    bool quiet = false;
+};
+ExitCode run_render(const RenderArguments& arguments);
+
+struct DumpArguments {
+    std::string blob;
+    std::size_t limit = 0;  ///< lines; 0: all
+    bool json = false;
+};
+ExitCode run_dump(const DumpArguments& arguments);
+
+}  // namespace espalier::tools

@@ -1,0 +1,38 @@
+// Pictures: linear light in, PNG out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace espalier::tools {
+
+/// Linear light, 0 black to 1 white.
+struct Colour {
+    float red = 0.0f;
+    float green = 0.0f;
+    float blue = 0.0f;
+};
+
+Colour operator+(Colour a, Colour b);
+Colour operator*(float factor, Colour colour);
+Colour mix(Colour a, Colour b, float share_of_b);
+
+class Image {
+public:
+    Image(unsigned width, unsigned height);
+    [[nodiscard]] unsigned width() const { return width_; }
+    [[nodiscard]] unsigned height() const { return height_; }
+    /// Row 0 is the top. Different pixels may be set from different threads.
+    void set(unsigned column, unsigned row, Colour colour);
+    /// The bytes of a PNG file, 8 bits a channel, sRGB. Throws CommandError (internal).
+    [[nodiscard]] std::vector<std::byte> png() const;
+
+private:
+    unsigned width_;
+    unsigned height_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+}  // namespace espalier::tools

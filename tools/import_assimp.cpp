@@ -1,0 +1,242 @@
+#include "import_assimp.hpp"
+
+#include <assimp/commonMetaData.h>
+#include <assimp/config.h>
+#include <assimp/mesh.h>
+#include <assimp/metadata.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include <espalier/format.hpp>
+
+#include "exit_code.hpp"
+#include "numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+void require_readable(const std::string& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    const char* reason = nullptr;
+    if (!std::filesystem::exists(status)) {
+        reason = std::strerror(error ? error.value() : ENOENT);
+    } else if (std::filesystem::is_directory(status)) {
+        reason = "it is a folder";
+    } else if (errno = 0; !std::ifstream(path, std::ios::binary).is_open()) {
+        reason = std::strerror(errno);
+    }
+    if (reason == nullptr) return;
+    throw CommandError(ExitCode::file_access,
+                       text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."));
+}
+
+Placement placement_of(const aiMatrix4x4& matrix) {
+    Placement result;
+    result.linear = {
+        {{matrix.a1, matrix.a2, matrix.a3}, {matrix.b1, matrix.b2, matrix.b3}, {matrix.c1, matrix.c2, matrix.c3}}};
+    result.offset = {matrix.a4, matrix.b4, matrix.c4};
+    return result;
+}
+
+/// Reads one file's scene into `imported`.
+class SceneReader {
+public:
+    SceneReader(const aiScene& scene, const ImportOptions& options, ImportedFile& file, Imported& imported)
+        : scene_(scene),
+          options_(options),
+          file_(file),
+          imported_(imported),
+          file_number_(static_cast<std::uint32_t>(imported.files.size())) {
+        for (const ImportedFile& earlier : imported.files) {
+            first_material_ += earlier.materials;
+            triangles_before_ += earlier.triangles;
+        }
+    }
+
+    void read() {
+        if (scene_.mMetaData != nullptr) {
+            aiString format;
+            if (scene_.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, format)) file_.format = printable(format.C_Str());
+        }
+        file_.materials = std::max(1u, scene_.mNumMaterials);
+        find_unit();
+        find_stated_up();
+        Placement asset = scaled_by(options_.scale * file_.metres_per_unit);
+        if (options_.up) asset = combine(turned_to_y_up(*options_.up), asset);
+        if (scene_.mRootNode != nullptr) walk(*scene_.mRootNode, asset);
+    }
+
+private:
+    struct PlacedNode {
+        const aiNode* node;
+        Placement parent;
+    };
+
+    /// In depth-first order with an own stack: how deep a file nests is not ours to choose.
+    void walk(const aiNode& root, const Placement& asset) {
+        std::vector<PlacedNode> waiting{{&root, asset}};
+        while (!waiting.empty()) {
+            const PlacedNode placed = waiting.back();
+            waiting.pop_back();
+            const aiNode& node = *placed.node;
+            const Placement placement = combine(placed.parent, placement_of(node.mTransformation));
+            for (unsigned i = 0; node.mMeshes != nullptr && i < node.mNumMeshes; ++i) {
+                if (node.mMeshes[i] >= scene_.mNumMeshes || scene_.mMeshes[node.mMeshes[i]] == nullptr) {
+                    throw CommandError(
+                        ExitCode::invalid_input,
+                        text("'", printable(file_.path), "', node '", printable(node.mName.C_Str()), "': names mesh ",
+                             node.mMeshes[i], " of ", scene_.mNumMeshes, ". The file is broken; export it again."));
+                }
+                add_mesh(*scene_.mMeshes[node.mMeshes[i]], placement);
+            }
+            for (unsigned i = node.mChildren == nullptr ? 0 : node.mNumChildren; i-- > 0;) {
+                if (node.mChildren[i] != nullptr) waiting.push_back({node.mChildren[i], placement});
+            }
+        }
+    }
+
+    void add_mesh(const aiMesh& source, const Placement& placement) {
+        ImportedMesh mesh;
+        mesh.file = file_number_;
+        mesh.mesh = file_.meshes++;
+        mesh.name = text(printable(file_.path), ", mesh ", mesh.mesh);
+        if (source.mName.length > 0) mesh.name += text(" (", printable(source.mName.C_Str()), ")");
+        require_within_limits(source, mesh.name);
+        if (source.mVertices != nullptr) {
+            mesh.positions.reserve(source.mNumVertices);
+            for (unsigned i = 0; i < source.mNumVertices; ++i) {
+                const aiVector3D& position = source.mVertices[i];
+                mesh.positions.push_back(placement({position.x, position.y, position.z}));
+            }
+        }
+        // A mirrored mesh must keep its front outside: its corners run the other way.
+        add_triangles(source, placement.mirrors(), mesh);
+        mesh.materials.assign(mesh.triangles.size(),
+                              static_cast<std::uint32_t>(first_material_ + source.mMaterialIndex));
+        file_.triangles += mesh.triangles.size();
+        imported_.meshes.push_back(std::move(mesh));
+    }
+
+    // Indices are not checked against the vertices here: the baker does that, and knows whether to repair.
+    void add_triangles(const aiMesh& source, bool mirrored, ImportedMesh& mesh) {
+        if (source.mFaces == nullptr) return;
+        mesh.triangles.reserve(source.mNumFaces);
+        for (unsigned i = 0; i < source.mNumFaces; ++i) {
+            const aiFace& face = source.mFaces[i];
+            if (face.mIndices == nullptr || face.mNumIndices < 3) {
+                ++file_.points_and_lines;
+                continue;
+            }
+            if (face.mNumIndices > 3) {
+                throw CommandError(
+                    ExitCode::invalid_input,
+                    text(mesh.name, ", face ", i, ": its ", face.mNumIndices,
+                         " corners could not be made into triangles. Triangulate it and export it again."));
+            }
+            const unsigned second = mirrored ? 2 : 1;
+            mesh.triangles.push_back({face.mIndices[0], face.mIndices[second], face.mIndices[3 - second]});
+        }
+    }
+
+    /// Before anything is allocated: a small file can place one mesh a million times.
+    void require_within_limits(const aiMesh& source, const std::string& name) const {
+        if (triangles_before_ + file_.triangles + source.mNumFaces <= format::max_triangles) return;
+        throw CommandError(ExitCode::unsupported,
+                           text(name, ": with it the files have more than ", format::max_triangles,
+                                " triangles, the most a blob can hold. Bake them in parts."));
+    }
+
+    void find_unit() {
+        double centimetres = 0.0;
+        if (options_.metres_per_unit) {
+            file_.metres_per_unit = *options_.metres_per_unit;
+            file_.unit_origin = "--unit";
+        } else if (file_.format.find("FBX") != std::string::npos && read_number("UnitScaleFactor", centimetres) &&
+                   std::isfinite(centimetres) && centimetres > 0.0) {
+            // assimp 5.2 leaves the factor to its user; newer ones scale the root node by it, which is taken out again.
+            const double root_scale =
+                std::cbrt(std::abs(placement_of(scene_.mRootNode->mTransformation).determinant()));
+            const bool applied = std::abs(root_scale - centimetres) < 1e-4 * centimetres;
+            file_.metres_per_unit = applied ? 0.01 : centimetres / 100.0;
+            file_.unit_origin = text("FBX unit scale factor ", centimetres);
+        } else if (file_.format.find("glTF") != std::string::npos) {
+            file_.unit_origin = "glTF is in metres";
+        } else if (file_.format.find("Collada") != std::string::npos || file_.format.find("IFC") != std::string::npos) {
+            file_.unit_origin = "converted to metres on import";
+        } else {
+            file_.unit_origin = "not stated";
+        }
+    }
+
+    void find_stated_up() {
+        int axis = 1;
+        if (file_.format.find("FBX") == std::string::npos || scene_.mMetaData == nullptr) return;
+        if (!scene_.mMetaData->Get("UpAxis", axis) || axis < 0 || axis > 2 || axis == 1) return;
+        if (!scene_.mRootNode->mTransformation.IsIdentity()) return;
+        file_.stated_up = static_cast<Axis>(axis);
+    }
+
+    bool read_number(const char* key, double& value) const {
+        if (scene_.mMetaData == nullptr || scene_.mRootNode == nullptr) return false;
+        if (scene_.mMetaData->Get(key, value)) return true;
+        float narrow = 0.0f;
+        if (!scene_.mMetaData->Get(key, narrow)) return false;
+        value = double{narrow};
+        return true;
+    }
+
+    const aiScene& scene_;
+    const ImportOptions& options_;
+    ImportedFile& file_;
+    Imported& imported_;
+    std::uint32_t file_number_;
+    std::uint64_t first_material_ = 0;
+    std::uint64_t triangles_before_ = 0;
+};
+
+void import_file(const std::string& path, const ImportOptions& options, Imported& imported) {
+    require_readable(path);
+    Assimp::Importer importer;
+    // A skeleton without a skin would come as an invented mesh; it has no surface.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+    // Nothing but triangles is asked for: welding and dropping is the baker's work, which counts what it does.
+    const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+    if (scene == nullptr) {
+        const char* reason = importer.GetErrorString();
+        throw CommandError(ExitCode::invalid_input,
+                           text("'", printable(path), "' cannot be imported: ", printable(reason),
+                                " Is it a mesh file, whole, and named with its format's ending?"));
+    }
+    ImportedFile file;
+    file.path = path;
+    SceneReader(*scene, options, file, imported).read();
+    imported.files.push_back(std::move(file));
+}
+
+}  // namespace
+
+std::vector<MeshView> Imported::views() const {
+    std::vector<MeshView> result;
+    result.reserve(meshes.size());
+    for (const ImportedMesh& mesh : meshes) {
+        result.push_back({mesh.positions, mesh.triangles, mesh.materials, mesh.file, mesh.mesh, mesh.name});
+    }
+    return result;
+}
+
+Imported import_files(std::span<const std::string> paths, const ImportOptions& options) {
+    Imported imported;
+    for (const std::string& path : paths) import_file(path, options, imported);
+    return imported;
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,58 @@
+// Mesh files to triangles in the asset's units and axes. Only import_assimp.cpp sees assimp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "placement.hpp"
+
+namespace espalier::tools {
+
+struct ImportOptions {
+    /// What one unit of the files is in metres. Without it: what a file says of itself, else a metre.
+    std::optional<double> metres_per_unit;
+    double scale = 1.0;
+    /// The axis that points up in the files; it is turned to +Y. Without it the axes stay as they are.
+    std::optional<Axis> up;
+};
+
+/// One mesh at one place of the scene: a mesh that is placed twice is there twice.
+struct ImportedMesh {
+    std::vector<Vec3> positions;
+    std::vector<TriangleVertices> triangles;
+    std::vector<std::uint32_t> materials;  ///< one for each triangle; numbers of one file never meet those of another
+    std::uint32_t file = 0;
+    std::uint32_t mesh = 0;
+    std::string name;  ///< "level.obj, mesh 3 (walls)"
+};
+
+/// What was found in one file.
+struct ImportedFile {
+    std::string path;
+    std::string format;
+    std::uint32_t meshes = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t materials = 0;
+    std::uint64_t points_and_lines = 0;  ///< skipped: they have no surface
+    double metres_per_unit = 1.0;
+    std::string unit_origin;        ///< who says so: "--unit", "FBX unit scale factor 1", "not stated"
+    std::optional<Axis> stated_up;  ///< stated by the file and not carried out by its importer
+};
+
+struct Imported {
+    std::vector<ImportedMesh> meshes;
+    std::vector<ImportedFile> files;
+
+    [[nodiscard]] std::vector<MeshView> views() const;
+};
+
+/// Reads the files in this order. Throws CommandError: (file_access) when one cannot be read, (invalid_input) when it
+/// is broken or no known format, (unsupported) beyond the format's limits.
+Imported import_files(std::span<const std::string> paths, const ImportOptions& options);
+
+}  // namespace espalier::tools

@@ -1,0 +1,51 @@
+#include "numbers.hpp"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+
+namespace espalier::tools {
+
+namespace {
+
+template <class... Arguments>
+std::string written(Arguments... arguments) {
+    std::array<char, 64> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), arguments...);
+    return {buffer.data(), end.ptr};
+}
+
+template <class Number>
+std::optional<Number> parsed(const std::string& text, Number (*convert)(const char*, char**)) {
+    char* end = nullptr;
+    const Number value = convert(text.c_str(), &end);
+    if (end == text.c_str() || end != text.c_str() + text.size()) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+std::string shortest(float value) { return written(value); }
+std::string shortest(double value) { return written(value); }
+std::string rounded(double value, int digits) { return written(value, std::chars_format::general, digits); }
+std::string shortest(Vec3 value) { return shortest(value.x) + ' ' + shortest(value.y) + ' ' + shortest(value.z); }
+
+std::optional<double> parse_double(const std::string& text) { return parsed(text, std::strtod); }
+std::optional<float> parse_float(const std::string& text) { return parsed(text, std::strtof); }
+
+std::string counted(unsigned long long count, std::string_view singular) {
+    if (count == 1) return text(count, ' ', singular);
+    return singular == "vertex" ? text(count, " vertices") : text(count, ' ', singular, 's');
+}
+
+std::string printable(std::string_view name) {
+    std::string result{name};
+    for (char& character : result) {
+        const auto code = static_cast<unsigned char>(character);
+        if (code < 0x20 || code == 0x7F) character = '?';
+    }
+    return result;
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,49 @@
+#include "placement.hpp"
+
+namespace espalier::tools {
+
+Vec3 Placement::operator()(Vec3 point) const {
+    std::array<double, 3> result{};
+    for (std::size_t row = 0; row < 3; ++row) {
+        result[row] = linear[row][0] * double{point.x} + linear[row][1] * double{point.y} +
+                      linear[row][2] * double{point.z} + offset[row];
+    }
+    return {static_cast<float>(result[0]), static_cast<float>(result[1]), static_cast<float>(result[2])};
+}
+
+double Placement::determinant() const {
+    const auto& m = linear;
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+bool Placement::mirrors() const { return determinant() < 0.0; }
+
+Placement combine(const Placement& outer, const Placement& inner) {
+    Placement result;
+    for (std::size_t row = 0; row < 3; ++row) {
+        result.offset[row] = outer.offset[row];
+        for (std::size_t column = 0; column < 3; ++column) {
+            result.linear[row][column] = outer.linear[row][0] * inner.linear[0][column] +
+                                         outer.linear[row][1] * inner.linear[1][column] +
+                                         outer.linear[row][2] * inner.linear[2][column];
+            result.offset[row] += outer.linear[row][column] * inner.offset[column];
+        }
+    }
+    return result;
+}
+
+Placement scaled_by(double factor) {
+    Placement result;
+    for (std::size_t axis = 0; axis < 3; ++axis) result.linear[axis][axis] = factor;
+    return result;
+}
+
+Placement turned_to_y_up(Axis up) {
+    Placement result;
+    if (up == Axis::z) result.linear = {{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
+    if (up == Axis::x) result.linear = {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}};
+    return result;
+}
+
+}  // namespace espalier::tools

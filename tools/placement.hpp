@@ -1,0 +1,31 @@
+// Where imported coordinates end up: a node's transform, the unit, the scale, the up axis, in double until the last
+// step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <espalier/types.hpp>
+
+namespace espalier::tools {
+
+enum class Axis : std::uint8_t { x, y, z };
+
+/// point -> linear * point + offset
+struct Placement {
+    std::array<std::array<double, 3>, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    std::array<double, 3> offset{};
+
+    [[nodiscard]] Vec3 operator()(Vec3 point) const;
+    /// Turns the inside out, so that the corners of a triangle must be taken the other way round.
+    [[nodiscard]] bool mirrors() const;
+    [[nodiscard]] double determinant() const;
+};
+
+/// First `inner`, then `outer`.
+Placement combine(const Placement& outer, const Placement& inner);
+Placement scaled_by(double factor);
+/// The rotation that takes +up to +Y; it exchanges coordinates and signs, so it is exact.
+Placement turned_to_y_up(Axis up);
+
+}  // namespace espalier::tools

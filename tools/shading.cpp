@@ -1,0 +1,65 @@
+#include "shading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr Colour surface{0.62f, 0.60f, 0.56f};
+constexpr Colour sky{0.30f, 0.34f, 0.40f};
+constexpr Colour ground{0.16f, 0.14f, 0.12f};
+constexpr Colour main_colour{1.00f, 0.96f, 0.88f};
+constexpr Colour side_colour{0.20f, 0.26f, 0.36f};
+
+Colour filtered(Colour light, Colour by) { return {light.red * by.red, light.green * by.green, light.blue * by.blue}; }
+
+}  // namespace
+
+Shading::Shading(const Blob& blob, const View& view, Vec3 world_up)
+    : blob_(blob),
+      world_up_(world_up),
+      main_light_(normalized(-0.55f * view.right + 0.75f * view.up + 0.60f * view.towards)),
+      side_light_(normalized(0.90f * view.right + 0.10f * view.up + 0.35f * view.towards)) {
+    // Off the surface by more than its own rounding: the hit point is a float, and the vertices are snapped.
+    const Vec3 low = blob.bounds_min();
+    const Vec3 high = blob.bounds_max();
+    const float farthest = std::max(
+        {std::abs(low.x), std::abs(low.y), std::abs(low.z), std::abs(high.x), std::abs(high.y), std::abs(high.z)});
+    const Vec3 diagonal = high - low;
+    shadow_offset_ = 2.0f * blob.step() + 1e-6f * farthest + 1e-4f * std::sqrt(dot(diagonal, diagonal));
+}
+
+Colour Shading::background(float height) { return mix({0.42f, 0.45f, 0.49f}, {0.80f, 0.84f, 0.88f}, height); }
+
+bool Shading::in_shadow(Vec3 point, Vec3 normal) const {
+    Ray ray;
+    ray.origin = point + shadow_offset_ * normal;
+    ray.direction = main_light_;
+    return occluded(blob_, ray);
+}
+
+Colour Shading::colour(const Ray& ray, float height) const {
+    RayHit hit;
+    if (!raycast(blob_, ray, hit)) return background(height);
+    const bool seen_from_front = dot(hit.normal, ray.direction) < 0.0f;
+    const Vec3 normal = seen_from_front ? hit.normal : -1.0f * hit.normal;
+    Colour light = mix(ground, sky, 0.5f + 0.5f * dot(normal, world_up_));
+    light = light + std::max(0.0f, dot(normal, side_light_)) * side_colour;
+    const float facing = dot(normal, main_light_);
+    if (facing > 0.0f && !in_shadow(ray.origin + hit.t * ray.direction, normal)) light = light + facing * main_colour;
+    return filtered(light, surface);
+}
+
+Colour heat_colour(float heat) {
+    constexpr Colour stops[] = {{0.00f, 0.00f, 0.01f}, {0.02f, 0.03f, 0.30f}, {0.25f, 0.02f, 0.30f},
+                                {0.75f, 0.10f, 0.05f}, {0.95f, 0.55f, 0.05f}, {1.00f, 1.00f, 0.95f}};
+    constexpr int last = static_cast<int>(std::size(stops)) - 1;
+    const float place = std::clamp(heat, 0.0f, 1.0f) * static_cast<float>(last);
+    const int stop = std::min(static_cast<int>(place), last - 1);
+    return mix(stops[stop], stops[stop + 1], place - static_cast<float>(stop));
+}
+
+}  // namespace espalier::tools

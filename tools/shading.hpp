@@ -1,0 +1,33 @@
+// What a pixel looks like.
+#pragma once
+
+#include <espalier/blob.hpp>
+#include <espalier/ray.hpp>
+
+#include "camera.hpp"
+#include "image.hpp"
+
+namespace espalier::tools {
+
+/// Two lights that stand with the eye, the stronger one casting shadows, over a gradient.
+class Shading {
+public:
+    Shading(const Blob& blob, const View& view, Vec3 world_up);
+    /// What the ray sees; `height` is where it goes through the picture, 0 at the bottom, 1 at the top.
+    [[nodiscard]] Colour colour(const Ray& ray, float height) const;
+    [[nodiscard]] static Colour background(float height);
+
+private:
+    [[nodiscard]] bool in_shadow(Vec3 point, Vec3 normal) const;
+
+    const Blob& blob_;
+    Vec3 world_up_;
+    Vec3 main_light_;
+    Vec3 side_light_;
+    float shadow_offset_;
+};
+
+/// 0 black over blue, red and yellow to 1 white; brightness rises all the way, so that it also reads in grey.
+Colour heat_colour(float heat);
+
+}  // namespace espalier::tools

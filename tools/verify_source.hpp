@@ -1,0 +1,25 @@
+// P3 asked of the blob itself: does the source lie within max_error of the baked surface?
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <espalier/blob.hpp>
+
+#include "import_assimp.hpp"
+
+namespace espalier::tools {
+
+struct SourceCheck {
+    std::uint64_t vertices = 0;  ///< of triangles of the source
+    std::uint64_t checked = 0;   ///< evenly spread over them
+    std::uint64_t too_far = 0;
+    double worst_distance = 0.0;
+    std::string worst;  ///< "level.obj, mesh 3 (walls), vertex 12"
+};
+
+/// Measures source vertices against the surface with closest_point: all of them up to a hundred thousand or so, else
+/// every so many. Vertices that are not finite are left out: they were dropped or refused.
+SourceCheck check_source(const Blob& blob, const Imported& source);
+
+}  // namespace espalier::tools
