@@ -1,0 +1,81 @@
+// The baker's table of contents: one call for each stage, in order.
+#include <espalier/bake.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+#include "build_sah.hpp"
+#include "check_input.hpp"
+#include "closed.hpp"
+#include "collapse.hpp"
+#include "cost_model.hpp"
+#include "encode.hpp"
+#include "lattice.hpp"
+#include "measure_error.hpp"
+#include "order.hpp"
+#include "snap.hpp"
+
+namespace espalier {
+
+namespace baker {
+
+namespace {
+
+float to_world(float origin, std::int32_t coordinate, double step) {
+    return static_cast<float>(double{origin} + coordinate * step);
+}
+
+void fill_in(BakeReport& report, const SourceBounds& bounds, const LatticeMesh& mesh, const WideTree& wide,
+             const Properties& properties, std::size_t bytes) {
+    const Lattice& lattice = mesh.lattice;
+    const double step = lattice.step();
+    report.triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+    report.vertices = mesh.used_vertices;
+    report.bounds_min = lattice.origin;
+    report.bounds_max = {to_world(lattice.origin.x, mesh.extent.x, step), to_world(lattice.origin.y, mesh.extent.y, step),
+                         to_world(lattice.origin.z, mesh.extent.z, step)};
+    report.step = step;
+    report.extent = std::max({mesh.extent.x, mesh.extent.y, mesh.extent.z}) * step;
+    report.max_error = double{properties.max_error};
+    report.bits = lattice.bits;
+    report.closed = properties.closed;
+    report.step_below_float_spacing = is_below_float_spacing(lattice, bounds);
+    report.depth = wide.depth;
+    report.nodes = static_cast<std::uint32_t>(wide.nodes.size());
+    report.leaves = wide.leaves.size();
+    report.bytes = bytes;
+}
+
+}  // namespace
+
+Result<Baked, BakeError> bake_with_cost_model(std::span<const MeshView> meshes, const BakeOptions& options,
+                                              const CostModel& cost_model) {
+    const auto start = std::chrono::steady_clock::now();
+    Baked baked;
+    BakeReport& report = baked.report;
+    if (auto error = check_options(options)) return *error;
+    auto source = check_input(meshes, options, report);
+    if (!source) return source.error();
+    const SourceBounds bounds = bounds_of(*source);
+    auto lattice = lattice_for_bits(bounds, options.bits);
+    if (!lattice) return lattice.error();
+    const LatticeMesh mesh = snap_and_weld(*source, *lattice, report);
+    const Properties properties{measure_error(*source, mesh), is_closed(mesh)};
+    const BinaryTree tree = build_sah(mesh, build_settings(options.effort, options.threads));
+    const CollapsePlan plan(mesh, tree, cost_model);
+    const WideTree wide = put_in_order(mesh, tree, plan);
+    auto blob = encode(*source, mesh, tree, wide, options, properties);
+    if (!blob) return blob.error();
+    baked.blob = std::move(*blob);
+    fill_in(report, bounds, mesh, wide, properties, baked.blob.size());
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return baked;
+}
+
+}  // namespace baker
+
+Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options) {
+    return baker::bake_with_cost_model(meshes, options, baker::CostModel{});
+}
+
+}  // namespace espalier

@@ -1,0 +1,181 @@
+#include "check_input.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "text.hpp"
+#include "zero_area.hpp"
+
+namespace espalier::baker {
+
+namespace {
+
+constexpr unsigned max_effort = 9;
+constexpr const char* corner_names[3] = {"first", "second", "third"};
+
+BakeError invalid_options(std::string message) { return {BakeError::Kind::invalid_options, std::move(message)}; }
+BakeError invalid_mesh(std::string message) { return {BakeError::Kind::invalid_mesh, std::move(message)}; }
+BakeError too_large(std::string message) { return {BakeError::Kind::too_large, std::move(message)}; }
+
+bool is_finite(const Vec3& point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
+
+std::string text_of(float value) { return std::isnan(value) ? "NaN" : value > 0 ? "infinity" : "-infinity"; }
+
+/// What is wrong with the first coordinate of a corner that is not finite: "the second corner has y = NaN".
+std::string describe_not_finite(const MeshView& mesh, const TriangleVertices& triangle) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec3& point = mesh.positions[triangle[corner]];
+        const std::string start = std::string("its ") + corner_names[corner] + " corner (vertex " +
+                                  std::to_string(triangle[corner]) + ") has ";
+        if (!std::isfinite(point.x)) return start + "x = " + text_of(point.x);
+        if (!std::isfinite(point.y)) return start + "y = " + text_of(point.y);
+        if (!std::isfinite(point.z)) return start + "z = " + text_of(point.z);
+    }
+    return {};
+}
+
+std::string describe_out_of_range(const MeshView& mesh, const TriangleVertices& triangle) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        if (triangle[corner] >= mesh.positions.size()) {
+            return std::string("its ") + corner_names[corner] + " corner is vertex " + std::to_string(triangle[corner]) +
+                   ", but the mesh has " + std::to_string(mesh.positions.size()) + " vertices";
+        }
+    }
+    return {};
+}
+
+/// Arrays that do not belong together, and sums that no blob can number.
+std::optional<BakeError> check_sizes(std::span<const MeshView> meshes) {
+    std::uint64_t triangles = 0;
+    std::uint64_t vertices = 0;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const MeshView& mesh = meshes[i];
+        if (!mesh.materials.empty() && mesh.materials.size() != mesh.triangles.size()) {
+            return invalid_mesh(mesh_name(meshes, i) + ": " + std::to_string(mesh.materials.size()) + " materials for " +
+                                std::to_string(mesh.triangles.size()) +
+                                " triangles; give one for each triangle, or none at all");
+        }
+        triangles += mesh.triangles.size();
+        vertices += mesh.positions.size();
+        if (triangles > format::max_triangles) {
+            return too_large(mesh_name(meshes, i) + ": with this mesh there are " + std::to_string(triangles) +
+                             " triangles; a blob holds at most " + std::to_string(format::max_triangles) +
+                             "; split the input into several blobs");
+        }
+        if (vertices > std::numeric_limits<std::uint32_t>::max()) {
+            return too_large(mesh_name(meshes, i) + ": with this mesh there are " + std::to_string(vertices) +
+                             " vertices; at most 4294967295 can be baked at once; split the input into several blobs");
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<BakeError> check_materials(std::span<const MeshView> meshes, Materials width) {
+    if (width == Materials::none) return std::nullopt;
+    const std::uint32_t largest = width == Materials::bits_8 ? 0xFF : 0xFFFF;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        for (std::size_t triangle = 0; triangle < meshes[i].materials.size(); ++triangle) {
+            const std::uint32_t material = meshes[i].materials[triangle];
+            if (material <= largest) continue;
+            return too_large(mesh_name(meshes, i) + ", triangle " + std::to_string(triangle) + ": material " +
+                             std::to_string(material) + " does not fit into " +
+                             (width == Materials::bits_8 ? "8 bits (at most 255); bake with 16-bit materials"
+                                                         : "16 bits (at most 65535); number the materials anew"));
+        }
+    }
+    return std::nullopt;
+}
+
+void count(Finding& finding, const Source& source, std::uint32_t original_id) {
+    if (finding.count++ == 0) finding.first = triangle_name(source, original_id);
+}
+
+/// Takes over one mesh. `complaint` is what is wrong with the first broken triangle of all, if any.
+void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t first_triangle, Source& source,
+                 BakeReport& report, std::string& complaint) {
+    const std::size_t vertex_count = mesh.positions.size();
+    source.positions.insert(source.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const TriangleVertices& triangle = mesh.triangles[i];
+        const std::uint32_t id = first_triangle + static_cast<std::uint32_t>(i);
+        if (triangle[0] >= vertex_count || triangle[1] >= vertex_count || triangle[2] >= vertex_count) {
+            count(report.index_out_of_range, source, id);
+            if (complaint.empty()) complaint = triangle_name(source, id) + ": " + describe_out_of_range(mesh, triangle);
+            continue;
+        }
+        const Vec3& a = mesh.positions[triangle[0]];
+        const Vec3& b = mesh.positions[triangle[1]];
+        const Vec3& c = mesh.positions[triangle[2]];
+        if (!is_finite(a) || !is_finite(b) || !is_finite(c)) {
+            count(report.not_finite, source, id);
+            if (complaint.empty()) complaint = triangle_name(source, id) + ": " + describe_not_finite(mesh, triangle);
+            continue;
+        }
+        const SourceTriangle sound{{first_vertex + triangle[0], first_vertex + triangle[1], first_vertex + triangle[2]}, id};
+        if (has_zero_area(a, b, c)) {
+            count(report.zero_area, source, id);
+            source.without_area.push_back(sound);
+        } else {
+            source.triangles.push_back(sound);
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<BakeError> check_options(const BakeOptions& options) {
+    if (options.bits < 1 || options.bits > unsigned{format::max_bits}) {
+        return invalid_options("bits is " + std::to_string(options.bits) + "; choose 1 to " +
+                               std::to_string(format::max_bits));
+    }
+    if (options.tolerance && !(std::isfinite(*options.tolerance) && *options.tolerance > 0.0)) {
+        return invalid_options("the tolerance is " + number_text(*options.tolerance) +
+                               "; choose a length above zero, in the units of the mesh");
+    }
+    if (options.effort > max_effort) {
+        return invalid_options("effort is " + std::to_string(options.effort) + "; choose 0 (fastest) to " +
+                               std::to_string(max_effort) + " (best)");
+    }
+    if (options.profile != format::Profile::fast) {
+        return invalid_options("profile " + std::to_string(static_cast<unsigned>(options.profile)) +
+                               " is not known; choose fast");
+    }
+    if (options.materials > Materials::bits_16) {
+        return invalid_options("materials is " + std::to_string(static_cast<unsigned>(options.materials)) +
+                               "; choose none, 8 bits or 16 bits");
+    }
+    return std::nullopt;
+}
+
+Result<Source, BakeError> check_input(std::span<const MeshView> meshes, const BakeOptions& options, BakeReport& report) {
+    if (auto error = check_sizes(meshes)) return *error;
+    if (auto error = check_materials(meshes, options.materials)) return *error;
+
+    Source source;
+    source.meshes = meshes;
+    std::size_t vertex_count = 0;
+    for (const MeshView& mesh : meshes) {
+        source.first_triangle.push_back(source.triangle_count);
+        source.triangle_count += static_cast<std::uint32_t>(mesh.triangles.size());
+        vertex_count += mesh.positions.size();
+    }
+    source.positions.reserve(vertex_count);
+    source.triangles.reserve(source.triangle_count);
+    report.source_triangles = source.triangle_count;
+    report.source_vertices = vertex_count;
+
+    std::string complaint;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const auto first_vertex = static_cast<std::uint32_t>(source.positions.size());
+        append_mesh(meshes[i], first_vertex, source.first_triangle[i], source, report, complaint);
+    }
+    const std::uint64_t broken = report.not_finite.count + report.index_out_of_range.count;
+    if (broken != 0 && !options.repair) {
+        return invalid_mesh(complaint + ". Broken triangles: " + std::to_string(broken) +
+                            ". Mend the mesh, or bake with repair to drop them");
+    }
+    return source;
+}
+
+}  // namespace espalier::baker

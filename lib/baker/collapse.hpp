@@ -1,0 +1,50 @@
+// Fourth stage: which nodes of the binary tree become wide nodes and leaves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <espalier/format.hpp>
+
+#include "binary_tree.hpp"
+#include "cost_model.hpp"
+#include "lattice_mesh.hpp"
+
+namespace espalier::baker {
+
+/// One child of a wide node: a node of the binary tree, kept as a leaf or to become a wide node itself.
+struct Child {
+    std::uint32_t binary_node;
+    bool is_leaf;
+};
+
+struct Children {
+    std::array<Child, format::max_children> slots;
+    unsigned count = 0;
+    void add(Child child) { slots[count++] = child; }
+    [[nodiscard]] std::span<Child> list() { return {slots.data(), count}; }
+};
+
+/// The cheapest choice for every subtree, found by dynamic programming.
+class CollapsePlan {
+public:
+    CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const CostModel& cost_model);
+
+    /// The children of the wide node that stands for `binary_node`, when at most `levels` nodes, itself included, may lie on
+    /// the way down. Requires height(binary_node) <= 3 * levels, and gives children that are leaves or meet the same with
+    /// levels - 1.
+    [[nodiscard]] Children children_of(std::uint32_t binary_node, unsigned levels) const;
+
+private:
+    friend class CollapsePlanner;
+    void add_roots(std::uint32_t binary_node, unsigned roots, Children& children) const;
+    void add_all(std::uint32_t binary_node, unsigned levels_below, Children& children) const;
+    [[nodiscard]] Child child_for(std::uint32_t binary_node) const;
+
+    const BinaryTree& tree_;
+    std::vector<std::uint32_t> choices_;  // for each binary node, see `Choice`
+};
+
+}  // namespace espalier::baker

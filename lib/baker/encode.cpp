@@ -1,0 +1,132 @@
+#include "encode.hpp"
+
+#include <bit>
+#include <limits>
+#include <string>
+
+#include <espalier/format.hpp>
+#include <runtime/checksum.hpp>
+
+#include "byte_writer.hpp"
+#include "encode_fast.hpp"
+
+namespace espalier::baker {
+
+namespace {
+
+std::uint32_t features_of(const BakeOptions& options, const Properties& properties) {
+    std::uint32_t features = 0;
+    if (options.original_ids) features |= format::feature::original_ids;
+    if (options.materials == Materials::bits_8) features |= format::feature::materials_8;
+    if (options.materials == Materials::bits_16) features |= format::feature::materials_16;
+    if (properties.closed) features |= format::feature::closed;
+    return features;
+}
+
+unsigned id_bits_of(std::uint32_t source_triangles) {
+    return source_triangles <= 1 ? 0 : static_cast<unsigned>(std::bit_width(source_triangles - 1));
+}
+
+std::uint32_t original_id(const LatticeMesh& mesh, const WideTree& wide, std::size_t storage_index) {
+    return mesh.triangles[wide.triangles[storage_index]].original_id;
+}
+
+void put_source_table(std::vector<std::byte>& blob, const Source& source) {
+    for (std::size_t i = 0; i < source.meshes.size(); ++i) {
+        put_u32(blob, source.first_triangle[i]);
+        put_u32(blob, source.meshes[i].file);
+        put_u32(blob, source.meshes[i].mesh);
+    }
+}
+
+void put_ids(std::vector<std::byte>& blob, const Source& source, const LatticeMesh& mesh, const WideTree& wide) {
+    const unsigned width = id_bits_of(source.triangle_count);
+    BitStream stream(blob);
+    for (std::size_t i = 0; i < wide.triangles.size(); ++i) stream.put(original_id(mesh, wide, i), width);
+    stream.finish();
+    pad_to(blob, 4);
+}
+
+void put_materials(std::vector<std::byte>& blob, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
+                   Materials width) {
+    for (std::size_t i = 0; i < wide.triangles.size(); ++i) {
+        const std::uint32_t material = material_of(source, original_id(mesh, wide, i));
+        if (width == Materials::bits_8) {
+            put_u8(blob, material);
+        } else {
+            put_u16(blob, material);
+        }
+    }
+    pad_to(blob, 4);
+}
+
+void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
+                const BakeOptions& options, const Properties& properties) {
+    using namespace format::header;
+    set_u32(header + magic_at, format::magic);
+    set_u16(header + version_major_at, format::version_major);
+    set_u16(header + version_minor_at, format::version_minor);
+    set_u32(header + features_at, features_of(options, properties));
+    set_u8(header + profile_at, static_cast<std::uint32_t>(options.profile));
+    set_u8(header + bits_at, mesh.lattice.bits);
+    set_u16(header + step_exponent_at, static_cast<std::uint32_t>(mesh.lattice.step_exponent) & 0xFFFF);
+    set_u32(header + triangle_count_at, static_cast<std::uint32_t>(wide.triangles.size()));
+    set_u32(header + vertex_count_at, mesh.used_vertices);
+    set_u32(header + node_count_at, static_cast<std::uint32_t>(wide.nodes.size()));
+    set_u32(header + origin_at, std::bit_cast<std::uint32_t>(mesh.lattice.origin.x));
+    set_u32(header + origin_at + 4, std::bit_cast<std::uint32_t>(mesh.lattice.origin.y));
+    set_u32(header + origin_at + 8, std::bit_cast<std::uint32_t>(mesh.lattice.origin.z));
+    set_u32(header + extent_at, static_cast<std::uint32_t>(mesh.extent.x));
+    set_u32(header + extent_at + 4, static_cast<std::uint32_t>(mesh.extent.y));
+    set_u32(header + extent_at + 8, static_cast<std::uint32_t>(mesh.extent.z));
+    set_u32(header + max_error_at, std::bit_cast<std::uint32_t>(properties.max_error));
+    set_u8(header + depth_at, wide.depth);
+    if (options.original_ids) {
+        set_u8(header + id_bits_at, id_bits_of(source.triangle_count));
+        set_u32(header + source_count_at, static_cast<std::uint32_t>(source.meshes.size()));
+    }
+    set_u32(header + source_triangles_at, source.triangle_count);
+}
+
+std::optional<BakeError> check_limits(const WideTree& wide, std::uint64_t total_bytes) {
+    constexpr const char* advice = "; split the input into several blobs";
+    if (wide.nodes.size() > format::max_nodes) {
+        return BakeError{BakeError::Kind::too_large, "the tree has " + std::to_string(wide.nodes.size()) +
+                                                         " nodes; a blob holds at most " +
+                                                         std::to_string(format::max_nodes) + advice};
+    }
+    if (total_bytes > std::numeric_limits<std::uint32_t>::max()) {
+        return BakeError{BakeError::Kind::too_large, "the blob would have " + std::to_string(total_bytes) +
+                                                         " bytes; it can have at most 4294967295" + advice};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>, BakeError> encode(const Source& source, const LatticeMesh& mesh, const BinaryTree& tree,
+                                                 const WideTree& wide, const BakeOptions& options,
+                                                 const Properties& properties) {
+    if (auto error = check_limits(wide, 0)) return *error;
+    const EncodedTree encoded = encode_fast(mesh, tree, wide);
+
+    std::vector<std::byte> blob(format::header::bytes);
+    blob.reserve(format::header::bytes + encoded.nodes.size() + encoded.leaves.size() + format::guard_bytes);
+    blob.insert(blob.end(), encoded.nodes.begin(), encoded.nodes.end());
+    blob.insert(blob.end(), encoded.leaves.begin(), encoded.leaves.end());
+    blob.resize(blob.size() + format::guard_bytes);
+    if (options.original_ids) {
+        put_source_table(blob, source);
+        put_ids(blob, source, mesh, wide);
+    }
+    if (options.materials != Materials::none) put_materials(blob, source, mesh, wide, options.materials);
+    if (auto error = check_limits(wide, blob.size())) return *error;
+
+    put_header(blob.data(), source, mesh, wide, options, properties);
+    set_u32(blob.data() + format::header::leaf_bytes_at, static_cast<std::uint32_t>(encoded.leaves.size()));
+    set_u32(blob.data() + format::header::total_bytes_at, static_cast<std::uint32_t>(blob.size()));
+    set_u32(blob.data() + format::header::checksum_at, detail::checksum_of_blob(blob));
+    return blob;
+}
+
+}  // namespace espalier::baker

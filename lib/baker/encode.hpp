@@ -1,0 +1,26 @@
+// Sixth stage: the whole blob.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "binary_tree.hpp"
+#include "lattice_mesh.hpp"
+#include "order.hpp"
+#include "source.hpp"
+
+namespace espalier::baker {
+
+/// What the header says and no other stage's result holds.
+struct Properties {
+    float max_error = 0.0f;
+    bool closed = false;
+};
+
+[[nodiscard]] Result<std::vector<std::byte>, BakeError> encode(const Source& source, const LatticeMesh& mesh,
+                                                               const BinaryTree& tree, const WideTree& wide,
+                                                               const BakeOptions& options, const Properties& properties);
+
+}  // namespace espalier::baker

@@ -1,0 +1,20 @@
+// The bytes of nodes and leaves in the profile `fast`. The layout is in format.hpp and in docs/format.md, section 5.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "binary_tree.hpp"
+#include "lattice_mesh.hpp"
+#include "order.hpp"
+
+namespace espalier::baker {
+
+struct EncodedTree {
+    std::vector<std::byte> nodes;
+    std::vector<std::byte> leaves;
+};
+
+[[nodiscard]] EncodedTree encode_fast(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide);
+
+}  // namespace espalier::baker

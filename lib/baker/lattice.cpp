@@ -1,0 +1,106 @@
+#include "lattice.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "text.hpp"
+
+namespace espalier::baker {
+
+namespace {
+
+constexpr double half_diagonal = 0x1.bb67ae8584cabp-1;  // sqrt(3) / 2, rounded up: how far from a lattice point one can be
+
+/// Bits of the largest coordinate that the bounds have on this lattice.
+unsigned bits_needed(const SourceBounds& bounds, int step_exponent) {
+    const double reciprocal_step = std::ldexp(1.0, -step_exponent);
+    const double largest = std::max({snap_coordinate(bounds.max.x, bounds.min.x, reciprocal_step),
+                                     snap_coordinate(bounds.max.y, bounds.min.y, reciprocal_step),
+                                     snap_coordinate(bounds.max.z, bounds.min.z, reciprocal_step)});
+    unsigned bits = 1;
+    while (bits <= unsigned{format::max_bits} && largest > std::ldexp(1.0, static_cast<int>(bits)) - 1.0) ++bits;
+    return bits;
+}
+
+/// Zero for minus zero, which would be a second way to write the same origin, and for subnormal numbers, which the format
+/// does not allow there: they are far below the finest step.
+float without_subnormals(float coordinate) {
+    return std::abs(coordinate) < std::numeric_limits<float>::min() ? 0.0f : coordinate;
+}
+
+std::optional<BakeError> check_exponent(int step_exponent, const SourceBounds& bounds) {
+    if (step_exponent >= format::min_step_exponent && step_exponent <= format::max_step_exponent) return std::nullopt;
+    return BakeError{BakeError::Kind::too_large,
+                     "the meshes are " + number_text(bounds.largest_side) + " units large, which needs a lattice step of 2^" +
+                         std::to_string(step_exponent) + "; steps go from 2^" + std::to_string(format::min_step_exponent) +
+                         " to 2^" + std::to_string(format::max_step_exponent) + "; scale the input"};
+}
+
+}  // namespace
+
+SourceBounds bounds_of(const Source& source) {
+    SourceBounds bounds;
+    if (source.triangles.empty()) return bounds;
+    bounds.min = bounds.max = source.positions[source.triangles.front().corners[0]];
+    for (const SourceTriangle& triangle : source.triangles) {
+        for (const std::uint32_t corner : triangle.corners) {
+            const Vec3& point = source.positions[corner];
+            bounds.min = {std::min(bounds.min.x, point.x), std::min(bounds.min.y, point.y), std::min(bounds.min.z, point.z)};
+            bounds.max = {std::max(bounds.max.x, point.x), std::max(bounds.max.y, point.y), std::max(bounds.max.z, point.z)};
+        }
+    }
+    bounds.min = {without_subnormals(bounds.min.x), without_subnormals(bounds.min.y), without_subnormals(bounds.min.z)};
+    bounds.largest_side =
+        std::max({double{bounds.max.x} - double{bounds.min.x}, double{bounds.max.y} - double{bounds.min.y},
+                  double{bounds.max.z} - double{bounds.min.z}});
+    bounds.largest_coordinate =
+        std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.min.z), std::abs(bounds.max.x),
+                  std::abs(bounds.max.y), std::abs(bounds.max.z)});
+    return bounds;
+}
+
+bool is_below_float_spacing(const Lattice& lattice, const SourceBounds& bounds) {
+    int exponent = 0;
+    std::frexp(bounds.largest_coordinate, &exponent);
+    return bounds.largest_coordinate != 0.0f && lattice.step_exponent < exponent - std::numeric_limits<float>::digits;
+}
+
+Result<Lattice, BakeError> lattice_for_bits(const SourceBounds& bounds, unsigned bits) {
+    if (bounds.largest_side == 0.0) return Lattice{{}, 0, bits};  // only of nothing: an area has an extent
+    // side < 2^exponent, so this start fits; one finer step fits when rounding down is all that it takes.
+    int exponent = 0;
+    std::frexp(bounds.largest_side, &exponent);
+    int step_exponent = exponent - static_cast<int>(bits);
+    while (bits_needed(bounds, step_exponent) > bits) ++step_exponent;
+    while (bits_needed(bounds, step_exponent - 1) <= bits) --step_exponent;
+    if (auto error = check_exponent(step_exponent, bounds)) return *error;
+    return Lattice{bounds.min, step_exponent, bits};
+}
+
+int step_exponent_for_tolerance(double tolerance) {
+    int exponent = 0;
+    std::frexp(tolerance, &exponent);
+    while (half_diagonal * std::ldexp(1.0, exponent) > tolerance) --exponent;
+    return exponent;
+}
+
+Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent, double tolerance) {
+    if (bounds.largest_side == 0.0) return Lattice{};
+    const unsigned bits = bits_needed(bounds, step_exponent);
+    if (bits > unsigned{format::max_bits}) {
+        const double most_steps = std::ldexp(1.0, format::max_bits) - 1.0;
+        const double largest_extent = most_steps * std::ldexp(1.0, step_exponent_for_tolerance(tolerance));
+        const auto finest = lattice_for_bits(bounds, unsigned{format::max_bits});
+        std::string message = "a tolerance of " + number_text(tolerance) + " is too fine for meshes that are " +
+                              number_text(bounds.largest_side) + " large: at this tolerance they may be " +
+                              number_text(largest_extent) + " large";
+        if (finest) message += ", at this size the finest tolerance is " + number_text(half_diagonal * finest.value().step());
+        return BakeError{BakeError::Kind::tolerance_too_fine,
+                         message + "; choose a coarser tolerance, or split the input into several blobs"};
+    }
+    if (auto error = check_exponent(step_exponent, bounds)) return *error;
+    return Lattice{bounds.min, step_exponent, bits};
+}
+
+}  // namespace espalier::baker

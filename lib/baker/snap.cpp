@@ -1,0 +1,159 @@
+#include "snap.hpp"
+
+#include <algorithm>
+
+#include "insertion_table.hpp"
+
+namespace espalier::baker {
+
+namespace {
+
+/// The lattice points of all positions that a triangle with an area uses, numbered without repetition.
+class VertexWelder {
+public:
+    VertexWelder(const Source& source, const Lattice& lattice, std::vector<LatticePoint>& vertices)
+        : source_(source),
+          origin_(lattice.origin),
+          reciprocal_step_(std::ldexp(1.0, -lattice.step_exponent)),
+          vertices_(vertices),
+          table_(source.positions.size()),
+          welded_(source.positions.size(), InsertionTable::none) {}
+
+    std::uint32_t weld(std::uint32_t position) {
+        std::uint32_t& vertex = welded_[position];
+        if (vertex == InsertionTable::none) {
+            const LatticePoint point = snap(source_.positions[position]);
+            vertex = table_.find_or_insert(hash_of(point), static_cast<std::uint32_t>(vertices_.size()),
+                                           [&](std::uint32_t other) { return vertices_[other] == point; });
+            if (vertex == vertices_.size()) vertices_.push_back(point);
+        }
+        return vertex;
+    }
+
+private:
+    [[nodiscard]] LatticePoint snap(const Vec3& point) const {
+        return {static_cast<std::int32_t>(snap_coordinate(point.x, origin_.x, reciprocal_step_)),
+                static_cast<std::int32_t>(snap_coordinate(point.y, origin_.y, reciprocal_step_)),
+                static_cast<std::int32_t>(snap_coordinate(point.z, origin_.z, reciprocal_step_))};
+    }
+    static std::uint64_t hash_of(const LatticePoint& point) {
+        const auto xy = std::uint64_t{static_cast<std::uint32_t>(point.x)} << 32 | static_cast<std::uint32_t>(point.y);
+        return mix_bits(xy ^ mix_bits(static_cast<std::uint32_t>(point.z)));
+    }
+
+    const Source& source_;
+    Vec3 origin_;
+    double reciprocal_step_;
+    std::vector<LatticePoint>& vertices_;
+    InsertionTable table_;
+    std::vector<std::uint32_t> welded_;
+};
+
+/// Whether the three points lie on one line. Coordinates are below 2^24, so the products stay below 2^49.
+bool is_collapsed(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
+    const std::int64_t bx = b.x - a.x;
+    const std::int64_t by = b.y - a.y;
+    const std::int64_t bz = b.z - a.z;
+    const std::int64_t cx = c.x - a.x;
+    const std::int64_t cy = c.y - a.y;
+    const std::int64_t cz = c.z - a.z;
+    return by * cz == bz * cy && bz * cx == bx * cz && bx * cy == by * cx;
+}
+
+/// The same three corners in the same winding give the same key: rotated so that the smallest number comes first.
+std::array<std::uint32_t, 3> winding_key(const std::array<std::uint32_t, 3>& corners) {
+    const auto [a, b, c] = corners;
+    if (a < b && a < c) return {a, b, c};
+    if (b < c) return {b, c, a};
+    return {c, a, b};
+}
+
+std::uint64_t hash_of(const std::array<std::uint32_t, 3>& key) {
+    return mix_bits((std::uint64_t{key[0]} << 32 | key[1]) ^ mix_bits(key[2]));
+}
+
+/// Keeps the first of equal triangles.
+void drop_duplicates(const Source& source, std::vector<LatticeTriangle>& triangles, BakeReport& report) {
+    constexpr std::size_t lookahead = 16;  // enough lookups in flight to hide the memory's latency
+    InsertionTable table(triangles.size());
+    std::vector<std::array<std::uint32_t, 3>> keys;
+    keys.reserve(triangles.size());
+    for (const LatticeTriangle& triangle : triangles) keys.push_back(winding_key(triangle.corners));
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (i + lookahead < keys.size()) table.prefetch(hash_of(keys[i + lookahead]));
+        const auto key = keys[i];
+        // Kept triangles move to the front, and their keys with them: what has been read may be overwritten.
+        const std::uint32_t found = table.find_or_insert(hash_of(key), static_cast<std::uint32_t>(kept),
+                                                         [&](std::uint32_t other) { return keys[other] == key; });
+        if (found == kept) {
+            triangles[kept] = triangles[i];
+            keys[kept] = key;
+            ++kept;
+        } else if (report.duplicate.count++ == 0) {
+            report.duplicate.first = triangle_name(source, triangles[i].original_id);
+        }
+    }
+    triangles.resize(kept);
+}
+
+/// Marks the vertices of kept triangles and moves the lattice so that their smallest coordinates are 0.
+///
+/// They are 0 already unless a collapsed triangle reached farthest. Then the lattice moves by whole steps, which changes no
+/// shape; the new origin is rounded to float32, and the measured error includes what that rounding does.
+void settle(LatticeMesh& mesh) {
+    mesh.is_used.assign(mesh.vertices.size(), 0);
+    if (mesh.triangles.empty()) return;
+    for (const LatticeTriangle& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle.corners) mesh.is_used[corner] = 1;
+    }
+    LatticePoint low = mesh.vertices[mesh.triangles.front().corners[0]];
+    LatticePoint high = low;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        if (mesh.is_used[i] == 0) continue;
+        const LatticePoint& point = mesh.vertices[i];
+        low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
+        high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
+        ++mesh.used_vertices;
+    }
+    mesh.extent = {high.x - low.x, high.y - low.y, high.z - low.z};
+    if (low == LatticePoint{}) return;
+    const double step = mesh.lattice.step();
+    Vec3& origin = mesh.lattice.origin;
+    if (low.x != 0) origin.x = static_cast<float>(double{origin.x} + low.x * step);
+    if (low.y != 0) origin.y = static_cast<float>(double{origin.y} + low.y * step);
+    if (low.z != 0) origin.z = static_cast<float>(double{origin.z} + low.z * step);
+    for (LatticePoint& point : mesh.vertices) point = {point.x - low.x, point.y - low.y, point.z - low.z};
+}
+
+}  // namespace
+
+LatticeMesh snap_and_weld(const Source& source, const Lattice& lattice, BakeReport& report) {
+    LatticeMesh mesh;
+    mesh.lattice = lattice;
+    mesh.triangles.reserve(source.triangles.size());
+    report.collapsed = {};
+    report.duplicate = {};
+    {
+        VertexWelder welder(source, lattice, mesh.vertices);
+        for (const SourceTriangle& triangle : source.triangles) {
+            const auto a = welder.weld(triangle.corners[0]);
+            const auto b = welder.weld(triangle.corners[1]);
+            const auto c = welder.weld(triangle.corners[2]);
+            const LatticeTriangle snapped{{a, b, c}, triangle.original_id};
+            if (is_collapsed(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c])) {
+                mesh.collapsed.push_back(snapped);
+            } else {
+                mesh.triangles.push_back(snapped);
+            }
+        }
+    }
+    if (!mesh.collapsed.empty()) {
+        report.collapsed = {mesh.collapsed.size(), triangle_name(source, mesh.collapsed.front().original_id)};
+    }
+    drop_duplicates(source, mesh.triangles, report);
+    settle(mesh);
+    return mesh;
+}
+
+}  // namespace espalier::baker
