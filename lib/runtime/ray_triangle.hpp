@@ -53,8 +53,10 @@ namespace ray_triangle {
 
 /// Edges below 2^12 steps keep every determinant below 2^63: 24 bits of direction, 25 of corner, 12 of edge, 6 products.
 inline bool is_small(const OriginRelative& t) {
-    const auto fits = [](std::int64_t e) { return static_cast<std::uint64_t>(e + 4095) <= 8190u; };
-    return fits(t.ab.x) & fits(t.ab.y) & fits(t.ab.z) & fits(t.ac.x) & fits(t.ac.y) & fits(t.ac.z);
+    const auto shifted = [](std::int64_t e) { return static_cast<std::uint64_t>(e + 4096); };
+    const std::uint64_t any = shifted(t.ab.x) | shifted(t.ab.y) | shifted(t.ab.z) | shifted(t.ac.x) | shifted(t.ac.y) |
+                              shifted(t.ac.z);
+    return any < 8192;
 }
 
 /// Sign of numerator / denominator - bound, exactly; numerator >= 0, denominator > 0, 0 < bound < infinity.

@@ -20,14 +20,14 @@ struct Int128 {
     [[nodiscard]] constexpr bool is_zero() const { return (low | static_cast<std::uint64_t>(high)) == 0; }
 
     friend constexpr Int128 operator+(Int128 a, Int128 b) {
-        const std::uint64_t low = a.low + b.low;
-        const std::uint64_t carry = low < a.low ? 1 : 0;
+        const std::uint64_t sum = a.low + b.low;
+        const std::uint64_t carry = sum < a.low ? 1 : 0;
         return {static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) + static_cast<std::uint64_t>(b.high) + carry),
-                low};
+                sum};
     }
     friend constexpr Int128 operator-(Int128 a) {
-        const std::uint64_t low = ~a.low + 1;
-        return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(a.high) + (low == 0 ? 1u : 0u)), low};
+        const std::uint64_t word = ~a.low + 1;
+        return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(a.high) + (word == 0 ? 1u : 0u)), word};
     }
     friend constexpr Int128 operator-(Int128 a, Int128 b) { return a + -b; }
     friend constexpr bool operator<(Int128 a, Int128 b) { return a.high != b.high ? a.high < b.high : a.low < b.low; }
