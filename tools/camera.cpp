@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include <espalier/walk.hpp>
 
 namespace espalier::tools {
 
@@ -19,6 +22,24 @@ Vec3 turned(Vec3 a, Axis up) {
     if (up == Axis::x) return {a.y, -a.x, a.z};
     return a;
 }
+
+/// The nearest place of the eye in one plane: a point at (side, depth) is in the picture when it lies between the two
+/// lines that leave the eye at `slope` to the left and the right.
+class Fit {
+public:
+    explicit Fit(float slope) : slope_(slope) {}
+    void include(float side, float depth) {
+        right_ = std::max(right_, depth + side / slope_);
+        left_ = std::max(left_, depth - side / slope_);
+    }
+    [[nodiscard]] float distance() const { return std::isfinite(right_) ? 0.5f * (right_ + left_) : 1.0f; }
+    [[nodiscard]] float sideways() const { return std::isfinite(right_) ? 0.5f * slope_ * (right_ - left_) : 0.0f; }
+
+private:
+    float slope_;
+    float right_ = -std::numeric_limits<float>::infinity();
+    float left_ = -std::numeric_limits<float>::infinity();
+};
 
 }  // namespace
 
@@ -37,7 +58,7 @@ View view_from(Axis up, double azimuth, double elevation) {
     return {turned(right, up), turned(cross(towards, right), up), turned(towards, up)};
 }
 
-Camera::Camera(const View& view, Vec3 box_min, Vec3 box_max, unsigned width, unsigned height)
+Camera::Camera(const Blob& blob, const View& view, unsigned width, unsigned height)
     : view_(view),
       width_(static_cast<float>(width)),
       height_(static_cast<float>(height)) {
@@ -45,17 +66,19 @@ Camera::Camera(const View& view, Vec3 box_min, Vec3 box_max, unsigned width, uns
     const float shorter = std::min(width_, height_);
     half_width_ = half * width_ / shorter;
     half_height_ = half * height_ / shorter;
-    const Vec3 middle = 0.5f * (box_min + box_max);
-    float distance = 0.0f;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const Vec3 point{(corner & 1) != 0 ? box_max.x : box_min.x, (corner & 2) != 0 ? box_max.y : box_min.y,
-                         (corner & 4) != 0 ? box_max.z : box_min.z};
-        const Vec3 offset = point - middle;
-        const float nearer = dot(offset, view_.towards);
-        distance = std::max({distance, nearer + margin * std::abs(dot(offset, view_.right)) / half_width_,
-                             nearer + margin * std::abs(dot(offset, view_.up)) / half_height_});
-    }
-    eye_ = middle + distance * view_.towards;
+    Fit across(half_width_ / margin);
+    Fit upwards(half_height_ / margin);
+    const Vec3 middle = 0.5f * (blob.bounds_min() + blob.bounds_max());
+    for_each_triangle(blob, [&](Triangle, const Corners& corners) {
+        for (const Vec3& corner : {corners.a, corners.b, corners.c}) {
+            const Vec3 offset = corner - middle;
+            across.include(dot(offset, view_.right), dot(offset, view_.towards));
+            upwards.include(dot(offset, view_.up), dot(offset, view_.towards));
+        }
+        return keep_going;
+    });
+    const float distance = std::max(across.distance(), upwards.distance());
+    eye_ = middle + across.sideways() * view_.right + upwards.sideways() * view_.up + distance * view_.towards;
 }
 
 Ray Camera::ray(float column, float row) const {

@@ -1,6 +1,7 @@
-// A pinhole eye that stands so that a box just fills the picture.
+// A pinhole eye that stands so that an asset just fills the picture.
 #pragma once
 
+#include <espalier/blob.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/types.hpp>
 
@@ -27,8 +28,8 @@ View view_from(Axis up, double azimuth, double elevation);
 
 class Camera {
 public:
-    /// Looks at the middle of the box from as near as shows all eight corners.
-    Camera(const View& view, Vec3 box_min, Vec3 box_max, unsigned width, unsigned height);
+    /// Stands as near as shows every triangle, with the asset in the middle of the picture.
+    Camera(const Blob& blob, const View& view, unsigned width, unsigned height);
     /// Through the picture at column and row, which count pixels from the top left and may lie between them.
     [[nodiscard]] Ray ray(float column, float row) const;
     [[nodiscard]] const View& view() const { return view_; }

@@ -123,8 +123,7 @@ ExitCode run_render(const RenderArguments& arguments) {
     refuse_to_overwrite_input(arguments.output, arguments.blob);
     const BlobFile file = open_blob_file(arguments.blob);
     const Blob& blob = file.blob;
-    const Camera camera(view_from(arguments.up, arguments.azimuth, arguments.elevation), blob.bounds_min(),
-                        blob.bounds_max(), size.width, size.height);
+    const Camera camera(blob, view_from(arguments.up, arguments.azimuth, arguments.elevation), size.width, size.height);
     Image image(size.width, size.height);
     Json document = json_document();
     document["output"] = arguments.output;

@@ -124,6 +124,7 @@ void add_query(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<QueryArguments>();
     CLI::App* query = add_verb(app, "query", "Ask a blob one question");
     add_blob(query, arguments->blob);
+    add_json(query, arguments->json);  // before the question's name as well as after it
     query->require_subcommand(1);
 
     CLI::App* ray = add_verb(*query, "ray", "What a ray hits first");

@@ -74,7 +74,7 @@ void flush_folder(const std::filesystem::path& folder) {
 
 int replace_file(const std::filesystem::path& target, std::span<const std::byte> bytes) {
     const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
+    std::string temporary = (folder / text('.', target.filename().string(), ".XXXXXX")).string();
     const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
     if (descriptor < 0) return errno;
     int error = write_all(descriptor, bytes);

@@ -32,7 +32,7 @@ Shading::Shading(const Blob& blob, const View& view, Vec3 world_up)
     shadow_offset_ = 2.0f * blob.step() + 1e-6f * farthest + 1e-4f * std::sqrt(dot(diagonal, diagonal));
 }
 
-Colour Shading::background(float height) { return mix({0.42f, 0.45f, 0.49f}, {0.80f, 0.84f, 0.88f}, height); }
+Colour Shading::background(float height) { return mix({0.10f, 0.11f, 0.13f}, {0.42f, 0.48f, 0.55f}, height); }
 
 bool Shading::in_shadow(Vec3 point, Vec3 normal) const {
     Ray ray;
