@@ -1,0 +1,244 @@
+// Claims about the ray kernel: on the rounded ray its yes and no are those of exact rational arithmetic, its numbers close.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <runtime/ray_triangle.hpp>
+
+#include "../support/random.hpp"
+#include "../support/test_scale.hpp"
+#include "exact_query.hpp"
+
+using namespace espalier;
+using detail::LatticeRay;
+using oracle::Rational;
+using tests::GridPoint;
+using tests::GridTriangle;
+using tests::Random;
+using tests::scaled;
+
+namespace {
+
+GridPoint some_grid_point(Random& random, unsigned bits) {
+    const std::int32_t limit = (1 << bits) - 1;
+    const auto coordinate = [&] {
+        switch (random.below(6)) {
+            case 0: return 0;
+            case 1: return limit;
+            default: return random.between(0, limit);
+        }
+    };
+    const std::int32_t x = coordinate();
+    const std::int32_t y = coordinate();
+    const std::int32_t z = coordinate();
+    return {x, y, z};
+}
+
+/// With area; large, small, needle-like and sliver-like ones.
+GridTriangle some_triangle(Random& random, unsigned bits) {
+    for (;;) {
+        GridTriangle triangle{some_grid_point(random, bits), some_grid_point(random, bits), some_grid_point(random, bits)};
+        const std::int32_t limit = (1 << bits) - 1;
+        const auto near = [&](const GridPoint& p, std::int32_t by) {
+            GridPoint q = p;
+            for (std::int32_t& c : q) c = std::clamp(c + random.between(-by, by), 0, limit);
+            return q;
+        };
+        switch (random.below(4)) {
+            case 0: break;
+            case 1: triangle.b = near(triangle.a, 3); break;
+            case 2:
+                triangle.b = near(triangle.a, 40);
+                triangle.c = near(triangle.a, 40);
+                break;
+            default:
+                for (unsigned k = 0; k < 3; ++k) triangle.c[k] = (triangle.a[k] + triangle.b[k]) / 2;
+                triangle.c = near(triangle.c, 1);
+        }
+        if (oracle::normal_of(tests::exact_triangle(triangle)) != oracle::Point(0, 0, 0)) return triangle;
+    }
+}
+
+Vec3 to_vec3(const GridPoint& p) {
+    return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+}
+
+/// Exactly at corners and middles of sides more often than not; coordinates are multiples of 1/2.
+Vec3 some_target(Random& random, const GridTriangle& triangle) {
+    const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
+    const Vec3 p = to_vec3(corners[random.below(3)]);
+    const Vec3 q = to_vec3(corners[random.below(3)]);
+    switch (random.below(4)) {
+        case 0: return p;
+        case 1: return {0.5f * (p.x + q.x), 0.5f * (p.y + q.y), 0.5f * (p.z + q.z)};
+        case 2: return {p.x + random.signed_unit(), p.y + random.signed_unit(), p.z + random.signed_unit()};
+        default: {
+            const float s = random.unit();
+            return {p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), p.z + s * (q.z - p.z)};
+        }
+    }
+}
+
+/// In lattice steps. Differences of small multiples of 1/64 are exact, so that many rays go exactly where they aim.
+Ray some_ray(Random& random, unsigned bits, const GridTriangle& triangle) {
+    const Vec3 target = some_target(random, triangle);
+    Ray ray;
+    ray.origin = to_vec3(some_grid_point(random, bits));
+    if (random.below(4) == 0) {
+        const float size = std::ldexp(1.0f, static_cast<int>(bits + random.below(12)));
+        ray.origin = random.in_cube(size);
+    }
+    if (random.below(4) == 0) {
+        const auto axis = random.below(3);
+        ray.direction = {axis == 0 ? 1.0f : 0.0f, axis == 1 ? 1.0f : 0.0f, axis == 2 ? 1.0f : 0.0f};
+        if (random.coin()) ray.direction = {-ray.direction.x, -ray.direction.y, -ray.direction.z};
+        const Vec3 d = ray.direction;
+        ray.origin = {d.x != 0 ? ray.origin.x : target.x, d.y != 0 ? ray.origin.y : target.y,
+                      d.z != 0 ? ray.origin.z : target.z};
+    } else if (random.below(8) == 0) {
+        ray.origin = target;
+        ray.direction = random.in_cube(1.0f);
+    } else {
+        ray.direction = {target.x - ray.origin.x, target.y - ray.origin.y, target.z - ray.origin.z};
+    }
+    ray.faces = static_cast<Faces>(random.below(3));
+    return ray;
+}
+
+bool faces_match(Faces faces, bool front) { return faces == Faces::both || (faces == Faces::front) == front; }
+
+}  // namespace
+
+TEST_SUITE("ray kernel against the oracle") {
+    TEST_CASE("whether a ray hits a triangle is what exact arithmetic says, at corners and sides too") {
+        Random random(1);
+        std::uint64_t hits = 0;
+        std::uint64_t touches = 0;
+        std::uint64_t wide = 0;
+        Rational worst_tau = 0;
+        Rational worst_weight = 0;
+        const std::uint64_t count = scaled(30'000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const unsigned bits = 1 + random.below(24);
+            const GridTriangle triangle = some_triangle(random, bits);
+            const Ray world = some_ray(random, bits, triangle);
+            LatticeRay ray;
+            if (!detail::round_ray(tests::lattice_asset(bits), world, ray)) continue;
+            const auto crossing = oracle::cross(tests::exact_line(ray), tests::exact_triangle(triangle));
+            const bool expected =
+                crossing && crossing->t.sign() >= 0 && faces_match(world.faces, crossing->front);
+            float tau = -1.0f;
+            const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
+            REQUIRE(detail::intersect(ray, lattice, tau) == expected);
+            if (!expected) continue;
+            ++hits;
+            if (crossing->u.sign() == 0 || crossing->v.sign() == 0 || crossing->u + crossing->v == Rational(1)) ++touches;
+            if (!detail::ray_triangle::is_small(detail::relative_to(ray, lattice))) ++wide;
+            worst_tau = std::max(worst_tau, oracle::error_in_ulp(tau, crossing->t));
+            const detail::HitSurface surface = detail::surface_of_hit(ray, lattice);
+            worst_weight = std::max({worst_weight, oracle::error_in_ulp(surface.u, crossing->u),
+                                     oracle::error_in_ulp(surface.v, crossing->v)});
+        }
+        CHECK(worst_tau <= Rational(3));
+        CHECK(worst_weight <= Rational(3));
+        CHECK(hits > count / 10);
+        CHECK(touches > count / 50);
+        CHECK(wide > count / 50);
+        MESSAGE(count, " rays, ", hits, " hits, ", touches, " of them on a corner or side");
+    }
+
+    TEST_CASE("the window is closed and exact: the hit's own t is inside, the next float beside it is not") {
+        Random random(2);
+        std::uint64_t exact_hits = 0;
+        const std::uint64_t count = scaled(20'000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const unsigned bits = 1 + random.below(24);
+            const GridTriangle triangle = some_triangle(random, bits);
+            const Ray world = some_ray(random, bits, triangle);
+            const detail::BlobData data = tests::lattice_asset(bits);
+            LatticeRay ray;
+            if (!detail::round_ray(data, world, ray)) continue;
+            const auto crossing = oracle::cross(tests::exact_line(ray), tests::exact_triangle(triangle));
+            if (!crossing || crossing->t.sign() < 0 || !faces_match(world.faces, crossing->front)) continue;
+            const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
+            float tau = 0.0f;
+            REQUIRE(detail::intersect(ray, lattice, tau));
+            if (Rational::of(tau) == crossing->t) ++exact_hits;
+            // A few floats around the hit as the ends of the window: exactness is decided, not approximated.
+            float bound = tau;
+            for (int step = 0; step < 4 && bound > 0.0f; ++step) bound = std::nextafter(bound, 0.0f);
+            for (int step = 0; step < 9; ++step, bound = std::nextafter(bound, 1e30f)) {
+                LatticeRay windowed = ray;
+                float found = 0.0f;
+                windowed.tau_min = bound;
+                REQUIRE(detail::intersect(windowed, lattice, found) == (crossing->t >= Rational::of(bound)));
+                windowed = ray;
+                windowed.tau_max = bound;
+                REQUIRE(detail::intersect(windowed, lattice, found) == (crossing->t <= Rational::of(bound)));
+            }
+        }
+        CHECK(exact_hits > count / 100);
+    }
+
+    TEST_CASE("the normal is the unit normal of the front side within 4 ulp of a unit vector's coordinates") {
+        Random random(3);
+        for (std::uint64_t i = 0; i < scaled(10'000); ++i) {
+            const unsigned bits = 1 + random.below(24);
+            const GridTriangle triangle = some_triangle(random, bits);
+            const Ray world = some_ray(random, bits, triangle);
+            LatticeRay ray;
+            if (!detail::round_ray(tests::lattice_asset(bits), world, ray)) continue;
+            float tau = 0.0f;
+            const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
+            if (!detail::intersect(ray, lattice, tau)) continue;
+            const Vec3 normal = detail::surface_of_hit(ray, lattice).normal;
+            const oracle::Point exact = oracle::normal_of(tests::exact_triangle(triangle));
+            const Rational squared_length = exact.dot(exact);
+            const float given[3] = {normal.x, normal.y, normal.z};
+            // |n - m / |m|| <= e  exactly when  (n - e) |m| <= m <= (n + e) |m|; squared to stay rational.
+            const Rational allowed = Rational::of(4, -24);  // 4 ulp of numbers just below 1
+            const auto at_most = [&](const Rational& a, const Rational& factor) {  // a <= factor * |m|
+                const Rational left = a * oracle::absolute(a);
+                const Rational right = factor * oracle::absolute(factor) * squared_length;
+                return left <= right;
+            };
+            for (int k = 0; k < 3; ++k) {
+                const Rational n = Rational::of(given[k]);
+                REQUIRE(at_most(exact[k], n + allowed));
+                REQUIRE(at_most(-exact[k], allowed - n));
+            }
+        }
+    }
+
+    TEST_CASE("neighbours leave no gap: a ray through a shared side or corner hits at least one of the triangles around it") {
+        Random random(4);
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            const unsigned bits = 2 + random.below(23);
+            // A closed fan around a corner, seen from above: whatever passes it hits one of its triangles.
+            const std::int32_t limit = (1 << bits) - 1;
+            const GridPoint apex{random.between(1, limit - 1), random.between(1, limit - 1), random.between(0, limit)};
+            const GridPoint rim[4] = {{0, 0, random.between(0, limit)},
+                                      {limit, 0, random.between(0, limit)},
+                                      {limit, limit, random.between(0, limit)},
+                                      {0, limit, random.between(0, limit)}};
+            Ray world;
+            const Vec3 target = some_target(random, {apex, rim[random.below(4)], apex});
+            world.origin = {target.x, target.y, -static_cast<float>(random.between(1, limit))};
+            world.direction = {0.0f, 0.0f, 1.0f};
+            if (target.x < 0 || target.y < 0 || target.x > static_cast<float>(limit) || target.y > static_cast<float>(limit)) {
+                continue;
+            }
+            LatticeRay ray;
+            REQUIRE(detail::round_ray(tests::lattice_asset(bits), world, ray));
+            int hits = 0;
+            for (unsigned k = 0; k < 4; ++k) {
+                float tau = 0.0f;
+                const GridTriangle triangle{apex, rim[k], rim[(k + 1) % 4]};
+                if (detail::intersect(ray, tests::lattice_triangle(triangle), tau)) ++hits;
+            }
+            REQUIRE(hits >= 1);
+        }
+    }
+}

@@ -1,0 +1,30 @@
+#include "instruction_paths.hpp"
+
+#include <runtime/simd/select.hpp>
+
+#define ESPALIER_PATH(set)                                                                                       \
+    InstructionPath {                                                                                            \
+        #set, detail::set::closest_hit, detail::set::any_hit, detail::set::every_hit, detail::set::any_overlap,  \
+            detail::set::every_overlap, detail::set::closest_triangle                                            \
+    }
+
+namespace espalier::tests {
+
+const std::vector<InstructionPath>& instruction_paths() {
+    static const std::vector<InstructionPath> paths = [] {
+        std::vector<InstructionPath> found = {ESPALIER_PATH(scalar)};
+#if ESPALIER_X86
+        const detail::InstructionSet best = detail::detect_instruction_set();
+        if (best == detail::InstructionSet::sse42 || best == detail::InstructionSet::avx2) {
+            found.push_back(ESPALIER_PATH(sse42));
+        }
+        if (best == detail::InstructionSet::avx2) found.push_back(ESPALIER_PATH(avx2));
+#elif ESPALIER_NEON
+        found.push_back(ESPALIER_PATH(neon));
+#endif
+        return found;
+    }();
+    return paths;
+}
+
+}  // namespace espalier::tests

@@ -1,0 +1,23 @@
+// The inner queries of every instruction set that this machine has, by name: the scalar ones first.
+#pragma once
+
+#include <vector>
+
+#include <runtime/point_queries.hpp>
+#include <runtime/ray_queries.hpp>
+
+namespace espalier::tests {
+
+struct InstructionPath {
+    const char* name;
+    decltype(&detail::scalar::closest_hit) closest_hit;
+    decltype(&detail::scalar::any_hit) any_hit;
+    decltype(&detail::scalar::every_hit) every_hit;
+    decltype(&detail::scalar::any_overlap) any_overlap;
+    decltype(&detail::scalar::every_overlap) every_overlap;
+    decltype(&detail::scalar::closest_triangle) closest_triangle;
+};
+
+const std::vector<InstructionPath>& instruction_paths();
+
+}  // namespace espalier::tests

@@ -1,0 +1,46 @@
+// Equality of answers as bits: -0 is not 0, and no tolerance hides a difference.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <espalier/nearest.hpp>
+#include <espalier/ray.hpp>
+#include <runtime/found.hpp>
+
+namespace espalier::tests {
+
+inline bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
+
+inline bool same_bits(Vec3 a, Vec3 b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z); }
+
+inline bool same_bits(const RayHit& a, const RayHit& b) {
+    return same_bits(a.t, b.t) && same_bits(a.u, b.u) && same_bits(a.v, b.v) && same_bits(a.normal, b.normal) &&
+           a.triangle == b.triangle;
+}
+
+inline bool same_bits(const Nearest& a, const Nearest& b) {
+    return same_bits(a.point, b.point) && same_bits(a.distance, b.distance) && same_bits(a.u, b.u) &&
+           same_bits(a.v, b.v) && a.triangle == b.triangle;
+}
+
+inline bool same_corners(const detail::LatticeTriangle& a, const detail::LatticeTriangle& b) {
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            if (a.corner[i][k] != b.corner[i][k]) return false;
+        }
+    }
+    return true;
+}
+
+inline bool same_bits(const detail::FoundHit& a, const detail::FoundHit& b) {
+    return same_bits(a.tau, b.tau) && a.index == b.index && same_corners(a.triangle, b.triangle);
+}
+
+inline bool same_bits(const detail::FoundNearest& a, const detail::FoundNearest& b) {
+    return same_bits(a.distance.squared, b.distance.squared) && same_bits(a.distance.u, b.distance.u) &&
+           same_bits(a.distance.v, b.distance.v) && a.distance.numerator == b.distance.numerator &&
+           a.distance.denominator == b.distance.denominator && a.index == b.index && same_corners(a.triangle, b.triangle);
+}
+
+}  // namespace espalier::tests

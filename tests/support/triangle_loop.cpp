@@ -1,0 +1,52 @@
+#include "triangle_loop.hpp"
+
+namespace espalier::tests {
+
+TriangleLoop::TriangleLoop(const DecodedBlob& decoded) {
+    triangles_.reserve(decoded.triangles.size());
+    for (const GridTriangle& t : decoded.triangles) {
+        triangles_.push_back(
+            {{{t.a[0], t.a[1], t.a[2]}, {t.b[0], t.b[1], t.b[2]}, {t.c[0], t.c[1], t.c[2]}}});
+    }
+}
+
+std::optional<detail::FoundHit> TriangleLoop::closest_hit(const detail::LatticeRay& ray,
+                                                          bool (*keep)(std::uint32_t)) const {
+    std::optional<detail::FoundHit> best;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        float tau = 0.0f;
+        if (!detail::intersect(ray, triangles_[i], tau)) continue;
+        if (keep != nullptr && !keep(i)) continue;
+        if (!best || tau < best->tau) best = {tau, i, triangles_[i]};
+    }
+    return best;
+}
+
+std::vector<detail::FoundHit> TriangleLoop::every_hit(const detail::LatticeRay& ray) const {
+    std::vector<detail::FoundHit> hits;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        float tau = 0.0f;
+        if (detail::intersect(ray, triangles_[i], tau)) hits.push_back({tau, i, triangles_[i]});
+    }
+    return hits;
+}
+
+std::vector<std::uint32_t> TriangleLoop::every_overlap(const detail::LatticePoint& point) const {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        if (detail::is_within_radius(point, detail::distance_to(point, triangles_[i]), point.radius)) found.push_back(i);
+    }
+    return found;
+}
+
+std::optional<detail::FoundNearest> TriangleLoop::closest_triangle(const detail::LatticePoint& point) const {
+    std::optional<detail::FoundNearest> best;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        const detail::PointDistance distance = detail::distance_to(point, triangles_[i]);
+        if (!detail::is_within_radius(point, distance, point.radius)) continue;
+        if (!best || distance.squared < best->distance.squared) best = {distance, i, triangles_[i]};
+    }
+    return best;
+}
+
+}  // namespace espalier::tests

@@ -1,0 +1,31 @@
+// The loop over all baked triangles: what every traversal must equal, bit for bit. It asks the runtime's kernels about each
+// triangle that the independent decoder found, in storage order, and knows no tree.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <espalier/blob.hpp>
+#include <runtime/found.hpp>
+
+#include "decoder.hpp"
+
+namespace espalier::tests {
+
+class TriangleLoop {
+public:
+    explicit TriangleLoop(const DecodedBlob& decoded);
+
+    /// Of equal ones the lowest index. `keep` says which triangles count; every one when it is null.
+    [[nodiscard]] std::optional<detail::FoundHit> closest_hit(const detail::LatticeRay& ray,
+                                                              bool (*keep)(std::uint32_t) = nullptr) const;
+    [[nodiscard]] std::vector<detail::FoundHit> every_hit(const detail::LatticeRay& ray) const;
+    [[nodiscard]] std::vector<std::uint32_t> every_overlap(const detail::LatticePoint& point) const;
+    [[nodiscard]] std::optional<detail::FoundNearest> closest_triangle(const detail::LatticePoint& point) const;
+
+private:
+    std::vector<detail::LatticeTriangle> triangles_;
+};
+
+}  // namespace espalier::tests
