@@ -104,12 +104,8 @@ inline constexpr unsigned widths_shift = 20;     // 3 x 4 bits: width codes of x
 constexpr unsigned coordinate_width(unsigned code, unsigned bits) {
     return code == 0 ? 0 : bits <= 15 ? code : code + (bits - 15);
 }
-/// Bits of one vertex number; a triangle's field is three of them.
-constexpr unsigned corner_width(unsigned vertex_count) {
-    unsigned width = 1;
-    while ((1u << width) < vertex_count) ++width;
-    return width;
-}
+/// Bits of one vertex number, 3 to 5; a triangle's field is three of them.
+constexpr unsigned corner_width(unsigned vertex_count) { return vertex_count <= 8 ? 3 : vertex_count <= 16 ? 4 : 5; }
 constexpr std::size_t stream_bytes(unsigned count, unsigned width) { return (std::size_t{count} * width + 7) / 8; }
 }  // namespace fast_leaf
 

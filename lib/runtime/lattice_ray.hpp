@@ -163,14 +163,12 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     }
     if (ray.tau_min == infinity) return false;
 
-    unsigned last = 0;
-    for (unsigned k = 1; k < 3; ++k) {
-        const auto length = [&](unsigned axis) { return ray.direction[axis] < 0 ? -ray.direction[axis] : ray.direction[axis]; };
-        if (length(k) > length(last)) last = k;
-    }
+    const auto length = [&](int k) { return ray.direction[k] < 0 ? -ray.direction[k] : ray.direction[k]; };
+    const std::int32_t longer = length(0) > length(1) ? length(0) : length(1);
+    const unsigned last = length(2) > longer ? 2u : length(1) > length(0) ? 1u : 0u;
     ray.axis[2] = last;
-    ray.axis[0] = last == 2 ? 0 : last + 1;
-    ray.axis[1] = last == 0 ? 2 : last - 1;
+    ray.axis[0] = (last + 1) % 3;
+    ray.axis[1] = (last + 2) % 3;
     for (int i = 0; i < 2; ++i)
         ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * ray.inverse[last];
     ray.shear_error = (reach + 1.0f) * (5.0f * 0x1p-24f);

@@ -41,9 +41,10 @@ inline unsigned point_candidates_of(const FastLeaf& leaf, const LatticePoint& po
     }
     unsigned mask = 0;
     for (unsigned first = 0; first < leaf.triangle_count; first += lanes) {
-        const Ints a = unpack(leaf.triangles, 3 * leaf.corner_width, first);
-        const Ints b = shift_right(a, leaf.corner_width);
-        const Ints c = shift_right(a, 2 * leaf.corner_width);
+        const Ints corners = unpack(leaf.triangles, 3 * leaf.corner_width, first);
+        const Ints a = corner_of(corners, 0, leaf.corner_width);
+        const Ints b = corner_of(corners, 1, leaf.corner_width);
+        const Ints c = corner_of(corners, 2, leaf.corner_width);
         Floats low[3], high[3];
         for (int k = 0; k < 3; ++k) {
             const Floats at_a = coordinates[k].look_up(a), at_b = coordinates[k].look_up(b), at_c = coordinates[k].look_up(c);

@@ -72,9 +72,9 @@ inline unsigned ray_candidates_of(const FastLeaf& leaf, const LatticeRay& ray) {
     unsigned mask = 0;
     for (unsigned first = 0; first < leaf.triangle_count; first += lanes) {
         const Ints corners = unpack(leaf.triangles, 3 * leaf.corner_width, first);
-        const auto a = corners;
-        const auto b = shift_right(corners, leaf.corner_width);
-        const auto c = shift_right(corners, 2 * leaf.corner_width);
+        const Ints a = corner_of(corners, 0, leaf.corner_width);
+        const Ints b = corner_of(corners, 1, leaf.corner_width);
+        const Ints c = corner_of(corners, 2, leaf.corner_width);
         const Floats ax = xs.look_up(a), ay = ys.look_up(a);
         const Floats bx = xs.look_up(b), by = ys.look_up(b);
         const Floats cx = xs.look_up(c), cy = ys.look_up(c);

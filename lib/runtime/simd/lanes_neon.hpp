@@ -42,7 +42,9 @@ inline Floats bytes_to_floats(const std::byte* at) {
     return {vcvtq_f32_u32(vmovl_u16(vget_low_u16(vmovl_u8(bytes))))};
 }
 inline Floats to_floats(Ints a) { return {vcvtq_f32_u32(a.v)}; }
-inline Ints shift_right(Ints a, unsigned count) { return {vshlq_u32(a.v, vdupq_n_s32(-static_cast<int>(count)))}; }
+inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
+    return {vshlq_u32(triangles.v, vdupq_n_s32(-static_cast<int>(corner * width)))};
+}
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const unsigned half = first / 4 % 2;
     const std::byte* at = stream + first / 8 * width + half * (width / 2);

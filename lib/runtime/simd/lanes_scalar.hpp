@@ -32,7 +32,10 @@ inline float largest(Floats a) { return a; }
 inline unsigned at_most(Floats a, Floats b) { return a <= b ? 1u : 0u; }
 inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
 inline Floats to_floats(Ints a) { return static_cast<float>(a); }
-inline Ints shift_right(Ints a, unsigned count) { return a >> count; }
+/// Corner 0, 1 or 2 of triangles; bits above the corner's may stay where look_up ignores them.
+inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
+    return (triangles >> (corner * width)) & ((1u << width) - 1u);
+}
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { return load_field(stream, width, first); }
 inline void prefetch(const std::byte*) {}
 
@@ -41,7 +44,7 @@ template <unsigned groups>
 struct Table {
     float value[groups];
     void set(unsigned group, Floats a) { value[group] = a; }
-    [[nodiscard]] Floats look_up(Ints index) const { return value[index & (groups - 1)]; }
+    [[nodiscard]] Floats look_up(Ints index) const { return value[index]; }
 };
 template <class Function>
 inline auto with_table_groups(unsigned, Function function) {

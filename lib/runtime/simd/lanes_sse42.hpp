@@ -44,8 +44,8 @@ inline Floats bytes_to_floats(const std::byte* at) {
     return {_mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(at)))))};
 }
 inline Floats to_floats(Ints a) { return {_mm_cvtepi32_ps(a.v)}; }
-inline Ints shift_right(Ints a, unsigned count) {
-    return {_mm_srl_epi32(a.v, _mm_cvtsi32_si128(static_cast<int>(count)))};
+inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
+    return {_mm_srl_epi32(triangles.v, _mm_cvtsi32_si128(static_cast<int>(corner * width)))};
 }
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const unsigned half = first / 4 % 2;
