@@ -24,19 +24,19 @@ public:
         Ray ray;
         switch (number % 8) {
         case 0:
-            ray = towards(point_around(2.0f), point_around(1.0f));
+            ray = towards({point_around(2.0f), point_around(1.0f)});
             break;
         case 1:
             ray = {.origin = point_around(1.0f), .direction = axis()};
             break;
         case 2:
-            ray = towards(point_around(4096.0f), surface_point());
+            ray = towards({point_around(4096.0f), surface_point()});
             break;
         case 3:
-            ray = towards(surface_point(), point_around(1.0f));
+            ray = towards({surface_point(), point_around(1.0f)});
             break;
         case 4:
-            ray = towards(point_around(2.0f), corner());
+            ray = towards({point_around(2.0f), corner()});
             break;
         case 5:
             ray = {.origin = corner(), .direction = axis()};
@@ -46,7 +46,7 @@ public:
             ray = {.origin = any_bits(), .direction = any_bits()};
             break;
         default:
-            ray = towards(corner(), corner());
+            ray = towards({corner(), corner()});
             ray.t_min = fraction() * 0.25f;
             ray.t_max = 0.5f + fraction();
             break;
@@ -145,7 +145,14 @@ private:
         ray.origin.z -= ray.direction.z * size();
     }
 
-    static Ray towards(const Vec3& from, const Vec3& to) {
+    /// In braces, because the order in which a call's arguments draw their numbers is each compiler's own.
+    struct Segment {
+        Vec3 from;
+        Vec3 to;
+    };
+    static Ray towards(const Segment& segment) {
+        const Vec3& from = segment.from;
+        const Vec3& to = segment.to;
         return {.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}};
     }
 

@@ -43,7 +43,6 @@ ESPALIER_NO_LOOP_PATTERNS void* memset(void* to, int value, std::size_t count) {
 #if defined(__ARM_FP)
     *reinterpret_cast<volatile std::uint32_t*>(0xE000ED88u) |= 0xFu << 20;  // CPACR: the floating-point unit is off at reset
     asm volatile("dsb\n isb" ::: "memory");
-    *reinterpret_cast<volatile std::uint32_t*>(0xE000ED14u) |= 1u << 3;  // CCR: trap unaligned access, as an M0 does always
 #endif
     const std::uint32_t* load = &image_data_load;
     for (std::uint32_t* word = &image_data_begin; word < &image_data_end;) *word++ = *load++;
