@@ -6,6 +6,7 @@
 
 #include "build_sah.hpp"
 #include "check_input.hpp"
+#include "check_result.hpp"
 #include "closed.hpp"
 #include "collapse.hpp"
 #include "cost_model.hpp"
@@ -46,6 +47,11 @@ void fill_in(BakeReport& report, const SourceBounds& bounds, const LatticeMesh& 
     report.bytes = bytes;
 }
 
+BakeError internal_error(const std::string& complaint) {
+    return {BakeError::Kind::internal, "the baker's check of its own result failed: " + complaint +
+                                           ". Nothing was baked. Please report this with the input mesh"};
+}
+
 }  // namespace
 
 Result<Baked, BakeError> bake_with_cost_model(std::span<const MeshView> meshes, const BakeOptions& options,
@@ -66,6 +72,7 @@ Result<Baked, BakeError> bake_with_cost_model(std::span<const MeshView> meshes, 
     const WideTree wide = put_in_order(mesh, tree, plan);
     auto blob = encode(*source, mesh, tree, wide, options, properties);
     if (!blob) return blob.error();
+    if (auto complaint = check_result(*blob, mesh, wide)) return internal_error(*complaint);
     baked.blob = std::move(*blob);
     fill_in(report, bounds, mesh, wide, properties, baked.blob.size());
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "insertion_table.hpp"
 #include "lattice.hpp"
 #include "source.hpp"
 
@@ -25,5 +26,21 @@ struct LatticeMesh {
     LatticePoint extent;                        ///< largest coordinates of the kept ones; the smallest are 0
     std::uint32_t used_vertices = 0;
 };
+
+[[nodiscard]] inline std::uint64_t hash_of(const LatticePoint& point) {
+    const auto xy = std::uint64_t{static_cast<std::uint32_t>(point.x)} << 32 | static_cast<std::uint32_t>(point.y);
+    return mix_bits(xy ^ mix_bits(static_cast<std::uint32_t>(point.z)));
+}
+
+/// Whether the three points lie on one line. Coordinates are below 2^24, so the products stay below 2^49.
+[[nodiscard]] inline bool is_collapsed(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
+    const std::int64_t bx = b.x - a.x;
+    const std::int64_t by = b.y - a.y;
+    const std::int64_t bz = b.z - a.z;
+    const std::int64_t cx = c.x - a.x;
+    const std::int64_t cy = c.y - a.y;
+    const std::int64_t cz = c.z - a.z;
+    return by * cz == bz * cy && bz * cx == bx * cz && bx * cy == by * cx;
+}
 
 }  // namespace espalier::baker

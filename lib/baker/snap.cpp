@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "insertion_table.hpp"
+#include "triangle_set.hpp"
 
 namespace espalier::baker {
 
@@ -36,10 +37,6 @@ private:
                 static_cast<std::int32_t>(snap_coordinate(point.y, origin_.y, reciprocal_step_)),
                 static_cast<std::int32_t>(snap_coordinate(point.z, origin_.z, reciprocal_step_))};
     }
-    static std::uint64_t hash_of(const LatticePoint& point) {
-        const auto xy = std::uint64_t{static_cast<std::uint32_t>(point.x)} << 32 | static_cast<std::uint32_t>(point.y);
-        return mix_bits(xy ^ mix_bits(static_cast<std::uint32_t>(point.z)));
-    }
 
     const Source& source_;
     Vec3 origin_;
@@ -49,52 +46,20 @@ private:
     std::vector<std::uint32_t> welded_;
 };
 
-/// Whether the three points lie on one line. Coordinates are below 2^24, so the products stay below 2^49.
-bool is_collapsed(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
-    const std::int64_t bx = b.x - a.x;
-    const std::int64_t by = b.y - a.y;
-    const std::int64_t bz = b.z - a.z;
-    const std::int64_t cx = c.x - a.x;
-    const std::int64_t cy = c.y - a.y;
-    const std::int64_t cz = c.z - a.z;
-    return by * cz == bz * cy && bz * cx == bx * cz && bx * cy == by * cx;
-}
-
-/// The same three corners in the same winding give the same key: rotated so that the smallest number comes first.
-std::array<std::uint32_t, 3> winding_key(const std::array<std::uint32_t, 3>& corners) {
-    const auto [a, b, c] = corners;
-    if (a < b && a < c) return {a, b, c};
-    if (b < c) return {b, c, a};
-    return {c, a, b};
-}
-
-std::uint64_t hash_of(const std::array<std::uint32_t, 3>& key) {
-    return mix_bits((std::uint64_t{key[0]} << 32 | key[1]) ^ mix_bits(key[2]));
-}
-
 /// Keeps the first of equal triangles.
 void drop_duplicates(const Source& source, std::vector<LatticeTriangle>& triangles, BakeReport& report) {
     constexpr std::size_t lookahead = 16;  // enough lookups in flight to hide the memory's latency
-    InsertionTable table(triangles.size());
-    std::vector<std::array<std::uint32_t, 3>> keys;
-    keys.reserve(triangles.size());
-    for (const LatticeTriangle& triangle : triangles) keys.push_back(winding_key(triangle.corners));
-    std::size_t kept = 0;
+    TriangleSet kept(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (i + lookahead < keys.size()) table.prefetch(hash_of(keys[i + lookahead]));
-        const auto key = keys[i];
-        // Kept triangles move to the front, and their keys with them: what has been read may be overwritten.
-        const std::uint32_t found = table.find_or_insert(hash_of(key), static_cast<std::uint32_t>(kept),
-                                                         [&](std::uint32_t other) { return keys[other] == key; });
-        if (found == kept) {
-            triangles[kept] = triangles[i];
-            keys[kept] = key;
-            ++kept;
+        if (i + lookahead < triangles.size()) kept.prefetch(triangles[i + lookahead].corners);
+        const std::uint32_t next = kept.size();
+        if (kept.find_or_insert(triangles[i].corners) == next) {
+            triangles[next] = triangles[i];
         } else if (report.duplicate.count++ == 0) {
             report.duplicate.first = triangle_name(source, triangles[i].original_id);
         }
     }
-    triangles.resize(kept);
+    triangles.resize(kept.size());
 }
 
 /// Marks the vertices of kept triangles and moves the lattice so that their smallest coordinates are 0.

@@ -1,0 +1,52 @@
+#include "check_result.hpp"
+
+#include <runtime/bytes.hpp>
+
+#include "check_tree.hpp"
+
+namespace espalier::baker {
+
+namespace {
+
+bool is_same(const Coordinates& decoded, const LatticePoint& meant) {
+    return decoded[0] == meant.x && decoded[1] == meant.y && decoded[2] == meant.z;
+}
+
+}  // namespace
+
+std::optional<std::string> check_result(std::span<const std::byte> blob, const LatticeMesh& mesh, const WideTree& wide) {
+    namespace header = format::header;
+    const std::uint32_t node_count = detail::load_u32(blob.data() + header::node_count_at);
+    const std::uint32_t leaf_bytes = detail::load_u32(blob.data() + header::leaf_bytes_at);
+    const std::uint32_t triangle_count = detail::load_u32(blob.data() + header::triangle_count_at);
+    const std::size_t node_bytes = std::size_t{node_count} * format::fast_node::bytes;
+    if (blob.size() < header::bytes + node_bytes + leaf_bytes + format::guard_bytes) return "the header counts too many bytes";
+    const TreeBytes tree{blob.subspan(header::bytes, node_bytes), blob.subspan(header::bytes + node_bytes, leaf_bytes),
+                         detail::load_u8(blob.data() + header::bits_at)};
+
+    const auto check_leaf = [&](const DecodedLeaf& leaf) -> std::optional<std::string> {
+        for (unsigned i = 0; i < leaf.triangle_count; ++i) {
+            const std::size_t storage_index = std::size_t{leaf.first_triangle} + i;
+            if (storage_index >= wide.triangles.size()) return "there are more triangles than were meant";
+            const LatticeTriangle& meant = mesh.triangles[wide.triangles[storage_index]];
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                if (is_same(leaf.vertices[leaf.corners[i][corner]], mesh.vertices[meant.corners[corner]])) continue;
+                return "triangle " + std::to_string(storage_index) + " is not the one that was meant (corner " +
+                       std::to_string(corner) + ")";
+            }
+        }
+        return std::nullopt;
+    };
+    TreeCounts counts;
+    if (auto complaint = check_tree(tree, check_leaf, counts)) return complaint;
+    if (counts.triangles != mesh.triangles.size() || counts.triangles != triangle_count) {
+        return "there are " + std::to_string(counts.triangles) + " triangles instead of " +
+               std::to_string(mesh.triangles.size());
+    }
+    if (counts.depth != wide.depth || counts.depth != detail::load_u8(blob.data() + header::depth_at)) {
+        return "the tree is " + std::to_string(counts.depth) + " nodes deep instead of " + std::to_string(wide.depth);
+    }
+    return std::nullopt;
+}
+
+}  // namespace espalier::baker

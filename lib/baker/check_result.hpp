@@ -1,0 +1,19 @@
+// Last stage, always on: what was written is read back and compared with what was meant.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "lattice_mesh.hpp"
+#include "order.hpp"
+
+namespace espalier::baker {
+
+/// Nothing, or what is wrong: every box holds all that is below it, every triangle is the intended one, corner by corner, and
+/// the header's counts are right.
+[[nodiscard]] std::optional<std::string> check_result(std::span<const std::byte> blob, const LatticeMesh& mesh,
+                                                      const WideTree& wide);
+
+}  // namespace espalier::baker

@@ -1,0 +1,109 @@
+#include "check_tree.hpp"
+
+#include <algorithm>
+
+namespace espalier::baker {
+
+namespace {
+
+constexpr const char* axis_names[3] = {"x", "y", "z"};
+
+class TreeWalk {
+public:
+    TreeWalk(const TreeBytes& tree, LeafCheck check_leaf, TreeCounts& counts)
+        : tree_(tree), check_leaf_(check_leaf), counts_(counts) {}
+
+    /// False after a complaint. `content` becomes the box of all vertices below. No deeper than format::max_depth.
+    bool visit(std::uint32_t number, unsigned depth, DecodedBox& content) {
+        if (depth > format::max_depth) return complain(number, "lies deeper than " + std::to_string(format::max_depth) + " nodes");
+        DecodedNode node;
+        if (!tree_.decode_node(number, node)) return complain(number, "is missing, or is no node");
+        if (node.children() == 0) return complain(number, "has no children");
+        if (node.first_child != (node.node_children == 0 ? 0 : counts_.nodes)) {
+            return complain(number, "has " + std::to_string(node.first_child) + " as its first child instead of " +
+                                        std::to_string(node.node_children == 0 ? 0 : counts_.nodes));
+        }
+        counts_.nodes += node.node_children;
+        counts_.depth = std::max(counts_.depth, depth);
+        std::array<DecodedBox, format::max_children> contents;
+        if (!visit_leaves(number, node, contents)) return false;
+        for (unsigned child = 0; child < node.node_children; ++child) {
+            if (!visit(node.first_child + child, depth + 1, contents[child])) return false;
+        }
+        content = contents[0];
+        for (unsigned child = 0; child < node.children(); ++child) {
+            if (!node.boxes[child].contains(contents[child])) return complain_about_box(number, child, node, contents[child]);
+            content.add(contents[child]);
+        }
+        return true;
+    }
+
+    std::optional<std::string> complaint;
+
+private:
+    bool visit_leaves(std::uint32_t number, const DecodedNode& node, std::array<DecodedBox, format::max_children>& contents) {
+        if (node.leaf_block != (node.leaves == 0 ? 0 : counts_.leaf_bytes)) {
+            return complain(number, "has its leaves at byte " + std::to_string(node.leaf_block) + " of the leaf section");
+        }
+        if (node.leaves == 0) return true;
+        std::size_t end = 0;
+        for (unsigned i = 0; i < node.leaves; ++i) {
+            DecodedLeaf leaf;
+            if (!tree_.decode_leaf(node, i, leaf)) return complain(number, "has a leaf that cannot be read");
+            if (leaf.first_triangle != counts_.triangles || (i != 0 && leaf.at != (end + 1) / 2 * 2)) {
+                return complain(number, "has a leaf out of its place");
+            }
+            contents[node.node_children + i] = leaf.box();
+            if (auto problem = check_leaf_(leaf)) return complain(number, "has a leaf in which " + *problem);
+            counts_.triangles += leaf.triangle_count;
+            end = leaf.at + leaf.bytes;
+        }
+        counts_.leaf_bytes = (end + 3) / 4 * 4;
+        return true;
+    }
+
+    bool complain(std::uint32_t number, const std::string& what) {
+        const std::size_t at = format::header::bytes + std::size_t{number} * format::fast_node::bytes;
+        complaint = "node " + std::to_string(number) + " (byte " + std::to_string(at) + ") " + what;
+        return false;
+    }
+
+    bool complain_about_box(std::uint32_t number, unsigned child, const DecodedNode& node, const DecodedBox& content) {
+        const DecodedBox& box = node.boxes[child];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (box.lo[axis] <= content.lo[axis] && content.hi[axis] <= box.hi[axis]) continue;
+            return complain(number, "does not hold what is below its child " + std::to_string(child) + ": on " +
+                                        axis_names[axis] + " the box goes from " + std::to_string(box.lo[axis]) + " to " +
+                                        std::to_string(box.hi[axis]) + ", the vertices from " +
+                                        std::to_string(content.lo[axis]) + " to " + std::to_string(content.hi[axis]));
+        }
+        return false;
+    }
+
+    const TreeBytes& tree_;
+    LeafCheck check_leaf_;
+    TreeCounts& counts_;
+};
+
+}  // namespace
+
+std::optional<std::string> check_tree(const TreeBytes& tree, LeafCheck check_leaf, TreeCounts& counts) {
+    counts = {};
+    if (!tree.nodes.empty()) {
+        counts.nodes = 1;
+        DecodedBox all;
+        TreeWalk walk(tree, check_leaf, counts);
+        if (!walk.visit(0, 1, all)) return walk.complaint;
+    }
+    if (counts.nodes * format::fast_node::bytes != tree.nodes.size()) {
+        return "the tree has " + std::to_string(counts.nodes) + " nodes, the node section " +
+               std::to_string(tree.nodes.size()) + " bytes";
+    }
+    if (counts.leaf_bytes != tree.leaves.size()) {
+        return "the leaves take " + std::to_string(counts.leaf_bytes) + " bytes, their section " +
+               std::to_string(tree.leaves.size());
+    }
+    return std::nullopt;
+}
+
+}  // namespace espalier::baker

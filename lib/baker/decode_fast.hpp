@@ -1,0 +1,58 @@
+// The baker's own reader of the profile `fast`, written from docs/format.md and shared with nothing that writes or queries, so
+// that it can testify to both. Reads nothing outside its sections: what would lie there reads as failure.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <espalier/format.hpp>
+
+namespace espalier::baker {
+
+using Coordinates = std::array<std::int32_t, 3>;
+
+struct DecodedBox {
+    Coordinates lo{};
+    Coordinates hi{};
+    [[nodiscard]] bool contains(const DecodedBox& other) const;
+    void add(const DecodedBox& other);
+};
+
+struct DecodedNode {
+    std::uint32_t first_child = 0;
+    std::uint32_t leaf_block = 0;  ///< in bytes
+    unsigned node_children = 0;
+    unsigned leaves = 0;
+    std::array<DecodedBox, format::max_children> boxes{};
+
+    [[nodiscard]] unsigned children() const { return node_children + leaves; }
+};
+
+struct DecodedLeaf {
+    std::size_t at = 0;     ///< of its data, in the leaf section
+    std::size_t bytes = 0;  ///< of its data
+    std::uint32_t first_triangle = 0;  ///< storage index
+    unsigned vertex_count = 0;
+    unsigned triangle_count = 0;
+    std::array<Coordinates, format::max_leaf_vertices> vertices{};
+    std::array<std::array<std::uint32_t, 3>, format::max_leaf_triangles> corners{};
+
+    [[nodiscard]] DecodedBox box() const;
+};
+
+/// The sections of a blob that hold its tree.
+struct TreeBytes {
+    std::span<const std::byte> nodes;
+    std::span<const std::byte> leaves;
+    unsigned bits = 1;
+
+    /// Node `number`; false when there is none or when it has more than max_children.
+    [[nodiscard]] bool decode_node(std::uint32_t number, DecodedNode& node) const;
+
+    /// Leaf `index` of a node; false when any of it lies outside, or a corner is no vertex.
+    [[nodiscard]] bool decode_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
+};
+
+}  // namespace espalier::baker

@@ -1,0 +1,110 @@
+#include "verify.hpp"
+
+#include <algorithm>
+
+#include <espalier/blob.hpp>
+
+#include "check_tree.hpp"
+#include "closed.hpp"
+#include "insertion_table.hpp"
+#include "lattice_mesh.hpp"
+#include "triangle_set.hpp"
+
+namespace espalier::baker {
+
+namespace {
+
+/// Gathers the leaves' triangles into one welded mesh, with a look at each.
+class Gatherer {
+public:
+    Gatherer(std::uint32_t triangle_count, std::size_t leaves_at)
+        : leaves_at_(leaves_at), points_(std::size_t{triangle_count} * 3), triangles_(triangle_count) {}
+
+    std::optional<std::string> add(const DecodedLeaf& leaf) {
+        std::array<std::uint32_t, format::max_leaf_vertices> numbers{};
+        for (unsigned i = 0; i < leaf.vertex_count; ++i) numbers[i] = weld(leaf.vertices[i]);
+        unsigned used = 0;
+        for (unsigned i = 0; i < leaf.triangle_count; ++i) {
+            const std::uint32_t index = leaf.first_triangle + i;
+            std::array<std::uint32_t, 3> corners{};
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const std::uint32_t vertex = leaf.corners[i][corner];
+                if (vertex > used) return about(index, leaf, "uses a vertex before the ones that are numbered lower");
+                used += vertex == used ? 1 : 0;
+                corners[corner] = numbers[vertex];
+            }
+            const auto [a, b, c] = corners;
+            if (is_collapsed(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c])) {
+                return about(index, leaf, "has no area");
+            }
+            const std::uint32_t same = triangles_.find_or_insert(corners);
+            if (same != index) return about(index, leaf, "is the same as triangle " + std::to_string(same));
+            mesh.triangles.push_back({corners, index});
+        }
+        if (used != leaf.vertex_count) return about(leaf.first_triangle, leaf, "is in a leaf with vertices that none uses");
+        return std::nullopt;
+    }
+
+    LatticeMesh mesh;
+
+private:
+    std::uint32_t weld(const Coordinates& at) {
+        const LatticePoint point{at[0], at[1], at[2]};
+        const auto number = points_.find_or_insert(hash_of(point), static_cast<std::uint32_t>(mesh.vertices.size()),
+                                                   [&](std::uint32_t other) { return mesh.vertices[other] == point; });
+        if (number == mesh.vertices.size()) mesh.vertices.push_back(point);
+        return number;
+    }
+    [[nodiscard]] std::string about(std::uint32_t triangle, const DecodedLeaf& leaf, const std::string& what) const {
+        return "triangle " + std::to_string(triangle) + " (leaf data at byte " + std::to_string(leaves_at_ + leaf.at) + ") " +
+               what;
+    }
+
+    std::size_t leaves_at_;
+    InsertionTable points_;
+    TriangleSet triangles_;
+};
+
+std::optional<std::string> check_extent(const Blob& blob, const LatticeMesh& mesh) {
+    if (mesh.vertices.empty()) return std::nullopt;
+    DecodedBox all{{mesh.vertices[0].x, mesh.vertices[0].y, mesh.vertices[0].z}, {}};
+    all.hi = all.lo;
+    for (const LatticePoint& point : mesh.vertices) all.add({{point.x, point.y, point.z}, {point.x, point.y, point.z}});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (all.lo[axis] == 0 && all.hi[axis] == blob.data().extent[axis]) continue;
+        return "the header (byte " + std::to_string(format::header::extent_at + 4 * axis) + ") says that axis " +
+               std::to_string(axis) + " goes from 0 to " + std::to_string(blob.data().extent[axis]) +
+               ", but its vertices go from " + std::to_string(all.lo[axis]) + " to " + std::to_string(all.hi[axis]);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
+    Blob blob;
+    if (const Status status = open(bytes, blob); status != Status::ok) return describe(status);
+    const detail::BlobData& data = blob.data();
+    const std::size_t node_bytes = std::size_t{data.node_count} * format::fast_node::bytes;
+    const std::size_t leaves_at = format::header::bytes + node_bytes;
+    const TreeBytes tree{bytes.subspan(format::header::bytes, node_bytes), bytes.subspan(leaves_at, data.leaf_bytes),
+                         data.bits};
+
+    Gatherer gatherer(blob.triangle_count(), leaves_at);
+    TreeCounts counts;
+    const auto gather = [&](const DecodedLeaf& leaf) { return gatherer.add(leaf); };
+    if (auto complaint = check_tree(tree, gather, counts)) return complaint;
+    const LatticeMesh& mesh = gatherer.mesh;
+    if (auto complaint = check_extent(blob, mesh)) return complaint;
+    if (mesh.vertices.size() != blob.vertex_count()) {
+        return "the header (byte " + std::to_string(format::header::vertex_count_at) + ") counts " +
+               std::to_string(blob.vertex_count()) + " vertices, but there are " + std::to_string(mesh.vertices.size());
+    }
+    if (is_closed(mesh) != blob.closed()) {
+        return std::string("the header (byte ") + std::to_string(format::header::features_at) + ") calls the mesh " +
+               (blob.closed() ? "closed, but it is not" : "open, but it is closed");
+    }
+    return std::nullopt;
+}
+
+}  // namespace espalier::baker
