@@ -63,7 +63,9 @@ int Rational::exponent() const {
 
 std::string Rational::to_string() const {
     std::string text = numerator_.to_string();
-    if (denominator_ != BigInteger(1)) text += "/" + denominator_.to_string();
+    if (denominator_ == BigInteger(1)) return text;
+    text += '/';
+    text += denominator_.to_string();
     return text;
 }
 

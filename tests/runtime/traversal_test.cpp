@@ -1,0 +1,142 @@
+// The tree changes nothing: every query, on every instruction set, gives the bits that the loop over all triangles gives.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "../support/differences.hpp"
+#include "../support/instruction_paths.hpp"
+#include "../support/mesh_files.hpp"
+#include "../support/query_maker.hpp"
+#include "../support/test_blobs.hpp"
+#include "../support/test_scale.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+void check_rays_of_kind(const std::vector<TestBlob>& blobs, RayKind kind, std::uint64_t count) {
+    std::uint64_t hits = 0;
+    for (const TestBlob& blob : blobs) {
+        CAPTURE(blob.name);
+        const TriangleLoop loop(blob.decoded);
+        QueryMaker maker(blob.decoded, 100 + static_cast<std::uint64_t>(kind));
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Ray ray = maker.ray(kind);
+            if (maker.random().below(3) == 0) maker.restrict(ray);
+            const auto difference = ray_difference(blob.opened.blob, loop, ray, hits);
+            REQUIRE_MESSAGE(!difference, *difference);
+        }
+    }
+    // Queries that all miss would prove nothing.
+    CHECK(hits > count * blobs.size() / 5);
+}
+
+void check_spheres(const std::vector<TestBlob>& blobs, std::uint64_t count) {
+    for (const TestBlob& blob : blobs) {
+        CAPTURE(blob.name);
+        const TriangleLoop loop(blob.decoded);
+        QueryMaker maker(blob.decoded, 200);
+        std::uint64_t hits = 0;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const auto difference = sphere_difference(blob.opened.blob, loop, maker.sphere(), hits);
+            REQUIRE_MESSAGE(!difference, *difference);
+        }
+        CHECK(hits > count / 10);
+    }
+}
+
+struct RealMesh {
+    const char* file;
+    std::uint64_t rays;
+};
+/// Times a scale of 1,000 these are the counts that a release must show.
+constexpr std::array real_meshes = {RealMesh{"bunny.obj", 1'000}, RealMesh{"fandisk.obj", 100}, RealMesh{"dragon.ply", 10}};
+
+/// The counts of a named mesh, and 100 for any other file of the folder.
+std::uint64_t ray_count(const std::string& file) {
+    const auto known = std::find_if(real_meshes.begin(), real_meshes.end(), [&](const RealMesh& m) { return file == m.file; });
+    return scaled(known == real_meshes.end() ? 100 : known->rays);
+}
+
+}  // namespace
+
+TEST_SUITE("traversal against the loop") {
+    TEST_CASE("rays in all directions: every path equals the loop") {
+        for (const InstructionPath& path : instruction_paths()) MESSAGE("instruction set: ", std::string(path.name));
+        check_rays_of_kind(small_test_blobs(), RayKind::incoherent, scaled(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::incoherent, scaled(100));
+    }
+    TEST_CASE("rays through vertices: every path equals the loop") {
+        check_rays_of_kind(small_test_blobs(), RayKind::through_vertex, scaled(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::through_vertex, scaled(100));
+    }
+    TEST_CASE("rays through the middles of sides: every path equals the loop") {
+        check_rays_of_kind(small_test_blobs(), RayKind::through_edge, scaled(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::through_edge, scaled(100));
+    }
+    TEST_CASE("axis-parallel rays: every path equals the loop") {
+        check_rays_of_kind(small_test_blobs(), RayKind::axis_parallel, scaled(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::axis_parallel, scaled(100));
+    }
+    TEST_CASE("diagonal rays: every path equals the loop") {
+        check_rays_of_kind(small_test_blobs(), RayKind::diagonal, scaled(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::diagonal, scaled(100));
+    }
+    TEST_CASE("rays along sides: every path equals the loop") {
+        check_rays_of_kind(small_test_blobs(), RayKind::in_plane, scaled(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::in_plane, scaled(100));
+    }
+    TEST_CASE("rays that start on a face: every path equals the loop") {
+        check_rays_of_kind(small_test_blobs(), RayKind::from_face, scaled(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::from_face, scaled(100));
+    }
+    TEST_CASE("rays from 10^4 sizes away: every path equals the loop") {
+        check_rays_of_kind(small_test_blobs(), RayKind::far_ten_thousand, scaled(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::far_ten_thousand, scaled(100));
+    }
+    TEST_CASE("rays from 10^6 sizes away: every path equals the loop") {
+        check_rays_of_kind(small_test_blobs(), RayKind::far_million, scaled(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::far_million, scaled(100));
+    }
+    TEST_CASE("spheres and closest points: every path equals the loop") {
+        check_spheres(small_test_blobs(), scaled(400));
+        check_spheres(medium_test_blobs(), scaled(60));
+    }
+
+    TEST_CASE("real meshes: rays, spheres and closest points equal the loop") {
+        const auto files = mesh_files();
+        if (files.empty()) {
+            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
+            return;
+        }
+        for (const auto& file : files) {
+            CAPTURE(file.filename().string());
+            const TestBlob blob = [&] {
+                OpenedBlob opened(read_mesh(file));
+                DecodedBlob decoded = decode(opened.bytes);
+                return TestBlob{file.filename().string(), std::move(opened), std::move(decoded)};
+            }();
+            const TriangleLoop loop(blob.decoded);
+            QueryMaker maker(blob.decoded, 300);
+            const std::uint64_t count = ray_count(blob.name);
+            std::uint64_t hits = 0;
+            for (std::uint64_t i = 0; i < count; ++i) {
+                Ray ray = maker.any_ray();
+                if (maker.random().below(4) == 0) maker.restrict(ray);
+                const auto difference = ray_difference(blob.opened.blob, loop, ray, hits);
+                REQUIRE_MESSAGE(!difference, *difference);
+            }
+            std::uint64_t found = 0;
+            for (std::uint64_t i = 0; i < (count + 9) / 10; ++i) {
+                const auto difference = sphere_difference(blob.opened.blob, loop, maker.sphere(), found);
+                REQUIRE_MESSAGE(!difference, *difference);
+            }
+            MESSAGE(blob.name, ": ", count, " rays and ", (count + 9) / 10, " spheres equal the loop; ", hits,
+                    " triangles hit, ", found, " overlapped");
+            CHECK(hits > 0);
+        }
+    }
+}

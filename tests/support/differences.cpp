@@ -1,0 +1,143 @@
+#include "differences.hpp"
+
+#include <vector>
+
+#include <espalier/nearest.hpp>
+
+#include "instruction_paths.hpp"
+#include "query_maker.hpp"
+#include "same_bits.hpp"
+
+namespace espalier::tests {
+
+namespace {
+
+bool third_is_left_out(std::uint32_t index) { return index % 3 != 2; }
+
+/// A RayHit from what the loop found, by the runtime's own translation: the traversal, not the translation, is compared.
+RayHit to_hit(const detail::LatticeRay& rounded, const detail::FoundHit& found, const Ray& ray) {
+    const detail::HitSurface surface = detail::surface_of_hit(rounded, found.triangle);
+    return {detail::to_t(rounded, found.tau, ray), surface.u, surface.v, surface.normal, Triangle{found.index}};
+}
+
+struct RayQuestion {
+    const Blob& blob;
+    const TriangleLoop& loop;
+    const Ray& ray;
+    detail::LatticeRay rounded;
+};
+
+std::string difference(const RayQuestion& question, const char* path, const char* what) {
+    return std::string(path) + ": " + what + " differs: " + describe(question.ray);
+}
+
+std::optional<std::string> closest_difference(const RayQuestion& question, bool filtered) {
+    const auto expected = question.loop.closest_hit(question.rounded, filtered ? third_is_left_out : nullptr);
+    const auto keep = [](Triangle triangle) { return third_is_left_out(triangle.index); };
+    const TriangleFilter filter = keep;
+    const detail::BlobData& data = question.blob.data();
+    for (const InstructionPath& path : instruction_paths()) {
+        detail::FoundHit found{};
+        const bool hit = path.closest_hit(data, question.rounded, filtered ? &filter : nullptr, found);
+        if (hit != expected.has_value()) return difference(question, path.name, "whether there is a closest hit");
+        if (hit && !same_bits(found, *expected)) return difference(question, path.name, "the closest hit");
+        if (path.any_hit(data, question.rounded, filtered ? &filter : nullptr) != hit) {
+            return difference(question, path.name, "whether there is any hit");
+        }
+    }
+    RayHit hit;
+    const bool found = filtered ? raycast(question.blob, question.ray, hit, filter) : raycast(question.blob, question.ray, hit);
+    if (found != expected.has_value()) return difference(question, "raycast", "whether there is a hit");
+    if (found && !same_bits(hit, to_hit(question.rounded, *expected, question.ray))) {
+        return difference(question, "raycast", "the hit");
+    }
+    const bool any = filtered ? occluded(question.blob, question.ray, filter) : occluded(question.blob, question.ray);
+    if (any != found) return difference(question, "occluded", "the answer");
+    return std::nullopt;
+}
+
+std::optional<std::string> every_difference(const RayQuestion& question, std::uint64_t& hits) {
+    const std::vector<detail::FoundHit> expected = question.loop.every_hit(question.rounded);
+    hits += expected.size();
+    for (const InstructionPath& path : instruction_paths()) {
+        std::size_t seen = 0;
+        const bool all = path.every_hit(question.blob.data(), question.rounded, [&](const detail::FoundHit& hit) {
+            if (seen >= expected.size() || !same_bits(hit, expected[seen])) return stop;
+            ++seen;
+            return keep_going;
+        });
+        if (!all || seen != expected.size()) return difference(question, path.name, "the row of all hits");
+    }
+    std::size_t seen = 0;
+    const bool all = for_each_hit(question.blob, question.ray, [&](const RayHit& hit) {
+        if (seen >= expected.size()) return stop;
+        if (!same_bits(hit, to_hit(question.rounded, expected[seen], question.ray))) return stop;
+        ++seen;
+        return keep_going;
+    });
+    if (!all || seen != expected.size()) return difference(question, "for_each_hit", "the row of all hits");
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::uint64_t& hits) {
+    RayQuestion question{blob, loop, ray, {}};
+    if (!detail::round_ray(blob.data(), ray, question.rounded)) {
+        RayHit hit;
+        if (raycast(blob, ray, hit) || occluded(blob, ray)) return difference(question, "raycast", "a refused ray's answer");
+        return std::nullopt;
+    }
+    if (auto found = closest_difference(question, false)) return found;
+    if (auto found = closest_difference(question, true)) return found;
+    return every_difference(question, hits);
+}
+
+std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere,
+                                             std::uint64_t& hits) {
+    const auto difference_at = [&](const char* path, const char* what) {
+        return std::string(path) + ": " + what + " differs: " + describe(sphere);
+    };
+    detail::LatticePoint rounded;
+    Nearest nearest;
+    if (!detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) {
+        if (overlaps(blob, sphere) || closest_point(blob, sphere.center, sphere.radius, nearest)) {
+            return difference_at("overlaps", "a refused sphere's answer");
+        }
+        return std::nullopt;
+    }
+    const std::vector<std::uint32_t> expected = loop.every_overlap(rounded);
+    const auto closest = loop.closest_triangle(rounded);
+    hits += expected.size();
+    const auto matches = [&](auto&& enumerate) {
+        std::size_t seen = 0;
+        const bool all = enumerate([&](Triangle triangle) {
+            if (seen >= expected.size() || triangle.index != expected[seen]) return stop;
+            ++seen;
+            return keep_going;
+        });
+        return all && seen == expected.size();
+    };
+    for (const InstructionPath& path : instruction_paths()) {
+        if (path.any_overlap(blob.data(), rounded) == expected.empty()) return difference_at(path.name, "any overlap");
+        if (!matches([&](auto visit) { return path.every_overlap(blob.data(), rounded, visit); })) {
+            return difference_at(path.name, "the row of all overlaps");
+        }
+        detail::FoundNearest found{};
+        if (path.closest_triangle(blob.data(), rounded, found) != closest.has_value()) {
+            return difference_at(path.name, "whether there is a closest triangle");
+        }
+        if (closest && !same_bits(found, *closest)) return difference_at(path.name, "the closest triangle");
+    }
+    if (overlaps(blob, sphere) == expected.empty()) return difference_at("overlaps", "the answer");
+    if (!matches([&](auto visit) { return for_each_overlap(blob, sphere, visit); })) {
+        return difference_at("for_each_overlap", "the row of all overlaps");
+    }
+    if (closest_point(blob, sphere.center, sphere.radius, nearest) != closest.has_value()) {
+        return difference_at("closest_point", "whether there is one");
+    }
+    if (closest && nearest.triangle.index != closest->index) return difference_at("closest_point", "the triangle");
+    return std::nullopt;
+}
+
+}  // namespace espalier::tests

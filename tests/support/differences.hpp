@@ -1,0 +1,23 @@
+// One query, asked of every instruction set and of the public functions, against the loop over all triangles.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <espalier/blob.hpp>
+#include <espalier/overlap.hpp>
+#include <espalier/ray.hpp>
+
+#include "triangle_loop.hpp"
+
+namespace espalier::tests {
+
+/// What differs first, in bits; nothing when all agree. `hits` grows by the number of triangles that the ray hits.
+std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::uint64_t& hits);
+
+/// The same for overlaps, and for the closest point within the radius of the centre.
+std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere,
+                                             std::uint64_t& hits);
+
+}  // namespace espalier::tests
