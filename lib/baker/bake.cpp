@@ -11,10 +11,9 @@
 #include "collapse.hpp"
 #include "cost_model.hpp"
 #include "encode.hpp"
+#include "fit_lattice.hpp"
 #include "lattice.hpp"
-#include "measure_error.hpp"
 #include "order.hpp"
-#include "snap.hpp"
 
 namespace espalier {
 
@@ -63,10 +62,10 @@ Result<Baked, BakeError> bake_with_cost_model(std::span<const MeshView> meshes, 
     auto source = check_input(meshes, options, report);
     if (!source) return source.error();
     const SourceBounds bounds = bounds_of(*source);
-    auto lattice = lattice_for_bits(bounds, options.bits);
-    if (!lattice) return lattice.error();
-    const LatticeMesh mesh = snap_and_weld(*source, *lattice, report);
-    const Properties properties{measure_error(*source, mesh), is_closed(mesh)};
+    const auto fitted = fit_lattice(*source, bounds, options, report);
+    if (!fitted) return fitted.error();
+    const LatticeMesh& mesh = fitted->mesh;
+    const Properties properties{fitted->error.largest, is_closed(mesh)};
     const BinaryTree tree = build_sah(mesh, build_settings(options.effort, options.threads));
     const CollapsePlan plan(mesh, tree, cost_model);
     const WideTree wide = put_in_order(mesh, tree, plan);

@@ -12,8 +12,11 @@ namespace {
 
 constexpr double half_diagonal = 0x1.bb67ae8584cabp-1;  // sqrt(3) / 2, rounded up: how far from a lattice point one can be
 
+constexpr int far_too_fine = -1000;  // below this no float32 extent has few enough steps, nor could they be counted
+
 /// Bits of the largest coordinate that the bounds have on this lattice.
 unsigned bits_needed(const SourceBounds& bounds, int step_exponent) {
+    if (step_exponent < far_too_fine) return unsigned{format::max_bits} + 1;
     const double reciprocal_step = std::ldexp(1.0, -step_exponent);
     const double largest = std::max({snap_coordinate(bounds.max.x, bounds.min.x, reciprocal_step),
                                      snap_coordinate(bounds.max.y, bounds.min.y, reciprocal_step),

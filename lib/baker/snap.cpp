@@ -12,13 +12,15 @@ namespace {
 /// The lattice points of all positions that a triangle with an area uses, numbered without repetition.
 class VertexWelder {
 public:
-    VertexWelder(const Source& source, const Lattice& lattice, std::vector<LatticePoint>& vertices)
+    VertexWelder(const Source& source, const Lattice& lattice, LatticeMesh& mesh)
         : source_(source),
           origin_(lattice.origin),
           reciprocal_step_(std::ldexp(1.0, -lattice.step_exponent)),
-          vertices_(vertices),
-          table_(source.positions.size()),
-          welded_(source.positions.size(), InsertionTable::none) {}
+          vertices_(mesh.vertices),
+          welded_(mesh.vertex_of_position),
+          table_(source.positions.size()) {
+        welded_.assign(source.positions.size(), InsertionTable::none);
+    }
 
     std::uint32_t weld(std::uint32_t position) {
         std::uint32_t& vertex = welded_[position];
@@ -42,8 +44,8 @@ private:
     Vec3 origin_;
     double reciprocal_step_;
     std::vector<LatticePoint>& vertices_;
+    std::vector<std::uint32_t>& welded_;
     InsertionTable table_;
-    std::vector<std::uint32_t> welded_;
 };
 
 /// Keeps the first of equal triangles.
@@ -100,16 +102,15 @@ LatticeMesh snap_and_weld(const Source& source, const Lattice& lattice, BakeRepo
     report.collapsed = {};
     report.duplicate = {};
     {
-        VertexWelder welder(source, lattice, mesh.vertices);
+        VertexWelder welder(source, lattice, mesh);
         for (const SourceTriangle& triangle : source.triangles) {
             const auto a = welder.weld(triangle.corners[0]);
             const auto b = welder.weld(triangle.corners[1]);
             const auto c = welder.weld(triangle.corners[2]);
-            const LatticeTriangle snapped{{a, b, c}, triangle.original_id};
             if (is_collapsed(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c])) {
-                mesh.collapsed.push_back(snapped);
+                mesh.collapsed.push_back(triangle);
             } else {
-                mesh.triangles.push_back(snapped);
+                mesh.triangles.push_back({{a, b, c}, triangle.original_id});
             }
         }
     }
