@@ -14,6 +14,7 @@
 #include "fit_lattice.hpp"
 #include "lattice.hpp"
 #include "order.hpp"
+#include "progress.hpp"
 
 namespace espalier {
 
@@ -56,22 +57,41 @@ BakeError internal_error(const std::string& complaint) {
 Result<Baked, BakeError> bake_with_cost_model(std::span<const MeshView> meshes, const BakeOptions& options,
                                               const CostModel& cost_model) {
     const auto start = std::chrono::steady_clock::now();
+    const Progress progress(options.progress);
     Baked baked;
     BakeReport& report = baked.report;
     if (auto error = check_options(options)) return *error;
-    auto source = check_input(meshes, options, report);
+
+    progress.begin(stages::check);
+    const auto source = check_input(meshes, options, report);
     if (!source) return source.error();
+
+    progress.begin(stages::snap);
     const SourceBounds bounds = bounds_of(*source);
     const auto fitted = fit_lattice(*source, bounds, options, report);
     if (!fitted) return fitted.error();
     const LatticeMesh& mesh = fitted->mesh;
     const Properties properties{fitted->error.largest, is_closed(mesh)};
-    const BinaryTree tree = build_sah(mesh, build_settings(options.effort, options.threads));
+
+    progress.begin(stages::build);
+    BuildSettings settings = build_settings(options.effort, options.threads);
+    settings.progress = progress.within(stages::build);
+    const BinaryTree tree = build_sah(mesh, settings);
+
+    progress.begin(stages::collapse);
     const CollapsePlan plan(mesh, tree, cost_model);
+
+    progress.begin(stages::order);
     const WideTree wide = put_in_order(mesh, tree, plan);
+
+    progress.begin(stages::encode);
     auto blob = encode(*source, mesh, tree, wide, options, properties);
     if (!blob) return blob.error();
+
+    progress.begin(stages::verify);
     if (auto complaint = check_result(*blob, mesh, wide)) return internal_error(*complaint);
+    progress.finish();
+
     baked.blob = std::move(*blob);
     fill_in(report, bounds, mesh, wide, properties, baked.blob.size());
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
