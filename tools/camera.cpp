@@ -12,7 +12,7 @@ namespace espalier::tools {
 namespace {
 
 constexpr double field_of_view = 32.0;  // degrees, of the shorter side
-constexpr float margin = 1.06f;
+constexpr float margin = 1.12f;
 
 float radians(double degrees) { return static_cast<float>(degrees * std::numbers::pi / 180.0); }
 

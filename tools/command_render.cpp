@@ -37,9 +37,9 @@ PictureSize picture_size(const std::string& input) {
     const auto height = times ? std::from_chars(width.ptr + 1, end, size.height) : width;
     const auto sound = [](unsigned side) { return side >= 1 && side <= largest_side; };
     if (!times || height.ec != std::errc{} || height.ptr != end || !sound(size.width) || !sound(size.height)) {
-        throw CommandError(ExitCode::usage, text("--size '", printable(input),
-                                                 "': write width and height such as 1280x720, each from 1 to ",
-                                                 largest_side, '.'));
+        throw CommandError(ExitCode::usage,
+                           text("--size '", printable(input),
+                                "': write width and height such as 1280x720, each from 1 to ", largest_side, '.'));
     }
     return size;
 }

@@ -1,5 +1,4 @@
 // verify: is this blob sound, and is it the mesh it was baked from?
-#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -29,10 +28,13 @@ struct Verification {
 };
 
 std::string source_failure(const Blob& blob, const SourceCheck& check) {
+    if (blob.triangle_count() == 0 && check.triangles_with_area > 0) {
+        return text("the blob is empty, but the source has ", counted(check.triangles_with_area, "triangle"),
+                    " with area. Is it this source?");
+    }
     if (check.too_far == 0) return {};
-    if (blob.triangle_count() == 0) return "the blob is empty, and the source has triangles.";
     return text(check.too_far, " of ", counted(check.checked, "source vertex"),
-                " lie farther from the baked surface than ", "its max error ", shortest(blob.max_error()),
+                " lie farther from the baked surface than its max error ", shortest(blob.max_error()),
                 "; the farthest, at ", rounded(check.worst_distance), ": ", check.worst,
                 ". Is it this source, with the --unit, --scale and --up that it was baked with?");
 }
@@ -46,12 +48,9 @@ void print_result_json(const VerifyArguments& arguments, const Verification& res
     document["deep"] = result.deep;
     if (result.source) {
         const SourceCheck& check = *result.source;
-        document["source"] = {
-            {"vertices", check.vertices},
-            {"checked", check.checked},
-            {"too_far", check.too_far},
-            {"worst_distance", std::isfinite(check.worst_distance) ? Json(check.worst_distance) : Json()},
-            {"worst", check.worst}};
+        document["source"] = {{"vertices", check.vertices}, {"checked", check.checked},
+                              {"too_far", check.too_far},   {"worst_distance", check.worst_distance},
+                              {"worst", check.worst},       {"measuring_error", check.measuring_error}};
     }
     document["failure"] = result.failure.empty() ? Json() : Json(result.failure);
     print_json(document);
@@ -65,7 +64,8 @@ void print_result(const VerifyArguments& arguments, const BlobFile& file, const 
     if (result.source) {
         std::cout << "  source: " << counted(result.source->checked, "vertex") << " of " << result.source->vertices
                   << " within max error " << shortest(file.blob.max_error()) << ", farthest "
-                  << rounded(result.source->worst_distance) << '\n';
+                  << rounded(result.source->worst_distance) << " (measured to "
+                  << rounded(result.source->measuring_error, 2) << ")\n";
     }
     finish_standard_output();
 }
@@ -82,7 +82,7 @@ ExitCode run_verify(const VerifyArguments& arguments) {
     if (result.status != Status::ok) result.failure = refusal_text(arguments.blob, result.status);
     if (result.failure.empty() && arguments.deep) {
         result.deep = true;
-        if (const auto broken = verify_deep(file.bytes)) {
+        if (const auto broken = baker::verify_deep(file.bytes)) {
             result.failure = text("'", printable(arguments.blob), "': ", *broken, " Bake it again.");
         }
     }

@@ -16,6 +16,7 @@
 
 #include <espalier/format.hpp>
 
+#include "crash_guard.hpp"
 #include "exit_code.hpp"
 #include "numbers.hpp"
 
@@ -37,6 +38,14 @@ void require_readable(const std::string& path) {
     if (reason == nullptr) return;
     throw CommandError(ExitCode::file_access,
                        text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."));
+}
+
+/// assimp's reasons end with a full stop or without, or are missing.
+std::string sentence(const char* reason) {
+    std::string result = printable(reason);
+    if (result.empty()) return "the importer gives no reason.";
+    if (result.back() != '.' && result.back() != '!') result += '.';
+    return result;
 }
 
 Placement placement_of(const aiMatrix4x4& matrix) {
@@ -205,15 +214,15 @@ private:
 
 void import_file(const std::string& path, const ImportOptions& options, Imported& imported) {
     require_readable(path);
+    const CrashGuard guard(path);
     Assimp::Importer importer;
     // A skeleton without a skin would come as an invented mesh; it has no surface.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     // Nothing but triangles is asked for: welding and dropping is the baker's work, which counts what it does.
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
     if (scene == nullptr) {
-        const char* reason = importer.GetErrorString();
         throw CommandError(ExitCode::invalid_input,
-                           text("'", printable(path), "' cannot be imported: ", printable(reason),
+                           text("'", printable(path), "' cannot be imported: ", sentence(importer.GetErrorString()),
                                 " Is it a mesh file, whole, and named with its format's ending?"));
     }
     ImportedFile file;

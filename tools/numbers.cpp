@@ -36,7 +36,8 @@ std::optional<float> parse_float(const std::string& text) { return parsed(text, 
 
 std::string counted(unsigned long long count, std::string_view singular) {
     if (count == 1) return text(count, ' ', singular);
-    return singular == "vertex" ? text(count, " vertices") : text(count, ' ', singular, 's');
+    if (singular.ends_with("vertex")) return text(count, ' ', singular.substr(0, singular.size() - 2), "ices");
+    return text(count, ' ', singular, 's');
 }
 
 std::string printable(std::string_view name) {

@@ -17,56 +17,66 @@ constexpr std::uint64_t most_checked = 100'000;
 
 bool is_finite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
-/// The vertices that some triangle uses, each once, ascending.
-std::vector<std::uint32_t> used_vertices(const ImportedMesh& mesh) {
+bool has_area(Vec3 a, Vec3 b, Vec3 c) {
+    const double u[3] = {double{b.x} - double{a.x}, double{b.y} - double{a.y}, double{b.z} - double{a.z}};
+    const double v[3] = {double{c.x} - double{a.x}, double{c.y} - double{a.y}, double{c.z} - double{a.z}};
+    return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
+}
+
+/// The vertices that some sound triangle uses, each once, ascending.
+std::vector<std::uint32_t> used_vertices(const ImportedMesh& mesh, SourceCheck& check) {
     std::vector<bool> used(mesh.positions.size());
     for (const TriangleVertices& triangle : mesh.triangles) {
-        const auto within = [&](std::uint32_t index) {
-            return index < used.size() && is_finite(mesh.positions[index]);
-        };
-        if (!std::all_of(triangle.begin(), triangle.end(), within)) continue;
+        const auto sound = [&](std::uint32_t index) { return index < used.size() && is_finite(mesh.positions[index]); };
+        if (!std::all_of(triangle.begin(), triangle.end(), sound)) continue;
         for (const std::uint32_t index : triangle) used[index] = true;
+        const auto corner = [&](std::size_t number) { return mesh.positions[triangle[number]]; };
+        if (has_area(corner(0), corner(1), corner(2))) ++check.triangles_with_area;
     }
     std::vector<std::uint32_t> result;
     for (std::uint32_t index = 0; index < used.size(); ++index) {
         if (used[index]) result.push_back(index);
     }
+    check.vertices += result.size();
     return result;
 }
 
-/// How far the measured distance may lie above the true one: closest_point rounds the point onto its own grid, and its
-/// answer by some ulp of the coordinates (nearest.hpp).
-double measuring_error(const Blob& blob, Vec3 point) {
+/// How far the measured distance may lie above the true one: closest_point rounds the point onto its own grid, which is
+/// finer than the lattice as long as float32 can carry it, and its answer by some ulp of the coordinates (nearest.hpp).
+double measuring_error_at(const Blob& blob, Vec3 point) {
     const double largest = std::max({std::abs(double{point.x}), std::abs(double{point.y}), std::abs(double{point.z})});
+    const int finer_by = std::clamp(22 - static_cast<int>(blob.bits()), 0, 6);
     const double spacing = double{std::numeric_limits<float>::epsilon()};
-    return double{blob.step()} / 64.0 + 8.0 * spacing * (largest + double{blob.max_error()});
+    return std::ldexp(double{blob.step()}, -finer_by) + 8.0 * spacing * (largest + double{blob.max_error()});
+}
+
+void check_vertex(const Blob& blob, const ImportedMesh& mesh, std::uint32_t vertex, SourceCheck& check) {
+    const Vec3 point = mesh.positions[vertex];
+    Nearest nearest;
+    const bool found = closest_point(blob, point, std::numeric_limits<float>::infinity(), nearest);
+    const double distance = found ? double{nearest.distance} : std::numeric_limits<double>::infinity();
+    const double error = measuring_error_at(blob, point);
+    ++check.checked;
+    if (distance > double{blob.max_error()} + error) ++check.too_far;
+    check.measuring_error = std::max(check.measuring_error, error);
+    if (distance > check.worst_distance) {
+        check.worst_distance = distance;
+        check.worst = text(mesh.name, ", vertex ", vertex);
+    }
 }
 
 }  // namespace
 
 SourceCheck check_source(const Blob& blob, const Imported& source) {
-    std::vector<std::vector<std::uint32_t>> used;
     SourceCheck check;
-    for (const ImportedMesh& mesh : source.meshes) {
-        used.push_back(used_vertices(mesh));
-        check.vertices += used.back().size();
-    }
+    std::vector<std::vector<std::uint32_t>> used;
+    for (const ImportedMesh& mesh : source.meshes) used.push_back(used_vertices(mesh, check));
+    if (blob.triangle_count() == 0) return check;
     const std::uint64_t stride = std::max<std::uint64_t>(1, (check.vertices + most_checked - 1) / most_checked);
     std::uint64_t number = 0;
     for (std::size_t i = 0; i < used.size(); ++i) {
         for (const std::uint32_t vertex : used[i]) {
-            if (number++ % stride != 0) continue;
-            const ImportedMesh& mesh = source.meshes[i];
-            const Vec3 point = mesh.positions[vertex];
-            Nearest nearest;
-            const bool found = closest_point(blob, point, std::numeric_limits<float>::infinity(), nearest);
-            const double distance = found ? double{nearest.distance} : std::numeric_limits<double>::infinity();
-            ++check.checked;
-            if (distance > double{blob.max_error()} + measuring_error(blob, point)) ++check.too_far;
-            if (distance > check.worst_distance) {
-                check.worst_distance = distance;
-                check.worst = text(mesh.name, ", vertex ", vertex);
-            }
+            if (number++ % stride == 0) check_vertex(blob, source.meshes[i], vertex, check);
         }
     }
     return check;
