@@ -1,0 +1,101 @@
+// Claims about spheres against a surface as the header words them.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <espalier/overlap.hpp>
+
+#include "../support/mesh_makers.hpp"
+#include "../support/query_maker.hpp"
+#include "../support/test_blobs.hpp"
+#include "../support/test_scale.hpp"
+#include "exact_query.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using oracle::Rational;
+
+namespace {
+
+std::uint32_t count_overlaps(const Blob& blob, const Sphere& sphere) {
+    std::uint32_t count = 0;
+    CHECK(for_each_overlap(blob, sphere, [&](Triangle) { return ++count, keep_going; }));
+    return count;
+}
+
+}  // namespace
+
+TEST_SUITE("queries against the oracle") {
+    TEST_CASE("spheres: every overlapping triangle and no other, touching counts") {
+        const std::uint64_t count = scaled(30);
+        std::uint64_t overlapping = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 700);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                const Sphere sphere = maker.sphere();
+                CAPTURE(describe(sphere));
+                detail::LatticePoint rounded;
+                if (!detail::round_point(blob.opened.blob.data(), sphere.center, sphere.radius, rounded)) {
+                    REQUIRE_FALSE(overlaps(blob.opened.blob, sphere));
+                    continue;
+                }
+                const oracle::Point center = exact_center(rounded);
+                std::vector<std::uint32_t> expected;
+                for (std::uint32_t index = 0; index < blob.decoded.triangles.size(); ++index) {
+                    const auto closest = oracle::closest_on_triangle(exact_triangle(blob.decoded.triangles[index]), center);
+                    const bool within = std::isinf(rounded.radius) ||
+                                        closest.squared_distance <= Rational::of(rounded.radius) * Rational::of(rounded.radius);
+                    if (within) expected.push_back(index);
+                }
+                std::vector<std::uint32_t> actual;
+                for_each_overlap(blob.opened.blob, sphere, [&](Triangle t) { return actual.push_back(t.index), keep_going; });
+                REQUIRE(actual == expected);
+                REQUIRE(overlaps(blob.opened.blob, sphere) == !expected.empty());
+                overlapping += expected.size();
+            }
+        }
+        CHECK(overlapping > count);
+    }
+}
+
+TEST_SUITE("spheres") {
+    TEST_CASE("touching counts, to the last bit") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        CHECK(overlaps(cube.blob, {{0.25f, 0.5f, 3.0f}, 2.0f}));
+        CHECK_FALSE(overlaps(cube.blob, {{0.25f, 0.5f, 3.0f}, std::nextafter(2.0f, 0.0f)}));
+        // From a corner: 3, 4, 12 and 13.
+        CHECK(overlaps(cube.blob, {{4.0f, 5.0f, 13.0f}, 13.0f}));
+        CHECK_FALSE(overlaps(cube.blob, {{4.0f, 5.0f, 13.0f}, std::nextafter(13.0f, 0.0f)}));
+    }
+
+    TEST_CASE("the triangles are a surface: a sphere inside a closed mesh that touches none overlaps none") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        CHECK_FALSE(overlaps(cube.blob, {{0.0f, 0.0f, 0.0f}, 0.875f}));
+        CHECK(count_overlaps(cube.blob, {{0.0f, 0.0f, 0.0f}, 1.0f}) == 12);
+    }
+
+    TEST_CASE("radius 0 is a point, an infinite radius is everything, a negative one and a NaN are nothing") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        const float infinity = std::numeric_limits<float>::infinity();
+        const float nan = std::numeric_limits<float>::quiet_NaN();
+        CHECK(overlaps(cube.blob, {{0.25f, 0.5f, 1.0f}, 0.0f}));
+        CHECK(overlaps(cube.blob, {{0.25f, 0.5f, 1.0f}, -0.0f}));
+        CHECK_FALSE(overlaps(cube.blob, {{0.25f, 0.5f, 1.5f}, 0.0f}));
+        CHECK(count_overlaps(cube.blob, {{1e30f, 0.0f, 0.0f}, infinity}) == 12);
+        CHECK_FALSE(overlaps(cube.blob, {{0.0f, 0.0f, 1.0f}, -1.0f}));
+        CHECK_FALSE(overlaps(cube.blob, {{0.0f, 0.0f, 1.0f}, nan}));
+        CHECK_FALSE(overlaps(cube.blob, {{0.0f, nan, 1.0f}, 1.0f}));
+        CHECK_FALSE(overlaps(cube.blob, {{0.0f, infinity, 1.0f}, infinity}));
+        CHECK_FALSE(overlaps(Blob(), {{0.0f, 0.0f, 0.0f}, infinity}));
+    }
+
+    TEST_CASE("a visitor that stops is not called again and the walk says so") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        int calls = 0;
+        const Sphere all{{0.0f, 0.0f, 0.0f}, 10.0f};
+        CHECK_FALSE(for_each_overlap(cube.blob, all, [&](Triangle) { return ++calls == 5 ? stop : keep_going; }));
+        CHECK(calls == 5);
+    }
+}
