@@ -8,9 +8,11 @@ core=$1 host_program=$2 blobs=$3 build=$4 cmake=$5
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 questions=50
 
+# What the README promises for these cores, in bytes.
+stack_budget=2560
 case $core in
-    m0) board=microbit ;;
-    m4f) board=mps2-an386 ;;
+    m0) board=microbit ray_code_budget=20480 ;;
+    m4f) board=mps2-an386 ray_code_budget=12288 ;;
     *) echo "failed: no such core: $core"; exit 1 ;;
 esac
 for tool in arm-none-eabi-g++ qemu-system-arm; do
@@ -38,11 +40,19 @@ done
 "$host_program" "$questions" "$blobs/small.espl" >"$build/host.txt"
 run_image answers >"$build/$core.txt" || { cat "$build/$core.txt"; echo "failed: answers.elf ended badly"; exit 1; }
 
+ray_code=$(($(flash_bytes closest_ray) - $(flash_bytes empty)))
 cat "$build/$core.txt"
-echo "code open+raycast $(($(flash_bytes closest_ray) - $(flash_bytes empty)))"
+echo "code open+raycast $ray_code"
 echo "code everything $(($(flash_bytes answers) - $(flash_bytes empty)))"
 if ! diff "$build/host.txt" <(grep '^answers ' "$build/$core.txt"); then
     echo "failed: $core answers with other bits than this machine (< this machine, > $core)"
     exit 1
 fi
 echo "the same bits on $core as here"
+if [[ $ray_code -gt $ray_code_budget ]]; then
+    echo "failed: open and raycast take more than $ray_code_budget bytes of code"
+    exit 1
+fi
+awk -v budget="$stack_budget" '
+    $1 == "stack" { queries++; if ($3 > budget) { print "failed: " $2 " takes more than " budget " bytes of stack"; bad = 1 } }
+    END { exit bad || queries == 0 }' "$build/$core.txt"
