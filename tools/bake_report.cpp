@@ -42,7 +42,7 @@ void say_import(const Console& console, const BakeArguments& arguments, const Im
         console.say(text("  unit: 1 = ", file.metres_per_unit, " m (", file.unit_origin, ")",
                          arguments.source.scale == 1.0 ? "" : text(", then scaled by ", arguments.source.scale)));
         if (file.points_and_lines > 0) {
-            console.say(text("  skipped ", counted(file.points_and_lines, "point or line"), ": no surface"));
+            console.say(text("  skipped ", file.points_and_lines, " points and lines: no surface"));
         }
         if (file.stated_up && !arguments.source.up) {
             const std::string axis = axis_name(*file.stated_up);

@@ -1,6 +1,4 @@
 // bake: meshes in, one blob out.
-#include <thread>
-
 #include <espalier/bake.hpp>
 #include <espalier/blob.hpp>
 
@@ -58,8 +56,9 @@ Baked bake_or_throw(const Imported& imported, const BakeArguments& arguments) {
     Result<Baked, BakeError> result = bake(meshes, options);
     if (!result) {
         std::string message = result.error().message;
-        if (result.error().kind == BakeError::Kind::invalid_mesh && message.find("--repair") == std::string::npos) {
-            message += " With --repair such triangles are dropped and counted.";
+        if (!message.ends_with('.')) message += '.';
+        if (result.error().kind == BakeError::Kind::invalid_mesh) {
+            message += " --repair drops such triangles and counts them.";
         }
         throw CommandError(exit_code_of(result.error().kind), message);
     }

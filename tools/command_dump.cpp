@@ -78,7 +78,8 @@ void list_header(Bytes bytes, ByteListing& listing) {
     listing.heading("header");
     for (const HeaderField& field : header_fields) {
         if (field.at + field.bytes > bytes.size()) {
-            listing.field_up_to(bytes.size(), text(field.name, ", cut short"));
+            listing.field_up_to(bytes.size(), field.name);
+            listing.heading(text("cut short: a header has ", format::header::bytes, " bytes"));
             return;
         }
         listing.field(field.bytes, field.name + value_of(bytes, field));

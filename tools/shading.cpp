@@ -29,7 +29,8 @@ Shading::Shading(const Blob& blob, const View& view, Vec3 world_up)
     const float farthest = std::max(
         {std::abs(low.x), std::abs(low.y), std::abs(low.z), std::abs(high.x), std::abs(high.y), std::abs(high.z)});
     const Vec3 diagonal = high - low;
-    shadow_offset_ = 2.0f * blob.step() + 1e-6f * farthest + 1e-4f * std::sqrt(dot(diagonal, diagonal));
+    const float extent = std::max({diagonal.x, diagonal.y, diagonal.z});
+    shadow_offset_ = 2.0f * blob.step() + 1e-6f * farthest + 1e-4f * extent;
 }
 
 Colour Shading::background(float height) { return mix({0.10f, 0.11f, 0.13f}, {0.42f, 0.48f, 0.55f}, height); }

@@ -1,0 +1,584 @@
+#!/usr/bin/env bash
+# Claims about the espalier command, made by running it over small meshes that this script writes itself.
+# Usage: command_test.sh PATH_TO_ESPALIER
+set -u
+espalier=$(realpath "${1:?usage: command_test.sh PATH_TO_ESPALIER}")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+claims=0
+broken=0
+claim=
+
+# run EXIT_CODE ARGUMENTS...: runs the command; its output is left in ./out and ./err.
+run() {
+    local expected=$1
+    shift
+    "$espalier" "$@" >out 2>err
+    local code=$?
+    [ $code = "$expected" ] || fail "'espalier $*' ended with $code, not $expected: $(head -c 400 err)"
+}
+fail() {
+    broken=$((broken + 1))
+    echo "BROKEN: $claim: $1"
+}
+claim() {
+    claim=$1
+    claims=$((claims + 1))
+}
+err_has() { grep -qF -- "$1" err || fail "stderr lacks '$1': $(head -c 400 err)"; }
+out_has() { grep -qF -- "$1" out || fail "stdout lacks '$1': $(head -c 600 out)"; }
+same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
+# The bounds that stderr names, up to what the lattice may move them.
+bounds_near() {
+    sed -n 's/^bounds: \(.*\) to \(.*\), extent.*/\1 \2/p' err | awk -v expected="$*" '
+        { n = split(expected, e, " "); for (i = 1; i <= 6; ++i) { size = e[i + 3] - e[i]; if (i > 3) size = e[i] - e[i - 3]
+            d = $i - e[i]; if (d < 0) d = -d; if (d > 1e-3 * size) bad = 1 } } END { exit bad || NR != 1 }' ||
+        fail "not near the bounds $*: $(grep bounds err)"
+}
+absent() { [ ! -e "$1" ] || fail "$1 is there"; }
+# nothing but the given files
+only() { [ "$(ls -A "$1" | tr '\n' ' ')" = "$2" ] || fail "$1 holds $(ls -A "$1" | tr '\n' ' ')"; }
+
+# ---- meshes ---------------------------------------------------------------------------------------------------------
+# A closed box of 12 triangles from 0 0 0 to 1 2 3, the same triangles in three formats.
+corners=("0 0 0" "1 0 0" "0 2 0" "1 2 0" "0 0 3" "1 0 3" "0 2 3" "1 2 3")
+faces=("0 2 3" "0 3 1" "4 5 7" "4 7 6" "0 1 5" "0 5 4" "2 6 7" "2 7 3" "0 4 6" "0 6 2" "1 3 7" "1 7 5")
+write_box_obj() { # FIRST_CORNER_OFFSET
+    for corner in "${corners[@]}"; do
+        echo "$corner" | awk -v by="$1" '{ printf "v %g %g %g\n", $1 + by, $2, $3 }'
+    done
+    for face in "${faces[@]}"; do
+        echo "$face" | awk '{ printf "f %d %d %d\n", $1 + 1, $2 + 1, $3 + 1 }'
+    done
+}
+write_box_ply() {
+    printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n'
+    printf 'element face 12\nproperty list uchar int vertex_indices\nend_header\n'
+    printf '%s\n' "${corners[@]}"
+    printf '3 %s\n' "${faces[@]}"
+}
+write_box_stl() {
+    echo "solid box"
+    for face in "${faces[@]}"; do
+        echo "facet normal 0 0 0"
+        echo "outer loop"
+        for index in $face; do echo "vertex ${corners[$index]}"; done
+        echo "endloop"
+        echo "endfacet"
+    done
+    echo "endsolid box"
+}
+# The box in Collada, under a node with the given transform elements, unit in metres, up axis.
+write_box_collada() { # TRANSFORM METRES UP
+    local indices=${faces[*]} positions=${corners[*]}
+    cat <<COLLADA
+<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+ <asset><created>2020-01-01T00:00:00Z</created><modified>2020-01-01T00:00:00Z</modified>
+  <unit meter="$2" name="unit"/><up_axis>$3</up_axis></asset>
+ <library_geometries><geometry id="box" name="box"><mesh>
+  <source id="p"><float_array id="pa" count="24">$positions</float_array><technique_common>
+   <accessor source="#pa" count="8" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+   <param name="Z" type="float"/></accessor></technique_common></source>
+  <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+  <triangles count="12"><input semantic="VERTEX" source="#v" offset="0"/><p>$indices</p></triangles>
+ </mesh></geometry></library_geometries>
+ <library_visual_scenes><visual_scene id="s"><node id="n">$1<instance_geometry url="#box"/></node>
+ </visual_scene></library_visual_scenes>
+ <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+COLLADA
+}
+write_box_obj 0 >box.obj
+write_box_obj 10 >far_box.obj
+write_box_ply >box.ply
+write_box_stl >box.stl
+# A bumpy sheet, large enough for a tree of several levels.
+awk 'BEGIN { n = 40
+    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
+    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
+        printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >sheet.obj
+"$espalier" bake box.obj -o box.espl -q || fail "the box cannot be baked"
+"$espalier" bake sheet.obj -o sheet.espl -q --ids --materials 8 || fail "the sheet cannot be baked"
+
+# ---- usage ----------------------------------------------------------------------------------------------------------
+claim "help goes to stdout and names the exit status, for the command and for every verb"
+for verb in "" bake info verify query "query x ray" "query x sphere" "query x nearest" render dump; do
+    # shellcheck disable=SC2086
+    run 0 $verb --help
+    out_has "0 ok, 1 usage, 2 file cannot be read or written, 3 invalid input, 4 internal, 5 unsupported"
+    [ ! -s err ] || fail "help wrote to stderr"
+done
+run 0 --version
+out_has "espalier "
+
+claim "a command line that makes no sense is usage, and says on stderr what it did not understand"
+run 1
+run 1 fold box.obj
+run 1 bake box.obj
+run 1 bake -o x.espl
+run 1 bake box.obj -o x.espl --bits 25
+run 1 bake box.obj -o x.espl --bits 0
+run 1 bake box.obj -o x.espl --profile huge
+run 1 bake box.obj -o x.espl --materials 9
+run 1 bake box.obj -o x.espl --effort 10
+run 1 bake box.obj -o x.espl --bits 12 --tolerance 1mm
+run 1 bake box.obj -o x.espl --scale 0
+run 1 bake box.obj -o x.espl --scale -1
+run 1 bake box.obj -o x.espl --up w
+run 1 bake box.obj -o x.espl --unit parsec
+err_has "um, mm, cm, m, km, in and ft"
+run 1 bake box.obj -o x.espl --nonsense
+err_has "--nonsense"
+absent x.espl
+
+# ---- bake -----------------------------------------------------------------------------------------------------------
+claim "a bake says bounds, unit, axes, lattice and size on stderr and nothing on stdout"
+run 0 bake box.obj -o x.espl
+[ ! -s out ] || fail "stdout is not empty"
+err_has "box.obj: 12 triangles in 1 mesh"
+err_has "unit: 1 = 1 m (not stated)"
+err_has "axes: as imported"
+err_has "bounds: 0 0 0 to 1 2 3, extent 3"
+err_has "lattice: 16 bits, step "
+err_has "max error "
+err_has "12 triangles, 8 vertices, 1 node"
+err_has "closed"
+err_has "wrote x.espl"
+
+claim "quiet bakes say nothing"
+run 0 bake box.obj -o x.espl -q
+[ ! -s out ] && [ ! -s err ] || fail "something was said"
+
+claim "bake --json tells the same as one object on stdout"
+run 0 bake box.obj -o x.espl -q --json
+for key in '"schema": 1' '"triangles": 12' '"vertices": 8' '"source_triangles": 12' '"bits": 16' '"step": ' '"max_error": ' \
+    '"extent": 3.0' '"bytes": ' '"bytes_per_triangle": ' '"depth": 1' '"nodes": 1' '"closed": true' '"profile": "fast"' \
+    '"checksum": "' '"zero_area"' '"collapsed"' '"duplicate"' '"not_finite"' '"index_out_of_range"' '"unit_origin": '; do
+    out_has "$key"
+done
+
+claim "OBJ, PLY and STL of the same triangles give the same bytes"
+run 0 bake box.ply -o ply.espl
+run 0 bake box.stl -o stl.espl
+same box.espl ply.espl
+same box.espl stl.espl
+
+claim "the bytes depend on nothing but the input: not on threads, time or folder"
+for threads in 1 2 3 0; do
+    run 0 bake sheet.obj -o t.espl --ids --materials 8 --threads $threads
+    same sheet.espl t.espl
+done
+mkdir elsewhere
+run 0 bake "$folder/sheet.obj" -o elsewhere/t.espl --ids --materials 8
+same sheet.espl elsewhere/t.espl
+
+claim "a tolerance is honoured, in every unit"
+for length in 0.5mm 0.05cm 5e-4m 500um 0.0005; do
+    run 0 bake sheet.obj -o tolerance_$length.espl --tolerance $length --json -q
+    awk '/"max_error"/ { exit !($2 + 0 <= 0.0005 && $2 + 0 > 0.00005) }' out || fail "max error at $length: $(grep max_error out)"
+    same tolerance_0.5mm.espl tolerance_$length.espl
+done
+run 0 bake sheet.obj -o x.espl --tolerance 1in
+run 0 bake sheet.obj -o x.espl --tolerance 0.1ft
+run 1 bake sheet.obj -o x.espl --tolerance 1parsec
+err_has "'1parsec' is no length"
+run 1 bake sheet.obj -o x.espl --tolerance -1mm
+run 1 bake sheet.obj -o x.espl --tolerance 0
+run 1 bake sheet.obj -o x.espl --tolerance nan
+run 1 bake sheet.obj -o x.espl --tolerance inf
+
+claim "a tolerance finer than the format is unsupported, and leaves no file"
+run 5 bake sheet.obj -o fine.espl --tolerance 1e-9
+err_has "too fine"
+absent fine.espl
+
+claim "unit, scale and up axis do what they say"
+run 0 bake box.obj -o x.espl --unit mm
+err_has "unit: 1 = 0.001 m (--unit)"
+bounds_near 0 0 0 0.001 0.002 0.003
+run 0 bake box.obj -o x.espl --scale 10
+err_has "bounds: 0 0 0 to 10 20 30"
+run 0 bake box.obj -o x.espl --unit cm --scale 100
+bounds_near 0 0 0 1 2 3
+run 0 bake box.obj -o x.espl --up z
+err_has "bounds: 0 0 -2 to 1 3 0"
+err_has "+Z of the input is +Y in the blob"
+run 0 bake box.obj -o x.espl --up x
+err_has "bounds: -2 0 0 to 0 1 3"
+run 0 bake box.obj -o x.espl --up y
+err_has "bounds: 0 0 0 to 1 2 3"
+
+claim "an asset of surprising size is warned about, also when quiet"
+run 0 bake box.obj -o x.espl --scale 1000 -q
+err_has "3000 m across"
+run 0 bake box.obj -o x.espl --scale 0.0001 -q
+err_has " m across"
+
+claim "node transforms, units and up axes of files are applied"
+write_box_collada "<translate>10 20 30</translate><scale>2 2 2</scale>" 1 Y_UP >moved.dae
+run 0 bake moved.dae -o moved.espl
+err_has "bounds: 10 20 30 to 12 24 36"
+write_box_collada "<translate>1 0 0</translate>" 0.01 Y_UP >centimetres.dae
+run 0 bake centimetres.dae -o x.espl
+bounds_near 0.01 0 0 0.02 0.02 0.03
+write_box_collada "" 1 Z_UP >z_up.dae
+run 0 bake z_up.dae -o x.espl
+err_has "bounds: 0 0 -2 to 1 3 0"
+
+claim "a mirrored mesh keeps its front outside"
+write_box_collada "<scale>-1 1 1</scale>" 1 Y_UP >mirrored.dae
+run 0 bake mirrored.dae -o mirrored.espl
+err_has "bounds: -1 0 0 to 0 2 3"
+run 0 query mirrored.espl ray -5 1 1 1 0 0 --faces front
+out_has "t 4"
+out_has "normal -1 0 0"
+run 0 query moved.espl ray 0 21 31 1 0 0 --faces front
+out_has "t 10"
+
+claim "several files become one blob, in their order, with distinct materials"
+run 0 bake box.obj far_box.obj -o two.espl --ids --materials 16
+err_has "far_box.obj: 12 triangles in 1 mesh"
+err_has "bounds: 0 0 0 to 11 2 3"
+run 0 query two.espl ray -1 1 1 1 0 0 --json
+out_has '"file": 0'
+first=$(grep '"material"' out)
+run 0 query two.espl ray 20 1 1 -1 0 0 --json
+out_has '"file": 1'
+[ "$first" != "$(grep '"material"' out)" ] || fail "both files have the material $first"
+
+claim "broken geometry is refused with file, mesh and triangle, unless it is to be repaired; then it is counted"
+printf 'v 0 0 0\nv 1 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 4\nf 1 2 3\n' >not_finite.obj
+run 3 bake not_finite.obj -o broken.espl
+err_has "not_finite.obj, mesh 0"
+err_has "triangle 1"
+err_has "--repair"
+absent broken.espl
+run 0 bake not_finite.obj -o x.espl --repair
+err_has "dropped 1 triangle with a corner that is NaN or infinite; first: not_finite.obj, mesh 0"
+write_box_ply | sed 's/^3 0 2 3$/3 0 2 300/' >out_of_range.ply
+run 3 bake out_of_range.ply -o broken.espl
+err_has "out_of_range.ply, mesh 0, triangle 0"
+absent broken.espl
+run 0 bake out_of_range.ply -o x.espl --repair --json
+err_has "dropped 1 triangle with an index out of range"
+out_has '"triangles": 11'
+
+claim "triangles without area and repeated ones are dropped, counted and named"
+{ write_box_obj 0; printf 'f 1 1 2\nf 1 3 4\nf 1 3 4\n'; } >untidy.obj
+run 0 bake untidy.obj -o x.espl --json
+err_has "dropped 1 triangle without area; first: untidy.obj, mesh 0"
+err_has "triangle 12"
+err_has "dropped 2 triangles that repeat another one; first: untidy.obj, mesh 0"
+out_has '"triangles": 12'
+
+claim "points and lines are skipped and counted; a scene without triangles is an empty blob, and says so"
+printf 'v 0 0 0\nv 1 0 0\np 1\nl 1 2\n' >points.obj
+run 0 bake points.obj -o empty.espl
+err_has "skipped 2 points and lines"
+err_has "the input has no triangles; the blob is valid and empty"
+run 0 verify empty.espl --deep
+run 0 info empty.espl --json
+out_has '"triangles": 0'
+run 0 query empty.espl ray 0 0 0 1 0 0
+out_has "no hit"
+run 0 query empty.espl nearest 0 0 0
+run 0 query empty.espl sphere 0 0 0 inf
+out_has "0 triangles"
+run 0 dump empty.espl
+run 0 render empty.espl -o empty.png --size 8x8
+err_has "no triangles"
+
+claim "what is no mesh is invalid input with the importer's reason; what is not there cannot be read"
+echo "not a mesh" >junk.obj
+head -c 5000 "$espalier" >junk.glb
+head -c 5000 "$espalier" >junk.unknown
+: >nothing.ply
+printf 'OFF\n353535235358 6 0\n0 0 0\n0 0 1\n0 1 0\n3 0 1 2\n' >boastful.off
+for mesh in junk.glb junk.unknown nothing.ply boastful.off; do
+    run 3 bake $mesh -o broken.espl
+    err_has "$mesh"
+    absent broken.espl
+done
+"$espalier" bake junk.obj -o broken.espl 2>/dev/null # a file of unknown lines is an OBJ without faces to some importers
+rm -f broken.espl
+run 2 bake missing.obj -o broken.espl
+err_has "cannot read 'missing.obj': No such file or directory"
+run 2 bake . -o broken.espl
+err_has "folder"
+run 3 bake box.obj junk.unknown -o broken.espl
+absent broken.espl
+
+claim "control characters in names do not reach the terminal"
+cp box.obj "$(printf 'red\033[31m.obj')"
+run 0 bake "$(printf 'red\033[31m.obj')" -o x.espl
+! grep -q "$(printf '\033')" err || fail "an escape sequence came through"
+
+# ---- writing --------------------------------------------------------------------------------------------------------
+claim "outputs that cannot be written are exit status 2, name the file, and leave nothing behind"
+run 2 bake box.obj -o missing_folder/x.espl
+err_has "missing_folder/x.espl"
+mkdir occupied occupied/x.espl
+run 2 bake box.obj -o occupied/x.espl
+only occupied "x.espl "
+if [ -c /dev/full ]; then
+    run 2 bake box.obj -o /dev/full
+    run 2 render box.espl -o /dev/full --size 8x8
+    "$espalier" info box.espl >/dev/full 2>err
+    [ $? = 2 ] || fail "a full stdout went unnoticed"
+    "$espalier" dump box.espl --json >/dev/full 2>err
+    [ $? = 2 ] || fail "a full stdout went unnoticed"
+fi
+if [ "$(id -u)" != 0 ]; then
+    mkdir locked
+    chmod a-w locked
+    run 2 bake box.obj -o locked/x.espl
+    chmod u+w locked
+    only locked ""
+fi
+(ulimit -f 1 && trap '' XFSZ && "$espalier" bake sheet.obj -o limited.espl 2>err)
+[ $? = 2 ] || fail "a disk that fills up in the middle is not exit status 2: $(cat err)"
+absent limited.espl
+
+claim "a failed bake leaves the old blob and the folder as they were"
+mkdir kept
+cp box.espl kept/x.espl
+run 3 bake not_finite.obj -o kept/x.espl
+run 3 bake junk.unknown -o kept/x.espl
+(cd kept && ulimit -f 1 && trap '' XFSZ && "$espalier" bake ../sheet.obj -o x.espl 2>/dev/null)
+same box.espl kept/x.espl
+only kept "x.espl "
+run 0 bake sheet.obj -o kept/x.espl --ids --materials 8
+same sheet.espl kept/x.espl
+only kept "x.espl "
+
+claim "an input is never replaced by its own output"
+run 1 bake box.obj -o box.obj
+err_has "itself"
+run 1 bake sheet.obj box.obj -o ./box.obj
+run 1 render box.espl -o box.espl
+run 0 bake box.obj -o x.espl
+same x.espl box.espl
+
+claim "a link is written through, and a device stays a device"
+ln -s target.espl link.espl
+cp box.espl target.espl
+run 0 bake sheet.obj -o link.espl --ids --materials 8
+[ -L link.espl ] || fail "the link was replaced"
+same target.espl sheet.espl
+run 0 bake box.obj -o /dev/null
+[ -c /dev/null ] || fail "/dev/null was replaced"
+run 0 bake box.obj -o /dev/stdout -q
+same out box.espl
+
+# ---- info, verify ---------------------------------------------------------------------------------------------------
+claim "info tells what is inside, for people and for scripts"
+run 0 info sheet.espl
+for word in "format" "triangles     3200" "vertices" "lattice" "max error" "original_ids, materials_8" "depth" "checksum" "nodes" \
+    "leaves" "guard" "sources" "per triangle"; do
+    out_has "$word"
+done
+run 0 info sheet.espl --json
+for key in schema format_version triangles vertices bytes bytes_per_triangle sections bits step extent max_error depth profile \
+    checksum bounds nodes leaves features closed; do
+    out_has "\"$key\": "
+done
+out_has '"format_version": "1.'
+out_has "\"bytes\": $(stat -c %s sheet.espl)"
+
+claim "verify accepts what bake wrote, deep and against its source"
+run 0 verify sheet.espl --deep --source sheet.obj
+out_has "ok, 3200 triangles"
+run 0 verify two.espl --deep --source box.obj far_box.obj
+run 0 verify box.espl --deep --json
+out_has '"ok": true'
+out_has '"deep": true'
+run 0 bake box.obj -o inches.espl --unit in --up z
+run 0 verify inches.espl --source box.obj --unit in --up z
+
+claim "verify refuses another source, or the same in another unit"
+run 3 verify sheet.espl --source far_box.obj
+err_has "farther from the baked surface"
+run 3 verify inches.espl --source box.obj
+run 3 verify empty.espl --source box.obj
+run 2 verify box.espl --source missing.obj
+
+claim "a blob that is cut short, changed, newer or none at all is refused by every verb, and the status says why"
+size=$(stat -c %s sheet.espl)
+head -c $((size - 1)) sheet.espl >short.espl
+head -c 20 sheet.espl >stub.espl
+{ cat sheet.espl; printf 'x'; } >long.espl
+{ head -c 4 sheet.espl; printf '\011\000'; tail -c +7 sheet.espl; } >newer.espl
+{ head -c 200 sheet.espl; printf '\377\377'; tail -c +203 sheet.espl; } >changed.espl
+: >none.espl
+for verb in info verify dump "query|ray 0 0 0 1 0 0" render; do
+    for blob in short stub long changed none; do
+        case $verb in
+            query*) arguments="query $blob.espl ${verb#*|}" ;;
+            render) arguments="render $blob.espl -o refused.png" ;;
+            *) arguments="$verb $blob.espl" ;;
+        esac
+        # shellcheck disable=SC2086
+        run 3 $arguments
+        err_has "'$blob.espl' is refused: "
+    done
+done
+absent refused.png
+run 5 info newer.espl
+run 5 verify newer.espl --json
+out_has '"ok": false'
+out_has '"status": 4'
+run 3 info box.obj
+err_has "espalier bake"
+run 2 info missing.espl
+run 2 info .
+run 3 verify changed.espl --deep --json
+out_has '"ok": false'
+
+claim "blobs and junk may come through a pipe"
+"$espalier" info /dev/stdin <sheet.espl >out 2>err || fail "redirected blob"
+cat sheet.espl | "$espalier" info /dev/stdin >out 2>err || fail "piped blob"
+out_has "triangles     3200"
+awk 'BEGIN { for (i = 0; i < 9999; ++i) printf "junk" }' | "$espalier" info /dev/stdin >out 2>err
+[ $? = 3 ] || fail "piped junk is not exit status 3"
+
+# ---- query ----------------------------------------------------------------------------------------------------------
+claim "a ray reports its closest hit, and negative numbers are numbers"
+run 0 query box.espl ray 0.25 1 10 0 0 -1
+out_has "hit triangle "
+out_has "t 7"
+out_has "point 0.25 1 3"
+out_has "normal 0 0 1"
+run 0 query box.espl ray -.5 1 1 2 -0.0 -.0
+out_has "t 0.25"
+run 0 query box.espl ray -5e-1 1 1 -1 0 0
+out_has "no hit"
+run 0 query box.espl ray 0.25 1 10 0 0 -1 --json
+for key in '"schema": 1' '"query": "ray"' '"hit": true' '"t": 7.0' '"u": ' '"v": ' '"normal": ' '"point": ' '"triangle": '; do
+    out_has "$key"
+done
+! grep -q original out || fail "a blob without ids names an original"
+
+claim "a ray's range, sides, all hits and any hit"
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --t-min 8
+out_has "t 10"
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --t-max 6.5
+out_has "no hit"
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --faces back
+out_has "t 10"
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --all
+out_has "2 hits"
+run 0 query box.espl --json ray 0.25 1.5 10 0 0 -1 --all
+out_has '"count": 2'
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --any
+out_has "occluded"
+run 0 query box.espl ray 0.25 1.5 10 0 0 1 --any
+out_has "not occluded"
+run 1 query box.espl ray 0.25 1.5 10 0 0 -1 --any --all
+
+claim "a ray names the original triangle and its material when the blob carries them"
+run 0 query sheet.espl ray 0.6 10 0.3 0 -1 0 --json
+out_has '"original": {'
+out_has '"material": '
+
+claim "queries take any number there is, and nothing else"
+for number in nan -inf 1e999 -1e-999; do
+    run 0 query box.espl ray $number 0 0 1 0 0
+    run 0 query box.espl ray 0 0 0 1 0 $number
+    run 0 query box.espl sphere 0 $number 0 1
+    run 0 query box.espl sphere 0 0 0 $number
+    run 0 query box.espl nearest 0 0 $number
+    run 0 query box.espl nearest 0 0 0 --max-distance $number
+done
+run 1 query box.espl ray 0 0 zero 1 0 0
+err_has "'zero' is no number"
+run 1 query box.espl ray 0 0 0 1 0
+run 1 query box.espl ray 0 0 0 1 0 0 0
+run 1 query box.espl sphere 0 0 0
+run 1 query box.espl box 0 0 0 1 1 1
+run 1 query box.espl
+
+claim "a sphere lists what it touches, in storage order"
+run 0 query box.espl sphere 0.5 1 1.5 100
+out_has "12 triangles"
+run 0 query box.espl sphere 0.5 1 1.5 0.4
+out_has "0 triangles"
+run 0 query box.espl sphere 0.5 1 1.5 0.5 --any
+out_has "overlaps"
+run 0 query box.espl sphere -1 -1 -1 1 --any --json
+out_has '"overlaps": false'
+
+claim "nearest finds point and distance, or nothing beyond the limit"
+run 0 query box.espl nearest 0.25 1 5
+out_has "distance 2"
+out_has "point 0.25 1 3"
+run 0 query box.espl nearest 0.25 1 5 --max-distance 1.5
+out_has "nothing within"
+run 0 query box.espl nearest 0.25 1 5 --json
+out_has '"distance": 2.0'
+
+# ---- dump, render ---------------------------------------------------------------------------------------------------
+claim "dump shows every byte once and in order"
+for blob in box sheet two empty; do
+    "$espalier" dump $blob.espl | grep -v '^--' | cut -c 11-57 | tr -d ' \n' >dumped
+    od -A n -v -t x1 $blob.espl | tr -d ' \n' >expected
+    same dumped expected
+done
+run 0 dump sheet.espl
+for word in 'magic "ESPL"' "lattice bits 16" "node 0: base 0" "leaf block at" "first triangle 0" "bits:" "source 0: ids from 0" \
+    "ids of triangles from 0:" "materials of triangles from 0:"; do
+    out_has "$word"
+done
+
+claim "a limited dump says what it leaves out; a refused blob shows its header"
+run 0 dump sheet.espl --limit 10
+[ "$(wc -l <out)" = 11 ] || fail "$(wc -l <out) lines"
+out_has "-- left out: "
+run 0 dump sheet.espl --limit 10 --json
+out_has '"bytes_left_out": '
+run 3 dump changed.espl
+out_has 'magic "ESPL"'
+run 3 dump stub.espl
+out_has "cut short"
+
+claim "render writes a PNG of the asked size, the same at any number of threads"
+run 0 render sheet.espl -o a.png --size 64x48 --threads 1
+run 0 render sheet.espl -o b.png --size 64x48 --threads 3 --json
+out_has '"width": 64'
+same a.png b.png
+[ "$(od -A n -t x1 -N 8 a.png | tr -d ' ')" = 89504e470d0a1a0a ] || fail "no PNG signature"
+[ "$(od -A n -t x1 -j 16 -N 8 a.png | tr -d ' ')" = 0000004000000030 ] || fail "not 64 x 48"
+for size in 0x5 5x0 64 64x 64x48x2 x -5x5 99999x5; do run 1 render sheet.espl -o c.png --size=$size; done
+absent c.png
+
+claim "the heat map says how much work its colours stand for"
+run 0 render sheet.espl -o heat.png --size 64x48 --heatmap steps
+err_has "steps a ray: "
+run 0 render sheet.espl -o heat.png --size 64x48 --heatmap steps --json -q
+out_has '"mean": '
+run 1 render sheet.espl -o heat.png --heatmap joy
+cmp -s a.png heat.png && fail "the heat map looks like the shaded picture"
+
+# ---- JSON -----------------------------------------------------------------------------------------------------------
+claim "every --json is one JSON object with a schema"
+if command -v jq >/dev/null; then
+    cp box.obj "$(printf 'l\303\251vel \377.obj')"
+    for arguments in "bake box.obj $(printf 'l\303\251vel') -o x.espl" "bake box.obj -o x.espl" "info sheet.espl" \
+        "verify sheet.espl --deep --source sheet.obj" "query box.espl ray 0 0 0 nan 0 0" "query box.espl ray 0 1 9 0 0 -1 --all" \
+        "query box.espl sphere 0 0 0 inf" "query box.espl nearest 0 0 9" "render box.espl -o x.png --size 8x8" \
+        "dump sheet.espl" "dump changed.espl"; do
+        # shellcheck disable=SC2086
+        "$espalier" $arguments --json 2>/dev/null >out
+        [ ! -s out ] || jq -e '.schema == 1' out >/dev/null || fail "$arguments"
+    done
+    run 0 bake "$(printf 'l\303\251vel \377.obj')" -o x.espl --json
+    jq -e '.inputs[0].triangles == 12' out >/dev/null || fail "a name that is no UTF-8"
+else
+    echo "note: without jq only the keys of the JSON were looked at"
+fi
+
+only . "$(ls -A . | tr '\n' ' ')"
+ls -A . | grep -q '\.espl\.......$' && fail "a temporary was left behind"
+echo "$claims claims, $broken broken"
+[ $broken = 0 ]
