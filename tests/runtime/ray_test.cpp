@@ -185,6 +185,30 @@ TEST_SUITE("rays") {
         }
     }
 
+    TEST_CASE("no hit has a smaller t than the closest one, and of equal ones it has the lowest storage index") {
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 450);
+            for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+                const Ray ray = maker.any_ray();
+                CAPTURE(describe(ray));
+                std::optional<RayHit> first;
+                for_each_hit(blob.opened.blob, ray, [&](const RayHit& hit) {
+                    if (!first || hit.t < first->t) first = hit;
+                    return keep_going;
+                });
+                RayHit hit;
+                REQUIRE(raycast(blob.opened.blob, ray, hit) == first.has_value());
+                if (!first) continue;
+                REQUIRE(same_bits(hit.t, first->t));
+                // From far away several hits round to the same t; then the order before that rounding counts.
+                detail::LatticeRay rounded;
+                REQUIRE(detail::round_ray(blob.opened.blob.data(), ray, rounded));
+                if (rounded.tau_offset == 0.0f) REQUIRE(same_bits(hit, *first));
+            }
+        }
+    }
+
     TEST_CASE("a visitor that stops is not called again and the walk says so") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};

@@ -1,0 +1,282 @@
+// Claims about opening: what is refused and why, and that nothing outside the bytes is read or written.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstring>
+#include <string>
+
+#include <espalier/espalier.hpp>
+
+#include "../support/checksum.hpp"
+#include "../support/decoder.hpp"
+#include "../support/exact_buffer.hpp"
+#include "../support/exercise.hpp"
+#include "../support/guarded_pages.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/test_blobs.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+void put(Bytes& bytes, std::size_t at, std::uint64_t value, unsigned size) {
+    for (unsigned i = 0; i < size; ++i) bytes.at(at + i) = static_cast<std::byte>(value >> (8 * i));
+}
+
+std::uint64_t get(const Bytes& bytes, std::size_t at, unsigned size) {
+    std::uint64_t value = 0;
+    for (unsigned i = 0; i < size; ++i) value |= std::to_integer<std::uint64_t>(bytes.at(at + i)) << (8 * i);
+    return value;
+}
+
+Status status_of(const Bytes& bytes) {
+    Blob blob;
+    return open(bytes, blob);
+}
+
+/// The status after a change to the header, with the checksum repaired.
+Status status_with(Bytes bytes, std::size_t at, std::uint64_t value, unsigned size) {
+    put(bytes, at, value, size);
+    repair_checksum(bytes);
+    return status_of(bytes);
+}
+
+bool is_empty(const Blob& blob) {
+    RayHit hit;
+    return blob.triangle_count() == 0 && blob.size_bytes() == 0 && blob.data().bytes == nullptr &&
+           !raycast(blob, {{0.0f, 0.0f, 9.0f}, {0.0f, 0.0f, -1.0f}}, hit);
+}
+
+Bytes full_blob() {
+    Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i);
+    BakeOptions options;
+    options.original_ids = true;
+    options.materials = Materials::bits_16;
+    return bake_or_throw(mesh, options);
+}
+
+struct Field {
+    const char* name;
+    std::size_t at;
+    unsigned size;
+};
+constexpr std::array header_fields = {
+    Field{"magic", format::header::magic_at, 4},
+    Field{"version_major", format::header::version_major_at, 2},
+    Field{"version_minor", format::header::version_minor_at, 2},
+    Field{"total_bytes", format::header::total_bytes_at, 4},
+    Field{"features", format::header::features_at, 4},
+    Field{"profile", format::header::profile_at, 1},
+    Field{"bits", format::header::bits_at, 1},
+    Field{"step_exponent", format::header::step_exponent_at, 2},
+    Field{"triangle_count", format::header::triangle_count_at, 4},
+    Field{"vertex_count", format::header::vertex_count_at, 4},
+    Field{"node_count", format::header::node_count_at, 4},
+    Field{"leaf_bytes", format::header::leaf_bytes_at, 4},
+    Field{"origin x", format::header::origin_at, 4},
+    Field{"origin y", format::header::origin_at + 4, 4},
+    Field{"origin z", format::header::origin_at + 8, 4},
+    Field{"extent x", format::header::extent_at, 4},
+    Field{"extent y", format::header::extent_at + 4, 4},
+    Field{"extent z", format::header::extent_at + 8, 4},
+    Field{"max_error", format::header::max_error_at, 4},
+    Field{"depth", format::header::depth_at, 1},
+    Field{"id_bits", format::header::id_bits_at, 1},
+    Field{"two reserved bytes", 70, 2},
+    Field{"source_count", format::header::source_count_at, 4},
+    Field{"source_triangles", format::header::source_triangles_at, 4},
+    Field{"reserved", format::header::reserved_at, 8},
+    Field{"the last reserved bytes", format::header::bytes - 8, 8},
+};
+
+}  // namespace
+
+TEST_SUITE("open") {
+    TEST_CASE("what the baker writes opens at every misalignment with the same answers") {
+        const Bytes bytes = full_blob();
+        std::uint64_t expected = 0;
+        for (std::size_t misalignment = 0; misalignment < 16; ++misalignment) {
+            CAPTURE(misalignment);
+            const ExactBuffer buffer(bytes, misalignment);
+            Blob blob;
+            REQUIRE(open(buffer.bytes(), blob) == Status::ok);
+            Random random(1);
+            const std::uint64_t answers = exercise(blob, random, 200);
+            if (misalignment == 0) expected = answers;
+            REQUIRE(answers == expected);
+        }
+    }
+
+    TEST_CASE("a blob in read-only memory between unreadable pages opens and answers") {
+        for (const TestBlob& test_blob : small_test_blobs()) {
+            CAPTURE(test_blob.name);
+            for (const bool at_end : {true, false}) {
+                const GuardedPages pages(test_blob.opened.bytes, at_end);
+                Blob blob;
+                REQUIRE(open(pages.bytes(), blob) == Status::ok);
+                Random random(2);
+                Random same_random(2);
+                CHECK(exercise(blob, random, 100) == exercise(test_blob.opened.blob, same_random, 100));
+            }
+        }
+    }
+
+    TEST_CASE("every truncation is refused as too short and leaves the blob empty") {
+        const Bytes bytes = full_blob();
+        for (std::size_t size = 0; size < bytes.size(); ++size) {
+            const ExactBuffer shorter(std::span<const std::byte>(bytes).first(size));
+            Blob blob;
+            REQUIRE(open(shorter.bytes(), blob) == Status::too_short);
+            REQUIRE(is_empty(blob));
+        }
+    }
+
+    TEST_CASE("every truncation is refused even when size and checksum are repaired") {
+        const Bytes bytes = full_blob();
+        for (std::size_t size = format::header::bytes; size < bytes.size(); ++size) {
+            ExactBuffer shorter(std::span<const std::byte>(bytes).first(size));
+            for (unsigned i = 0; i < 4; ++i) {
+                shorter.bytes()[format::header::total_bytes_at + i] = static_cast<std::byte>(size >> (8 * i));
+            }
+            repair_checksum(shorter.bytes());
+            Blob blob;
+            REQUIRE(open(shorter.bytes(), blob) != Status::ok);
+            REQUIRE(is_empty(blob));
+        }
+    }
+
+    TEST_CASE("trailing bytes are refused, also when the size is made to fit") {
+        Bytes bytes = full_blob();
+        for (const std::size_t more : {1u, 3u, 4u, 64u, 1000u}) {
+            Bytes longer = bytes;
+            longer.resize(bytes.size() + more);
+            CHECK(status_of(longer) == Status::trailing_bytes);
+            CHECK(status_with(longer, format::header::total_bytes_at, longer.size(), 4) == Status::bad_section);
+        }
+    }
+
+    TEST_CASE("bytes that were never a blob are refused") {
+        for (const std::size_t size : {0u, 1u, 4u, 127u, 128u, 129u, 4096u}) {
+            CAPTURE(size);
+            for (const std::byte value : {std::byte{0x00}, std::byte{0xFF}}) {
+                Blob blob;
+                const ExactBuffer buffer(Bytes(size, value));
+                CHECK(open(buffer.bytes(), blob) == (size < format::header::bytes ? Status::too_short : Status::not_a_blob));
+                CHECK(is_empty(blob));
+            }
+        }
+        Blob blob;
+        CHECK(open({}, blob) == Status::too_short);
+    }
+
+    TEST_CASE("each status has its cause") {
+        const Bytes bytes = full_blob();
+        REQUIRE(status_of(bytes) == Status::ok);
+        namespace at = format::header;
+        Bytes changed = bytes;
+        changed.back() ^= std::byte{1};
+        CHECK(status_of(changed) == Status::bad_checksum);
+        CHECK(status_with(bytes, at::magic_at, 0x4C505346u, 4) == Status::not_a_blob);
+        CHECK(status_with(bytes, at::version_major_at, format::version_major + 1, 2) == Status::unsupported_version);
+        CHECK(status_with(bytes, at::version_minor_at, format::version_minor + 1, 2) == Status::unsupported_version);
+        CHECK(status_with(bytes, at::profile_at, 1, 1) == Status::unsupported_profile);
+        CHECK(status_with(bytes, at::features_at, 1u << 31 | get(bytes, at::features_at, 4), 4) ==
+              Status::unsupported_feature);
+        CHECK(status_with(bytes, at::bits_at, 0, 1) == Status::bad_header);
+        CHECK(status_with(bytes, at::bits_at, 25, 1) == Status::bad_header);
+        CHECK(status_with(bytes, at::step_exponent_at, 101, 2) == Status::bad_header);
+        CHECK(status_with(bytes, at::step_exponent_at, 0xFFFF - 100, 2) == Status::bad_header);
+        CHECK(status_with(bytes, at::origin_at, 0x7F800000u, 4) == Status::bad_header);
+        CHECK(status_with(bytes, at::origin_at + 8, 0x7FC00000u, 4) == Status::bad_header);
+        CHECK(status_with(bytes, at::max_error_at, 0x7FC00000u, 4) == Status::bad_header);
+        CHECK(status_with(bytes, at::max_error_at, 0xBF800000u, 4) == Status::bad_header);
+        CHECK(status_with(bytes, at::reserved_at, 1, 4) == Status::bad_header);
+        CHECK(status_with(bytes, at::bytes - 4, 1u << 31, 4) == Status::bad_header);
+        CHECK(status_with(bytes, at::depth_at, format::max_depth + 1, 1) == Status::bad_header);
+        CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) + 1, 1) == Status::bad_node);
+        CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) - 1, 1) == Status::bad_node);
+        CHECK(status_with(bytes, at::triangle_count_at, get(bytes, at::triangle_count_at, 4) + 1, 4) == Status::bad_leaf);
+        // A child plane above its box, a leaf whose first triangle is another one, a bit in the guard, an unsorted source.
+        const std::size_t nodes_at = at::bytes;
+        CHECK(status_with(bytes, nodes_at + format::fast_node::lo_at, 255, 1) == Status::bad_node);
+        CHECK(status_with(bytes, nodes_at + format::fast_node::shifts_at + 1, 0x80, 1) == Status::bad_node);
+        const std::size_t leaves_at = nodes_at + get(bytes, at::node_count_at, 4) * format::fast_node::bytes;
+        CHECK(status_with(bytes, leaves_at, 1, 4) == Status::bad_leaf);
+        const std::size_t guard_at = leaves_at + get(bytes, at::leaf_bytes_at, 4);
+        CHECK(status_with(bytes, guard_at + 63, 1, 1) == Status::bad_section);
+        CHECK(status_with(bytes, guard_at + format::guard_bytes, 1, 4) == Status::bad_section);
+    }
+
+    TEST_CASE("each header field at its extremes is refused or leaves every query safe") {
+        const Bytes bytes = full_blob();
+        for (const Field& field : header_fields) {
+            CAPTURE(std::string(field.name));
+            const std::uint64_t was = get(bytes, field.at, field.size);
+            for (const std::uint64_t value : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}, was - 1, was + 1,
+                                              std::uint64_t{1} << 31, std::uint64_t{1} << 30, std::uint64_t{0x7FFFFFFF}}) {
+                Bytes changed = bytes;
+                put(changed, field.at, value, field.size);
+                for (const bool repaired : {false, true}) {
+                    if (repaired) repair_checksum(changed);
+                    ExactBuffer buffer(changed);
+                    Blob blob;
+                    if (open(buffer.bytes(), blob) != Status::ok) {
+                        REQUIRE(is_empty(blob));
+                        continue;
+                    }
+                    Random random(3);
+                    REQUIRE_NOTHROW(exercise(blob, random, 20));
+                }
+            }
+        }
+    }
+
+    TEST_CASE("a refused blob empties the view that was open before") {
+        const Bytes bytes = full_blob();
+        Blob blob;
+        REQUIRE(open(bytes, blob) == Status::ok);
+        CHECK(open(std::span<const std::byte>(bytes).first(100), blob) == Status::too_short);
+        CHECK(is_empty(blob));
+    }
+
+    TEST_CASE("an empty mesh is a legal blob on which every query finds nothing") {
+        Mesh nothing;
+        nothing.name = "nothing";
+        const OpenedBlob opened(nothing);
+        CHECK(opened.blob.triangle_count() == 0);
+        CHECK(opened.blob.size_bytes() == opened.bytes.size());
+        Random random(4);
+        CHECK_NOTHROW(exercise(opened.blob, random, 100));
+    }
+
+    TEST_CASE("the checksum is CRC-32 as zip and Ethernet have it") {
+        const char* check = "123456789";
+        Bytes bytes(format::header::bytes);
+        // The definition's check value, through the four zero bytes that the field counts as: computed by the definition.
+        std::memcpy(bytes.data(), check, 9);
+        const std::uint32_t before = blob_checksum(bytes);
+        bytes[format::header::checksum_at] = std::byte{0xAB};
+        CHECK(blob_checksum(bytes) == before);
+        bytes[20] = std::byte{1};
+        CHECK(blob_checksum(bytes) != before);
+        Bytes short_bytes(9);
+        std::memcpy(short_bytes.data(), check, 9);
+        CHECK(blob_checksum(short_bytes) == 0xCBF43926u);
+    }
+
+    TEST_CASE("every status has a sentence of its own, and what is no status has one too") {
+        for (unsigned number = 0; number < 256; ++number) {
+            const char* text = describe(static_cast<Status>(number));
+            REQUIRE(text != nullptr);
+            REQUIRE(std::strlen(text) > 1);
+            REQUIRE(text[std::strlen(text) - 1] != '.');
+            for (unsigned other = 0; other < number && number <= 11; ++other) {
+                REQUIRE(std::string(text) != describe(static_cast<Status>(other)));
+            }
+        }
+    }
+}
