@@ -34,7 +34,7 @@ public:
         // Every split leaves at least one triangle on each side, so a child has at most count - 1; when a balanced tree over
         // that many would no longer fit below this node, this split is balanced, and by the same test all further ones.
         const auto child_height = static_cast<unsigned>(std::bit_width(range.count - 2));
-        const bool must_balance = depth + 1 + child_height > max_binary_height;
+        const bool must_balance = depth + 1 + child_height > settings_.most_height;
         const auto [left, right] =
             split(references, range, must_balance ? SplitRule{0, 0} : SplitRule{settings_.bins, settings_.exact_below});
         const std::size_t left_node = node + 1;

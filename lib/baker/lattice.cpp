@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "float_rounding.hpp"
 #include "text.hpp"
 
 namespace espalier::baker {
@@ -11,6 +12,11 @@ namespace espalier::baker {
 namespace {
 
 constexpr double half_diagonal = 0x1.bb67ae8584cabp-1;  // sqrt(3) / 2, rounded up: how far from a lattice point one can be
+
+constexpr double text_margin = 1e-8;  // of a number of nine digits
+
+/// How far a lattice point may be from what it stands for, as a header would say it.
+float largest_snap_error(int step_exponent) { return round_up_to_float(half_diagonal * std::ldexp(1.0, step_exponent)); }
 
 constexpr int far_too_fine = -1000;  // below this no float32 extent has few enough steps, nor could they be counted
 
@@ -84,7 +90,7 @@ Result<Lattice, BakeError> lattice_for_bits(const SourceBounds& bounds, unsigned
 int step_exponent_for_tolerance(double tolerance) {
     int exponent = 0;
     std::frexp(tolerance, &exponent);
-    while (half_diagonal * std::ldexp(1.0, exponent) > tolerance) --exponent;
+    while (double{largest_snap_error(exponent)} > tolerance) --exponent;
     return exponent;
 }
 
@@ -97,8 +103,11 @@ Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step
         const auto finest = lattice_for_bits(bounds, unsigned{format::max_bits});
         std::string message = "a tolerance of " + number_text(tolerance) + " is too fine for meshes that are " +
                               number_text(bounds.largest_side) + " large: at this tolerance they may be " +
-                              number_text(largest_extent) + " large";
-        if (finest) message += ", at this size the finest tolerance is " + number_text(half_diagonal * finest.value().step());
+                              number_text(largest_extent * (1.0 - text_margin)) + " large";
+        if (finest) {
+            const double finest_tolerance = double{largest_snap_error(finest.value().step_exponent)};
+            message += ", at this size the finest tolerance is " + number_text(finest_tolerance * (1.0 + text_margin));
+        }
         return BakeError{BakeError::Kind::tolerance_too_fine,
                          message + "; choose a coarser tolerance, or split the input into several blobs"};
     }

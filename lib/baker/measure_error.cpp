@@ -1,11 +1,10 @@
 #include "measure_error.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "float_rounding.hpp"
 #include "kept_surface.hpp"
 
 namespace espalier::baker {
@@ -26,13 +25,6 @@ double snap_error(float coordinate, float origin, double steps, double step) {
 }
 
 double distance(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z) * rounding_margin; }
-
-/// Not zero, but subnormal errors are rounded up to the least normal float32: some machines read subnormals as zero.
-float round_up_to_float(double value) {
-    auto rounded = static_cast<float>(value);
-    if (double{rounded} < value) rounded = std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) + 1);
-    return rounded != 0.0f ? std::max(rounded, std::numeric_limits<float>::min()) : rounded;
-}
 
 /// How far a triangle's lattice image may be from itself, and the ends of that image, which is a point or a segment.
 struct Image {

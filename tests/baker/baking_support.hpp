@@ -1,0 +1,68 @@
+// What the claims about the baker share.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "../support/decoder.hpp"
+#include "../support/mesh.hpp"
+
+namespace espalier::tests {
+
+inline Result<Baked, BakeError> bake_mesh(const Mesh& mesh, const BakeOptions& options = {}) {
+    const MeshView view = mesh.view();
+    return bake({&view, 1}, options);
+}
+
+inline Result<Baked, BakeError> bake_meshes(std::initializer_list<const Mesh*> meshes, const BakeOptions& options = {}) {
+    std::vector<MeshView> views;
+    for (const Mesh* mesh : meshes) views.push_back(mesh->view());
+    return bake(views, options);
+}
+
+inline BakeOptions with_bits(unsigned bits) {
+    BakeOptions options;
+    options.bits = bits;
+    return options;
+}
+
+inline BakeOptions with_tolerance(double tolerance) {
+    BakeOptions options;
+    options.tolerance = tolerance;
+    return options;
+}
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The first `count` triangles of the mesh.
+inline Mesh first_triangles(Mesh mesh, std::size_t count) {
+    mesh.triangles.resize(count);
+    if (!mesh.materials.empty()) mesh.materials.resize(count);
+    return mesh;
+}
+
+inline void append(Mesh& mesh, const Mesh& other) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+    for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+}
+
+/// The corners of one baked triangle in the world, not rounded.
+inline std::array<std::array<double, 3>, 3> world_corners(const DecodedBlob& blob, const GridTriangle& triangle) {
+    const auto to_world = [&](const GridPoint& point) {
+        std::array<double, 3> world{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            world[axis] = double{blob.origin[axis]} + std::ldexp(static_cast<double>(point[axis]), blob.step_exponent);
+        }
+        return world;
+    };
+    return {to_world(triangle.a), to_world(triangle.b), to_world(triangle.c)};
+}
+
+}  // namespace espalier::tests

@@ -1,0 +1,163 @@
+// Claims about welding, collapsed triangles and duplicates.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <set>
+
+#include <baker/verify.hpp>
+
+#include "../support/baking.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/random.hpp"
+#include "baking_support.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+/// The same surface with three vertices of its own for every triangle.
+Mesh torn_apart(const Mesh& mesh) {
+    Mesh torn;
+    torn.name = mesh.name;
+    for (const TriangleVertices& triangle : mesh.triangles) {
+        const auto first = static_cast<std::uint32_t>(torn.positions.size());
+        for (const std::uint32_t corner : triangle) torn.positions.push_back(mesh.positions[corner]);
+        torn.triangles.push_back({first, first + 1, first + 2});
+    }
+    return torn;
+}
+
+}  // namespace
+
+TEST_SUITE("baker") {
+    TEST_CASE("what shares a position shares a vertex: shared and unshared indices give the same bytes") {
+        for (const Mesh& mesh : {make_icosphere(4, 1.0, {0, 0, 0}), make_terrain(20, 2), make_needle_fan(50)}) {
+            const auto shared = bake_mesh(mesh);
+            const auto torn = bake_mesh(torn_apart(mesh));
+            REQUIRE(shared);
+            REQUIRE(torn);
+            CHECK(shared->blob == torn->blob);
+            CHECK(shared->report.vertices == torn->report.vertices);
+        }
+    }
+
+    TEST_CASE("the vertex count is the number of distinct lattice points") {
+        for (const unsigned bits : {4u, 8u, 16u}) {
+            const auto result = bake_mesh(make_icosphere(4, 1.0, {0, 0, 0}), with_bits(bits));
+            REQUIRE(result);
+            const DecodedBlob decoded = decode(result->blob);
+            CHECK(decoded.vertex_count == distinct_corners(decoded).size());
+        }
+    }
+
+    TEST_CASE("triangles that lose their area on the lattice are dropped and counted") {
+        const Mesh mesh = make_icosphere(5, 1.0, {0, 0, 0});
+        const auto result = bake_mesh(mesh, with_bits(4));
+        REQUIRE(result);
+        CHECK(result->report.collapsed.count > 1000);
+        CHECK(contains(result->report.collapsed.first, ", triangle "));
+        CHECK(result->report.triangles + result->report.collapsed.count + result->report.duplicate.count ==
+              mesh.triangles.size());
+        for (const GridTriangle& triangle : decode(result->blob).triangles) {
+            CHECK(triangle.a != triangle.b);
+            CHECK(triangle.b != triangle.c);
+            CHECK(triangle.c != triangle.a);
+        }
+        CHECK(!baker::verify_deep(result->blob));
+    }
+
+    TEST_CASE("of triangles with the same corners and winding the first is kept, rotated or not") {
+        Mesh cube = make_cube(0.0f, 1.0f);
+        const auto [a, b, c] = cube.triangles[4];
+        cube.triangles.push_back({a, b, c});
+        cube.triangles.push_back({b, c, a});
+        cube.triangles.push_back({c, a, b});
+        cube.name = "cube";
+        BakeOptions options;
+        options.original_ids = true;
+        const auto result = bake_mesh(cube, options);
+        REQUIRE(result);
+        CHECK(result->report.triangles == 12);
+        CHECK(result->report.duplicate.count == 3);
+        CHECK(result->report.duplicate.first == "cube, triangle 12");
+        const DecodedBlob decoded = decode(result->blob);
+        for (const std::uint32_t id : decoded.original_ids) CHECK(id < 12);
+    }
+
+    TEST_CASE("the same corners in the other winding are another triangle") {
+        Mesh cube = make_cube(0.0f, 1.0f);
+        const auto [a, b, c] = cube.triangles[4];
+        cube.triangles.push_back({b, a, c});
+        const auto result = bake_mesh(cube);
+        REQUIRE(result);
+        CHECK(result->report.triangles == 13);
+        CHECK(result->report.duplicate.count == 0);
+    }
+
+    TEST_CASE("triangles that become equal on the lattice are duplicates") {
+        Mesh mesh = make_cube(0.0f, 1.0f);
+        Mesh nearly = make_cube(0.0f, 1.0f);
+        for (Vec3& point : nearly.positions) point.x += 1e-7f;
+        append(mesh, nearly);
+        const auto result = bake_mesh(mesh);
+        REQUIRE(result);
+        CHECK(result->report.triangles == 12);
+        CHECK(result->report.duplicate.count == 12);
+    }
+
+    TEST_CASE("a million identical triangles take less than five seconds and give one") {
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        mesh.triangles.assign(1'000'000, {0, 1, 2});
+        const auto start = std::chrono::steady_clock::now();
+        const auto shared = bake_mesh(mesh);
+        const auto torn = bake_mesh(torn_apart(mesh));
+        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+        REQUIRE(shared);
+        REQUIRE(torn);
+        CHECK(shared->report.triangles == 1);
+        CHECK(shared->report.duplicate.count == 999'999);
+        CHECK(shared->blob.size() < 512);
+        CHECK(shared->report.nodes == 1);
+    }
+
+    TEST_CASE("a million triangles on one spot, all different, take less than five seconds") {
+        // Specks around one lattice point beside a large triangle: every one collapses.
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}};
+        mesh.triangles = {{0, 1, 2}};
+        Random random(5);
+        for (std::uint32_t i = 0; i < 1'000'000; ++i) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            for (int corner = 0; corner < 3; ++corner) {
+                mesh.positions.push_back({400 + random.unit() * 1e-3f, 300 + random.unit() * 1e-3f, random.unit() * 1e-3f});
+            }
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const auto result = bake_mesh(mesh);
+        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+        REQUIRE(result);
+        CHECK(result->report.triangles == 1);
+        CHECK(result->report.collapsed.count == 1'000'000);
+        CHECK(result->report.max_error < 2 * result->report.step);
+    }
+
+    TEST_CASE("corners keep the order and the winding of the source") {
+        const Mesh mesh = make_terrain(9, 8);
+        BakeOptions options;
+        options.original_ids = true;
+        const DecodedBlob decoded = decode(bake_or_throw(mesh, options));
+        for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
+            const auto corners = world_corners(decoded, decoded.triangles[i]);
+            const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const Vec3& meant = mesh.positions[source[corner]];
+                CHECK(std::abs(corners[corner][0] - double{meant.x}) <= double{decoded.max_error});
+                CHECK(std::abs(corners[corner][1] - double{meant.y}) <= double{decoded.max_error});
+                CHECK(std::abs(corners[corner][2] - double{meant.z}) <= double{decoded.max_error});
+            }
+        }
+    }
+}

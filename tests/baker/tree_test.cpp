@@ -1,0 +1,239 @@
+// Claims about the tree: the same at any number of threads, within the format's limits on any input, and sound.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include <baker/build_sah.hpp>
+#include <baker/collapse.hpp>
+#include <baker/cost_model.hpp>
+#include <baker/verify.hpp>
+
+#include "../support/baking.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/random.hpp"
+#include "baking_support.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+unsigned height_of(const baker::BinaryTree& tree, std::size_t node = 0) {
+    if (tree.nodes[node].is_leaf()) return 0;
+    return 1 + std::max(height_of(tree, baker::BinaryTree::left_of(node)), height_of(tree, tree.right_of(node)));
+}
+
+/// Large triangles whose boxes are nearly the same: every split costs about the same, and the surface area heuristic likes to
+/// part with them one by one.
+baker::LatticeMesh nearly_equal_boxes(std::uint32_t count) {
+    baker::LatticeMesh mesh;
+    mesh.lattice.bits = 24;
+    Random random(1);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto jitter = [&] { return random.between(0, 40'000); };
+        mesh.vertices.push_back({jitter(), jitter(), jitter()});
+        mesh.vertices.push_back({16'000'000 + jitter(), 16'000'000 + jitter(), jitter()});
+        mesh.vertices.push_back({jitter(), 16'000'000 + jitter(), 16'000'000 + jitter()});
+        mesh.triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, i});
+    }
+    return mesh;
+}
+
+Mesh as_mesh(const baker::LatticeMesh& lattice_mesh) {
+    Mesh mesh;
+    for (const baker::LatticePoint& point : lattice_mesh.vertices) {
+        mesh.positions.push_back({static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
+    }
+    for (const baker::LatticeTriangle& triangle : lattice_mesh.triangles) mesh.triangles.push_back(triangle.corners);
+    return mesh;
+}
+
+/// Triangle i is twice as large and twice as far as triangle i - 1.
+Mesh exponentially_spaced(unsigned count) {
+    Mesh mesh;
+    for (unsigned i = 0; i < count; ++i) {
+        const float size = std::ldexp(1.0f, static_cast<int>(i));
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), {{size, 0, 0}, {2 * size, 0, 0}, {size, size, 0}});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
+/// Nodes on the longest way down when at most `levels` are allowed.
+unsigned wide_depth(const baker::CollapsePlan& plan, std::uint32_t binary_node, unsigned levels) {
+    REQUIRE(levels > 0);
+    unsigned below = 0;
+    baker::Children children = plan.children_of(binary_node, levels);
+    REQUIRE(children.count >= 1);
+    for (const baker::Child& child : children.list()) {
+        if (!child.is_leaf) below = std::max(below, wide_depth(plan, child.binary_node, levels - 1));
+    }
+    return below + 1;
+}
+
+void check_soundness(const Mesh& mesh, const BakeOptions& options = {}) {
+    CAPTURE(mesh.name);
+    CAPTURE(mesh.triangles.size());
+    const auto result = bake_mesh(mesh, options);
+    REQUIRE(result);
+    const auto complaint = baker::verify_deep(result->blob);
+    if (complaint) FAIL_CHECK(*complaint);
+    Blob blob;
+    CHECK(open(result->blob, blob) == Status::ok);
+    CHECK(blob.triangle_count() == result->report.triangles);
+    CHECK(blob.vertex_count() == result->report.vertices);
+    CHECK(blob.depth() == result->report.depth);
+    CHECK(blob.closed() == result->report.closed);
+    CHECK(blob.size_bytes() == result->report.bytes);
+    CHECK(blob.depth() <= format::max_depth);
+}
+
+}  // namespace
+
+TEST_SUITE("baker") {
+    TEST_CASE("the same bytes at any number of threads") {
+        for (const Mesh& mesh : {make_terrain(150, 1), make_soup(20'000, 2), make_torus(200, 100, 3.0, 1.0)}) {
+            for (const unsigned effort : {0u, 5u, 9u}) {
+                BakeOptions options;
+                options.effort = effort;
+                const auto one = bake_mesh(mesh, options);
+                REQUIRE(one);
+                for (const unsigned threads : {0u, 2u, 3u, 7u, 64u}) {
+                    options.threads = threads;
+                    const auto many = bake_mesh(mesh, options);
+                    REQUIRE(many);
+                    CHECK(many->blob == one->blob);
+                }
+            }
+        }
+    }
+
+    TEST_CASE("every size from 0 to 100 triangles gives a sound blob") {
+        for (std::size_t count = 0; count <= 100; ++count) {
+            check_soundness(first_triangles(make_soup(100, 3), count));
+            check_soundness(first_triangles(make_terrain(8, 3), count));
+        }
+    }
+
+    TEST_CASE("one triangle is a root with one leaf") {
+        const auto result = bake_mesh(first_triangles(make_cube(0.0f, 1.0f), 1));
+        REQUIRE(result);
+        CHECK(result->report.nodes == 1);
+        CHECK(result->report.leaves == 1);
+        CHECK(result->report.depth == 1);
+    }
+
+    TEST_CASE("every kind of mesh gives a sound blob on every lattice and at every effort") {
+        for (const Mesh& mesh :
+             {make_cube(-1.0f, 1.0f), make_icosphere(3, 1.0, {0, 0, 0}), make_uv_sphere(40, 60, 2.0, {1, 1, 1}),
+              make_torus(40, 30, 3.0, 1.0), make_far_sphere(), make_plane_grid(30), make_terrain(30, 1),
+              make_needle_fan(500), make_slivers(500, 1), make_coplanar_stacks(500, 1), make_soup(1000, 1)}) {
+            for (const unsigned bits : {1u, 2u, 7u, 8u, 15u, 16u, 17u, 20u, 24u}) check_soundness(mesh, with_bits(bits));
+            for (unsigned effort = 0; effort <= 9; ++effort) {
+                BakeOptions options;
+                options.effort = effort;
+                check_soundness(mesh, options);
+            }
+        }
+    }
+
+    TEST_CASE("flat meshes and meshes on a line of triangles are sound along every axis") {
+        for (int axis = 0; axis < 3; ++axis) {
+            Mesh grid = make_plane_grid(20);
+            Mesh row = exponentially_spaced(15);
+            for (int turn = 0; turn < axis; ++turn) {
+                for (Vec3& point : grid.positions) point = {point.z, point.x, point.y};
+                for (Vec3& point : row.positions) point = {point.z, point.x, point.y};
+            }
+            check_soundness(grid);
+            check_soundness(row, with_bits(24));
+        }
+    }
+
+    TEST_CASE("exponentially spaced triangles stay within the depth") { check_soundness(exponentially_spaced(22), with_bits(24)); }
+
+    TEST_CASE("the heuristic yields to balance exactly where the tree would become too high") {
+        for (const baker::LatticeMesh& mesh : {nearly_equal_boxes(1000), nearly_equal_boxes(1024), nearly_equal_boxes(1025)}) {
+            baker::BuildSettings settings = baker::build_settings(5, 1);
+            const unsigned free_height = height_of(baker::build_sah(mesh, settings));
+            const unsigned balanced_height = mesh.triangles.size() <= 1024 ? 10 : 11;
+            REQUIRE(free_height > balanced_height + 3);  // or this claim would test nothing
+            for (settings.most_height = 0; settings.most_height <= free_height; ++settings.most_height) {
+                const unsigned height = height_of(baker::build_sah(mesh, settings));
+                CHECK(height <= std::max(settings.most_height, balanced_height));
+                if (settings.most_height == free_height) CHECK(height == free_height);
+            }
+        }
+    }
+
+    TEST_CASE("a binary tree of three levels for each wide one can always be collapsed") {
+        const baker::LatticeMesh mesh = nearly_equal_boxes(5000);
+        const baker::BinaryTree tree = baker::build_sah(mesh, baker::build_settings(5, 1));
+        const unsigned least_levels = (height_of(tree) + 2) / 3;
+        for (const baker::CostModel& model : {baker::CostModel{}, baker::CostModel{0.001f, 1.0f, 1.0f, 0.0f}}) {
+            const baker::CollapsePlan plan(mesh, tree, model);
+            for (unsigned levels = least_levels; levels <= format::max_depth; ++levels) {
+                CHECK(wide_depth(plan, 0, levels) <= levels);
+            }
+        }
+    }
+
+    TEST_CASE("when the collapse likes long chains, the depth still holds") {
+        // Free bytes and dear leaves: the dynamic program takes whatever nodes it likes.
+        const Mesh mesh = as_mesh(nearly_equal_boxes(30'000));
+        const MeshView view = mesh.view();
+        for (const baker::CostModel& model : {baker::CostModel{0.001f, 1.0f, 1.0f, 0.0f}, baker::CostModel{1.0f, 0.0f, 0.0f, 0.0f},
+                                              baker::CostModel{1.0f, 1.0f, 0.0f, 1000.0f}}) {
+            const auto result = baker::bake_with_cost_model({&view, 1}, with_bits(24), model);
+            REQUIRE(result);
+            CHECK(result->report.depth <= format::max_depth);
+            CHECK(!baker::verify_deep(result->blob));
+        }
+    }
+
+    TEST_CASE("every triangle is there exactly once") {
+        const Mesh mesh = make_soup(3000, 17);
+        BakeOptions options;
+        options.original_ids = true;
+        const auto result = bake_mesh(mesh, options);
+        REQUIRE(result);
+        const DecodedBlob decoded = decode(result->blob);
+        const std::set<std::uint32_t> ids(decoded.original_ids.begin(), decoded.original_ids.end());
+        CHECK(ids.size() == result->report.triangles);
+        CHECK(decoded.triangles.size() == result->report.triangles);
+        CHECK(result->report.triangles + result->report.collapsed.count + result->report.duplicate.count +
+                  result->report.zero_area.count ==
+              mesh.triangles.size());
+    }
+
+    TEST_CASE("triangles of a leaf ascend by original id, and larger siblings come first") {
+        const Mesh mesh = make_terrain(40, 6);
+        BakeOptions options;
+        options.original_ids = true;
+        const auto result = bake_mesh(mesh, options);
+        REQUIRE(result);
+        const DecodedBlob decoded = decode(result->blob);
+        std::size_t first = 0;
+        for (const std::uint8_t count : decoded.triangles_in_leaf) {
+            CHECK(std::is_sorted(decoded.original_ids.begin() + static_cast<std::ptrdiff_t>(first),
+                                 decoded.original_ids.begin() + static_cast<std::ptrdiff_t>(first + count)));
+            first += count;
+        }
+        CHECK(first == decoded.triangles.size());
+    }
+
+    TEST_CASE("more effort never gives a mesh with other triangles") {
+        const Mesh mesh = make_terrain(60, 2);
+        std::set<std::uint32_t> counts;
+        for (unsigned effort = 0; effort <= 9; ++effort) {
+            BakeOptions options;
+            options.effort = effort;
+            const auto result = bake_mesh(mesh, options);
+            REQUIRE(result);
+            counts.insert(result->report.triangles);
+        }
+        CHECK(counts.size() == 1);
+    }
+}

@@ -1,0 +1,102 @@
+// Claims about verify_deep: each thing that it promises to find is planted and found.
+#include <doctest/doctest.h>
+
+#include <baker/verify.hpp>
+
+#include "../support/baking.hpp"
+#include "../support/checksum.hpp"
+#include "../support/mesh_makers.hpp"
+#include "baking_support.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+std::string verdict(std::vector<std::byte> blob) {
+    repair_checksum(blob);
+    return baker::verify_deep(blob).value_or("");
+}
+
+void add_to(std::vector<std::byte>& blob, std::size_t at, int by) {
+    blob[at] = static_cast<std::byte>(std::to_integer<int>(blob[at]) + by);
+}
+
+}  // namespace
+
+TEST_SUITE("baker") {
+    TEST_CASE("verify finds nothing wrong with a baked blob, an empty one included") {
+        CHECK(verdict(bake_or_throw(make_terrain(20, 1))) == "");
+        CHECK(verdict(bake({}, {})->blob) == "");
+    }
+
+    TEST_CASE("verify says why bytes are no blob") {
+        CHECK(!baker::verify_deep({}).value_or("").empty());
+        auto blob = bake_or_throw(make_cube(0.0f, 1.0f));
+        blob[200] ^= std::byte{1};
+        CHECK(contains(baker::verify_deep(blob).value_or(""), "checksum") );
+    }
+
+    TEST_CASE("verify finds a box that is too small, and names node and byte") {
+        const auto good = bake_or_throw(make_terrain(30, 1));
+        const DecodedBlob decoded = decode(good);
+        unsigned found = 0;
+        for (std::size_t node = 0; node < decoded.nodes.size(); ++node) {
+            for (std::size_t plane = 0; plane < 3 * format::max_children; plane += 5) {
+                const std::size_t at = format::header::bytes + node * format::fast_node::bytes + format::fast_node::hi_at + plane;
+                if (plane % 8 >= decoded.nodes[node].children.size() || std::to_integer<int>(good[at]) < 2) continue;
+                auto bad = good;
+                add_to(bad, at, -2);  // two planes lower: below what outward rounding may have left
+                const std::string message = verdict(bad);
+                if (!contains(message, "does not hold what is below")) continue;
+                ++found;
+                CHECK(contains(message, "node " + std::to_string(node) + " (byte " +
+                                            std::to_string(format::header::bytes + node * format::fast_node::bytes) + ")"));
+            }
+        }
+        CHECK(found > decoded.nodes.size());
+    }
+
+    TEST_CASE("verify finds a wrong vertex count, extent and closed flag") {
+        namespace header = format::header;
+        const auto good = bake_or_throw(make_icosphere(2, 1.0, {0, 0, 0}));
+        auto bad = good;
+        add_to(bad, header::vertex_count_at, 1);
+        CHECK(contains(verdict(bad), "counts"));
+        bad = good;
+        add_to(bad, header::features_at, -static_cast<int>(format::feature::closed));
+        CHECK(contains(verdict(bad), "it is closed"));
+        bad = bake_or_throw(make_terrain(4, 1));
+        add_to(bad, header::features_at, static_cast<int>(format::feature::closed));
+        CHECK(contains(verdict(bad), "it is not"));
+        bad = bake_or_throw(make_cube(0.0f, 200.0f), with_bits(8));
+        add_to(bad, header::extent_at, 1);
+        CHECK(contains(verdict(bad), "axis 0"));
+    }
+
+    TEST_CASE("verify finds a triangle without area and a triangle that is there twice") {
+        // One leaf of two triangles with 3-bit corners: the last two bytes before the padding are theirs.
+        Mesh quad;
+        quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+        quad.triangles = {{0, 1, 2}, {0, 2, 3}};
+        const auto good = bake_or_throw(quad, with_bits(1));
+        const DecodedBlob decoded = decode(good);
+        REQUIRE(decoded.triangles.size() == 2);
+        const std::size_t leaves_at = format::header::bytes + format::fast_node::bytes;
+        const std::size_t data = leaves_at + format::fast_leaf::descriptors_at + format::fast_leaf::descriptor_bytes;
+        // x and y are streams of 4 bits in a byte each, z has none.
+        const auto with_corners = [&](unsigned first, unsigned second) {
+            auto bad = good;
+            const unsigned both = first | second << 9;
+            for (std::size_t i = 0; i < 3; ++i) bad[data + 2 + i] = static_cast<std::byte>(both >> (8 * i) & 255);
+            return bad;
+        };
+        const auto corners = [](unsigned a, unsigned b, unsigned c) { return a | b << 3 | c << 6; };
+        CHECK(verdict(with_corners(corners(0, 1, 2), corners(0, 2, 3))) == "");
+        CHECK(contains(verdict(with_corners(corners(0, 1, 2), corners(0, 3, 3))), "triangle 1 (leaf data at byte "));
+        CHECK(contains(verdict(with_corners(corners(0, 1, 2), corners(0, 3, 3))), "has no area"));
+        CHECK(contains(verdict(with_corners(corners(0, 1, 2), corners(1, 2, 0))), "is the same as triangle 0"));
+        CHECK(contains(verdict(with_corners(corners(0, 2, 1), corners(0, 2, 3))), "numbered lower"));
+        CHECK(contains(verdict(with_corners(corners(0, 1, 2), corners(0, 2, 1))), "none uses"));
+    }
+}
