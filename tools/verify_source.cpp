@@ -41,13 +41,17 @@ std::vector<std::uint32_t> used_vertices(const ImportedMesh& mesh, SourceCheck& 
     return result;
 }
 
-/// How far the measured distance may lie above the true one: closest_point rounds the point onto its own grid, which is
-/// finer than the lattice as long as float32 can carry it, and its answer by some ulp of the coordinates (nearest.hpp).
-double measuring_error_at(const Blob& blob, Vec3 point) {
-    const double largest = std::max({std::abs(double{point.x}), std::abs(double{point.y}), std::abs(double{point.z})});
-    const int finer_by = std::clamp(22 - static_cast<int>(blob.bits()), 0, 6);
-    const double spacing = double{std::numeric_limits<float>::epsilon()};
-    return std::ldexp(double{blob.step()}, -finer_by) + 8.0 * spacing * (largest + double{blob.max_error()});
+/// How far the measured distance may lie above the true one. closest_point answers for the point as it rounds it:
+/// relative to the lattice's origin in float32, then onto a grid that is finer than the lattice as far as float32 can
+/// carry it. Its distance from there is within 4 ulp (nearest.hpp).
+double measuring_error_at(const Blob& blob, Vec3 point, double distance) {
+    const float* origin = blob.data().origin;
+    const double reach =
+        std::max({std::abs(double{point.x} - double{origin[0]}), std::abs(double{point.y} - double{origin[1]}),
+                  std::abs(double{point.z} - double{origin[2]})});
+    const int finer_by = std::clamp(23 - static_cast<int>(blob.bits()), 0, 6);
+    const double on_each_axis = std::ldexp(double{blob.step()}, -finer_by - 1) + std::ldexp(reach, -24);
+    return std::sqrt(3.0) * on_each_axis + std::ldexp(distance, -21);
 }
 
 void check_vertex(const Blob& blob, const ImportedMesh& mesh, std::uint32_t vertex, SourceCheck& check) {
@@ -55,7 +59,7 @@ void check_vertex(const Blob& blob, const ImportedMesh& mesh, std::uint32_t vert
     Nearest nearest;
     const bool found = closest_point(blob, point, std::numeric_limits<float>::infinity(), nearest);
     const double distance = found ? double{nearest.distance} : std::numeric_limits<double>::infinity();
-    const double error = measuring_error_at(blob, point);
+    const double error = measuring_error_at(blob, point, distance);
     ++check.checked;
     if (distance > double{blob.max_error()} + error) ++check.too_far;
     check.measuring_error = std::max(check.measuring_error, error);
