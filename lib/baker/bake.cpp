@@ -23,7 +23,7 @@ namespace baker {
 namespace {
 
 float to_world(float origin, std::int32_t coordinate, double step) {
-    return static_cast<float>(double{origin} + coordinate * step);
+    return static_cast<float>(double(origin) + coordinate * step);
 }
 
 void fill_in(BakeReport& report, const SourceBounds& bounds, const LatticeMesh& mesh, const WideTree& wide,
@@ -37,7 +37,7 @@ void fill_in(BakeReport& report, const SourceBounds& bounds, const LatticeMesh& 
                          to_world(lattice.origin.z, mesh.extent.z, step)};
     report.step = step;
     report.extent = std::max({mesh.extent.x, mesh.extent.y, mesh.extent.z}) * step;
-    report.max_error = double{properties.max_error};
+    report.max_error = double(properties.max_error);
     report.bits = lattice.bits;
     report.closed = properties.closed;
     report.step_below_float_spacing = is_below_float_spacing(lattice, bounds);

@@ -27,9 +27,9 @@ struct BinaryNode {
     [[nodiscard]] bool is_leaf() const { return count == 1; }
     [[nodiscard]] LaneBox box() const { return lane_box_of(*this); }
     [[nodiscard]] double half_area() const {
-        const double x = double{hi[0]} - double{lo[0]};
-        const double y = double{hi[1]} - double{lo[1]};
-        const double z = double{hi[2]} - double{lo[2]};
+        const double x = double(hi[0]) - double(lo[0]);
+        const double y = double(hi[1]) - double(lo[1]);
+        const double z = double(hi[2]) - double(lo[2]);
         return x * y + y * z + z * x;
     }
 };

@@ -26,7 +26,7 @@ BakeError tolerance_error(const Source& source, const FittedMesh& last, double t
     if (!last.error.is_of_dropped) return too_fine;
     return {BakeError::Kind::tolerance_too_fine,
             triangle_name(source, last.error.dropped_triangle) + ": it has no area on the lattice and lies " +
-                number_text(double{last.error.largest}) +
+                number_text(double(last.error.largest)) +
                 " from the rest, so that dropping it exceeds the tolerance of " + number_text(tolerance) +
                 "; remove it from the mesh, or choose a coarser tolerance"};
 }
@@ -54,7 +54,7 @@ Result<FittedMesh, BakeError> fit_tolerance(const Source& source, const SourceBo
         last = snap_and_measure(source, *lattice, report);
         // A surface that vanished as a whole keeps no tolerance.
         const bool is_something_left = !last.mesh.triangles.empty();
-        if (is_something_left && double{last.error.largest} <= tolerance) return last;
+        if (is_something_left && double(last.error.largest) <= tolerance) return last;
     }
 }
 

@@ -12,7 +12,7 @@ namespace espalier::baker {
 /// least normal number: some machines read subnormals as zero.
 [[nodiscard]] inline float round_up_to_float(double value) {
     auto rounded = static_cast<float>(value);
-    if (double{rounded} < value) rounded = std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) + 1);
+    if (double(rounded) < value) rounded = std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) + 1);
     return rounded != 0.0f ? std::max(rounded, std::numeric_limits<float>::min()) : rounded;
 }
 

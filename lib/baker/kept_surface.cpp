@@ -33,8 +33,8 @@ double distance_to_segment(const StepPoint& point, const StepPoint& a, const Ste
 double square_distance_to_box(const StepPoint& point, const BinaryNode& node) {
     double sum = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double below = double{node.lo[axis]} - point[axis];
-        const double above = point[axis] - double{node.hi[axis]};
+        const double below = double(node.lo[axis]) - point[axis];
+        const double above = point[axis] - double(node.hi[axis]);
         const double outside = std::max({below, above, 0.0});
         sum += outside * outside;
     }

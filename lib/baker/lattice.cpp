@@ -61,8 +61,8 @@ SourceBounds bounds_of(const Source& source) {
     }
     bounds.min = {without_subnormals(bounds.min.x), without_subnormals(bounds.min.y), without_subnormals(bounds.min.z)};
     bounds.largest_side =
-        std::max({double{bounds.max.x} - double{bounds.min.x}, double{bounds.max.y} - double{bounds.min.y},
-                  double{bounds.max.z} - double{bounds.min.z}});
+        std::max({double(bounds.max.x) - double(bounds.min.x), double(bounds.max.y) - double(bounds.min.y),
+                  double(bounds.max.z) - double(bounds.min.z)});
     bounds.largest_coordinate =
         std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.min.z), std::abs(bounds.max.x),
                   std::abs(bounds.max.y), std::abs(bounds.max.z)});
@@ -90,7 +90,7 @@ Result<Lattice, BakeError> lattice_for_bits(const SourceBounds& bounds, unsigned
 int step_exponent_for_tolerance(double tolerance) {
     int exponent = 0;
     std::frexp(tolerance, &exponent);
-    while (double{largest_snap_error(exponent)} > tolerance) --exponent;
+    while (double(largest_snap_error(exponent)) > tolerance) --exponent;
     return exponent;
 }
 
@@ -105,7 +105,7 @@ Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step
                               number_text(bounds.largest_side) + " large: at this tolerance they may be " +
                               number_text(largest_extent * (1.0 - text_margin)) + " large";
         if (finest) {
-            const double finest_tolerance = double{largest_snap_error(finest.value().step_exponent)};
+            const double finest_tolerance = double(largest_snap_error(finest.value().step_exponent));
             message += ", at this size the finest tolerance is " + number_text(finest_tolerance * (1.0 + text_margin));
         }
         return BakeError{BakeError::Kind::tolerance_too_fine,

@@ -45,7 +45,7 @@ struct SourceBounds {
 /// A coordinate in steps from the origin, rounded to whole ones. Deterministic: two correctly rounded operations, of which
 /// the second, by a power of two, is exact.
 [[nodiscard]] inline double snap_coordinate(float coordinate, float origin, double reciprocal_step) {
-    return round_half_even((double{coordinate} - double{origin}) * reciprocal_step);
+    return round_half_even((double(coordinate) - double(origin)) * reciprocal_step);
 }
 
 /// Whether the lattice is finer than float32 numbers are around the farthest coordinate: it then only records noise.

@@ -16,8 +16,8 @@ constexpr double rounding_margin = 1.0 + 0x1p-50;  // of the squares, their sum 
 /// Coordinate minus lattice coordinate. The difference of coordinate and origin is taken as a sum without rounding error
 /// (two-sum), the lattice part subtracted from it exactly.
 double snap_error(float coordinate, float origin, double steps, double step) {
-    const double a = double{coordinate};
-    const double b = -double{origin};
+    const double a = double(coordinate);
+    const double b = -double(origin);
     const double sum = a + b;
     const double virtual_part = sum - a;
     const double lost = (a - (sum - virtual_part)) + (b - virtual_part);
@@ -73,8 +73,8 @@ private:
         }
         const Vec3& point = source_.positions[position];
         const Vec3& origin = mesh_.lattice.origin;
-        return {(double{point.x} - double{origin.x}) * reciprocal_step_, (double{point.y} - double{origin.y}) * reciprocal_step_,
-                (double{point.z} - double{origin.z}) * reciprocal_step_};
+        return {(double(point.x) - double(origin.x)) * reciprocal_step_, (double(point.y) - double(origin.y)) * reciprocal_step_,
+                (double(point.z) - double(origin.z)) * reciprocal_step_};
     }
 
     /// Its corners, the two that lie farthest apart first and last.

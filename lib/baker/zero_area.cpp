@@ -42,9 +42,9 @@ bool component_is_zero(double a0, double a1, double b0, double b1, double c0, do
 }  // namespace
 
 bool has_zero_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return component_is_zero(double{a.x}, double{a.y}, double{b.x}, double{b.y}, double{c.x}, double{c.y}) &&
-           component_is_zero(double{a.y}, double{a.z}, double{b.y}, double{b.z}, double{c.y}, double{c.z}) &&
-           component_is_zero(double{a.z}, double{a.x}, double{b.z}, double{b.x}, double{c.z}, double{c.x});
+    return component_is_zero(double(a.x), double(a.y), double(b.x), double(b.y), double(c.x), double(c.y)) &&
+           component_is_zero(double(a.y), double(a.z), double(b.y), double(b.z), double(c.y), double(c.z)) &&
+           component_is_zero(double(a.z), double(a.x), double(b.z), double(b.x), double(c.z), double(c.x));
 }
 
 }  // namespace espalier::baker

@@ -58,7 +58,7 @@ inline std::array<std::array<double, 3>, 3> world_corners(const DecodedBlob& blo
     const auto to_world = [&](const GridPoint& point) {
         std::array<double, 3> world{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            world[axis] = double{blob.origin[axis]} + std::ldexp(static_cast<double>(point[axis]), blob.step_exponent);
+            world[axis] = double(blob.origin[axis]) + std::ldexp(static_cast<double>(point[axis]), blob.step_exponent);
         }
         return world;
     };

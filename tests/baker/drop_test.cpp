@@ -154,9 +154,9 @@ TEST_SUITE("baker") {
             const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const Vec3& meant = mesh.positions[source[corner]];
-                CHECK(std::abs(corners[corner][0] - double{meant.x}) <= double{decoded.max_error});
-                CHECK(std::abs(corners[corner][1] - double{meant.y}) <= double{decoded.max_error});
-                CHECK(std::abs(corners[corner][2] - double{meant.z}) <= double{decoded.max_error});
+                CHECK(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
+                CHECK(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
+                CHECK(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
             }
         }
     }

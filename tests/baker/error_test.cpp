@@ -40,8 +40,8 @@ double distance_to(const Point& point, const std::array<Point, 3>& triangle) {
 }
 
 Point random_point_of(const Mesh& mesh, const TriangleVertices& triangle, Random& random) {
-    double u = double{random.unit()};
-    double v = double{random.unit()};
+    double u = double(random.unit());
+    double v = double(random.unit());
     if (u + v > 1.0) {
         u = 1.0 - u;
         v = 1.0 - v;
@@ -51,7 +51,7 @@ Point random_point_of(const Mesh& mesh, const TriangleVertices& triangle, Random
     const Vec3& b = mesh.positions[triangle[1]];
     const Vec3& c = mesh.positions[triangle[2]];
     const auto mix = [&](float from, float to_b, float to_c) {
-        return double{from} * (1 - u - v) + double{to_b} * u + double{to_c} * v;
+        return double(from) * (1 - u - v) + double(to_b) * u + double(to_c) * v;
     };
     return {mix(a.x, b.x, c.x), mix(a.y, b.y, c.y), mix(a.z, b.z, c.z)};
 }
@@ -104,7 +104,7 @@ TEST_SUITE("baker") {
             const auto corners = world_corners(decoded, decoded.triangles[i]);
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const Vec3& source = mesh.positions[mesh.triangles[decoded.original_ids[i]][corner]];
-                largest = std::max(largest, length(minus(corners[corner], {double{source.x}, double{source.y}, double{source.z}})));
+                largest = std::max(largest, length(minus(corners[corner], {double(source.x), double(source.y), double(source.z)})));
             }
         }
         CHECK(result->report.max_error >= largest);

@@ -126,7 +126,7 @@ TEST_SUITE("baker") {
         CHECK(baker::round_half_even(0.49999999999999994) == 0.0);
         Random random(3);
         for (int i = 0; i < 10'000; ++i) {
-            const double value = double{random.signed_unit()} * 0x1p24 + double{random.signed_unit()};
+            const double value = double(random.signed_unit()) * 0x1p24 + double(random.signed_unit());
             REQUIRE(baker::round_half_even(value) == std::nearbyint(value));
         }
     }
