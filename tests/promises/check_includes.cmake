@@ -1,0 +1,80 @@
+# Who may include what: the walls of the house (docs/architecture.md).
+# cmake -D root=<project> -P check_includes.cmake
+set(problems "")
+
+# check(<what> <allowed> <files...>): every include of the files matches the regular expression.
+function(check what allowed)
+  foreach(file IN LISTS ARGN)
+    file(STRINGS ${file} includes REGEX "^[ \t]*#[ \t]*include")
+    foreach(line IN LISTS includes)
+      string(REGEX REPLACE "^[ \t]*#[ \t]*include[ \t]*([<\"][^>\"]*[>\"]).*" "\\1" name "${line}")
+      if(NOT name MATCHES "^(${allowed})$")
+        file(RELATIVE_PATH shown ${root} ${file})
+        list(APPEND problems "${shown} includes ${name}: ${what}")
+      endif()
+    endforeach()
+  endforeach()
+  set(problems "${problems}" PARENT_SCOPE)
+endfunction()
+
+set(plain_headers "<(array|bit|cfloat|climits|compare|concepts|cstddef|cstdint|limits|span|type_traits|utility)>")
+set(machine_headers "<(immintrin|arm_neon|cpuid)\\.h>")
+set(standard_headers "<[a-z_0-9]+(\\.h)?>")
+
+file(GLOB public_headers ${root}/lib/espalier/*.hpp)
+list(REMOVE_ITEM public_headers ${root}/lib/espalier/bake.hpp)
+check("a public header of the runtime includes public headers and freestanding ones only"
+  "<espalier/[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
+check("the baker's public header includes public and standard headers only"
+  "<espalier/[a-z_]+\\.hpp>|${standard_headers}" ${root}/lib/espalier/bake.hpp)
+foreach(header IN LISTS public_headers)
+  file(STRINGS ${header} baking REGEX "include.*espalier/bake\\.hpp")
+  if(baking)
+    list(APPEND problems "${header} includes the baker's header")
+  endif()
+endforeach()
+
+file(GLOB_RECURSE runtime ${root}/lib/runtime/*.hpp ${root}/lib/runtime/*.inl ${root}/lib/runtime/*.cpp)
+check("the runtime includes public headers, its own and freestanding ones only"
+  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/blob\\.hpp>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
+
+file(GLOB_RECURSE baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
+check("the baker includes public and standard headers, the runtime's and its own only"
+  "<espalier/[a-z_]+\\.hpp>|<runtime/[a-z_]+\\.hpp>|\"[a-z_0-9]+\\.hpp\"|<baker/[a-z_0-9]+\\.hpp>|${standard_headers}|<immintrin\\.h>" ${baker})
+
+foreach(folder IN ITEMS lib tests fuzz bench)
+  file(GLOB_RECURSE files ${root}/${folder}/*.hpp ${root}/${folder}/*.inl ${root}/${folder}/*.cpp)
+  foreach(file IN LISTS files)
+    file(STRINGS ${file} strangers REGEX "^[ \t]*#[ \t]*include[ \t]*<assimp/")
+    if(strangers)
+      list(APPEND problems "${file} includes assimp: only tools/ may")
+    endif()
+  endforeach()
+endforeach()
+foreach(folder IN ITEMS lib tools fuzz bench)
+  file(GLOB_RECURSE files ${root}/${folder}/*.hpp ${root}/${folder}/*.inl ${root}/${folder}/*.cpp)
+  foreach(file IN LISTS files)
+    file(STRINGS ${file} strangers REGEX "^[ \t]*#[ \t]*include[ \t]*<Eigen/")
+    if(strangers)
+      list(APPEND problems "${file} includes Eigen: only tests/ may")
+    endif()
+  endforeach()
+endforeach()
+# The oracle is a second opinion: it must not know the code that it judges.
+file(GLOB oracle ${root}/tests/oracle/big_integer.* ${root}/tests/oracle/rational.* ${root}/tests/oracle/exact_geometry.*)
+foreach(file IN LISTS oracle)
+  file(STRINGS ${file} strangers REGEX "^[ \t]*#[ \t]*include[ \t]*<(espalier|runtime)/")
+  if(strangers)
+    list(APPEND problems "${file} includes the code that it is the oracle for")
+  endif()
+endforeach()
+
+list(LENGTH runtime runtime_count)
+if(runtime_count LESS 10)
+  list(APPEND problems "only ${runtime_count} files seen in lib/runtime: is ${root} the project?")
+endif()
+if(problems)
+  list(JOIN problems "\n  " text)
+  message(FATAL_ERROR "includes through walls:\n  ${text}")
+endif()
+message(STATUS "every include respects the walls")

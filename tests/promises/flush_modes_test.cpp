@@ -1,0 +1,127 @@
+// The same bits with subnormal numbers flushed or not: code that shares a thread with a game engine must not change answers.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+
+#include "../support/hostile_values.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/query_maker.hpp"
+#include "../support/same_bits.hpp"
+#include "../support/test_blobs.hpp"
+#include "../support/test_scale.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+
+namespace {
+
+class FloatMode {
+public:
+    explicit FloatMode(unsigned flags) : before_(_mm_getcsr()) { _mm_setcsr(before_ | flags); }
+    ~FloatMode() { _mm_setcsr(before_); }
+    FloatMode(const FloatMode&) = delete;
+    FloatMode& operator=(const FloatMode&) = delete;
+
+private:
+    unsigned before_;
+};
+
+struct Answers {
+    Status status = Status::ok;
+    bool hit = false;
+    bool near = false;
+    bool overlap = false;
+    RayHit ray_hit;
+    Nearest nearest;
+    std::vector<RayHit> every_hit;
+    std::vector<Triangle> every_overlap;
+    Vec3 bounds[2];
+};
+
+Answers ask(std::span<const std::byte> bytes, const Ray& ray, const Sphere& sphere) {
+    Answers answers;
+    Blob blob;
+    answers.status = open(bytes, blob);
+    answers.hit = raycast(blob, ray, answers.ray_hit);
+    answers.near = closest_point(blob, sphere.center, sphere.radius, answers.nearest);
+    answers.overlap = overlaps(blob, sphere);
+    for_each_hit(blob, ray, [&](const RayHit& each) { return answers.every_hit.push_back(each), keep_going; });
+    for_each_overlap(blob, sphere, [&](Triangle each) { return answers.every_overlap.push_back(each), keep_going; });
+    answers.bounds[0] = blob.bounds_min();
+    answers.bounds[1] = blob.bounds_max();
+    return answers;
+}
+
+bool same_answers(const Answers& a, const Answers& b) {
+    if (a.status != b.status || a.hit != b.hit || a.near != b.near || a.overlap != b.overlap) return false;
+    if (!same_bits(a.ray_hit, b.ray_hit) || !same_bits(a.nearest, b.nearest)) return false;
+    if (a.every_hit.size() != b.every_hit.size() || a.every_overlap != b.every_overlap) return false;
+    for (std::size_t i = 0; i < a.every_hit.size(); ++i) {
+        if (!same_bits(a.every_hit[i], b.every_hit[i])) return false;
+    }
+    return same_bits(a.bounds[0], b.bounds[0]) && same_bits(a.bounds[1], b.bounds[1]);
+}
+
+}  // namespace
+
+TEST_SUITE("promises") {
+    TEST_CASE("answers do not depend on flush-to-zero and denormals-are-zero") {
+        constexpr unsigned flush_to_zero = 0x8000;
+        constexpr unsigned denormals_are_zero = 0x0040;
+        {
+            // The modes are real: the product of two small numbers vanishes in one of them.
+            volatile float small = 0x1p-70f;
+            CHECK(small * small * 0x1p40f > 0.0f);
+            const FloatMode mode(flush_to_zero);
+            CHECK(small * small * 0x1p40f == 0.0f);
+        }
+        std::vector<OpenedBlob> blobs;
+        BakeOptions options;
+        blobs.emplace_back(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
+        blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), 0x1p-85f));  // a step of 2^-100
+        blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p-85f));
+        blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p80f));
+        blobs.emplace_back(make_far_sphere());
+        for (const OpenedBlob& opened : blobs) {
+            const DecodedBlob decoded = decode(opened.bytes);
+            CAPTURE(decoded.step_exponent);
+            QueryMaker maker(decoded, 6);
+            Random random(7);
+            const auto hostile = [&] { return hostile_values[random.below(hostile_values.size())]; };
+            const auto subnormal = [&] {
+                return std::bit_cast<float>((static_cast<std::uint32_t>(random.next()) & 0x807FFFFFu));
+            };
+            for (std::uint64_t i = 0; i < scaled(3'000); ++i) {
+                Ray ray = maker.any_ray();
+                Sphere sphere = maker.sphere();
+                switch (random.below(8)) {
+                    case 0: ray.direction = {hostile(), hostile(), hostile()}; break;
+                    case 1: ray.direction = {subnormal(), subnormal(), subnormal()}; break;
+                    case 2:
+                        ray.origin = {subnormal(), subnormal(), subnormal()};
+                        sphere.center = ray.origin;
+                        break;
+                    case 3: ray.t_min = subnormal(); break;
+                    case 4: ray.t_max = hostile(); break;
+                    case 5: sphere.radius = subnormal(); break;
+                    default: break;
+                }
+                const Answers expected = ask(opened.bytes, ray, sphere);
+                for (const unsigned flags : {flush_to_zero, denormals_are_zero, flush_to_zero | denormals_are_zero}) {
+                    const Answers actual = [&] {
+                        const FloatMode mode(flags);
+                        return ask(opened.bytes, ray, sphere);
+                    }();
+                    REQUIRE_MESSAGE(same_answers(actual, expected), describe(ray), "; ", describe(sphere));
+                }
+            }
+        }
+    }
+}
+#endif

@@ -1,0 +1,100 @@
+// How much stack each query needs on this machine, measured over queries that fill the traversal's stack, with a budget.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include <espalier/espalier.hpp>
+
+#include "../support/instruction_paths.hpp"
+#include "../support/query_maker.hpp"
+#include "../support/stack_use.hpp"
+#include "../support/test_blobs.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+constexpr bool sanitized =
+#if defined(__SANITIZE_ADDRESS__)
+    true;
+#else
+    false;
+#endif
+
+/// The most that `call` took for any blob and query.
+template <class Call>
+std::size_t most_stack(Call call) {
+    std::size_t most = 0;
+    for (const TestBlob& blob : medium_test_blobs()) {
+        QueryMaker maker(blob.decoded, 5);
+        for (int i = 0; i < 40; ++i) most = std::max(most, call(blob, maker));
+    }
+    return most;
+}
+
+}  // namespace
+
+TEST_SUITE("promises") {
+    TEST_CASE("the measure of stack sees a frame of known size") {
+        if (sanitized) return;
+        const std::size_t empty = stack_use([] {});
+        const std::size_t filled = stack_use([] {
+            volatile char frame[4096];
+            for (volatile char& c : frame) c = 1;
+        });
+        CHECK(filled >= empty + 4096);
+        CHECK(filled < empty + 4096 + 256);
+    }
+
+    TEST_CASE("every query stays within its stack budget") {
+        if (sanitized) {
+            MESSAGE("SKIPPED: the sanitizers give frames other sizes");
+            return;
+        }
+        struct Row {
+            const char* query;
+            std::size_t budget;
+            std::size_t most;
+        };
+        RayHit hit;
+        Nearest nearest;
+        const auto ray_row = [&](auto query) {
+            return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
+                const Ray ray = maker.any_ray();
+                return stack_use([&] { query(blob.opened.blob, ray); });
+            });
+        };
+        const auto sphere_row = [&](auto query) {
+            return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
+                const Sphere sphere = maker.sphere();
+                return stack_use([&] { query(blob.opened.blob, sphere); });
+            });
+        };
+        const Row rows[] = {
+            {"open", 1024, most_stack([](const TestBlob& blob, QueryMaker&) {
+                 return stack_use([&] {
+                     Blob opened;
+                     (void)open(blob.opened.bytes, opened);
+                 });
+             })},
+            {"raycast", 3072, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
+            {"occluded", 2304, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
+            {"for_each_hit", 2304, ray_row([](const Blob& blob, const Ray& ray) {
+                 for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
+             })},
+            {"overlaps", 2304, sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
+            {"for_each_overlap", 2304, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                 for_each_overlap(blob, sphere, [](Triangle) { return keep_going; });
+             })},
+            {"closest_point", 3072, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                 closest_point(blob, sphere.center, sphere.radius, nearest);
+             })},
+        };
+        for (const Row& row : rows) {
+            MESSAGE(std::string(row.query), ": ", row.most, " bytes of stack, budget ", row.budget);
+            CHECK_MESSAGE(row.most <= row.budget, std::string(row.query));
+        }
+    }
+}
