@@ -22,7 +22,7 @@ double bytes_per_triangle(std::size_t bytes, const Blob& blob) {
 double extent_of(const Blob& blob) {
     std::int32_t largest = 0;
     for (const std::int32_t side : blob.data().extent) largest = std::max(largest, side);
-    return double{blob.step()} * largest;
+    return static_cast<double>(blob.step()) * largest;
 }
 
 std::string format_version(const BlobFile& file) {

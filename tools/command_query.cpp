@@ -47,7 +47,8 @@ std::string triangle_text(const Blob& blob, Triangle triangle) {
 
 Vec3 point_at(const Ray& ray, float t) {
     const auto along = [t](float origin, float direction) {
-        return static_cast<float>(double{origin} + double{t} * double{direction});
+        return static_cast<float>(static_cast<double>(origin) +
+                                  static_cast<double>(t) * static_cast<double>(direction));
     };
     return {along(ray.origin.x, ray.direction.x), along(ray.origin.y, ray.direction.y),
             along(ray.origin.z, ray.direction.z)};

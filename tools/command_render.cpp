@@ -84,8 +84,8 @@ struct Work {
 
 Work draw_heatmap(const Blob& blob, const Camera& camera, const RenderArguments& arguments, Image& image,
                   Progress& progress) {
-    std::vector<float> steps(std::size_t{image.width()} * image.height());
-    const float weight = 1.0f / static_cast<float>(arguments.samples * arguments.samples);
+    std::vector<double> steps(std::size_t{image.width()} * image.height());
+    const double weight = 1.0 / static_cast<double>(arguments.samples * arguments.samples);
     const auto count_row = [&](unsigned row) {
         for (unsigned column = 0; column < image.width(); ++column) {
             std::uint64_t sum = 0;
@@ -95,20 +95,20 @@ Work draw_heatmap(const Blob& blob, const Camera& camera, const RenderArguments&
                 raycast_counted(blob, ray, hit, counters);
                 sum += counters.nodes + counters.triangles;
             });
-            steps[std::size_t{row} * image.width() + column] = weight * static_cast<float>(sum);
+            steps[std::size_t{row} * image.width() + column] = weight * static_cast<double>(sum);
         }
     };
     for_each_row(image.height(), arguments.threads, count_row, [&](double done) { progress.show("rays", done); });
 
-    std::vector<float> sorted = steps;
+    std::vector<double> sorted = steps;
     std::sort(sorted.begin(), sorted.end());
     Work work;
     work.mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
-    work.most = double{sorted.back()};
-    work.white = std::max(1.0, double{sorted[(sorted.size() - 1) / 1000 * 999]});
+    work.most = sorted.back();
+    work.white = std::max(1.0, sorted[(sorted.size() - 1) / 1000 * 999]);
     for (unsigned row = 0; row < image.height(); ++row) {
         for (unsigned column = 0; column < image.width(); ++column) {
-            const double heat = double{steps[std::size_t{row} * image.width() + column]} / work.white;
+            const double heat = steps[std::size_t{row} * image.width() + column] / work.white;
             image.set(column, row, heat_colour(static_cast<float>(heat)));
         }
     }

@@ -50,9 +50,12 @@ std::string sentence(const char* reason) {
 
 Placement placement_of(const aiMatrix4x4& matrix) {
     Placement result;
-    result.linear = {
-        {{matrix.a1, matrix.a2, matrix.a3}, {matrix.b1, matrix.b2, matrix.b3}, {matrix.c1, matrix.c2, matrix.c3}}};
-    result.offset = {matrix.a4, matrix.b4, matrix.c4};
+    for (unsigned row = 0; row < 3; ++row) {
+        for (unsigned column = 0; column < 3; ++column) {
+            result.linear[row][column] = static_cast<double>(matrix[row][column]);
+        }
+        result.offset[row] = static_cast<double>(matrix[row][3]);
+    }
     return result;
 }
 
@@ -199,7 +202,7 @@ private:
         if (scene_.mMetaData->Get(key, value)) return true;
         float narrow = 0.0f;
         if (!scene_.mMetaData->Get(key, narrow)) return false;
-        value = double{narrow};
+        value = static_cast<double>(narrow);
         return true;
     }
 

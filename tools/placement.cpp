@@ -5,8 +5,8 @@ namespace espalier::tools {
 Vec3 Placement::operator()(Vec3 point) const {
     std::array<double, 3> result{};
     for (std::size_t row = 0; row < 3; ++row) {
-        result[row] = linear[row][0] * double{point.x} + linear[row][1] * double{point.y} +
-                      linear[row][2] * double{point.z} + offset[row];
+        result[row] = linear[row][0] * static_cast<double>(point.x) + linear[row][1] * static_cast<double>(point.y) +
+                      linear[row][2] * static_cast<double>(point.z) + offset[row];
     }
     return {static_cast<float>(result[0]), static_cast<float>(result[1]), static_cast<float>(result[2])};
 }

@@ -1,6 +1,7 @@
 #include "verify_source.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -17,9 +18,14 @@ constexpr std::uint64_t most_checked = 100'000;
 
 bool is_finite(Vec3 point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
+std::array<double, 3> difference(Vec3 to, Vec3 from) {
+    const auto along = [](float a, float b) { return static_cast<double>(a) - static_cast<double>(b); };
+    return {along(to.x, from.x), along(to.y, from.y), along(to.z, from.z)};
+}
+
 bool has_area(Vec3 a, Vec3 b, Vec3 c) {
-    const double u[3] = {double{b.x} - double{a.x}, double{b.y} - double{a.y}, double{b.z} - double{a.z}};
-    const double v[3] = {double{c.x} - double{a.x}, double{c.y} - double{a.y}, double{c.z} - double{a.z}};
+    const std::array<double, 3> u = difference(b, a);
+    const std::array<double, 3> v = difference(c, a);
     return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
 }
 
@@ -46,11 +52,10 @@ std::vector<std::uint32_t> used_vertices(const ImportedMesh& mesh, SourceCheck& 
 /// carry it. Its distance from there is within 4 ulp (nearest.hpp).
 double measuring_error_at(const Blob& blob, Vec3 point, double distance) {
     const float* origin = blob.data().origin;
-    const double reach =
-        std::max({std::abs(double{point.x} - double{origin[0]}), std::abs(double{point.y} - double{origin[1]}),
-                  std::abs(double{point.z} - double{origin[2]})});
+    const std::array<double, 3> offset = difference(point, {origin[0], origin[1], origin[2]});
+    const double reach = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
     const int finer_by = std::clamp(23 - static_cast<int>(blob.bits()), 0, 6);
-    const double on_each_axis = std::ldexp(double{blob.step()}, -finer_by - 1) + std::ldexp(reach, -24);
+    const double on_each_axis = std::ldexp(static_cast<double>(blob.step()), -finer_by - 1) + std::ldexp(reach, -24);
     return std::sqrt(3.0) * on_each_axis + std::ldexp(distance, -21);
 }
 
@@ -58,10 +63,10 @@ void check_vertex(const Blob& blob, const ImportedMesh& mesh, std::uint32_t vert
     const Vec3 point = mesh.positions[vertex];
     Nearest nearest;
     const bool found = closest_point(blob, point, std::numeric_limits<float>::infinity(), nearest);
-    const double distance = found ? double{nearest.distance} : std::numeric_limits<double>::infinity();
+    const double distance = found ? static_cast<double>(nearest.distance) : std::numeric_limits<double>::infinity();
     const double error = measuring_error_at(blob, point, distance);
     ++check.checked;
-    if (distance > double{blob.max_error()} + error) ++check.too_far;
+    if (distance > static_cast<double>(blob.max_error()) + error) ++check.too_far;
     check.measuring_error = std::max(check.measuring_error, error);
     if (distance > check.worst_distance) {
         check.worst_distance = distance;
