@@ -48,6 +48,12 @@ ExitCode exit_code_of(BakeError::Kind kind) {
     return ExitCode::internal;
 }
 
+Imported import_with_progress(const BakeArguments& arguments, ImportOptions options) {
+    Progress progress(arguments.quiet);
+    options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
+    return import_files(arguments.inputs, options);
+}
+
 Baked bake_or_throw(const Imported& imported, const BakeArguments& arguments) {
     BakeOptions options = bake_options(arguments);
     Progress progress(arguments.quiet);
@@ -73,7 +79,7 @@ ExitCode run_bake(const BakeArguments& arguments) {
     const ImportOptions source = import_options(arguments.source);
     static_cast<void>(bake_options(arguments));  // a mistyped length is said before a long import
 
-    const Imported imported = import_files(arguments.inputs, source);
+    const Imported imported = import_with_progress(arguments, source);
     say_import(console, arguments, imported);
     const Baked baked = bake_or_throw(imported, arguments);
 

@@ -7,6 +7,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
 
 #include <cerrno>
 #include <cmath>
@@ -32,6 +33,8 @@ void require_readable(const std::string& path) {
         reason = std::strerror(error ? error.value() : ENOENT);
     } else if (std::filesystem::is_directory(status)) {
         reason = "it is a folder";
+    } else if (!std::filesystem::is_regular_file(status)) {
+        reason = "importers read files only, no pipes or devices";
     } else if (errno = 0; !std::ifstream(path, std::ios::binary).is_open()) {
         reason = std::strerror(errno);
     }
@@ -58,6 +61,18 @@ Placement placement_of(const aiMatrix4x4& matrix) {
     }
     return result;
 }
+
+class ImportProgress : public Assimp::ProgressHandler {
+public:
+    explicit ImportProgress(const ImportOptions& options) : options_(options) {}
+    bool Update(float done) override {
+        if (options_.progress) options_.progress("reading", static_cast<double>(done));
+        return true;  // go on
+    }
+
+private:
+    const ImportOptions& options_;
+};
 
 /// Reads one file's scene into `imported`.
 class SceneReader {
@@ -221,6 +236,7 @@ void import_file(const std::string& path, const ImportOptions& options, Imported
     Assimp::Importer importer;
     // A skeleton without a skin would come as an invented mesh; it has no surface.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+    importer.SetProgressHandler(new ImportProgress(options));  // which the importer deletes
     // Nothing but triangles is asked for: welding and dropping is the baker's work, which counts what it does.
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
     if (scene == nullptr) {

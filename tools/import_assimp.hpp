@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +20,8 @@ struct ImportOptions {
     double scale = 1.0;
     /// The axis that points up in the files; it is turned to +Y. Without it the axes stay as they are.
     std::optional<Axis> up;
+    /// Called now and then with what is read and how much of it is done, 0..1.
+    std::function<void(const char* stage, double done)> progress;
 };
 
 /// One mesh at one place of the scene: a mesh that is placed twice is there twice.

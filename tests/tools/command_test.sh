@@ -308,6 +308,9 @@ run 2 bake missing.obj -o broken.espl
 err_has "cannot read 'missing.obj': No such file or directory"
 run 2 bake . -o broken.espl
 err_has "folder"
+mkfifo pipe.obj
+run 2 bake pipe.obj -o broken.espl # and does not wait for a writer
+err_has "no pipes or devices"
 run 3 bake box.obj junk.unknown -o broken.espl
 absent broken.espl
 
