@@ -1,5 +1,6 @@
 #include "differences.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include <espalier/nearest.hpp>
@@ -137,6 +138,72 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
         return difference_at("closest_point", "whether there is one");
     }
     if (closest && nearest.triangle.index != closest->index) return difference_at("closest_point", "the triangle");
+    return std::nullopt;
+}
+
+std::optional<std::string> path_difference(const Blob& blob, const Ray& ray) {
+    detail::LatticeRay rounded;
+    if (blob.triangle_count() == 0 || !detail::round_ray(blob.data(), ray, rounded)) return std::nullopt;
+    struct Answers {
+        bool closest = false;
+        bool any = false;
+        detail::FoundHit hit{};
+        std::vector<detail::FoundHit> every;
+    };
+    const auto ask = [&](const InstructionPath& path) {
+        Answers answers;
+        answers.closest = path.closest_hit(blob.data(), rounded, nullptr, answers.hit);
+        answers.any = path.any_hit(blob.data(), rounded, nullptr);
+        path.every_hit(blob.data(), rounded, [&](const detail::FoundHit& hit) {
+            answers.every.push_back(hit);
+            return keep_going;
+        });
+        return answers;
+    };
+    const Answers expected = ask(instruction_paths().front());
+    for (const InstructionPath& path : instruction_paths()) {
+        const Answers answers = ask(path);
+        const bool same_row = std::equal(answers.every.begin(), answers.every.end(), expected.every.begin(),
+                                         expected.every.end(), [](const auto& a, const auto& b) { return same_bits(a, b); });
+        if (answers.closest == expected.closest && answers.any == expected.any && same_row &&
+            (!answers.closest || same_bits(answers.hit, expected.hit))) {
+            continue;
+        }
+        return std::string(path.name) + " and scalar differ: " + describe(ray);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> path_difference(const Blob& blob, const Sphere& sphere) {
+    detail::LatticePoint rounded;
+    if (blob.triangle_count() == 0 || !detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) {
+        return std::nullopt;
+    }
+    struct Answers {
+        bool closest = false;
+        bool any = false;
+        detail::FoundNearest nearest{};
+        std::vector<Triangle> every;
+    };
+    const auto ask = [&](const InstructionPath& path) {
+        Answers answers;
+        answers.closest = path.closest_triangle(blob.data(), rounded, answers.nearest);
+        answers.any = path.any_overlap(blob.data(), rounded);
+        path.every_overlap(blob.data(), rounded, [&](Triangle triangle) {
+            answers.every.push_back(triangle);
+            return keep_going;
+        });
+        return answers;
+    };
+    const Answers expected = ask(instruction_paths().front());
+    for (const InstructionPath& path : instruction_paths()) {
+        const Answers answers = ask(path);
+        if (answers.closest == expected.closest && answers.any == expected.any && answers.every == expected.every &&
+            (!answers.closest || same_bits(answers.nearest, expected.nearest))) {
+            continue;
+        }
+        return std::string(path.name) + " and scalar differ: " + describe(sphere);
+    }
     return std::nullopt;
 }
 

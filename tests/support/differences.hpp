@@ -20,4 +20,8 @@ std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& 
 std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere,
                                              std::uint64_t& hits);
 
+/// Whether an instruction set answers otherwise than the scalar path: also on a blob that is safe but lies.
+std::optional<std::string> path_difference(const Blob& blob, const Ray& ray);
+std::optional<std::string> path_difference(const Blob& blob, const Sphere& sphere);
+
 }  // namespace espalier::tests

@@ -1,0 +1,118 @@
+// Any bytes as a mesh and options: refused with a reason, or baked to a blob that opens, passes the deep check and answers
+// every query as the loop over all its triangles does.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <span>
+
+#include <baker/verify.hpp>
+#include <espalier/bake.hpp>
+#include <espalier/espalier.hpp>
+
+#include "support/decoder.hpp"
+#include "support/differences.hpp"
+#include "support/mesh.hpp"
+#include "support/query_maker.hpp"
+#include "target.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+/// Takes numbers off the front of the input; zeros when it is used up.
+class Input {
+public:
+    explicit Input(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
+    [[nodiscard]] bool empty() const { return rest_.empty(); }
+    std::uint8_t byte() {
+        if (rest_.empty()) return 0;
+        const std::uint8_t value = rest_.front();
+        rest_ = rest_.subspan(1);
+        return value;
+    }
+    float any_float() {
+        std::uint32_t bits = 0;
+        for (int i = 0; i < 4; ++i) bits = bits << 8 | byte();
+        float value = 0.0f;
+        std::memcpy(&value, &bits, sizeof value);
+        return value;
+    }
+
+private:
+    std::span<const std::uint8_t> rest_;
+};
+
+[[noreturn]] void fail(const char* what, const std::string& detail) {
+    std::fprintf(stderr, "%s: %s\n", what, detail.c_str());
+    std::abort();
+}
+
+struct Question {
+    Mesh mesh;
+    BakeOptions options;
+};
+
+Question read_question(Input& input) {
+    Question question;
+    BakeOptions& options = question.options;
+    options.bits = 1 + input.byte() % 24;
+    options.effort = input.byte() % 10;
+    const std::uint8_t flags = input.byte();
+    options.original_ids = (flags & 1) != 0;
+    options.materials = static_cast<Materials>((flags >> 1 & 3u) % 3u);
+    options.repair = (flags & 8) != 0;
+    options.threads = 1 + (flags >> 4 & 1u);
+    const bool raw_floats = (flags & 32) != 0;
+    if ((flags & 64) != 0) options.tolerance = static_cast<double>(input.any_float());
+
+    Mesh& mesh = question.mesh;
+    mesh.name = "fuzzed";
+    const unsigned vertices = input.byte();
+    for (unsigned i = 0; i < vertices; ++i) {
+        // Small integers make the degenerate, coplanar and duplicate cases that random floats never make.
+        const auto coordinate = [&] { return raw_floats ? input.any_float() : static_cast<float>(static_cast<std::int8_t>(input.byte())); };
+        const float x = coordinate();
+        const float y = coordinate();
+        const float z = coordinate();
+        mesh.positions.push_back({x, y, z});
+    }
+    while (!input.empty() && mesh.triangles.size() < 300) {
+        const std::uint32_t a = input.byte();
+        const std::uint32_t b = input.byte();
+        const std::uint32_t c = input.byte();
+        mesh.triangles.push_back({a, b, c});
+        if (options.materials != Materials::none) mesh.materials.push_back(a);
+    }
+    return question;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size > 4096) return 0;
+    Input input(std::span(data, size));
+    const Question question = read_question(input);
+    const MeshView view = question.mesh.view();
+    const auto baked = bake(std::span(&view, 1), question.options);
+    if (!baked) {
+        if (baked.error().kind == BakeError::Kind::internal) fail("internal error", baked.error().message);
+        if (baked.error().message.empty()) fail("refused", "without a reason");
+        return 0;
+    }
+    Blob blob;
+    if (const Status status = open(baked->blob, blob); status != Status::ok) fail("open", describe(status));
+    if (const auto problem = baker::verify_deep(baked->blob)) fail("verify_deep", *problem);
+    const DecodedBlob decoded = decode(baked->blob);
+    if (decoded.triangles.empty()) return 0;
+    const TriangleLoop loop(decoded);
+    QueryMaker maker(decoded, size);
+    std::uint64_t hits = 0;
+    for (int i = 0; i < 12; ++i) {
+        Ray ray = maker.any_ray();
+        if (maker.random().coin()) maker.restrict(ray);
+        if (const auto difference = ray_difference(blob, loop, ray, hits)) fail("ray", *difference);
+        if (const auto difference = sphere_difference(blob, loop, maker.sphere(), hits)) fail("sphere", *difference);
+    }
+    return 0;
+}
