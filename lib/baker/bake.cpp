@@ -13,6 +13,7 @@
 #include "encode.hpp"
 #include "fit_lattice.hpp"
 #include "lattice.hpp"
+#include "optimise.hpp"
 #include "order.hpp"
 #include "progress.hpp"
 
@@ -76,7 +77,7 @@ Result<Baked, BakeError> bake_with_cost_model(std::span<const MeshView> meshes, 
     progress.begin(stages::build);
     BuildSettings settings = build_settings(options.effort, options.threads);
     settings.progress = progress.within(stages::build);
-    const BinaryTree tree = build_sah(mesh, settings);
+    const BinaryTree tree = optimise(build_sah(mesh, settings), optimise_settings(options.effort));
 
     progress.begin(stages::collapse);
     const CollapsePlan plan(mesh, tree, cost_model);

@@ -4,7 +4,7 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <system_error>
+#include <exception>
 #include <thread>
 
 #include "sah_split.hpp"
@@ -52,15 +52,14 @@ private:
                     unsigned depth, unsigned threads) {
         const double share = static_cast<double>(left.count) / (static_cast<double>(left.count) + right.count);
         const unsigned left_threads = std::clamp(static_cast<unsigned>(share * threads + 0.5), 1u, threads - 1);
-        std::thread helper;
+        std::jthread helper;  // joins on every way out
         try {
-            helper = std::thread([&, left_threads] { build(left, left_node, depth, left_threads); });
-        } catch (const std::system_error&) {
+            helper = std::jthread([&, left_threads] { build(left, left_node, depth, left_threads); });
+        } catch (const std::exception&) {
             // The machine gives no more threads: the same work in this one.
             build(left, left_node, depth, 1);
         }
         build(right, right_node, depth, threads - left_threads);
-        if (helper.joinable()) helper.join();
     }
 
     void report_placed() {
