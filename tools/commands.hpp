@@ -50,7 +50,6 @@ struct VerifyArguments {
     std::vector<std::string> sources;
     SourceArguments source;
     bool json = false;
-    bool quiet = false;
 };
 ExitCode run_verify(const VerifyArguments& arguments);
 

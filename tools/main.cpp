@@ -7,10 +7,10 @@
 #include <exception>
 #include <functional>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -24,7 +24,32 @@ namespace {
 /// The verb that was chosen, ready to run.
 using Chosen = std::function<ExitCode()>;
 
-const std::map<std::string, Axis> axes{{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}};
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+const Choices<Axis> axes{{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}};
+
+/// An option that takes one of a few names; the help shows them in the order of the list.
+template <class Target, class Value>
+CLI::Option* add_choice(CLI::App* verb, const std::string& option, Target& target, const Choices<Value>& choices,
+                        const std::string& description) {
+    std::string names;
+    for (const auto& choice : choices) names += (names.empty() ? "" : "|") + choice.first;
+    const auto choose = [&target, choices, option, names](const std::string& name) {
+        for (const auto& choice : choices) {
+            if (choice.first != name) continue;
+            target = choice.second;
+            return;
+        }
+        throw CLI::ValidationError(option, "'" + name + "' is none of " + names);
+    };
+    return verb->add_option_function<std::string>(option, choose, description)->type_name(names);
+}
+
+template <class Number>
+CLI::Validator between(Number least, Number most) {
+    return CLI::Range(least, most).description("");
+}
 
 CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& description) {
     CLI::App* verb = app.add_subcommand(name, description);
@@ -43,12 +68,9 @@ void add_source(CLI::App* verb, SourceArguments& source) {
             "a file says of itself (FBX, glTF, Collada, IFC), else a metre")
         ->type_name("UNIT");
     verb->add_option("--scale", source.scale, "Factor on all coordinates, on top of the unit")->type_name("FACTOR");
-    verb->add_option(
-            "--up", source.up,
-            "The axis x, y or z that points up in the files; the asset is turned so that it is +Y in the blob. "
-            "Without it the axes stay as the importer gives them (Collada and IFC come with +Y up)")
-        ->transform(CLI::CheckedTransformer(axes))
-        ->type_name("AXIS");
+    add_choice(verb, "--up", source.up, axes,
+               "The axis that points up in the files; the asset is turned so that it is +Y in the blob. Without it the "
+               "axes stay as the importer gives them (Collada and IFC come with +Y up)");
 }
 
 void add_bake(CLI::App& app, Chosen& chosen) {
@@ -65,25 +87,27 @@ void add_bake(CLI::App& app, Chosen& chosen) {
                          "Largest distance between source and blob: 0.5mm, 2cm, 1e-3m, 1in; a bare number is in units "
                          "of the blob")
             ->type_name("LENGTH");
-    verb->add_option("--bits", arguments->bits, "Lattice bits over the largest extent, 1 to 24")
+    verb->add_option("--bits", arguments->bits, "Lattice bits over the largest extent")
         ->capture_default_str()
-        ->check(CLI::Range(1u, 24u))
-        ->excludes(tolerance);
-    const std::map<std::string, format::Profile> profiles{{"fast", format::Profile::fast}};
-    verb->add_option("--profile", arguments->profile, "How nodes and leaves are coded: fast")
-        ->transform(CLI::CheckedTransformer(profiles))
-        ->type_name("PROFILE");
+        ->check(between(1u, 24u))
+        ->excludes(tolerance)
+        ->type_name("1..24");
+    const Choices<format::Profile> profiles{{"fast", format::Profile::fast}};
+    add_choice(verb, "--profile", arguments->profile, profiles, "How nodes and leaves are coded");
     add_source(verb, arguments->source);
     verb->add_flag("--ids", arguments->original_ids, "Carry each triangle's file, mesh and number in it");
-    verb->add_option("--materials", arguments->material_bits, "Carry each triangle's material number in 8 or 16 bits")
-        ->check(CLI::IsMember({8u, 16u}));
+    const Choices<unsigned> widths{{"8", 8u}, {"16", 16u}};
+    add_choice(verb, "--materials", arguments->material_bits, widths,
+               "Carry each triangle's material number, in so many bits");
     verb->add_flag("--repair", arguments->repair,
                    "Drop triangles with NaN, infinite or missing corners instead of refusing the mesh");
     verb->add_option("--effort", arguments->effort, "0 bakes fastest, 9 bakes best")
         ->capture_default_str()
-        ->check(CLI::Range(0u, 9u));
+        ->check(between(0u, 9u))
+        ->type_name("0..9");
     verb->add_option("--threads", arguments->threads, "0: all of the machine. The bytes do not depend on it")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->type_name("COUNT");
     add_json(verb, arguments->json);
     add_quiet(verb, arguments->quiet);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_bake(*arguments); }; });
@@ -135,10 +159,8 @@ void add_query(CLI::App& app, Chosen& chosen) {
     ray->add_option("--t-max", arguments->t_max, "Hits beyond this t do not count")
         ->capture_default_str()
         ->type_name("T");
-    const std::map<std::string, Faces> faces{{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}};
-    ray->add_option("--faces", arguments->faces, "Which sides of triangles the ray sees: both, front or back")
-        ->transform(CLI::CheckedTransformer(faces))
-        ->type_name("SIDES");
+    const Choices<Faces> faces{{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}};
+    add_choice(ray, "--faces", arguments->faces, faces, "Which sides of triangles the ray sees; both without it");
     CLI::Option* all = ray->add_flag("--all", arguments->all, "Every hit, in storage order");
     ray->add_flag("--any", arguments->any, "Only whether anything is hit")->excludes(all);
     ray->callback([arguments, &chosen] { chosen = [arguments] { return run_query_ray(*arguments); }; });
@@ -162,24 +184,24 @@ void add_render(CLI::App& app, Chosen& chosen) {
     add_blob(verb, arguments->blob);
     verb->add_option("-o,--output", arguments->output, "The PNG to write")->required()->type_name("PNG");
     verb->add_option("--size", arguments->size, "Pixels")->capture_default_str()->type_name("WIDTHxHEIGHT");
-    const std::map<std::string, bool> heatmaps{{"steps", true}};
-    verb->add_option("--heatmap", arguments->heatmap,
-                     "Colour by work instead of by light: steps, the nodes and triangles visited for a pixel")
-        ->transform(CLI::CheckedTransformer(heatmaps))
-        ->type_name("WHAT");
-    verb->add_option("--up", arguments->up, "The axis that points up in the picture: x, y or z; y without it")
-        ->transform(CLI::CheckedTransformer(axes))
-        ->type_name("AXIS");
+    const Choices<bool> heatmaps{{"steps", true}};
+    add_choice(verb, "--heatmap", arguments->heatmap, heatmaps,
+               "Colour by work instead of by light: steps are the nodes and triangles visited for a pixel");
+    add_choice(verb, "--up", arguments->up, axes, "The axis that points up in the picture; y without it");
     verb->add_option("--azimuth", arguments->azimuth, "Where the eye stands around the up axis, in degrees")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->type_name("DEGREES");
     verb->add_option("--elevation", arguments->elevation, "How high the eye stands, in degrees, -89 to 89")
         ->capture_default_str()
-        ->check(CLI::Range(-89.0, 89.0));
-    verb->add_option("--samples", arguments->samples, "Rays along each side of a pixel, 1 to 8")
+        ->check(between(-89.0, 89.0))
+        ->type_name("DEGREES");
+    verb->add_option("--samples", arguments->samples, "Rays along each side of a pixel")
         ->capture_default_str()
-        ->check(CLI::Range(1u, 8u));
+        ->check(between(1u, 8u))
+        ->type_name("1..8");
     verb->add_option("--threads", arguments->threads, "0: all of the machine. The picture does not depend on it")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->type_name("COUNT");
     add_json(verb, arguments->json);
     add_quiet(verb, arguments->quiet);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_render(*arguments); }; });
@@ -189,7 +211,8 @@ void add_dump(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<DumpArguments>();
     CLI::App* verb = add_verb(app, "dump", "Every byte of a blob, with its meaning");
     add_blob(verb, arguments->blob);
-    verb->add_option("--limit", arguments->limit, "At most so many lines, and a last one that says what was left out");
+    verb->add_option("--limit", arguments->limit, "At most so many lines, and a last one that says what was left out")
+        ->type_name("LINES");
     add_json(verb, arguments->json);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_dump(*arguments); }; });
 }
