@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# run_firmware.sh m0|m4f HOST_QUERY_ANSWERS BLOB_FOLDER BUILD_FOLDER CMAKE
+# run_firmware.sh m0|m4f HOST_QUERY_ANSWERS BLOB_FOLDER BUILD_FOLDER CMAKE GENERATOR
 # Builds bare-metal images, runs them under QEMU, compares their answers with this machine's and prints code and stack size.
 # Exit status: 0 the same bits, 1 other bits or a failure, 77 a tool is missing.
 set -euo pipefail
 
-core=$1 host_program=$2 blobs=$3 build=$4 cmake=$5
+core=$1 host_program=$2 blobs=$3 build=$4 cmake=$5 generator=$6
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 questions=50
 
@@ -29,7 +29,7 @@ run_image() {  # prints what the image prints; its exit status is the image's
 flash_bytes() { arm-none-eabi-size "$build/$1.elf" | awk 'NR == 2 { print $1 + $2 }'; }
 
 mkdir -p "$build"
-"$cmake" -S "$here/image" -B "$build" -DBLOB_FOLDER="$blobs" -DQUESTIONS="$questions" \
+"$cmake" -S "$here/image" -B "$build" -G "$generator" -DBLOB_FOLDER="$blobs" -DQUESTIONS="$questions" \
     -DCMAKE_TOOLCHAIN_FILE="$here/../../lib/cmake/toolchains/cortex-$core.cmake" >"$build/configure.log" 2>&1 ||
     { cat "$build/configure.log"; exit 1; }
 "$cmake" --build "$build" --parallel 2 >"$build/build.log" 2>&1 || { cat "$build/build.log"; exit 1; }

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# run_emulated.sh MACHINE HOST_QUERY_ANSWERS BLOB_FOLDER BUILD_FOLDER CMAKE
+# run_emulated.sh MACHINE HOST_QUERY_ANSWERS BLOB_FOLDER BUILD_FOLDER CMAKE GENERATOR
 # Builds the runtime for MACHINE, runs it under QEMU on the blobs, and compares its answers with this machine's.
 # Exit status: 0 the same bits, 1 other bits or a failure, 77 a tool is missing.
 set -euo pipefail
 
-machine=$1 host_program=$2 blobs=$3 build=$4 cmake=$5
+machine=$1 host_program=$2 blobs=$3 build=$4 cmake=$5 generator=$6
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 questions=3000
 
@@ -16,7 +16,7 @@ for tool in "$machine-linux-gnu-g++" "qemu-$machine"; do
 done
 
 mkdir -p "$build"
-"$cmake" -S "$here/emulated" -B "$build" \
+"$cmake" -S "$here/emulated" -B "$build" -G "$generator" \
     -DCMAKE_TOOLCHAIN_FILE="$here/../../lib/cmake/toolchains/$machine-linux-gnu.cmake" >"$build/configure.log" 2>&1 ||
     { cat "$build/configure.log"; exit 1; }
 "$cmake" --build "$build" --parallel 2 >"$build/build.log" 2>&1 || { cat "$build/build.log"; exit 1; }
