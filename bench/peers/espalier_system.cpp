@@ -58,13 +58,16 @@ std::unique_ptr<System> make_espalier(const Mesh& mesh, unsigned bits, unsigned 
     return std::make_unique<EspalierSystem>(mesh, bits, effort);
 }
 
-std::vector<std::unique_ptr<System>> make_systems(const Mesh& mesh, unsigned bits, unsigned effort) {
+std::vector<std::unique_ptr<System>> make_systems(const Mesh& mesh, unsigned bits, unsigned effort,
+                                                  [[maybe_unused]] bool reference_only) {
     std::vector<std::unique_ptr<System>> systems;
 #if defined(ESPALIER_BENCH_EMBREE)
     systems.push_back(make_embree(mesh, EmbreeMode::fast));
-    systems.push_back(make_embree(mesh, EmbreeMode::compact));
-    systems.push_back(make_embree(mesh, EmbreeMode::robust));
-    systems.push_back(make_embree(mesh, EmbreeMode::compact_robust));
+    if (!reference_only) {
+        systems.push_back(make_embree(mesh, EmbreeMode::compact));
+        systems.push_back(make_embree(mesh, EmbreeMode::robust));
+        systems.push_back(make_embree(mesh, EmbreeMode::compact_robust));
+    }
 #endif
     systems.push_back(make_espalier(mesh, bits, effort));
     return systems;

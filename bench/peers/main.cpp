@@ -55,6 +55,7 @@ double time_any(System& system, const std::vector<Ray>& rays, std::size_t& count
 
 struct Options {
     bool json = false;
+    bool reference_only = false;  ///< no other peer than the one that ratios are taken to
     int repetitions = 9;
     std::size_t incoherent = 500000;
     unsigned bits = 16;
@@ -67,12 +68,13 @@ Options parse(int count, char** words) {
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
         if (word == "--json") options.json = true;
+        else if (word == "--reference-only") options.reference_only = true;
         else if (word == "--repetitions" && i + 1 < count) options.repetitions = std::atoi(words[++i]);
         else if (word == "--rays" && i + 1 < count) options.incoherent = static_cast<std::size_t>(std::atol(words[++i]));
         else if (word == "--bits" && i + 1 < count) options.bits = static_cast<unsigned>(std::atoi(words[++i]));
         else if (word == "--effort" && i + 1 < count) options.effort = static_cast<unsigned>(std::atoi(words[++i]));
         else if (word.rfind("--", 0) == 0) {
-            std::fprintf(stderr, "usage: espalier_bench_peers [--json] [--repetitions N] [--rays N] [--bits N] [--effort N] MESH...\n");
+            std::fprintf(stderr, "usage: espalier_bench_peers [--json] [--reference-only] [--repetitions N] [--rays N] [--bits N] [--effort N] MESH...\n");
             std::exit(1);
         } else options.meshes.push_back(word);
     }
@@ -81,7 +83,7 @@ Options parse(int count, char** words) {
 
 void measure(const std::string& path, const Options& options) {
     const Mesh mesh = read_mesh(path);
-    std::vector<std::unique_ptr<System>> systems = make_systems(mesh, options.bits, options.effort);
+    std::vector<std::unique_ptr<System>> systems = make_systems(mesh, options.bits, options.effort, options.reference_only);
     const std::vector<Ray> coherent = coherent_rays(mesh);
     const std::vector<Ray> incoherent = incoherent_rays(mesh, options.incoherent);
     std::vector<Timing> timings(systems.size());

@@ -41,6 +41,6 @@ std::unique_ptr<System> make_embree(const Mesh& mesh, EmbreeMode mode);
 #endif
 
 /// The reference first: Embree's default where it is installed, else Espalier itself.
-std::vector<std::unique_ptr<System>> make_systems(const Mesh& mesh, unsigned bits, unsigned effort);
+std::vector<std::unique_ptr<System>> make_systems(const Mesh& mesh, unsigned bits, unsigned effort, bool reference_only);
 
 }  // namespace espalier::bench

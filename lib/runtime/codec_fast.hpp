@@ -58,13 +58,18 @@ struct FastLeaf {
     unsigned vertex_count;
     unsigned triangle_count;
     unsigned number;                 ///< among the node's leaves
+    std::uint32_t size;              ///< at least the longest side of its box
 
     /// Storage index of its first triangle.
     [[nodiscard]] std::uint32_t first_triangle() const {
+        // All descriptors that there could be, the later ones masked out (the guard keeps that inside the blob): how many there
+        // are before this leaf is not to be foreseen, and a mistaken guess costs more.
         std::uint32_t first = load_u32(block);
         const std::byte* descriptor = block + format::fast_leaf::descriptors_at;
-        for (unsigned i = 0; i < number; ++i, descriptor += format::fast_leaf::descriptor_bytes)
-            first += ((load_u32(descriptor) >> format::fast_leaf::triangles_shift) & 15u) + 1;
+        for (unsigned i = 0; i + 1 < format::max_children; ++i, descriptor += format::fast_leaf::descriptor_bytes) {
+            const std::uint32_t count = ((load_u32(descriptor) >> format::fast_leaf::triangles_shift) & 15u) + 1;
+            first += count & (i < number ? ~0u : 0u);
+        }
         return first;
     }
     [[nodiscard]] LatticeTriangle triangle(unsigned index) const {
@@ -92,13 +97,18 @@ inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned n
     leaf.corner_width = format::fast_leaf::corner_width(leaf.vertex_count);
     const std::byte* at = leaf.block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
                           2 * std::size_t{descriptor & ((1u << offset_bits) - 1u)};
+    unsigned longest = 0;
     for (int k = 0; k < 3; ++k) {
         leaf.anchor[k] = node.low(k, node.node_children() + number, blob.bits);
         leaf.width[k] = coordinate_width((descriptor >> (widths_shift + 4 * static_cast<unsigned>(k))) & 15u, blob.bits);
         leaf.coordinates[k] = at;
         at += stream_bytes(leaf.vertex_count, leaf.width[k]);
+        longest = leaf.width[k] > longest ? leaf.width[k] : longest;
+        longest = node.shift(k) > longest ? node.shift(k) : longest;
     }
     leaf.triangles = at;
+    // The coordinates stay below 2^width; the box, rounded to the node's planes, ends less than a plane later.
+    leaf.size = 2u << longest;
     return leaf;
 }
 

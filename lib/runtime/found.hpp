@@ -15,9 +15,8 @@
 namespace espalier::detail {
 
 struct FoundHit {
-    float tau;
+    TriangleHit hit;
     std::uint32_t index;
-    LatticeTriangle triangle;
 };
 
 struct FoundNearest {

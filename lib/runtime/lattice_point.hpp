@@ -15,7 +15,7 @@ inline constexpr float distance_slack = 1.0f + 0x1p-18f;
 struct LatticePoint {
     std::int64_t origin[3];  ///< the point, in units of 2^-fraction_bits lattice steps; below 2^34 steps
     int fraction_bits;       ///< 0..6
-    float steps[3];          ///< the same in float, exactly
+    alignas(16) float steps[4];  ///< the same in float, exactly; the fourth means nothing
     float radius;            ///< lattice steps; may be infinite
     float limit;             ///< squared radius with slack: boxes farther away hold nothing
     float distance_offset;   ///< lattice steps: how far a point from far away was moved towards the asset

@@ -15,28 +15,36 @@ inline constexpr float interval_slack = 1.0f + 0x1p-21f;
 
 struct LatticeRay {
     // The ray, exactly: point(tau) = origin * 2^-fraction_bits + tau * direction, in lattice steps from lattice point 0 0 0.
-    std::int32_t origin[3];     ///< |origin - 2^fraction_bits * v| <= 2^24 for every lattice point v of the asset
-    std::int32_t direction[3];  ///< the largest is in [2^23, 2^24)
-    int fraction_bits;          ///< 0..6
-    float tau_min;              ///< >= 0
-    float tau_max;              ///< may be infinite
+    // Vectors have a fourth element that means nothing, so that one register fills them.
+    alignas(16) std::int32_t origin[4];     ///< |origin - 2^fraction_bits * v| <= 2^24 for every lattice point v of the asset
+    alignas(16) std::int32_t direction[4];  ///< the largest is in [2^23, 2^24)
+
+    // The same in float, exactly.
+    alignas(16) float origin_steps[4];
+    alignas(16) float inverse[4];  ///< 1 / direction, rounded; see `still` for 0
+
+    int fraction_bits;  ///< 0..6
+    float tau_min;      ///< >= 0
+    float tau_max;      ///< may be infinite
+
     // Back to the caller: t = (tau_offset + tau) * 2^t_exponent. The offset is not 0 for rays from far away, whose origin was
     // moved along them to the asset.
     float tau_offset;
     int t_exponent;
-
-    // The same in float, exactly.
-    float origin_steps[3];
-    float inverse[3];  ///< 1 / direction, rounded; +infinity for 0
 
     // For the filters that reject triangles without deciding: axes with the longest component of the direction last, the
     // shear that turns the ray into that axis, and a bound on the error of sheared coordinates.
     unsigned axis[3];
     float shear[2];
     float shear_error;
+    float slack_steps;  ///< how far the slab test moves planes outward, in lattice steps: 16 roundings of the ray's reach
 
     Faces faces;
 };
+
+/// The inverse of a component that is zero: every plane that is not exactly at the origin is farther away than any hit, and
+/// a plane at the origin is at 0, so that the axis decides by comparison and nothing is ever not a number.
+inline constexpr float still = 0x1p60f;
 
 namespace lattice_ray {
 
@@ -96,6 +104,18 @@ inline float to_tau(float t, int t_exponent) {
 
 }  // namespace lattice_ray
 
+/// Turns the ray into its longest axis.
+inline void set_shear(LatticeRay& ray, unsigned longest_axis, float reach) {
+    constexpr std::uint8_t after[5] = {0, 1, 2, 0, 1};  // looked up: no processor could foresee a branch on it
+    ray.axis[0] = after[longest_axis + 1];
+    ray.axis[1] = after[longest_axis + 2];
+    ray.axis[2] = longest_axis;
+    for (int i = 0; i < 2; ++i)
+        ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * ray.inverse[longest_axis];
+    ray.shear_error = (reach + 1.0f) * (5.0f * 0x1p-24f);
+    ray.slack_steps = (reach + 1.0f) * 0x1p-20f;
+}
+
 /// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by.
 inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     const float origin_world[3] = {world.origin.x, world.origin.y, world.origin.z};
@@ -130,7 +150,7 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     for (int k = 0; k < 3; ++k) {
         const float rounded = round_to_integer(scaled[k]);
         ray.direction[k] = static_cast<std::int32_t>(rounded);
-        ray.inverse[k] = ray.direction[k] == 0 ? infinity : 1.0f / rounded;
+        ray.inverse[k] = ray.direction[k] == 0 ? still : 1.0f / rounded;
     }
 
     float origin[3];
@@ -150,7 +170,7 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     for (int k = 0; k < 3; ++k) {
         const float rounded = round_to_integer(origin[k] * power_of_two(ray.fraction_bits));
         ray.origin[k] = static_cast<std::int32_t>(rounded);
-        ray.origin_steps[k] = rounded * power_of_two(-ray.fraction_bits);
+        ray.origin_steps[k] = static_cast<float>(ray.origin[k]) * power_of_two(-ray.fraction_bits);
     }
 
     ray.t_exponent = blob.step_exponent - exponent + 23;
@@ -166,22 +186,16 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     const auto length = [&](int k) { return ray.direction[k] < 0 ? -ray.direction[k] : ray.direction[k]; };
     const std::int32_t longer = length(0) > length(1) ? length(0) : length(1);
     const unsigned last = length(2) > longer ? 2u : length(1) > length(0) ? 1u : 0u;
-    ray.axis[2] = last;
-    ray.axis[0] = (last + 1) % 3;
-    ray.axis[1] = (last + 2) % 3;
-    for (int i = 0; i < 2; ++i)
-        ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * ray.inverse[last];
-    ray.shear_error = (reach + 1.0f) * (5.0f * 0x1p-24f);
+    set_shear(ray, last, reach);
     ray.faces = world.faces;
     return true;
 }
 
-/// tau as the caller's t.
+/// tau as the caller's t. A hit is decided exactly: rounding must not report it outside of the window that it was found in.
 inline float to_t(const LatticeRay& ray, float tau, const Ray& world) {
     const float t = scale_by_power_of_two(ray.tau_offset + tau, ray.t_exponent);
-    // A hit is decided exactly; rounding must not report it outside of the window that it was found in.
-    const float low = is_negative(world.t_min) ? 0.0f : world.t_min;
     const auto less = [](float a, float b) { return magnitude_bits(a) < magnitude_bits(b); };  // neither is negative
+    const float low = is_negative(world.t_min) ? 0.0f : world.t_min;
     return less(world.t_max, t) ? world.t_max : less(t, low) ? low : t;
 }
 

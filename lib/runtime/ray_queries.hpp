@@ -1,15 +1,15 @@
-// The ray queries in lattice units, once for each instruction set.
+// The ray queries, once for each instruction set: rounded, answered in lattice units, translated back. The blob is not empty.
 #pragma once
 
 #include <espalier/function_ref.hpp>
 #include <runtime/found.hpp>
 #include <runtime/simd/select.hpp>
 
-#define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                                    \
-    namespace instruction_set {                                                                                          \
-    bool closest_hit(const BlobData& blob, const LatticeRay& ray, const TriangleFilter* filter, FoundHit& best);         \
-    bool any_hit(const BlobData& blob, const LatticeRay& ray, const TriangleFilter* filter);                             \
-    bool every_hit(const BlobData& blob, const LatticeRay& ray, FunctionRef<Visit(const FoundHit&)> visit);              \
+#define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                          \
+    namespace instruction_set {                                                                                \
+    bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter);       \
+    bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                        \
+    bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit);           \
     }
 
 namespace espalier::detail {
@@ -23,7 +23,7 @@ ESPALIER_DECLARE_RAY_QUERIES(neon)
 #endif
 
 namespace scalar {
-bool closest_hit_counted(const BlobData& blob, const LatticeRay& ray, FoundHit& best, QueryCounters& counters);
+bool closest_hit_counted(const BlobData& blob, const Ray& world, RayHit& hit, QueryCounters& counters);
 }
 
 }  // namespace espalier::detail

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <runtime/lattice_ray.hpp>
+#include <runtime/square_root.hpp>
 #include <runtime/wide_integer.hpp>
 
 namespace espalier::detail {
@@ -16,6 +17,14 @@ struct LatticeTriangle {
 
 struct Integer3 {
     std::int64_t x, y, z;
+};
+
+/// A hit as the kernel leaves it: what the caller sees of it follows by a few divisions.
+struct TriangleHit {
+    float tau;      ///< within 3 ulp
+    float b, c;     ///< weights of corners b and c, times the volume
+    float volume;   ///< > 0
+    Integer3 normal;
 };
 inline Integer3 cross(const Integer3& a, const Integer3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -80,7 +89,7 @@ inline bool is_within(Int128 numerator, Int128 denominator, float quotient, floa
 }
 
 template <class Sum>
-inline bool hits(const LatticeRay& ray, const OriginRelative& t, float& tau) {
+inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hit) {
     const Integer3 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
     const Integer3 normal = cross(t.ab, t.ac);
     Sum denominator = dot<Sum>(direction, normal);
@@ -89,34 +98,39 @@ inline bool hits(const LatticeRay& ray, const OriginRelative& t, float& tau) {
     Sum b = dot<Sum>(direction, cross(t.ac, t.a));
     Sum c = dot<Sum>(direction, cross(t.a, t.ab));
     Sum numerator = dot<Sum>(normal, t.a);
-    if (front) {
-        denominator = -denominator;
-        b = -b;
-        c = -c;
-        numerator = -numerator;
-    }
+    denominator = negate_if(denominator, front);
+    b = negate_if(b, front);
+    c = negate_if(c, front);
+    numerator = negate_if(numerator, front);
     if (is_negative(b) || is_negative(c) || is_negative(numerator)) return false;
     denominator = denominator << ray.fraction_bits;
     if (denominator < b + c) return false;
-    tau = to_float(numerator) / to_float(denominator);
-    return is_within(numerator, denominator, tau, ray.tau_min, ray.tau_max);
+    hit.volume = to_float(denominator);
+    hit.tau = to_float(numerator) / hit.volume;
+    hit.b = to_float(b);
+    hit.c = to_float(c);
+    hit.normal = normal;
+    return is_within(numerator, denominator, hit.tau, ray.tau_min, ray.tau_max);
 }
 
 }  // namespace ray_triangle
 
-/// Whether the ray hits the triangle with ray.tau_min <= tau <= tau_max, exactly; tau within 3 ulp.
-inline bool intersect(const LatticeRay& ray, const LatticeTriangle& triangle, float& tau) {
+/// Whether the ray hits the triangle with ray.tau_min <= tau <= ray.tau_max, exactly.
+inline bool intersect(const LatticeRay& ray, const LatticeTriangle& triangle, TriangleHit& hit) {
     const OriginRelative t = relative_to(ray, triangle);
-    return ray_triangle::is_small(t) ? ray_triangle::hits<std::int64_t>(ray, t, tau)
-                                     : ray_triangle::hits<Int128>(ray, t, tau);
+    return ray_triangle::is_small(t) ? ray_triangle::hits<std::int64_t>(ray, t, hit)
+                                     : ray_triangle::hits<Int128>(ray, t, hit);
 }
 
-/// The rest of a hit: weights of corners b and c within 3 ulp, unit normal within 4 ulp.
-struct HitSurface {
-    float u;
-    float v;
-    Vec3 normal;
-};
-HitSurface surface_of_hit(const LatticeRay& ray, const LatticeTriangle& triangle) noexcept;
+/// What the caller sees of a hit: t within 4 ulp and in the window that he asked for, weights within 3 ulp, the unit normal's
+/// coordinates within 4 ulp.
+inline RayHit to_ray_hit(const LatticeRay& ray, const Ray& world, const TriangleHit& hit, std::uint32_t index) {
+    const float x = to_float(hit.normal.x);
+    const float y = to_float(hit.normal.y);
+    const float z = to_float(hit.normal.z);
+    const float length = square_root(x * x + y * y + z * z);
+    return {to_t(ray, hit.tau, world), hit.b / hit.volume, hit.c / hit.volume, {x / length, y / length, z / length},
+            Triangle{index}};
+}
 
 }  // namespace espalier::detail

@@ -4,15 +4,12 @@
 //   float limit() const                              children with a larger key are passed over
 //   Visit leaf(const FastLeaf&)                      stop ends the walk
 
-/// Children with the smallest keys first: for queries whose limit shrinks as they find something.
+/// Children with the smallest keys first: for queries whose limit shrinks as they find something. Keys are not negative, so
+/// that their bits order like integers: a waiting node is one word, its key above its index.
 template <class Visitor>
 inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
-    struct Entry {
-        std::uint32_t node;
-        float key;
-    };
     // Every level but the last leaves at most all children but one behind.
-    Entry stack[(format::max_depth - 1) * (format::max_children - 1) + 1];
+    std::uint64_t stack[(format::max_depth - 1) * (format::max_children - 1) + 1];
     unsigned size = 0;
     std::uint32_t index = 0;
     for (;;) {
@@ -20,6 +17,7 @@ inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
         alignas(32) float keys[format::max_children];
         const unsigned mask = visitor.children(node, keys);
         const unsigned node_children = node.node_children();
+        // A leaf is tried before the nodes beside it: what it finds may spare them.
         for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(leaves));
             if (keys[node_children + number] <= visitor.limit())
@@ -27,23 +25,42 @@ inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
         }
         unsigned nodes = mask & ((1u << node_children) - 1u);
         if (nodes != 0) {
-            // The nearest child is next; the others wait, the nearer ones on top.
-            const std::uint32_t first = node.first_child();
-            const unsigned bottom = size;
-            for (; nodes != 0; nodes &= nodes - 1) {
-                const auto child = static_cast<unsigned>(std::countr_zero(nodes));
-                const Entry entry = {first + child, keys[child]};
-                prefetch(fast_node(blob, entry.node).bytes);
-                unsigned place = size++;
-                for (; place > bottom && stack[place - 1].key < entry.key; --place) stack[place] = stack[place - 1];
-                stack[place] = entry;
+            const std::uint32_t first_child = node.first_child();
+            const auto child = static_cast<unsigned>(std::countr_zero(nodes));
+            nodes &= nodes - 1;
+            if (nodes == 0) {  // most often: nothing to sort, and the next address does not wait for its key
+                if (keys[child] <= visitor.limit()) {
+                    index = first_child + child;
+                    continue;
+                }
+            } else {
+                const auto entry_of = [&](unsigned number) {
+                    prefetch(fast_node(blob, first_child + number).bytes);
+                    return std::uint64_t{std::bit_cast<std::uint32_t>(keys[number])} << 32 | (first_child + number);
+                };
+                // The nearest is next; the others wait, the nearer ones on top.
+                std::uint64_t nearest = entry_of(child);
+                const unsigned bottom = size;
+                for (; nodes != 0; nodes &= nodes - 1) {
+                    const std::uint64_t other = entry_of(static_cast<unsigned>(std::countr_zero(nodes)));
+                    const std::uint64_t waits = other < nearest ? nearest : other;
+                    nearest = other < nearest ? other : nearest;
+                    unsigned place = size++;
+                    for (; place > bottom && stack[place - 1] < waits; --place) stack[place] = stack[place - 1];
+                    stack[place] = waits;
+                }
+                if (static_cast<std::uint32_t>(nearest >> 32) <= std::bit_cast<std::uint32_t>(visitor.limit())) {
+                    index = static_cast<std::uint32_t>(nearest);
+                    continue;
+                }
             }
         }
+        std::uint64_t next = 0;
         do {
             if (size == 0) return;
-            --size;
-        } while (!(stack[size].key <= visitor.limit()));
-        index = stack[size].node;
+            next = stack[--size];
+        } while (static_cast<std::uint32_t>(next >> 32) > std::bit_cast<std::uint32_t>(visitor.limit()));
+        index = static_cast<std::uint32_t>(next);
     }
 }
 

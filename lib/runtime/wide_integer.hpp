@@ -67,6 +67,12 @@ constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
 
 constexpr bool is_negative(std::int64_t a) { return a < 0; }
 constexpr bool is_negative(Int128 a) { return a.is_negative(); }
+/// -a or a, without a branch.
+constexpr std::int64_t negate_if(std::int64_t a, bool condition) {
+    const auto mask = -static_cast<std::int64_t>(condition);
+    return (a ^ mask) - mask;
+}
+constexpr Int128 negate_if(Int128 a, bool condition) { return condition ? -a : a; }
 constexpr bool is_zero(std::int64_t a) { return a == 0; }
 constexpr bool is_zero(Int128 a) { return a.is_zero(); }
 

@@ -9,6 +9,7 @@
 
 #include <runtime/codec_fast.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/ray_lanes.hpp>
 #include <runtime/simd/target.hpp>
 #include <runtime/simd/unpack_table.hpp>
 
@@ -90,26 +91,32 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
     return function(std::integral_constant<unsigned, 4>{});
 }
 
+/// 2^shift of all three axes, as float.
+inline __m128 load_scales(const FastNode& node) {
+    // The shifts lie in the low half of this word, 5 bits each: moved to the exponent's place, biased.
+    const __m128i word = _mm_set1_epi32(static_cast<int>(load_u32(node.bytes + format::fast_node::shifts_at)));
+    const __m128i places = _mm_sllv_epi32(word, _mm_setr_epi32(23, 18, 13, 13));
+    return _mm_castsi128_ps(_mm_add_epi32(_mm_and_si128(places, _mm_set1_epi32(31 << 23)), _mm_set1_epi32(127 << 23)));
+}
+inline __m128 load_bases(const FastNode& node) {
+    return _mm_cvtepi32_ps(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.bytes))));
+}
+
+/// A node's frame seen from a point: plane * scale + offset.
 struct Frame {
     Floats scale[3];
     Floats offset[3];
 };
+/// A point that nodes are seen from.
 struct FrameOrigin {
     FrameOrigin(const float* steps, unsigned bits)
-        : origin(_mm_setr_ps(steps[0], steps[1], steps[2], 0.0f)),
-          unit(_mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0))) {}
+        : origin(_mm_load_ps(steps)), unit(_mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0))) {}
     __m128 origin;
-    __m128 unit;
+    __m128 unit;  ///< of the bases
 };
-/// The constants of all three axes in one register, then spread.
 inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
-    const __m128i head = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.bytes));
-    const __m128i shifts = _mm_and_si128(
-        _mm_srlv_epi32(_mm_set1_epi32(static_cast<int>(load_u16(node.bytes + format::fast_node::shifts_at))),
-                       _mm_setr_epi32(0, 5, 10, 15)),
-        _mm_set1_epi32(31));
-    const __m128 scale = _mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(shifts, _mm_set1_epi32(127)), 23));
-    const __m128 offset = _mm_fmsub_ps(_mm_cvtepi32_ps(_mm_cvtepu16_epi32(head)), from.unit, from.origin);
+    const __m128 scale = load_scales(node);
+    const __m128 offset = _mm_fmsub_ps(load_bases(node), from.unit, from.origin);
     Frame frame;
     frame.scale[0] = {_mm256_broadcastss_ps(scale)};
     frame.scale[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(scale))};
@@ -117,6 +124,32 @@ inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
     frame.offset[0] = {_mm256_broadcastss_ps(offset)};
     frame.offset[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(offset))};
     frame.offset[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(offset, offset))};
+    return frame;
+}
+
+/// The planes of a node as tau along a ray: plane * scale + offset. All three axes in one register, then spread.
+struct SlabFrame {
+    Floats scale[3];
+    Floats near_offset[3];
+    Floats far_offset[3];
+};
+inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
+    const __m128 inverse = _mm_load_ps(ray.inverse);
+    const __m128 scale = _mm_mul_ps(load_scales(node), inverse);
+    const __m128 slope = _mm_mul_ps(inverse, _mm_set1_ps(ray.base_unit));
+    const __m128 bases = load_bases(node);
+    const __m128 near_offset = _mm_fmadd_ps(bases, slope, _mm_load_ps(ray.near_offset));
+    const __m128 far_offset = _mm_fmadd_ps(bases, slope, _mm_load_ps(ray.far_offset));
+    SlabFrame frame;
+    frame.scale[0] = {_mm256_broadcastss_ps(scale)};
+    frame.scale[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(scale))};
+    frame.scale[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(scale, scale))};
+    frame.near_offset[0] = {_mm256_broadcastss_ps(near_offset)};
+    frame.near_offset[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(near_offset))};
+    frame.near_offset[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(near_offset, near_offset))};
+    frame.far_offset[0] = {_mm256_broadcastss_ps(far_offset)};
+    frame.far_offset[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(far_offset))};
+    frame.far_offset[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(far_offset, far_offset))};
     return frame;
 }
 

@@ -8,6 +8,7 @@
 #include <runtime/bytes.hpp>
 #include <runtime/codec_fast.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/ray_lanes.hpp>
 
 namespace espalier::detail::scalar {
 
@@ -56,6 +57,7 @@ struct Frame {
     Floats scale[3];
     Floats offset[3];
 };
+/// A point that nodes are seen from.
 struct FrameOrigin {
     FrameOrigin(const float* steps, unsigned bits_) : origin{steps[0], steps[1], steps[2]}, bits(bits_) {}
     float origin[3];
@@ -64,8 +66,25 @@ struct FrameOrigin {
 inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
     Frame frame;
     for (int k = 0; k < 3; ++k) {
-        frame.scale[k] = power_of_two(static_cast<int>(node.shift(k)));
-        frame.offset[k] = static_cast<float>(node.base(k, from.bits)) - from.origin[k];
+        frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))));
+        frame.offset[k] = splat(static_cast<float>(node.base(k, from.bits)) - from.origin[k]);
+    }
+    return frame;
+}
+
+/// The planes of a node as tau along a ray: plane * scale + offset.
+struct SlabFrame {
+    Floats scale[3];
+    Floats near_offset[3];
+    Floats far_offset[3];
+};
+inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
+    SlabFrame frame;
+    for (int k = 0; k < 3; ++k) {
+        const float base = static_cast<float>(node.base(k, 0)) * ray.base_unit * ray.inverse[k];
+        frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))) * ray.inverse[k]);
+        frame.near_offset[k] = splat(base + ray.near_offset[k]);
+        frame.far_offset[k] = splat(base + ray.far_offset[k]);
     }
     return frame;
 }

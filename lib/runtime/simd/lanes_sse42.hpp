@@ -9,6 +9,7 @@
 
 #include <runtime/codec_fast.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/ray_lanes.hpp>
 #include <runtime/simd/target.hpp>
 #include <runtime/simd/unpack_table.hpp>
 
@@ -81,23 +82,32 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
     return function(std::integral_constant<unsigned, 8>{});
 }
 
+/// 2^shift of all three axes, as float.
+inline __m128 load_scales(const FastNode& node) {
+    // The shifts lie in the low half of this word, 5 bits each: moved to the exponent's place, biased.
+    const __m128i word = _mm_set1_epi32(static_cast<int>(load_u32(node.bytes + format::fast_node::shifts_at)));
+    const __m128i places = _mm_mullo_epi32(word, _mm_setr_epi32(1 << 23, 1 << 18, 1 << 13, 0));
+    return _mm_castsi128_ps(_mm_add_epi32(_mm_and_si128(places, _mm_set1_epi32(31 << 23)), _mm_set1_epi32(127 << 23)));
+}
+inline __m128 load_bases(const FastNode& node) {
+    return _mm_cvtepi32_ps(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.bytes))));
+}
+
+/// A node's frame seen from a point: plane * scale + offset.
 struct Frame {
     Floats scale[3];
     Floats offset[3];
 };
+/// A point that nodes are seen from.
 struct FrameOrigin {
     FrameOrigin(const float* steps, unsigned bits)
-        : origin(_mm_setr_ps(steps[0], steps[1], steps[2], 0.0f)),
-          unit(_mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0))) {}
+        : origin(_mm_load_ps(steps)), unit(_mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0))) {}
     __m128 origin;
-    __m128 unit;
+    __m128 unit;  ///< of the bases
 };
-/// The constants of all three axes in one register, then spread.
 inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
-    const __m128i head = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.bytes));
-    const auto biased = [&](int axis) { return static_cast<int>(node.shift(axis) + 127); };
-    const __m128 scale = _mm_castsi128_ps(_mm_slli_epi32(_mm_setr_epi32(biased(0), biased(1), biased(2), 0), 23));
-    const __m128 offset = _mm_sub_ps(_mm_mul_ps(_mm_cvtepi32_ps(_mm_cvtepu16_epi32(head)), from.unit), from.origin);
+    const __m128 scale = load_scales(node);
+    const __m128 offset = _mm_sub_ps(_mm_mul_ps(load_bases(node), from.unit), from.origin);
     Frame frame;
     frame.scale[0] = {_mm_shuffle_ps(scale, scale, 0x00)};
     frame.scale[1] = {_mm_shuffle_ps(scale, scale, 0x55)};
@@ -105,6 +115,33 @@ inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
     frame.offset[0] = {_mm_shuffle_ps(offset, offset, 0x00)};
     frame.offset[1] = {_mm_shuffle_ps(offset, offset, 0x55)};
     frame.offset[2] = {_mm_shuffle_ps(offset, offset, 0xAA)};
+    return frame;
+}
+
+/// The planes of a node as tau along a ray: plane * scale + offset. All three axes in one register, then spread.
+struct SlabFrame {
+    Floats scale[3];
+    Floats near_offset[3];
+    Floats far_offset[3];
+};
+inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
+    const __m128 inverse = _mm_load_ps(ray.inverse);
+    const __m128 scale = _mm_mul_ps(load_scales(node), inverse);
+    const __m128 slope = _mm_mul_ps(inverse, _mm_set1_ps(ray.base_unit));
+    const __m128 bases = load_bases(node);
+    const __m128 base = _mm_mul_ps(bases, slope);
+    const __m128 near_offset = _mm_add_ps(base, _mm_load_ps(ray.near_offset));
+    const __m128 far_offset = _mm_add_ps(base, _mm_load_ps(ray.far_offset));
+    SlabFrame frame;
+    frame.scale[0] = {_mm_shuffle_ps(scale, scale, 0x00)};
+    frame.scale[1] = {_mm_shuffle_ps(scale, scale, 0x55)};
+    frame.scale[2] = {_mm_shuffle_ps(scale, scale, 0xAA)};
+    frame.near_offset[0] = {_mm_shuffle_ps(near_offset, near_offset, 0x00)};
+    frame.near_offset[1] = {_mm_shuffle_ps(near_offset, near_offset, 0x55)};
+    frame.near_offset[2] = {_mm_shuffle_ps(near_offset, near_offset, 0xAA)};
+    frame.far_offset[0] = {_mm_shuffle_ps(far_offset, far_offset, 0x00)};
+    frame.far_offset[1] = {_mm_shuffle_ps(far_offset, far_offset, 0x55)};
+    frame.far_offset[2] = {_mm_shuffle_ps(far_offset, far_offset, 0xAA)};
     return frame;
 }
 

@@ -1,26 +1,7 @@
-// The parts of the kernels that are called once a hit or a candidate: not worth a copy in every instruction set.
+// The distance kernel: called once a candidate, not worth a copy in every instruction set.
 #include <runtime/point_triangle.hpp>
-#include <runtime/ray_triangle.hpp>
-#include <runtime/square_root.hpp>
 
 namespace espalier::detail {
-
-HitSurface surface_of_hit(const LatticeRay& ray, const LatticeTriangle& triangle) noexcept {
-    const OriginRelative t = relative_to(ray, triangle);
-    const Integer3 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
-    const Integer3 normal = cross(t.ab, t.ac);
-    const float volume = to_float(dot<Int128>(direction, normal) << ray.fraction_bits);
-    HitSurface surface;
-    // Adding zero turns -0 into +0: a weight has no sign.
-    surface.u = to_float(dot<Int128>(direction, cross(t.ac, t.a))) / volume + 0.0f;
-    surface.v = to_float(dot<Int128>(direction, cross(t.a, t.ab))) / volume + 0.0f;
-    const float x = to_float(normal.x);
-    const float y = to_float(normal.y);
-    const float z = to_float(normal.z);
-    const float length = square_root(x * x + y * y + z * z);
-    surface.normal = {x / length, y / length, z / length};
-    return surface;
-}
 
 namespace {
 

@@ -1,0 +1,60 @@
+// What the slab tests of all instruction sets share: a ray prepared once for all the nodes that it visits.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <espalier/format.hpp>
+#include <runtime/lattice_ray.hpp>
+
+namespace espalier::detail {
+
+/// Which planes of a node a ray enters and leaves through, as offsets into the node: for each axis, by the direction's sign.
+struct PlaneOrder {
+    std::uint8_t near_at[3];
+    std::uint8_t far_at[3];
+};
+/// By the signs of the direction: bit k is set where axis k runs down.
+inline constexpr std::array<PlaneOrder, 8> plane_orders = [] {
+    using namespace format::fast_node;
+    std::array<PlaneOrder, 8> orders{};
+    for (unsigned signs = 0; signs < 8; ++signs)
+        for (unsigned k = 0; k < 3; ++k) {
+            const bool down = (signs >> k & 1u) != 0;
+            orders[signs].near_at[k] = static_cast<std::uint8_t>((down ? hi_at : lo_at) + 8 * k);
+            orders[signs].far_at[k] = static_cast<std::uint8_t>((down ? lo_at : hi_at) + 8 * k);
+        }
+    return orders;
+}();
+
+/// tau of a plane is (base + plane * 2^shift - origin) * inverse; here it is plane * (2^shift * inverse) + (base * inverse +
+/// offset), with offsets that move the planes outward by more than all of it can round (docs/numerics.md): then a box that
+/// contains the hit is never refused. Vectors have a fourth element that means nothing.
+struct RayLanes {
+    alignas(16) float inverse[4];
+    alignas(16) float near_offset[4];
+    alignas(16) float far_offset[4];
+    float base_unit;  ///< lattice steps that a node's base counts in
+    float tau_min;
+    const PlaneOrder* planes;
+};
+
+inline RayLanes spread_ray(const BlobData& blob, const LatticeRay& ray) {
+    RayLanes lanes{};
+    unsigned signs = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const float middle = -ray.origin_steps[k] * ray.inverse[k];
+        const float slack = absolute(ray.inverse[k]) * ray.slack_steps;
+        lanes.inverse[k] = ray.inverse[k];
+        lanes.near_offset[k] = middle - slack;
+        lanes.far_offset[k] = middle + slack;
+        signs |= (static_cast<std::uint32_t>(ray.direction[k]) >> 31) << k;
+    }
+    lanes.base_unit = power_of_two(blob.bits > 16 ? blob.bits - 16 : 0);
+    lanes.tau_min = ray.tau_min;
+    lanes.planes = &plane_orders[signs];
+    return lanes;
+}
+
+}  // namespace espalier::detail
