@@ -1,5 +1,5 @@
-// Any bytes as a mesh and options: refused with a reason, or baked to a blob that opens, passes the deep check and answers
-// every query as the loop over all its triangles does.
+// Any bytes as a mesh and options: refused with a reason, or baked to a blob that opens, passes the deep check and
+// answers every query as the loop over all its triangles does.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -71,7 +71,9 @@ Question read_question(Input& input) {
     const unsigned vertices = input.byte();
     for (unsigned i = 0; i < vertices; ++i) {
         // Small integers make the degenerate, coplanar and duplicate cases that random floats never make.
-        const auto coordinate = [&] { return raw_floats ? input.any_float() : static_cast<float>(static_cast<std::int8_t>(input.byte())); };
+        const auto coordinate = [&] {
+            return raw_floats ? input.any_float() : static_cast<float>(static_cast<std::int8_t>(input.byte()));
+        };
         const float x = coordinate();
         const float y = coordinate();
         const float z = coordinate();

@@ -1,5 +1,5 @@
-// Any bytes: opened as they are, then with size and checksum made to fit, so that the fuzzer reaches what lies behind them.
-// Whatever opens must answer every query safely, and alike on every instruction set, even where its boxes lie.
+// Any bytes: opened as they are, then with size and checksum made to fit, so that the fuzzer reaches what lies behind
+// them. Whatever opens must answer every query safely, and alike on every instruction set, even where its boxes lie.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

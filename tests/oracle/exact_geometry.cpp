@@ -62,8 +62,8 @@ ClosestPoint closest_on_triangle(const Triangle& triangle, const Point& point) {
         return {closest, squared_length(point - closest)};
     }
     ClosestPoint best = closest_on_segment(triangle.a, triangle.b, point);
-    for (const ClosestPoint& other : {closest_on_segment(triangle.b, triangle.c, point),
-                                      closest_on_segment(triangle.c, triangle.a, point)}) {
+    for (const ClosestPoint& other :
+         {closest_on_segment(triangle.b, triangle.c, point), closest_on_segment(triangle.c, triangle.a, point)}) {
         if (other.squared_distance < best.squared_distance) best = other;
     }
     return best;

@@ -23,7 +23,8 @@ namespace {
 BigInteger some_integer(Random& random, int limbs) {
     BigInteger result = 0;
     for (int i = 0; i < limbs; ++i) {
-        result = result.shifted_left(31) + BigInteger(static_cast<std::int64_t>(random.next() >> (33 + random.below(31))));
+        result =
+            result.shifted_left(31) + BigInteger(static_cast<std::int64_t>(random.next() >> (33 + random.below(31))));
     }
     return random.coin() ? -result : result;
 }
@@ -109,9 +110,13 @@ TEST_SUITE("oracle") {
             const float b = random.signed_unit();
             // Sums and products of two 24-bit numbers of like size are exact in double.
             const Rational sum = Rational::of(a) + Rational::of(b);
-            REQUIRE(sum == Rational::of(static_cast<std::int64_t>(std::ldexp(double{a} + double{b}, 40)), -40));
+            REQUIRE(sum == Rational::of(static_cast<std::int64_t>(
+                                            std::ldexp(static_cast<double>(a) + static_cast<double>(b), 40)),
+                                        -40));
             const Rational product = Rational::of(a) * Rational::of(b);
-            REQUIRE(product == Rational::of(static_cast<std::int64_t>(std::ldexp(double{a} * double{b}, 60)), -60));
+            REQUIRE(product == Rational::of(static_cast<std::int64_t>(
+                                                std::ldexp(static_cast<double>(a) * static_cast<double>(b), 60)),
+                                            -60));
         }
     }
 

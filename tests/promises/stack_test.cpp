@@ -1,4 +1,5 @@
-// How much stack each query needs on this machine, measured over queries that fill the traversal's stack, with a budget.
+// How much stack each query needs on this machine, measured over queries that fill the traversal's stack, with a
+// budget.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -84,7 +85,8 @@ TEST_SUITE("promises") {
             {"for_each_hit", 2304, ray_row([](const Blob& blob, const Ray& ray) {
                  for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
              })},
-            {"overlaps", 2304, sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
+            {"overlaps", 2304,
+             sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
             {"for_each_overlap", 2304, sphere_row([](const Blob& blob, const Sphere& sphere) {
                  for_each_overlap(blob, sphere, [](Triangle) { return keep_going; });
              })},

@@ -1,4 +1,5 @@
-// The runtime's rounded queries and lattice triangles as rationals: the only place where the oracle and the runtime meet.
+// The runtime's rounded queries and lattice triangles as rationals: the only place where the oracle and the runtime
+// meet.
 #pragma once
 
 #include <array>

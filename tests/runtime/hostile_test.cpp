@@ -113,7 +113,8 @@ TEST_SUITE("hostile") {
         for (const Blob& blob : {Blob(), far.blob, flat.blob, tiny.blob, huge.blob}) {
             const Vec3 low = blob.bounds_min();
             const Vec3 high = blob.bounds_max();
-            const Vec3 middle{low.x + (high.x - low.x) * 0.4f, low.y + (high.y - low.y) * 0.5f, low.z + (high.z - low.z) * 0.6f};
+            const Vec3 middle{low.x + (high.x - low.x) * 0.4f, low.y + (high.y - low.y) * 0.5f,
+                              low.z + (high.z - low.z) * 0.6f};
             for (int slot = 0; slot < 8; ++slot) {
                 for (const float value : hostile_values) {
                     for (const float other : {0.0f, value, 1.0f}) {
@@ -148,7 +149,8 @@ TEST_SUITE("hostile") {
                     Nearest nearest;
                     const bool found = closest_point(blob, sphere.center, sphere.radius, nearest);
                     CHECK(overlaps(blob, sphere) == found);
-                    if (value != value || value == -__builtin_inff() || (slot < 3 && value == __builtin_inff())) CHECK_FALSE(found);
+                    if (value != value || value == -__builtin_inff() || (slot < 3 && value == __builtin_inff()))
+                        CHECK_FALSE(found);
                     if (slot == 3 && value < 0.0f) CHECK_FALSE(found);
                     if (slot == 3 && value == __builtin_inff()) CHECK(found == (blob.triangle_count() != 0));
                     if (found) CHECK(nearest.distance <= sphere.radius);

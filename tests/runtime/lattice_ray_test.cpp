@@ -47,7 +47,8 @@ Ray some_ray(const detail::BlobData& data, Random& random, float sizes_away) {
 }  // namespace
 
 TEST_SUITE("runtime rounding") {
-    TEST_CASE("a rounded direction is the direction times a power of two, each component within half a unit of 24 bits") {
+    TEST_CASE(
+        "a rounded direction is the direction times a power of two, each component within half a unit of 24 bits") {
         Random random(1);
         for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
             const detail::BlobData data = some_asset(random);
@@ -87,7 +88,8 @@ TEST_SUITE("runtime rounding") {
                 const Rational exact =
                     (Rational::of(given[k]) - Rational::of(data.origin[k])) * Rational::of(1, -data.step_exponent);
                 const Rational rounded = Rational::of(ray.origin[k], -ray.fraction_bits);
-                const Rational allowed = Rational::of(1, -ray.fraction_bits - 1) + oracle::absolute(exact) * Rational::of(1, -24);
+                const Rational allowed =
+                    Rational::of(1, -ray.fraction_bits - 1) + oracle::absolute(exact) * Rational::of(1, -24);
                 REQUIRE(oracle::absolute(rounded - exact) <= allowed);
                 REQUIRE(Rational::of(ray.origin_steps[k]) == rounded);
                 reach = std::max({reach, oracle::absolute(exact), oracle::absolute(exact - Rational(data.extent[k]))});

@@ -28,11 +28,14 @@ bool exact_place(const DecodedBlob& decoded, const GridPoint& point, Vec3& place
     return true;
 }
 
-/// Rounds a lattice point to one that float32 holds; on the shape's grid of floats where that is coarser than the lattice.
+/// Rounds a lattice point to one that float32 holds; on the shape's grid of floats where that is coarser than the
+/// lattice.
 GridPoint on_float_grid(const DecodedBlob& decoded, GridPoint point) {
     for (unsigned k = 0; k < 3; ++k) {
-        const auto place = static_cast<float>(static_cast<double>(decoded.origin[k]) + std::ldexp(point[k], decoded.step_exponent));
-        const double steps = std::ldexp(static_cast<double>(place) - static_cast<double>(decoded.origin[k]), -decoded.step_exponent);
+        const auto place =
+            static_cast<float>(static_cast<double>(decoded.origin[k]) + std::ldexp(point[k], decoded.step_exponent));
+        const double steps =
+            std::ldexp(static_cast<double>(place) - static_cast<double>(decoded.origin[k]), -decoded.step_exponent);
         point[k] = static_cast<std::int32_t>(steps);
     }
     return point;
@@ -77,9 +80,10 @@ TEST_SUITE("traversal against the loop") {
                 if (exact_aim) ++exact_aims;
                 for (const InstructionPath& path : instruction_paths()) {
                     detail::FoundHit lattice_hit{};
-                    REQUIRE_MESSAGE(path.closest_hit(shape.opened.blob.data(), rounded, nullptr, lattice_hit), std::string(path.name), ": ",
-                                    describe(ray));
-                    REQUIRE_MESSAGE(path.any_hit(shape.opened.blob.data(), rounded, nullptr), std::string(path.name), ": ", describe(ray));
+                    REQUIRE_MESSAGE(path.closest_hit(shape.opened.blob.data(), rounded, nullptr, lattice_hit),
+                                    std::string(path.name), ": ", describe(ray));
+                    REQUIRE_MESSAGE(path.any_hit(shape.opened.blob.data(), rounded, nullptr), std::string(path.name),
+                                    ": ", describe(ray));
                 }
             }
             CHECK(exact_aims == count);

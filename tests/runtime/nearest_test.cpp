@@ -43,7 +43,8 @@ Rational coordinate_ulp(const Blob& blob) {
 }  // namespace
 
 TEST_SUITE("queries against the oracle") {
-    TEST_CASE("closest points: whether there is one is exact, distance within 4 ulp, point within 4 ulp of the bounds") {
+    TEST_CASE(
+        "closest points: whether there is one is exact, distance within 4 ulp, point within 4 ulp of the bounds") {
         const std::uint64_t count = scaled(30);
         std::uint64_t found_count = 0;
         for (const TestBlob& blob : small_test_blobs()) {
@@ -66,7 +67,8 @@ TEST_SUITE("queries against the oracle") {
                     const auto closest = oracle::closest_on_triangle(exact_triangle(triangle), center);
                     if (!least || closest.squared_distance < *least) least = closest.squared_distance;
                 }
-                const bool within = std::isinf(rounded.radius) || *least <= Rational::of(rounded.radius) * Rational::of(rounded.radius);
+                const bool within =
+                    std::isinf(rounded.radius) || *least <= Rational::of(rounded.radius) * Rational::of(rounded.radius);
                 REQUIRE(found == within);
                 if (!found) continue;
                 ++found_count;
@@ -75,9 +77,9 @@ TEST_SUITE("queries against the oracle") {
                     exact_triangle(blob.decoded.triangles.at(nearest.triangle.index)), center);
                 REQUIRE(closest.squared_distance <= *least * (Rational(1) + Rational::of(12, -23)));
                 if (rounded.distance_offset == 0.0f) {
-                    const Rational steps = Rational::of(nearest.distance) * Rational::of(1, -blob.decoded.step_exponent);
-                    const Rational allowed =
-                        steps.sign() == 0 ? Rational(0) : Rational::of(4, steps.exponent() - 23);
+                    const Rational steps =
+                        Rational::of(nearest.distance) * Rational::of(1, -blob.decoded.step_exponent);
+                    const Rational allowed = steps.sign() == 0 ? Rational(0) : Rational::of(4, steps.exponent() - 23);
                     REQUIRE(near_square_root(steps, *least, allowed));
                 }
                 const float given[3] = {nearest.point.x, nearest.point.y, nearest.point.z};

@@ -165,7 +165,8 @@ TEST_SUITE("open") {
             for (const std::byte value : {std::byte{0x00}, std::byte{0xFF}}) {
                 Blob blob;
                 const ExactBuffer buffer(Bytes(size, value));
-                CHECK(open(buffer.bytes(), blob) == (size < format::header::bytes ? Status::too_short : Status::not_a_blob));
+                CHECK(open(buffer.bytes(), blob) ==
+                      (size < format::header::bytes ? Status::too_short : Status::not_a_blob));
                 CHECK(is_empty(blob));
             }
         }
@@ -199,8 +200,10 @@ TEST_SUITE("open") {
         CHECK(status_with(bytes, at::depth_at, format::max_depth + 1, 1) == Status::bad_header);
         CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) + 1, 1) == Status::bad_node);
         CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) - 1, 1) == Status::bad_node);
-        CHECK(status_with(bytes, at::triangle_count_at, get(bytes, at::triangle_count_at, 4) + 1, 4) == Status::bad_leaf);
-        // A child plane above its box, a leaf whose first triangle is another one, a bit in the guard, an unsorted source.
+        CHECK(status_with(bytes, at::triangle_count_at, get(bytes, at::triangle_count_at, 4) + 1, 4) ==
+              Status::bad_leaf);
+        // A child plane above its box, a leaf whose first triangle is another one, a bit in the guard, an unsorted
+        // source.
         const std::size_t nodes_at = at::bytes;
         CHECK(status_with(bytes, nodes_at + format::fast_node::lo_at, 255, 1) == Status::bad_node);
         CHECK(status_with(bytes, nodes_at + format::fast_node::shifts_at + 1, 0x80, 1) == Status::bad_node);
@@ -216,8 +219,9 @@ TEST_SUITE("open") {
         for (const Field& field : header_fields) {
             CAPTURE(std::string(field.name));
             const std::uint64_t was = get(bytes, field.at, field.size);
-            for (const std::uint64_t value : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}, was - 1, was + 1,
-                                              std::uint64_t{1} << 31, std::uint64_t{1} << 30, std::uint64_t{0x7FFFFFFF}}) {
+            for (const std::uint64_t value :
+                 {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}, was - 1, was + 1, std::uint64_t{1} << 31,
+                  std::uint64_t{1} << 30, std::uint64_t{0x7FFFFFFF}}) {
                 Bytes changed = bytes;
                 put(changed, field.at, value, field.size);
                 for (const bool repaired : {false, true}) {
@@ -256,7 +260,8 @@ TEST_SUITE("open") {
     TEST_CASE("the checksum is CRC-32 as zip and Ethernet have it") {
         const char* check = "123456789";
         Bytes bytes(format::header::bytes);
-        // The definition's check value, through the four zero bytes that the field counts as: computed by the definition.
+        // The definition's check value, through the four zero bytes that the field counts as: computed by the
+        // definition.
         std::memcpy(bytes.data(), check, 9);
         const std::uint32_t before = blob_checksum(bytes);
         bytes[format::header::checksum_at] = std::byte{0xAB};

@@ -44,13 +44,16 @@ TEST_SUITE("queries against the oracle") {
                 const oracle::Point center = exact_center(rounded);
                 std::vector<std::uint32_t> expected;
                 for (std::uint32_t index = 0; index < blob.decoded.triangles.size(); ++index) {
-                    const auto closest = oracle::closest_on_triangle(exact_triangle(blob.decoded.triangles[index]), center);
-                    const bool within = std::isinf(rounded.radius) ||
-                                        closest.squared_distance <= Rational::of(rounded.radius) * Rational::of(rounded.radius);
+                    const auto closest =
+                        oracle::closest_on_triangle(exact_triangle(blob.decoded.triangles[index]), center);
+                    const bool within =
+                        std::isinf(rounded.radius) ||
+                        closest.squared_distance <= Rational::of(rounded.radius) * Rational::of(rounded.radius);
                     if (within) expected.push_back(index);
                 }
                 std::vector<std::uint32_t> actual;
-                for_each_overlap(blob.opened.blob, sphere, [&](Triangle t) { return actual.push_back(t.index), keep_going; });
+                for_each_overlap(blob.opened.blob, sphere,
+                                 [&](Triangle t) { return actual.push_back(t.index), keep_going; });
                 REQUIRE(actual == expected);
                 REQUIRE(overlaps(blob.opened.blob, sphere) == !expected.empty());
                 overlapping += expected.size();

@@ -53,7 +53,8 @@ bool some_case(Random& random, Case& result) {
     GridTriangle& triangle = result.triangle;
     triangle = {some_point(), some_point(), some_point()};
     if (random.below(3) == 0) {
-        for (unsigned k = 0; k < 3; ++k) triangle.c[k] = std::clamp((triangle.a[k] + triangle.b[k]) / 2 + random.between(-1, 1), 0, limit);
+        for (unsigned k = 0; k < 3; ++k)
+            triangle.c[k] = std::clamp((triangle.a[k] + triangle.b[k]) / 2 + random.between(-1, 1), 0, limit);
     }
     if (oracle::normal_of(tests::exact_triangle(triangle)) == oracle::Point(0, 0, 0)) return false;
 
@@ -64,7 +65,8 @@ bool some_case(Random& random, Case& result) {
         return static_cast<float>(p[k]) + share * static_cast<float>(q[k] - p[k]) + off;
     };
     const float share = random.coin() ? 0.5f : random.unit();
-    const float reach = random.below(4) == 0 ? 0.0f : std::ldexp(1.0f, random.between(-6, static_cast<std::int32_t>(bits) + 12));
+    const float reach =
+        random.below(4) == 0 ? 0.0f : std::ldexp(1.0f, random.between(-6, static_cast<std::int32_t>(bits) + 12));
     const Vec3 off = random.in_cube(reach);
     const Vec3 world{coordinate(0, share, off.x), coordinate(1, share, off.y), coordinate(2, share, off.z)};
     return detail::round_point(tests::lattice_asset(bits), world, 0.0f, result.point);
@@ -93,8 +95,8 @@ TEST_SUITE("distance kernel against the oracle") {
             const Rational v = Rational::of(distance.v);
             const oracle::Point at = triangle.a + (triangle.b - triangle.a) * u + (triangle.c - triangle.a) * v;
             for (int k = 0; k < 3; ++k) {
-                const Rational size = oracle::absolute(triangle.b[k] - triangle.a[k]) +
-                                      oracle::absolute(triangle.c[k] - triangle.a[k]);
+                const Rational size =
+                    oracle::absolute(triangle.b[k] - triangle.a[k]) + oracle::absolute(triangle.c[k] - triangle.a[k]);
                 REQUIRE(oracle::absolute(at[k] - closest.point[k]) <= size * Rational::of(1, -22));
             }
             if (closest.squared_distance.sign() == 0) ++zero;

@@ -1,4 +1,5 @@
-// Claims about the ray queries as the header words them: against exact arithmetic over all triangles, and their manners.
+// Claims about the ray queries as the header words them: against exact arithmetic over all triangles, and their
+// manners.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -170,7 +171,8 @@ TEST_SUITE("rays") {
         for (unsigned i = 0; i < 100; ++i) {
             const auto reach = static_cast<float>(1 + i);
             const std::uint32_t first = 3 * i;
-            mesh.positions.insert(mesh.positions.end(), {{-reach, -1.0f, 0.0f}, {reach, -1.0f, 0.0f}, {0.0f, reach, 0.0f}});
+            mesh.positions.insert(mesh.positions.end(),
+                                  {{-reach, -1.0f, 0.0f}, {reach, -1.0f, 0.0f}, {0.0f, reach, 0.0f}});
             mesh.triangles.push_back({first, first + 1, first + 2});
         }
         const OpenedBlob stack(mesh);

@@ -1,4 +1,5 @@
-// Claims about the ray kernel: on the rounded ray its yes and no are those of exact rational arithmetic, its numbers close.
+// Claims about the ray kernel: on the rounded ray its yes and no are those of exact rational arithmetic, its numbers
+// close.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -39,7 +40,8 @@ GridPoint some_grid_point(Random& random, unsigned bits) {
 /// With area; large, small, needle-like and sliver-like ones.
 GridTriangle some_triangle(Random& random, unsigned bits) {
     for (;;) {
-        GridTriangle triangle{some_grid_point(random, bits), some_grid_point(random, bits), some_grid_point(random, bits)};
+        GridTriangle triangle{some_grid_point(random, bits), some_grid_point(random, bits),
+                              some_grid_point(random, bits)};
         const std::int32_t limit = (1 << bits) - 1;
         const auto near = [&](const GridPoint& p, std::int32_t by) {
             GridPoint q = p;
@@ -127,14 +129,14 @@ TEST_SUITE("ray kernel against the oracle") {
             LatticeRay ray;
             if (!detail::round_ray(tests::lattice_asset(bits), world, ray)) continue;
             const auto crossing = oracle::cross(tests::exact_line(ray), tests::exact_triangle(triangle));
-            const bool expected =
-                crossing && crossing->t.sign() >= 0 && faces_match(world.faces, crossing->front);
+            const bool expected = crossing && crossing->t.sign() >= 0 && faces_match(world.faces, crossing->front);
             float tau = -1.0f;
             const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
             REQUIRE(detail::intersect(ray, lattice, tau) == expected);
             if (!expected) continue;
             ++hits;
-            if (crossing->u.sign() == 0 || crossing->v.sign() == 0 || crossing->u + crossing->v == Rational(1)) ++touches;
+            if (crossing->u.sign() == 0 || crossing->v.sign() == 0 || crossing->u + crossing->v == Rational(1))
+                ++touches;
             if (!detail::ray_triangle::is_small(detail::relative_to(ray, lattice))) ++wide;
             worst_tau = std::max(worst_tau, oracle::error_in_ulp(tau, crossing->t));
             const detail::HitSurface surface = detail::surface_of_hit(ray, lattice);
@@ -198,7 +200,7 @@ TEST_SUITE("ray kernel against the oracle") {
             const Rational squared_length = exact.dot(exact);
             const float given[3] = {normal.x, normal.y, normal.z};
             // |n - m / |m|| <= e  exactly when  (n - e) |m| <= m <= (n + e) |m|; squared to stay rational.
-            const Rational allowed = Rational::of(4, -24);  // 4 ulp of numbers just below 1
+            const Rational allowed = Rational::of(4, -24);                         // 4 ulp of numbers just below 1
             const auto at_most = [&](const Rational& a, const Rational& factor) {  // a <= factor * |m|
                 const Rational left = a * oracle::absolute(a);
                 const Rational right = factor * oracle::absolute(factor) * squared_length;
@@ -212,7 +214,8 @@ TEST_SUITE("ray kernel against the oracle") {
         }
     }
 
-    TEST_CASE("neighbours leave no gap: a ray through a shared side or corner hits at least one of the triangles around it") {
+    TEST_CASE(
+        "neighbours leave no gap: a ray through a shared side or corner hits at least one of the triangles around it") {
         Random random(4);
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
             const unsigned bits = 2 + random.below(23);
@@ -227,7 +230,8 @@ TEST_SUITE("ray kernel against the oracle") {
             const Vec3 target = some_target(random, {apex, rim[random.below(4)], apex});
             world.origin = {target.x, target.y, -static_cast<float>(random.between(1, limit))};
             world.direction = {0.0f, 0.0f, 1.0f};
-            if (target.x < 0 || target.y < 0 || target.x > static_cast<float>(limit) || target.y > static_cast<float>(limit)) {
+            if (target.x < 0 || target.y < 0 || target.x > static_cast<float>(limit) ||
+                target.y > static_cast<float>(limit)) {
                 continue;
             }
             LatticeRay ray;

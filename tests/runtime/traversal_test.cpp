@@ -1,4 +1,5 @@
-// The tree changes nothing: every query, on every instruction set, gives the bits that the loop over all triangles gives.
+// The tree changes nothing: every query, on every instruction set, gives the bits that the loop over all triangles
+// gives.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -53,11 +54,13 @@ struct RealMesh {
     std::uint64_t rays;
 };
 /// Times a scale of 1,000 these are the counts that a release must show.
-constexpr std::array real_meshes = {RealMesh{"bunny.obj", 1'000}, RealMesh{"fandisk.obj", 100}, RealMesh{"dragon.ply", 10}};
+constexpr std::array real_meshes = {RealMesh{"bunny.obj", 1'000}, RealMesh{"fandisk.obj", 100},
+                                    RealMesh{"dragon.ply", 10}};
 
 /// The counts of a named mesh, and 100 for any other file of the folder.
 std::uint64_t ray_count(const std::string& file) {
-    const auto known = std::find_if(real_meshes.begin(), real_meshes.end(), [&](const RealMesh& m) { return file == m.file; });
+    const auto known =
+        std::find_if(real_meshes.begin(), real_meshes.end(), [&](const RealMesh& m) { return file == m.file; });
     return scaled(known == real_meshes.end() ? 100 : known->rays);
 }
 

@@ -74,7 +74,8 @@ TEST_SUITE("runtime arithmetic") {
         for (std::uint64_t i = 0; i < scaled(100'000); ++i) {
             Int128 a = some_wide(random);
             if (random.below(3) == 0) {  // 25 significant bits: half of them are ties
-                a = Int128(static_cast<std::int64_t>(random.next() >> 39) | 1 << 24) << static_cast<int>(random.below(60));
+                a = Int128(static_cast<std::int64_t>(random.next() >> 39) | 1 << 24)
+                    << static_cast<int>(random.below(60));
                 if (random.coin()) a = a << static_cast<int>(random.below(40));
                 if (random.coin()) a = -a;
                 if (random.below(4) == 0) a = a + Int128(1);
@@ -98,8 +99,10 @@ TEST_SUITE("runtime arithmetic") {
     TEST_CASE("256-bit products, shifts and lengths equal unbounded ones") {
         Random random(3);
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-            const Unsigned256 a(Int128(some_signed(random) & std::numeric_limits<std::int64_t>::max(), some_word(random)));
-            const Unsigned256 b(Int128(some_signed(random) & std::numeric_limits<std::int64_t>::max(), some_word(random)));
+            const Unsigned256 a(
+                Int128(some_signed(random) & std::numeric_limits<std::int64_t>::max(), some_word(random)));
+            const Unsigned256 b(
+                Int128(some_signed(random) & std::numeric_limits<std::int64_t>::max(), some_word(random)));
             REQUIRE(exact(Unsigned256::product(a, b)) == exact(a) * exact(b));
             REQUIRE(a.bit_length() == exact(a).bit_length());
             const int shift = static_cast<int>(random.below(128));
@@ -112,8 +115,9 @@ TEST_SUITE("runtime arithmetic") {
         std::uint64_t equal = 0;
         for (std::uint64_t i = 0; i < scaled(50'000); ++i) {
             const auto some_unsigned = [&] {
-                return Unsigned256::product(Unsigned256(Int128(some_signed(random) & 0xFFFFFFFFFFFF, some_word(random))),
-                                            Unsigned256(Int128(0, some_word(random))));
+                return Unsigned256::product(
+                    Unsigned256(Int128(some_signed(random) & 0xFFFFFFFFFFFF, some_word(random))),
+                    Unsigned256(Int128(0, some_word(random))));
             };
             Unsigned256 a = some_unsigned();
             Unsigned256 b = some_unsigned();

@@ -19,7 +19,7 @@ void* count_and_allocate(std::size_t size, std::align_val_t alignment) {
     void* block = nullptr;
     const std::size_t power = static_cast<std::size_t>(alignment);
     return posix_memalign(&block, power < sizeof(void*) ? sizeof(void*) : power, size != 0 ? size : 1) == 0 ? block
-                                                                                                           : nullptr;
+                                                                                                            : nullptr;
 }
 
 template <class... Arguments>

@@ -10,7 +10,8 @@ std::uint32_t blob_checksum(std::span<const std::byte> blob) {
     for (std::size_t i = 0; i < blob.size(); ++i) {
         const bool in_field = i >= checksum_at && i < checksum_at + 4;
         remainder ^= in_field ? 0u : static_cast<std::uint32_t>(blob[i]);
-        for (int bit = 0; bit < 8; ++bit) remainder = (remainder & 1u) != 0 ? remainder >> 1 ^ 0xEDB88320u : remainder >> 1;
+        for (int bit = 0; bit < 8; ++bit)
+            remainder = (remainder & 1u) != 0 ? remainder >> 1 ^ 0xEDB88320u : remainder >> 1;
     }
     return ~remainder;
 }

@@ -1,5 +1,5 @@
-// CRC-32 written from its definition, bit by bit: a second opinion on the runtime's, and the means to repair a blob that a
-// test has broken on purpose.
+// CRC-32 written from its definition, bit by bit: a second opinion on the runtime's, and the means to repair a blob
+// that a test has broken on purpose.
 #pragma once
 
 #include <cstddef>

@@ -23,7 +23,8 @@ public:
     [[nodiscard]] std::uint32_t u32(std::size_t at) const { return u16(at) | u16(at + 2) << 16; }
     [[nodiscard]] float f32(std::size_t at) const { return std::bit_cast<float>(u32(at)); }
 
-    /// `width` bits, `bit` bits after the byte `at`, low bits first; one bit at a time, so that nobody has to trust a shift.
+    /// `width` bits, `bit` bits after the byte `at`, low bits first; one bit at a time, so that nobody has to trust a
+    /// shift.
     [[nodiscard]] std::uint32_t field(std::size_t at, std::size_t bit, unsigned width) const {
         std::uint32_t value = 0;
         for (unsigned i = 0; i < width; ++i, ++bit) value |= (u8(at + bit / 8) >> (bit % 8) & 1u) << i;
@@ -105,8 +106,8 @@ private:
         leaves_at_ = at::bytes + std::size_t{node_count_} * format::fast_node::bytes;
     }
 
-    // Leaf blocks hold consecutive storage indices but are reached in the order of the nodes, so each leaf's triangles are
-    // put where its block says.
+    // Leaf blocks hold consecutive storage indices but are reached in the order of the nodes, so each leaf's triangles
+    // are put where its block says.
     void read_nodes() {
         decoded_.nodes.resize(node_count_);
         decoded_.nodes[0].depth = 1;
@@ -137,8 +138,7 @@ private:
             const std::uint32_t steps = bytes_.u8(at + planes_at + format::max_children * axis + child);
             return static_cast<std::int32_t>(base + (steps << (shifts >> (5 * axis) & 31u)));
         };
-        const std::size_t block =
-            leaves_at_ + std::size_t{4} * bytes_.u32(at + layout::leaf_block_at);
+        const std::size_t block = leaves_at_ + std::size_t{4} * bytes_.u32(at + layout::leaf_block_at);
         std::uint32_t triangle = leaves > 0 ? bytes_.u32(block) : 0;
         for (unsigned child = 0; child < nodes + leaves; ++child) {
             DecodedChild out;

@@ -1,5 +1,5 @@
-// A decoder of blobs that was written from format.hpp alone and shares no code with the runtime or the baker: slow, plain,
-// and the tests' second opinion on what the bytes mean.
+// A decoder of blobs that was written from format.hpp alone and shares no code with the runtime or the baker: slow,
+// plain, and the tests' second opinion on what the bytes mean.
 #pragma once
 
 #include <array>
@@ -59,11 +59,11 @@ struct DecodedBlob {
     std::uint32_t vertex_count = 0;
     std::uint32_t source_triangles = 0;
     std::vector<DecodedNode> nodes;
-    std::vector<GridTriangle> triangles;         // in storage order
-    std::vector<DecodedSource> sources;          // empty without original ids
-    std::vector<std::uint32_t> original_ids;     // one for each triangle, or none
-    std::vector<std::uint16_t> materials;        // one for each triangle, or none
-    std::vector<std::uint8_t> triangles_in_leaf; // of each leaf, in storage order
+    std::vector<GridTriangle> triangles;          // in storage order
+    std::vector<DecodedSource> sources;           // empty without original ids
+    std::vector<std::uint32_t> original_ids;      // one for each triangle, or none
+    std::vector<std::uint16_t> materials;         // one for each triangle, or none
+    std::vector<std::uint8_t> triangles_in_leaf;  // of each leaf, in storage order
 };
 
 /// Throws std::runtime_error on bytes that do not follow the format; it checks what it needs to go on, not every rule.

@@ -15,7 +15,8 @@ namespace {
 
 bool third_is_left_out(std::uint32_t index) { return index % 3 != 2; }
 
-/// A RayHit from what the loop found, by the runtime's own translation: the traversal, not the translation, is compared.
+/// A RayHit from what the loop found, by the runtime's own translation: the traversal, not the translation, is
+/// compared.
 RayHit to_hit(const detail::LatticeRay& rounded, const detail::FoundHit& found, const Ray& ray) {
     const detail::HitSurface surface = detail::surface_of_hit(rounded, found.triangle);
     return {detail::to_t(rounded, found.tau, ray), surface.u, surface.v, surface.normal, Triangle{found.index}};
@@ -47,7 +48,8 @@ std::optional<std::string> closest_difference(const RayQuestion& question, bool 
         }
     }
     RayHit hit;
-    const bool found = filtered ? raycast(question.blob, question.ray, hit, filter) : raycast(question.blob, question.ray, hit);
+    const bool found =
+        filtered ? raycast(question.blob, question.ray, hit, filter) : raycast(question.blob, question.ray, hit);
     if (found != expected.has_value()) return difference(question, "raycast", "whether there is a hit");
     if (found && !same_bits(hit, to_hit(question.rounded, *expected, question.ray))) {
         return difference(question, "raycast", "the hit");
@@ -82,11 +84,13 @@ std::optional<std::string> every_difference(const RayQuestion& question, std::ui
 
 }  // namespace
 
-std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::uint64_t& hits) {
+std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray,
+                                          std::uint64_t& hits) {
     RayQuestion question{blob, loop, ray, {}};
     if (!detail::round_ray(blob.data(), ray, question.rounded)) {
         RayHit hit;
-        if (raycast(blob, ray, hit) || occluded(blob, ray)) return difference(question, "raycast", "a refused ray's answer");
+        if (raycast(blob, ray, hit) || occluded(blob, ray))
+            return difference(question, "raycast", "a refused ray's answer");
         return std::nullopt;
     }
     if (auto found = closest_difference(question, false)) return found;
@@ -163,8 +167,9 @@ std::optional<std::string> path_difference(const Blob& blob, const Ray& ray) {
     const Answers expected = ask(instruction_paths().front());
     for (const InstructionPath& path : instruction_paths()) {
         const Answers answers = ask(path);
-        const bool same_row = std::equal(answers.every.begin(), answers.every.end(), expected.every.begin(),
-                                         expected.every.end(), [](const auto& a, const auto& b) { return same_bits(a, b); });
+        const bool same_row =
+            std::equal(answers.every.begin(), answers.every.end(), expected.every.begin(), expected.every.end(),
+                       [](const auto& a, const auto& b) { return same_bits(a, b); });
         if (answers.closest == expected.closest && answers.any == expected.any && same_row &&
             (!answers.closest || same_bits(answers.hit, expected.hit))) {
             continue;

@@ -14,7 +14,8 @@
 namespace espalier::tests {
 
 /// What differs first, in bits; nothing when all agree. `hits` grows by the number of triangles that the ray hits.
-std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::uint64_t& hits);
+std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray,
+                                          std::uint64_t& hits);
 
 /// The same for overlaps, and for the closest point within the radius of the centre.
 std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere,

@@ -9,8 +9,8 @@
 
 namespace espalier::tests {
 
-/// Runs each public function on the blob `rounds` times. Throws std::runtime_error when an answer names a triangle that the
-/// blob does not have, holds a NaN or breaks its header's word. Returns a hash of all answers' bits.
+/// Runs each public function on the blob `rounds` times. Throws std::runtime_error when an answer names a triangle that
+/// the blob does not have, holds a NaN or breaks its header's word. Returns a hash of all answers' bits.
 std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds);
 
 }  // namespace espalier::tests

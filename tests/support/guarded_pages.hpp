@@ -9,7 +9,8 @@ namespace espalier::tests {
 
 class GuardedPages {
 public:
-    /// A read-only copy whose last byte is the last readable one (at_end) or whose first byte is the first readable one.
+    /// A read-only copy whose last byte is the last readable one (at_end) or whose first byte is the first readable
+    /// one.
     GuardedPages(std::span<const std::byte> bytes, bool at_end);
     ~GuardedPages();
     GuardedPages(const GuardedPages&) = delete;

@@ -9,8 +9,8 @@
 
 namespace espalier::tests {
 
-/// OBJ (v and f lines; polygons as fans) or PLY (binary, little-endian, float positions, uchar-int faces), by the file's
-/// ending. Throws std::runtime_error that names the file.
+/// OBJ (v and f lines; polygons as fans) or PLY (binary, little-endian, float positions, uchar-int faces), by the
+/// file's ending. Throws std::runtime_error that names the file.
 Mesh read_mesh(const std::filesystem::path& file);
 
 /// All .obj and .ply files of the folder in the environment's ESPALIER_MESHES or the build's, in order of name.

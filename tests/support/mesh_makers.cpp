@@ -13,8 +13,9 @@ namespace {
 
 Vec3 on_sphere(double x, double y, double z, double radius, Vec3 center) {
     const double scale = radius / std::sqrt(x * x + y * y + z * z);
-    return {static_cast<float>(double{center.x} + x * scale), static_cast<float>(double{center.y} + y * scale),
-            static_cast<float>(double{center.z} + z * scale)};
+    return {static_cast<float>(static_cast<double>(center.x) + x * scale),
+            static_cast<float>(static_cast<double>(center.y) + y * scale),
+            static_cast<float>(static_cast<double>(center.z) + z * scale)};
 }
 
 std::uint32_t size_of(const std::vector<Vec3>& positions) { return static_cast<std::uint32_t>(positions.size()); }
@@ -56,13 +57,13 @@ Mesh make_icosphere(unsigned level, double radius, Vec3 center) {
         double x, y, z;
     };
     const double g = std::numbers::phi;
-    std::vector<Direction> directions = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                         {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+    std::vector<Direction> directions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                                         {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
     Mesh mesh;
     mesh.name = "icosphere";
-    mesh.triangles = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                      {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+    mesh.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     for (unsigned i = 0; i < level; ++i) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> midpoints;
         const auto midpoint = [&](std::uint32_t a, std::uint32_t b) {
@@ -206,9 +207,9 @@ Mesh make_slivers(unsigned count, std::uint64_t seed) {
         const Vec3 b = random.in_cube(1.0f);
         const float along = random.unit();
         const Vec3 off = random.in_cube(0.0005f);
-        add_triangle(mesh, a, b,
-                     {a.x + (b.x - a.x) * along + off.x, a.y + (b.y - a.y) * along + off.y,
-                      a.z + (b.z - a.z) * along + off.z});
+        add_triangle(
+            mesh, a, b,
+            {a.x + (b.x - a.x) * along + off.x, a.y + (b.y - a.y) * along + off.y, a.z + (b.z - a.z) * along + off.z});
     }
     return mesh;
 }

@@ -97,7 +97,10 @@ Ray QueryMaker::ray(RayKind kind) {
         case RayKind::axis_parallel: {
             const std::uint32_t axis = random_.below(3);
             const float length = std::ldexp(random_.coin() ? 1.0f : -0.7f, random_.between(-20, 20));
-            ray.direction = {axis == 0 ? length : 0.0f, axis == 1 ? length : random_.coin() ? -0.0f : 0.0f,
+            ray.direction = {axis == 0 ? length : 0.0f,
+                             axis == 1        ? length
+                             : random_.coin() ? -0.0f
+                                              : 0.0f,
                              axis == 2 ? length : 0.0f};
             ray.origin = {axis == 0 ? ray.origin.x : nudged(target.x), axis == 1 ? ray.origin.y : nudged(target.y),
                           axis == 2 ? ray.origin.z : nudged(target.z)};
@@ -142,8 +145,7 @@ Ray QueryMaker::ray(RayKind kind) {
 Ray QueryMaker::any_ray() { return ray(all_ray_kinds[random_.below(all_ray_kinds.size())]); }
 
 void QueryMaker::restrict(Ray& ray) {
-    const auto longest =
-        std::max({std::fabs(ray.direction.x), std::fabs(ray.direction.y), std::fabs(ray.direction.z)});
+    const auto longest = std::max({std::fabs(ray.direction.x), std::fabs(ray.direction.y), std::fabs(ray.direction.z)});
     const auto sizes = [&] { return static_cast<float>(size_) / longest * random_.unit(); };
     switch (random_.below(4)) {
         case 0: ray.t_min = sizes(); break;
@@ -165,7 +167,9 @@ Sphere QueryMaker::sphere() {
         case 1: sphere.center = middle(target, to_world(some_triangle().a)); break;
         case 2: sphere.center = around(1e4); break;
         case 3: sphere.center = around(random_.coin() ? 1e6 : 10.0); break;
-        case 4: sphere.center = to_world(0.5 * decoded_.extent[0], 0.5 * decoded_.extent[1], 0.5 * decoded_.extent[2]); break;
+        case 4:
+            sphere.center = to_world(0.5 * decoded_.extent[0], 0.5 * decoded_.extent[1], 0.5 * decoded_.extent[2]);
+            break;
         default: {
             const Vec3 off = random_.in_cube(static_cast<float>(size_) * (random_.coin() ? 0.02f : 0.7f));
             sphere.center = {target.x + off.x, target.y + off.y, target.z + off.z};
@@ -188,9 +192,9 @@ Sphere QueryMaker::sphere() {
 std::string describe(const Ray& ray) {
     char text[256];
     const auto d = [](float x) { return static_cast<double>(x); };
-    std::snprintf(text, sizeof text, "origin %a %a %a direction %a %a %a t %a..%a faces %d", d(ray.origin.x), d(ray.origin.y),
-                  d(ray.origin.z), d(ray.direction.x), d(ray.direction.y), d(ray.direction.z), d(ray.t_min), d(ray.t_max),
-                  static_cast<int>(ray.faces));
+    std::snprintf(text, sizeof text, "origin %a %a %a direction %a %a %a t %a..%a faces %d", d(ray.origin.x),
+                  d(ray.origin.y), d(ray.origin.z), d(ray.direction.x), d(ray.direction.y), d(ray.direction.z),
+                  d(ray.t_min), d(ray.t_max), static_cast<int>(ray.faces));
     return text;
 }
 

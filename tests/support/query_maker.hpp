@@ -1,4 +1,5 @@
-// Queries that are hard to answer: most of them aim at what lies between triangles, or come from where floats are coarse.
+// Queries that are hard to answer: most of them aim at what lies between triangles, or come from where floats are
+// coarse.
 #pragma once
 
 #include <array>
@@ -13,19 +14,19 @@
 namespace espalier::tests {
 
 enum class RayKind : std::uint8_t {
-    incoherent,       ///< from a sphere around the asset through a point of its box: the one kind that is not adversarial
-    through_vertex,   ///< exactly, or a few ulp beside it
-    through_edge,     ///< through the middle of a side, or a few ulp beside it
-    axis_parallel,    ///< through a vertex or the middle of a side, in both directions of every axis
-    diagonal,         ///< with direction components of equal size, through a vertex
-    in_plane,         ///< along a side, or a hair off it
-    from_face,        ///< starting on a triangle, a side or a vertex
-    far_ten_thousand, ///< through a vertex or the middle of a side, from 10^4 sizes away
-    far_million,      ///< from 10^6 sizes away
+    incoherent,  ///< from a sphere around the asset through a point of its box: the one kind that is not adversarial
+    through_vertex,    ///< exactly, or a few ulp beside it
+    through_edge,      ///< through the middle of a side, or a few ulp beside it
+    axis_parallel,     ///< through a vertex or the middle of a side, in both directions of every axis
+    diagonal,          ///< with direction components of equal size, through a vertex
+    in_plane,          ///< along a side, or a hair off it
+    from_face,         ///< starting on a triangle, a side or a vertex
+    far_ten_thousand,  ///< through a vertex or the middle of a side, from 10^4 sizes away
+    far_million,       ///< from 10^6 sizes away
 };
-inline constexpr std::array all_ray_kinds = {
-    RayKind::incoherent, RayKind::through_vertex, RayKind::through_edge,     RayKind::axis_parallel, RayKind::diagonal,
-    RayKind::in_plane,   RayKind::from_face,      RayKind::far_ten_thousand, RayKind::far_million};
+inline constexpr std::array all_ray_kinds = {RayKind::incoherent,    RayKind::through_vertex,   RayKind::through_edge,
+                                             RayKind::axis_parallel, RayKind::diagonal,         RayKind::in_plane,
+                                             RayKind::from_face,     RayKind::far_ten_thousand, RayKind::far_million};
 
 class QueryMaker {
 public:

@@ -40,7 +40,8 @@ inline bool same_bits(const detail::FoundHit& a, const detail::FoundHit& b) {
 inline bool same_bits(const detail::FoundNearest& a, const detail::FoundNearest& b) {
     return same_bits(a.distance.squared, b.distance.squared) && same_bits(a.distance.u, b.distance.u) &&
            same_bits(a.distance.v, b.distance.v) && a.distance.numerator == b.distance.numerator &&
-           a.distance.denominator == b.distance.denominator && a.index == b.index && same_corners(a.triangle, b.triangle);
+           a.distance.denominator == b.distance.denominator && a.index == b.index &&
+           same_corners(a.triangle, b.triangle);
 }
 
 }  // namespace espalier::tests

@@ -1,4 +1,5 @@
-// The blobs that most claims about queries are tried on: every mesh maker, several lattices, several places in the world.
+// The blobs that most claims about queries are tried on: every mesh maker, several lattices, several places in the
+// world.
 #pragma once
 
 #include <vector>

@@ -5,7 +5,8 @@
 
 namespace espalier::tests {
 
-/// `count` times the environment's ESPALIER_TEST_SCALE (1 without it), an eighth of that under the sanitizers, at least 1.
+/// `count` times the environment's ESPALIER_TEST_SCALE (1 without it), an eighth of that under the sanitizers, at least
+/// 1.
 std::uint64_t scaled(std::uint64_t count);
 
 }  // namespace espalier::tests

@@ -5,8 +5,7 @@ namespace espalier::tests {
 TriangleLoop::TriangleLoop(const DecodedBlob& decoded) {
     triangles_.reserve(decoded.triangles.size());
     for (const GridTriangle& t : decoded.triangles) {
-        triangles_.push_back(
-            {{{t.a[0], t.a[1], t.a[2]}, {t.b[0], t.b[1], t.b[2]}, {t.c[0], t.c[1], t.c[2]}}});
+        triangles_.push_back({{{t.a[0], t.a[1], t.a[2]}, {t.b[0], t.b[1], t.b[2]}, {t.c[0], t.c[1], t.c[2]}}});
     }
 }
 
@@ -34,7 +33,8 @@ std::vector<detail::FoundHit> TriangleLoop::every_hit(const detail::LatticeRay& 
 std::vector<std::uint32_t> TriangleLoop::every_overlap(const detail::LatticePoint& point) const {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-        if (detail::is_within_radius(point, detail::distance_to(point, triangles_[i]), point.radius)) found.push_back(i);
+        if (detail::is_within_radius(point, detail::distance_to(point, triangles_[i]), point.radius))
+            found.push_back(i);
     }
     return found;
 }

@@ -1,5 +1,5 @@
-// The loop over all baked triangles: what every traversal must equal, bit for bit. It asks the runtime's kernels about each
-// triangle that the independent decoder found, in storage order, and knows no tree.
+// The loop over all baked triangles: what every traversal must equal, bit for bit. It asks the runtime's kernels about
+// each triangle that the independent decoder found, in storage order, and knows no tree.
 #pragma once
 
 #include <cstdint>
