@@ -32,12 +32,6 @@ unsigned bits_needed(const SourceBounds& bounds, int step_exponent) {
     return bits;
 }
 
-/// Zero for minus zero, which would be a second way to write the same origin, and for subnormal numbers, which the format
-/// does not allow there: they are far below the finest step.
-float without_subnormals(float coordinate) {
-    return std::abs(coordinate) < std::numeric_limits<float>::min() ? 0.0f : coordinate;
-}
-
 std::optional<BakeError> check_exponent(int step_exponent, const SourceBounds& bounds) {
     if (step_exponent >= format::min_step_exponent && step_exponent <= format::max_step_exponent) return std::nullopt;
     return BakeError{BakeError::Kind::too_large,
@@ -47,6 +41,12 @@ std::optional<BakeError> check_exponent(int step_exponent, const SourceBounds& b
 }
 
 }  // namespace
+
+float origin_coordinate(double coordinate) {
+    using Limits = std::numeric_limits<float>;
+    if (std::abs(coordinate) < double(Limits::min())) return 0.0f;
+    return static_cast<float>(std::clamp(coordinate, double(Limits::lowest()), double(Limits::max())));
+}
 
 SourceBounds bounds_of(const Source& source) {
     SourceBounds bounds;
@@ -59,7 +59,8 @@ SourceBounds bounds_of(const Source& source) {
             bounds.max = {std::max(bounds.max.x, point.x), std::max(bounds.max.y, point.y), std::max(bounds.max.z, point.z)};
         }
     }
-    bounds.min = {without_subnormals(bounds.min.x), without_subnormals(bounds.min.y), without_subnormals(bounds.min.z)};
+    bounds.min = {origin_coordinate(double(bounds.min.x)), origin_coordinate(double(bounds.min.y)),
+                  origin_coordinate(double(bounds.min.z))};
     bounds.largest_side =
         std::max({double(bounds.max.x) - double(bounds.min.x), double(bounds.max.y) - double(bounds.min.y),
                   double(bounds.max.z) - double(bounds.min.z)});

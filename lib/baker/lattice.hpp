@@ -34,6 +34,10 @@ struct SourceBounds {
     float largest_coordinate = 0.0f;  ///< of any sign
 };
 
+/// The float32 to write for the origin: finite, and zero for minus zero, which would be a second way to write the same origin,
+/// and for subnormal numbers, which the format does not allow there: they are far below the finest step.
+[[nodiscard]] float origin_coordinate(double coordinate);
+
 [[nodiscard]] SourceBounds bounds_of(const Source& source);
 
 /// Round to nearest, ties to even, for |value| < 2^51: in binary64 the sum keeps no bit below 1.

@@ -1,0 +1,82 @@
+// Claims about input that nobody would make on purpose.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <baker/verify.hpp>
+
+#include "../support/hostile_values.hpp"
+#include "../support/random.hpp"
+#include "../support/test_scale.hpp"
+#include "baking_support.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+float some_coordinate(Random& random, unsigned kind) {
+    switch (kind) {
+        case 0: return hostile_values[random.below(hostile_values.size())];
+        case 1: return static_cast<float>(random.between(-4, 4));
+        case 2: return std::ldexp(random.signed_unit(), random.between(-149, 127));
+        case 3: return std::ldexp(random.signed_unit(), -140);
+        case 4: return std::numeric_limits<float>::max() * (random.coin() ? 1.0f : 0.9999999f);
+        case 5: return 1e6f + static_cast<float>(random.below(8)) * 0.0625f;
+        default: return random.unit();
+    }
+}
+
+Mesh hostile_mesh(Random& random) {
+    Mesh mesh;
+    mesh.name = "hostile";
+    const unsigned kind = random.below(8);
+    const std::uint32_t vertices = 1 + random.below(random.coin() ? 6 : 60);
+    for (std::uint32_t i = 0; i < vertices; ++i) {
+        const auto coordinate = [&] { return some_coordinate(random, kind == 7 ? random.below(7) : kind); };
+        mesh.positions.push_back({coordinate(), coordinate(), coordinate()});
+    }
+    for (std::uint32_t i = random.below(100); i > 0; --i) {
+        mesh.triangles.push_back({random.below(vertices), random.below(vertices), random.below(vertices)});
+        if (random.below(100) == 0) mesh.triangles.back()[random.below(3)] = static_cast<std::uint32_t>(random.next());
+        mesh.materials.push_back(random.below(256));
+    }
+    return mesh;
+}
+
+}  // namespace
+
+TEST_SUITE("baker") {
+    TEST_CASE("any input gives a sound blob or a reason, and never an internal error") {
+        Random random(2024);
+        unsigned baked = 0;
+        unsigned refused = 0;
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            CAPTURE(i);
+            const Mesh first = hostile_mesh(random);
+            const Mesh second = hostile_mesh(random);
+            BakeOptions options = with_bits(1 + random.below(24));
+            if (random.below(3) == 0) options.tolerance = std::ldexp(1.0, random.between(-160, 140));
+            options.repair = random.below(8) != 0;
+            options.original_ids = random.coin();
+            options.materials = static_cast<Materials>(random.below(3));
+            options.effort = random.below(10);
+            const auto result = random.coin() ? bake_mesh(first, options) : bake_meshes({&first, &second}, options);
+            if (!result) {
+                ++refused;
+                REQUIRE(result.error().kind != BakeError::Kind::internal);
+                REQUIRE(result.error().kind != BakeError::Kind::invalid_options);
+                REQUIRE(result.error().message.size() > 20);
+                continue;
+            }
+            ++baked;
+            const auto complaint = baker::verify_deep(result->blob);
+            if (complaint) FAIL(*complaint);
+            REQUIRE(result->report.max_error >= 0.0);
+            if (options.tolerance && result->report.triangles != 0) REQUIRE(result->report.max_error <= *options.tolerance);
+        }
+        CHECK(baked > 1000);
+        CHECK(refused > 1000);
+    }
+}
