@@ -49,15 +49,16 @@ inline FastNode fast_node(const BlobData& blob, std::uint32_t index) {
 
 /// One leaf: where its streams are and how wide their fields.
 struct FastLeaf {
+    FastNode node;                   ///< whose child it is
     const std::byte* block;          ///< of the node's leaves
     const std::byte* coordinates[3];
     const std::byte* triangles;
-    std::int32_t anchor[3];          ///< lattice point that the coordinates count from
     unsigned width[3];
     unsigned corner_width;
     unsigned vertex_count;
     unsigned triangle_count;
     unsigned number;                 ///< among the node's leaves
+    unsigned bits;                   ///< of the lattice
     std::uint32_t size;              ///< at least the longest side of its box
 
     /// Storage index of its first triangle.
@@ -72,14 +73,19 @@ struct FastLeaf {
         }
         return first;
     }
+    /// Among the children of its node.
+    [[nodiscard]] unsigned child() const { return node.node_children() + number; }
+    /// The low corner of its box, which the coordinates count from.
+    [[nodiscard]] std::int32_t anchor(int axis) const { return node.low(axis, child(), bits); }
     [[nodiscard]] LatticeTriangle triangle(unsigned index) const {
+        const std::int32_t anchors[3] = {anchor(0), anchor(1), anchor(2)};
         std::uint32_t corners = load_field(triangles, 3 * corner_width, index);
         LatticeTriangle result;
         for (auto& corner : result.corner) {
             const unsigned vertex = corners & ((1u << corner_width) - 1u);
             corners >>= corner_width;
             for (int k = 0; k < 3; ++k)
-                corner[k] = anchor[k] + static_cast<std::int32_t>(load_field(coordinates[k], width[k], vertex));
+                corner[k] = anchors[k] + static_cast<std::int32_t>(load_field(coordinates[k], width[k], vertex));
         }
         return result;
     }
@@ -89,8 +95,10 @@ struct FastLeaf {
 inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned number) {
     using namespace format::fast_leaf;
     FastLeaf leaf;
+    leaf.node = node;
     leaf.block = node.leaf_block(blob);
     leaf.number = number;
+    leaf.bits = blob.bits;
     const std::uint32_t descriptor = load_u32(leaf.block + descriptors_at + descriptor_bytes * std::size_t{number});
     leaf.triangle_count = ((descriptor >> triangles_shift) & 15u) + 1;
     leaf.vertex_count = ((descriptor >> vertices_shift) & 31u) + 1;
@@ -99,7 +107,6 @@ inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned n
                           2 * std::size_t{descriptor & ((1u << offset_bits) - 1u)};
     unsigned longest = 0;
     for (int k = 0; k < 3; ++k) {
-        leaf.anchor[k] = node.low(k, node.node_children() + number, blob.bits);
         leaf.width[k] = coordinate_width((descriptor >> (widths_shift + 4 * static_cast<unsigned>(k))) & 15u, blob.bits);
         leaf.coordinates[k] = at;
         at += stream_bytes(leaf.vertex_count, leaf.width[k]);

@@ -121,7 +121,7 @@ std::uint32_t leaf_size(const BlobData& blob, const FastLeaf& leaf, std::size_t 
     if (!is_padded_with_zeros(leaf.triangles, std::uint64_t{leaf.triangle_count} * 3 * leaf.corner_width)) return 0;
     for (int k = 0; k < 3; ++k)
         for (unsigned i = 0; i < leaf.vertex_count; ++i)
-            if (leaf.anchor[k] + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], i)) > blob.extent[k])
+            if (leaf.anchor(k) + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], i)) > blob.extent[k])
                 return 0;
     for (unsigned i = 0; i < leaf.triangle_count; ++i) {
         std::uint32_t corners = load_field(leaf.triangles, 3 * leaf.corner_width, i);

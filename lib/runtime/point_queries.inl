@@ -31,9 +31,10 @@ inline unsigned distance_test(const FastNode& node, const FrameOrigin& origin, f
 /// The triangles of a leaf whose box is within the limit.
 template <unsigned groups>
 inline unsigned point_candidates_of(const FastLeaf& leaf, const LatticePoint& point, float limit) {
+    const Corner corner = load_low_corner(leaf.node, leaf.child(), leaf.bits, point.steps);
     Table<groups> coordinates[3];
     for (unsigned k = 0; k < 3; ++k) {
-        const Floats offset = splat(static_cast<float>(leaf.anchor[k]) - point.steps[k]);
+        const Floats offset = splat(corner.at[k]);
         for (unsigned group = 0; group < groups; ++group) {
             if (group * lanes >= leaf.vertex_count) break;
             coordinates[k].set(group, add(to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes)), offset));

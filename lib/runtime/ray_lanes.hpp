@@ -33,25 +33,26 @@ inline constexpr std::array<PlaneOrder, 8> plane_orders = [] {
 /// contains the hit is never refused. Vectors have a fourth element that means nothing.
 struct RayLanes {
     alignas(16) float inverse[4];
+    alignas(16) float base_inverse[4];  ///< the same for the units that a node's base counts in
     alignas(16) float near_offset[4];
     alignas(16) float far_offset[4];
-    float base_unit;  ///< lattice steps that a node's base counts in
     float tau_min;
     const PlaneOrder* planes;
 };
 
 inline RayLanes spread_ray(const BlobData& blob, const LatticeRay& ray) {
     RayLanes lanes{};
+    const float base_unit = power_of_two(blob.bits > 16 ? blob.bits - 16 : 0);
     unsigned signs = 0;
     for (unsigned k = 0; k < 3; ++k) {
         const float middle = -ray.origin_steps[k] * ray.inverse[k];
         const float slack = absolute(ray.inverse[k]) * ray.slack_steps;
         lanes.inverse[k] = ray.inverse[k];
+        lanes.base_inverse[k] = ray.inverse[k] * base_unit;
         lanes.near_offset[k] = middle - slack;
         lanes.far_offset[k] = middle + slack;
         signs |= (static_cast<std::uint32_t>(ray.direction[k]) >> 31) << k;
     }
-    lanes.base_unit = power_of_two(blob.bits > 16 ? blob.bits - 16 : 0);
     lanes.tau_min = ray.tau_min;
     lanes.planes = &plane_orders[signs];
     return lanes;

@@ -24,8 +24,8 @@ inline unsigned slab_test(const FastNode& node, const RayLanes& ray, float limit
 template <unsigned groups>
 inline unsigned ray_candidates_of(const FastLeaf& leaf, const LatticeRay& ray) {
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
-    const auto offset = [&](unsigned k) { return splat(static_cast<float>(leaf.anchor[k]) - ray.origin_steps[k]); };
-    const Floats offset_x = offset(kx), offset_y = offset(ky), offset_z = offset(kz);
+    const Corner corner = load_low_corner(leaf.node, leaf.child(), leaf.bits, ray.origin_steps);
+    const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]), offset_z = splat(corner.at[kz]);
     const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
     Table<groups> xs, ys;
     for (unsigned group = 0; group < groups; ++group) {

@@ -91,15 +91,33 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
     return function(std::integral_constant<unsigned, 4>{});
 }
 
-/// 2^shift of all three axes, as float.
-inline __m128 load_scales(const FastNode& node) {
-    // The shifts lie in the low half of this word, 5 bits each: moved to the exponent's place, biased.
+/// The shifts of all three axes, each in the place of a float's exponent.
+inline __m128i load_shifts(const FastNode& node) {
+    // They lie in the low half of this word, 5 bits each.
     const __m128i word = _mm_set1_epi32(static_cast<int>(load_u32(node.bytes + format::fast_node::shifts_at)));
     const __m128i places = _mm_sllv_epi32(word, _mm_setr_epi32(23, 18, 13, 13));
-    return _mm_castsi128_ps(_mm_add_epi32(_mm_and_si128(places, _mm_set1_epi32(31 << 23)), _mm_set1_epi32(127 << 23)));
+    return _mm_and_si128(places, _mm_set1_epi32(31 << 23));
+}
+inline __m128 load_scales(const FastNode& node) {
+    return _mm_castsi128_ps(_mm_add_epi32(load_shifts(node), _mm_set1_epi32(127 << 23)));
 }
 inline __m128 load_bases(const FastNode& node) {
     return _mm_cvtepi32_ps(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.bytes))));
+}
+
+/// The low corner of a child's box, seen from a point.
+struct Corner {
+    alignas(16) float at[4];
+};
+inline Corner load_low_corner(const FastNode& node, unsigned child, unsigned bits, const float* origin) {
+    const std::uint32_t bytes = load_u8(node.low_planes(0) + child) | load_u8(node.low_planes(1) + child) << 8 |
+                                load_u8(node.low_planes(2) + child) << 16;
+    const __m128 planes = _mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(bytes))));
+    const __m128 unit = _mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0));
+    Corner corner;
+    // Every step of it is exact: the corner is a lattice point, the origin near enough.
+    _mm_store_ps(corner.at, _mm_fmadd_ps(planes, load_scales(node), _mm_fmsub_ps(load_bases(node), unit, _mm_load_ps(origin))));
+    return corner;
 }
 
 /// A node's frame seen from a point: plane * scale + offset.
@@ -134,9 +152,10 @@ struct SlabFrame {
     Floats far_offset[3];
 };
 inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
-    const __m128 inverse = _mm_load_ps(ray.inverse);
-    const __m128 scale = _mm_mul_ps(load_scales(node), inverse);
-    const __m128 slope = _mm_mul_ps(inverse, _mm_set1_ps(ray.base_unit));
+    // Adding a shift to the exponent multiplies by its power of two.
+    const __m128 scale = _mm_castsi128_ps(
+        _mm_add_epi32(load_shifts(node), _mm_load_si128(reinterpret_cast<const __m128i*>(ray.inverse))));
+    const __m128 slope = _mm_load_ps(ray.base_inverse);
     const __m128 bases = load_bases(node);
     const __m128 near_offset = _mm_fmadd_ps(bases, slope, _mm_load_ps(ray.near_offset));
     const __m128 far_offset = _mm_fmadd_ps(bases, slope, _mm_load_ps(ray.far_offset));

@@ -81,12 +81,22 @@ struct SlabFrame {
 inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
     SlabFrame frame;
     for (int k = 0; k < 3; ++k) {
-        const float base = static_cast<float>(node.base(k, 0)) * ray.base_unit * ray.inverse[k];
+        const float base = static_cast<float>(node.base(k, 0)) * ray.base_inverse[k];
         frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))) * ray.inverse[k]);
         frame.near_offset[k] = splat(base + ray.near_offset[k]);
         frame.far_offset[k] = splat(base + ray.far_offset[k]);
     }
     return frame;
+}
+
+/// The low corner of a child's box, seen from a point.
+struct Corner {
+    float at[3];
+};
+inline Corner load_low_corner(const FastNode& node, unsigned child, unsigned bits, const float* origin) {
+    Corner corner;
+    for (int k = 0; k < 3; ++k) corner.at[k] = static_cast<float>(node.low(k, child, bits)) - origin[k];
+    return corner;
 }
 
 }  // namespace espalier::detail::scalar

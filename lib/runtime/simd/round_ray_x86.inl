@@ -79,7 +79,8 @@ inline RayLanes spread(const BlobData& blob, const LatticeRay& ray) {
     _mm_store_ps(result.inverse, inverse);
     _mm_store_ps(result.near_offset, _mm_sub_ps(away, slack));
     _mm_store_ps(result.far_offset, _mm_add_ps(away, slack));
-    result.base_unit = power_of_two(blob.bits > 16 ? blob.bits - 16 : 0);
+    const __m128 base_unit = _mm_set1_ps(power_of_two(blob.bits > 16 ? blob.bits - 16 : 0));
+    _mm_store_ps(result.base_inverse, _mm_mul_ps(inverse, base_unit));
     result.tau_min = ray.tau_min;
     result.planes = &plane_orders[static_cast<unsigned>(_mm_movemask_ps(_mm_load_ps(reinterpret_cast<const float*>(ray.direction)))) & 7u];
     return result;
