@@ -94,7 +94,7 @@ TEST_SUITE("spheres") {
         CHECK_FALSE(overlaps(Blob(), {{0.0f, 0.0f, 0.0f}, infinity}));
     }
 
-    TEST_CASE("a visitor that stops is not called again and the walk says so") {
+    TEST_CASE("a visitor of overlaps that stops is not called again and the walk says so") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         int calls = 0;
         const Sphere all{{0.0f, 0.0f, 0.0f}, 10.0f};

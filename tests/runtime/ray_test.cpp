@@ -211,7 +211,7 @@ TEST_SUITE("rays") {
         }
     }
 
-    TEST_CASE("a visitor that stops is not called again and the walk says so") {
+    TEST_CASE("a visitor of hits that stops is not called again and the walk says so") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
         int calls = 0;
