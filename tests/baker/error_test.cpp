@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <baker/float_rounding.hpp>
 
 #include "../support/mesh_makers.hpp"
 #include "../support/random.hpp"
@@ -91,24 +94,38 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("without dropped triangles max_error is the largest way that a vertex moved") {
-        const Mesh mesh = make_icosphere(3, 1.0, {0, 0, 0});
-        BakeOptions options = with_bits(12);
-        options.original_ids = true;
-        const auto result = bake_mesh(mesh, options);
-        REQUIRE(result);
-        REQUIRE(result->report.triangles == mesh.triangles.size());
-        const DecodedBlob decoded = decode(result->blob);
-        double largest = 0.0;
-        for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
-            const auto corners = world_corners(decoded, decoded.triangles[i]);
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const Vec3& source = mesh.positions[mesh.triangles[decoded.original_ids[i]][corner]];
-                largest = std::max(largest, length(minus(corners[corner], {double(source.x), double(source.y), double(source.z)})));
+    TEST_CASE("without dropped triangles max_error is the largest way that a vertex moved, rounded up") {
+        for (unsigned seed = 0; seed < 40; ++seed) {
+            const Mesh mesh = make_terrain(6, seed);
+            BakeOptions options = with_bits(10 + seed % 5);
+            options.original_ids = true;
+            const auto result = bake_mesh(mesh, options);
+            REQUIRE(result);
+            REQUIRE(result->report.triangles == mesh.triangles.size());
+            const DecodedBlob decoded = decode(result->blob);
+            double largest = 0.0;
+            for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
+                const auto corners = world_corners(decoded, decoded.triangles[i]);
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    const Vec3& source = mesh.positions[mesh.triangles[decoded.original_ids[i]][corner]];
+                    largest = std::max(largest, length(minus(corners[corner], {double(source.x), double(source.y), double(source.z)})));
+                }
             }
+            CHECK(result->report.max_error >= largest);
+            CHECK(result->report.max_error <= largest * (1 + 1e-6));
         }
-        CHECK(result->report.max_error >= largest);
-        CHECK(result->report.max_error <= largest * (1 + 1e-6));
+    }
+
+    TEST_CASE("errors are rounded up to float32, and never to a subnormal number") {
+        using baker::round_up_to_float;
+        CHECK(round_up_to_float(0.0) == 0.0f);
+        CHECK(round_up_to_float(1.0) == 1.0f);
+        CHECK(round_up_to_float(1.0 + 0x1p-50) == 1.0f + 0x1p-23f);
+        CHECK(round_up_to_float(1.0 + 0x1p-23 - 0x1p-50) == 1.0f + 0x1p-23f);
+        CHECK(round_up_to_float(1e-300) == std::numeric_limits<float>::min());
+        CHECK(round_up_to_float(0x1p-140) == std::numeric_limits<float>::min());
+        CHECK(round_up_to_float(0x1.fffffep127) == std::numeric_limits<float>::max());
+        CHECK(round_up_to_float(0x1.ffffff8p127) == std::numeric_limits<float>::infinity());
     }
 
     TEST_CASE("a mesh on the lattice has no error") {

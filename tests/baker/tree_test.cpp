@@ -94,7 +94,7 @@ void check_soundness(const Mesh& mesh, const BakeOptions& options = {}) {
 
 TEST_SUITE("baker") {
     TEST_CASE("the same bytes at any number of threads") {
-        for (const Mesh& mesh : {make_terrain(150, 1), make_soup(20'000, 2), make_torus(200, 100, 3.0, 1.0)}) {
+        for (const Mesh& mesh : {make_terrain(60, 1), make_soup(6000, 2), make_torus(120, 50, 3.0, 1.0)}) {
             for (const unsigned effort : {0u, 5u, 9u}) {
                 BakeOptions options;
                 options.effort = effort;
