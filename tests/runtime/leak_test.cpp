@@ -79,11 +79,11 @@ TEST_SUITE("traversal against the loop") {
                 }
                 if (exact_aim) ++exact_aims;
                 for (const InstructionPath& path : instruction_paths()) {
-                    detail::FoundHit lattice_hit{};
-                    REQUIRE_MESSAGE(path.closest_hit(shape.opened.blob.data(), rounded, nullptr, lattice_hit),
+                    RayHit path_hit;
+                    REQUIRE_MESSAGE(path.closest_hit(shape.opened.blob.data(), ray, path_hit, nullptr),
                                     std::string(path.name), ": ", describe(ray));
-                    REQUIRE_MESSAGE(path.any_hit(shape.opened.blob.data(), rounded, nullptr), std::string(path.name),
-                                    ": ", describe(ray));
+                    REQUIRE_MESSAGE(path.any_hit(shape.opened.blob.data(), ray, nullptr), std::string(path.name), ": ",
+                                    describe(ray));
                 }
             }
             CHECK(exact_aims == count);

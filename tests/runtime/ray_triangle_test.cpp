@@ -130,16 +130,16 @@ TEST_SUITE("ray kernel against the oracle") {
             if (!detail::round_ray(tests::lattice_asset(bits), world, ray)) continue;
             const auto crossing = oracle::cross(tests::exact_line(ray), tests::exact_triangle(triangle));
             const bool expected = crossing && crossing->t.sign() >= 0 && faces_match(world.faces, crossing->front);
-            float tau = -1.0f;
+            detail::TriangleHit hit{};
             const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
-            REQUIRE(detail::intersect(ray, lattice, tau) == expected);
+            REQUIRE(detail::intersect(ray, lattice, hit) == expected);
             if (!expected) continue;
             ++hits;
             if (crossing->u.sign() == 0 || crossing->v.sign() == 0 || crossing->u + crossing->v == Rational(1))
                 ++touches;
             if (!detail::ray_triangle::is_small(detail::relative_to(ray, lattice))) ++wide;
-            worst_tau = std::max(worst_tau, oracle::error_in_ulp(tau, crossing->t));
-            const detail::HitSurface surface = detail::surface_of_hit(ray, lattice);
+            worst_tau = std::max(worst_tau, oracle::error_in_ulp(hit.tau, crossing->t));
+            const RayHit surface = detail::to_ray_hit(ray, world, hit, 0);
             worst_weight = std::max({worst_weight, oracle::error_in_ulp(surface.u, crossing->u),
                                      oracle::error_in_ulp(surface.v, crossing->v)});
         }
@@ -165,15 +165,16 @@ TEST_SUITE("ray kernel against the oracle") {
             const auto crossing = oracle::cross(tests::exact_line(ray), tests::exact_triangle(triangle));
             if (!crossing || crossing->t.sign() < 0 || !faces_match(world.faces, crossing->front)) continue;
             const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
-            float tau = 0.0f;
-            REQUIRE(detail::intersect(ray, lattice, tau));
+            detail::TriangleHit hit{};
+            REQUIRE(detail::intersect(ray, lattice, hit));
+            const float tau = hit.tau;
             if (Rational::of(tau) == crossing->t) ++exact_hits;
             // A few floats around the hit as the ends of the window: exactness is decided, not approximated.
             float bound = tau;
             for (int step = 0; step < 4 && bound > 0.0f; ++step) bound = std::nextafter(bound, 0.0f);
             for (int step = 0; step < 9; ++step, bound = std::nextafter(bound, 1e30f)) {
                 LatticeRay windowed = ray;
-                float found = 0.0f;
+                detail::TriangleHit found{};
                 windowed.tau_min = bound;
                 REQUIRE(detail::intersect(windowed, lattice, found) == (crossing->t >= Rational::of(bound)));
                 windowed = ray;
@@ -192,10 +193,10 @@ TEST_SUITE("ray kernel against the oracle") {
             const Ray world = some_ray(random, bits, triangle);
             LatticeRay ray;
             if (!detail::round_ray(tests::lattice_asset(bits), world, ray)) continue;
-            float tau = 0.0f;
+            detail::TriangleHit hit{};
             const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
-            if (!detail::intersect(ray, lattice, tau)) continue;
-            const Vec3 normal = detail::surface_of_hit(ray, lattice).normal;
+            if (!detail::intersect(ray, lattice, hit)) continue;
+            const Vec3 normal = detail::to_ray_hit(ray, world, hit, 0).normal;
             const oracle::Point exact = oracle::normal_of(tests::exact_triangle(triangle));
             const Rational squared_length = exact.dot(exact);
             const float given[3] = {normal.x, normal.y, normal.z};
@@ -238,9 +239,9 @@ TEST_SUITE("ray kernel against the oracle") {
             REQUIRE(detail::round_ray(tests::lattice_asset(bits), world, ray));
             int hits = 0;
             for (unsigned k = 0; k < 4; ++k) {
-                float tau = 0.0f;
+                detail::TriangleHit hit{};
                 const GridTriangle triangle{apex, rim[k], rim[(k + 1) % 4]};
-                if (detail::intersect(ray, tests::lattice_triangle(triangle), tau)) ++hits;
+                if (detail::intersect(ray, tests::lattice_triangle(triangle), hit)) ++hits;
             }
             REQUIRE(hits >= 1);
         }

@@ -18,8 +18,7 @@ bool third_is_left_out(std::uint32_t index) { return index % 3 != 2; }
 /// A RayHit from what the loop found, by the runtime's own translation: the traversal, not the translation, is
 /// compared.
 RayHit to_hit(const detail::LatticeRay& rounded, const detail::FoundHit& found, const Ray& ray) {
-    const detail::HitSurface surface = detail::surface_of_hit(rounded, found.triangle);
-    return {detail::to_t(rounded, found.tau, ray), surface.u, surface.v, surface.normal, Triangle{found.index}};
+    return detail::to_ray_hit(rounded, ray, found.hit, found.index);
 }
 
 struct RayQuestion {
@@ -39,11 +38,13 @@ std::optional<std::string> closest_difference(const RayQuestion& question, bool 
     const TriangleFilter filter = keep;
     const detail::BlobData& data = question.blob.data();
     for (const InstructionPath& path : instruction_paths()) {
-        detail::FoundHit found{};
-        const bool hit = path.closest_hit(data, question.rounded, filtered ? &filter : nullptr, found);
+        RayHit found;
+        const bool hit = path.closest_hit(data, question.ray, found, filtered ? &filter : nullptr);
         if (hit != expected.has_value()) return difference(question, path.name, "whether there is a closest hit");
-        if (hit && !same_bits(found, *expected)) return difference(question, path.name, "the closest hit");
-        if (path.any_hit(data, question.rounded, filtered ? &filter : nullptr) != hit) {
+        if (hit && !same_bits(found, to_hit(question.rounded, *expected, question.ray))) {
+            return difference(question, path.name, "the closest hit");
+        }
+        if (path.any_hit(data, question.ray, filtered ? &filter : nullptr) != hit) {
             return difference(question, path.name, "whether there is any hit");
         }
     }
@@ -64,8 +65,9 @@ std::optional<std::string> every_difference(const RayQuestion& question, std::ui
     hits += expected.size();
     for (const InstructionPath& path : instruction_paths()) {
         std::size_t seen = 0;
-        const bool all = path.every_hit(question.blob.data(), question.rounded, [&](const detail::FoundHit& hit) {
-            if (seen >= expected.size() || !same_bits(hit, expected[seen])) return stop;
+        const bool all = path.every_hit(question.blob.data(), question.ray, [&](const RayHit& hit) {
+            if (seen >= expected.size()) return stop;
+            if (!same_bits(hit, to_hit(question.rounded, expected[seen], question.ray))) return stop;
             ++seen;
             return keep_going;
         });
@@ -146,19 +148,18 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
 }
 
 std::optional<std::string> path_difference(const Blob& blob, const Ray& ray) {
-    detail::LatticeRay rounded;
-    if (blob.triangle_count() == 0 || !detail::round_ray(blob.data(), ray, rounded)) return std::nullopt;
+    if (blob.triangle_count() == 0) return std::nullopt;
     struct Answers {
         bool closest = false;
         bool any = false;
-        detail::FoundHit hit{};
-        std::vector<detail::FoundHit> every;
+        RayHit hit;
+        std::vector<RayHit> every;
     };
     const auto ask = [&](const InstructionPath& path) {
         Answers answers;
-        answers.closest = path.closest_hit(blob.data(), rounded, nullptr, answers.hit);
-        answers.any = path.any_hit(blob.data(), rounded, nullptr);
-        path.every_hit(blob.data(), rounded, [&](const detail::FoundHit& hit) {
+        answers.closest = path.closest_hit(blob.data(), ray, answers.hit, nullptr);
+        answers.any = path.any_hit(blob.data(), ray, nullptr);
+        path.every_hit(blob.data(), ray, [&](const RayHit& hit) {
             answers.every.push_back(hit);
             return keep_going;
         });

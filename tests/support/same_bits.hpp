@@ -33,10 +33,6 @@ inline bool same_corners(const detail::LatticeTriangle& a, const detail::Lattice
     return true;
 }
 
-inline bool same_bits(const detail::FoundHit& a, const detail::FoundHit& b) {
-    return same_bits(a.tau, b.tau) && a.index == b.index && same_corners(a.triangle, b.triangle);
-}
-
 inline bool same_bits(const detail::FoundNearest& a, const detail::FoundNearest& b) {
     return same_bits(a.distance.squared, b.distance.squared) && same_bits(a.distance.u, b.distance.u) &&
            same_bits(a.distance.v, b.distance.v) && a.distance.numerator == b.distance.numerator &&

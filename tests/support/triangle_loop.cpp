@@ -13,10 +13,10 @@ std::optional<detail::FoundHit> TriangleLoop::closest_hit(const detail::LatticeR
                                                           bool (*keep)(std::uint32_t)) const {
     std::optional<detail::FoundHit> best;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-        float tau = 0.0f;
-        if (!detail::intersect(ray, triangles_[i], tau)) continue;
+        detail::TriangleHit hit{};
+        if (!detail::intersect(ray, triangles_[i], hit)) continue;
         if (keep != nullptr && !keep(i)) continue;
-        if (!best || tau < best->tau) best = {tau, i, triangles_[i]};
+        if (!best || hit.tau < best->hit.tau) best = {hit, i};
     }
     return best;
 }
@@ -24,8 +24,8 @@ std::optional<detail::FoundHit> TriangleLoop::closest_hit(const detail::LatticeR
 std::vector<detail::FoundHit> TriangleLoop::every_hit(const detail::LatticeRay& ray) const {
     std::vector<detail::FoundHit> hits;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-        float tau = 0.0f;
-        if (detail::intersect(ray, triangles_[i], tau)) hits.push_back({tau, i, triangles_[i]});
+        detail::TriangleHit hit{};
+        if (detail::intersect(ray, triangles_[i], hit)) hits.push_back({hit, i});
     }
     return hits;
 }
