@@ -1,4 +1,5 @@
-// The same bits with subnormal numbers flushed or not: code that shares a thread with a game engine must not change answers.
+// The same bits with subnormal numbers flushed or not: code that shares a thread with a game engine must not change
+// answers.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -82,12 +83,14 @@ TEST_SUITE("promises") {
             CHECK(small * small * 0x1p40f == 0.0f);
         }
         std::vector<OpenedBlob> blobs;
-        BakeOptions options;
         blobs.emplace_back(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
         blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), 0x1p-85f));  // a step of 2^-100
         blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p-85f));
         blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p80f));
         blobs.emplace_back(make_far_sphere());
+        BakeOptions finest;
+        finest.bits = 24;
+        blobs.emplace_back(scaled_by(make_terrain(20, 7), 0x1p-80f), finest);  // points of the surface next to 0
         for (const OpenedBlob& opened : blobs) {
             const DecodedBlob decoded = decode(opened.bytes);
             CAPTURE(decoded.step_exponent);
@@ -121,6 +124,28 @@ TEST_SUITE("promises") {
                     REQUIRE_MESSAGE(same_answers(actual, expected), describe(ray), "; ", describe(sphere));
                 }
             }
+        }
+    }
+
+    TEST_CASE("a closest point whose coordinate is subnormal is the same with subnormals flushed") {
+        // The finest step, 2^-100, and a foot on the first side that is 2^-30 steps away from x = 0.
+        Mesh mesh;
+        mesh.positions = {{0.0f, 0.0f, 0.0f}, {1.0f, 4095.0f, 0.0f}, {0.0f, 2000.0f, 4000.0f}};
+        mesh.triangles = {{0, 1, 2}};
+        BakeOptions options;
+        options.bits = 12;
+        const OpenedBlob opened(scaled_by(mesh, 0x1p-100f), options);
+        REQUIRE(opened.blob.step() == 0x1p-100f);
+        const Vec3 point{4095.015625f * 0x1p-100f, -0x1p-100f, -10.0f * 0x1p-100f};
+        Nearest expected;
+        REQUIRE(closest_point(opened.blob, point, 1.0f, expected));
+        for (const unsigned flags : {0x8000u, 0x0040u, 0x8040u}) {
+            Nearest nearest;
+            {
+                const FloatMode mode(flags);
+                closest_point(opened.blob, point, 1.0f, nearest);
+            }
+            CHECK(same_bits(nearest, expected));
         }
     }
 }

@@ -8,6 +8,7 @@
 #include <espalier/espalier.hpp>
 
 #include "../support/checksum.hpp"
+#include "../support/differences.hpp"
 #include "../support/exact_buffer.hpp"
 #include "../support/exercise.hpp"
 #include "../support/hostile_values.hpp"
@@ -155,6 +156,38 @@ TEST_SUITE("hostile") {
                     if (slot == 3 && value == __builtin_inff()) CHECK(found == (blob.triangle_count() != 0));
                     if (found) CHECK(nearest.distance <= sphere.radius);
                 }
+            }
+        }
+    }
+
+    TEST_CASE("random bit patterns as arguments give the same answers on every instruction set") {
+        const OpenedBlob tiny(scaled_by(make_cube(-1.0f, 1.0f), 0x1p-85f));
+        const OpenedBlob huge(scaled_by(make_cube(-1.0f, 1.0f), 0x1p100f));
+        const OpenedBlob unit(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
+        const OpenedBlob far(make_far_sphere());
+        Random random(7);
+        for (const Blob& blob : {tiny.blob, huge.blob, unit.blob, far.blob}) {
+            const Vec3 low = blob.bounds_min();
+            const Vec3 high = blob.bounds_max();
+            const auto any = [&](float from, float to) {
+                switch (random.below(4)) {
+                    case 0: return hostile_values[random.below(hostile_values.size())];
+                    case 1: return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+                    default: return from + (to - from) * (random.unit() * 3.0f - 1.0f);
+                }
+            };
+            for (std::uint64_t i = 0; i < scaled(30'000); ++i) {
+                const Vec3 origin{any(low.x, high.x), any(low.y, high.y), any(low.z, high.z)};
+                const Vec3 target{any(low.x, high.x), any(low.y, high.y), any(low.z, high.z)};
+                Ray ray{origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z}};
+                if (random.below(4) == 0) ray.direction = target;
+                if (random.below(4) == 0) ray.t_min = any(0.0f, 1.0f);
+                if (random.below(4) == 0) ray.t_max = any(0.0f, 1.0f);
+                ray.faces = static_cast<Faces>(random.below(3));
+                const auto ray_difference = path_difference(blob, ray);
+                REQUIRE_MESSAGE(!ray_difference, *ray_difference);
+                const auto sphere_difference = path_difference(blob, Sphere{origin, any(0.0f, high.x - low.x)});
+                REQUIRE_MESSAGE(!sphere_difference, *sphere_difference);
             }
         }
     }

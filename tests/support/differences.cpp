@@ -15,89 +15,103 @@ namespace {
 
 bool third_is_left_out(std::uint32_t index) { return index % 3 != 2; }
 
-/// A RayHit from what the loop found, by the runtime's own translation: the traversal, not the translation, is
-/// compared.
-RayHit to_hit(const detail::LatticeRay& rounded, const detail::FoundHit& found, const Ray& ray) {
-    return detail::to_ray_hit(rounded, ray, found.hit, found.index);
+std::string difference(const char* path, const char* what, const Ray& ray) {
+    return std::string(path) + ": " + what + " differs: " + describe(ray);
 }
 
-struct RayQuestion {
-    const Blob& blob;
-    const TriangleLoop& loop;
-    const Ray& ray;
-    detail::LatticeRay rounded;
+struct RayAnswers {
+    std::optional<RayHit> closest;
+    std::optional<RayHit> closest_filtered;
+    bool any = false;
+    bool any_filtered = false;
+    std::vector<RayHit> every;
 };
 
-std::string difference(const RayQuestion& question, const char* path, const char* what) {
-    return std::string(path) + ": " + what + " differs: " + describe(question.ray);
-}
-
-std::optional<std::string> closest_difference(const RayQuestion& question, bool filtered) {
-    const auto expected = question.loop.closest_hit(question.rounded, filtered ? third_is_left_out : nullptr);
+/// What an instruction set says, in full.
+RayAnswers ask(const InstructionPath& path, const detail::BlobData& data, const Ray& ray) {
     const auto keep = [](Triangle triangle) { return third_is_left_out(triangle.index); };
     const TriangleFilter filter = keep;
-    const detail::BlobData& data = question.blob.data();
-    for (const InstructionPath& path : instruction_paths()) {
-        RayHit found;
-        const bool hit = path.closest_hit(data, question.ray, found, filtered ? &filter : nullptr);
-        if (hit != expected.has_value()) return difference(question, path.name, "whether there is a closest hit");
-        if (hit && !same_bits(found, to_hit(question.rounded, *expected, question.ray))) {
-            return difference(question, path.name, "the closest hit");
-        }
-        if (path.any_hit(data, question.ray, filtered ? &filter : nullptr) != hit) {
-            return difference(question, path.name, "whether there is any hit");
-        }
-    }
+    RayAnswers answers;
     RayHit hit;
-    const bool found =
-        filtered ? raycast(question.blob, question.ray, hit, filter) : raycast(question.blob, question.ray, hit);
-    if (found != expected.has_value()) return difference(question, "raycast", "whether there is a hit");
-    if (found && !same_bits(hit, to_hit(question.rounded, *expected, question.ray))) {
-        return difference(question, "raycast", "the hit");
-    }
-    const bool any = filtered ? occluded(question.blob, question.ray, filter) : occluded(question.blob, question.ray);
-    if (any != found) return difference(question, "occluded", "the answer");
-    return std::nullopt;
-}
-
-std::optional<std::string> every_difference(const RayQuestion& question, std::uint64_t& hits) {
-    const std::vector<detail::FoundHit> expected = question.loop.every_hit(question.rounded);
-    hits += expected.size();
-    for (const InstructionPath& path : instruction_paths()) {
-        std::size_t seen = 0;
-        const bool all = path.every_hit(question.blob.data(), question.ray, [&](const RayHit& hit) {
-            if (seen >= expected.size()) return stop;
-            if (!same_bits(hit, to_hit(question.rounded, expected[seen], question.ray))) return stop;
-            ++seen;
-            return keep_going;
-        });
-        if (!all || seen != expected.size()) return difference(question, path.name, "the row of all hits");
-    }
-    std::size_t seen = 0;
-    const bool all = for_each_hit(question.blob, question.ray, [&](const RayHit& hit) {
-        if (seen >= expected.size()) return stop;
-        if (!same_bits(hit, to_hit(question.rounded, expected[seen], question.ray))) return stop;
-        ++seen;
+    if (path.closest_hit(data, ray, hit, nullptr)) answers.closest = hit;
+    if (path.closest_hit(data, ray, hit, &filter)) answers.closest_filtered = hit;
+    answers.any = path.any_hit(data, ray, nullptr);
+    answers.any_filtered = path.any_hit(data, ray, &filter);
+    path.every_hit(data, ray, [&](const RayHit& each) {
+        answers.every.push_back(each);
         return keep_going;
     });
-    if (!all || seen != expected.size()) return difference(question, "for_each_hit", "the row of all hits");
-    return std::nullopt;
+    return answers;
+}
+
+/// What the public functions say.
+RayAnswers ask(const Blob& blob, const Ray& ray) {
+    const auto keep = [](Triangle triangle) { return third_is_left_out(triangle.index); };
+    RayAnswers answers;
+    RayHit hit;
+    if (raycast(blob, ray, hit)) answers.closest = hit;
+    if (raycast(blob, ray, hit, keep)) answers.closest_filtered = hit;
+    answers.any = occluded(blob, ray);
+    answers.any_filtered = occluded(blob, ray, keep);
+    for_each_hit(blob, ray, [&](const RayHit& each) {
+        answers.every.push_back(each);
+        return keep_going;
+    });
+    return answers;
+}
+
+/// What the loop says. The closest hit is that of the smallest tau: from far away several of them round to one t.
+RayAnswers ask(const TriangleLoop& loop, const detail::BlobData& data, const Ray& ray) {
+    RayAnswers answers;
+    detail::LatticeRay rounded;
+    if (!detail::round_ray(data, ray, rounded)) return answers;
+    std::optional<detail::FoundHit> closest;
+    std::optional<detail::FoundHit> closest_filtered;
+    // The runtime's own translation: the traversal, not the translation, is compared here.
+    const auto translate = [&](const detail::FoundHit& found) {
+        return detail::to_ray_hit(rounded, ray, found.hit, found.index);
+    };
+    for (const detail::FoundHit& found : loop.every_hit(rounded)) {
+        answers.every.push_back(translate(found));
+        if (!closest || found.hit.tau < closest->hit.tau) closest = found;
+        if (!third_is_left_out(found.index)) continue;
+        if (!closest_filtered || found.hit.tau < closest_filtered->hit.tau) closest_filtered = found;
+    }
+    if (closest) answers.closest = translate(*closest);
+    if (closest_filtered) answers.closest_filtered = translate(*closest_filtered);
+    answers.any = closest.has_value();
+    answers.any_filtered = closest_filtered.has_value();
+    return answers;
+}
+
+bool same(const std::optional<RayHit>& a, const std::optional<RayHit>& b) {
+    return a.has_value() == b.has_value() && (!a || same_bits(*a, *b));
+}
+
+/// The name of the first answer that differs, or null.
+const char* first_difference(const RayAnswers& a, const RayAnswers& b) {
+    if (!same(a.closest, b.closest)) return "the closest hit";
+    if (!same(a.closest_filtered, b.closest_filtered)) return "the closest hit under a filter";
+    if (a.any != b.any) return "whether anything is hit";
+    if (a.any_filtered != b.any_filtered) return "whether anything is hit under a filter";
+    const auto equal = [](const RayHit& x, const RayHit& y) { return same_bits(x, y); };
+    return std::equal(a.every.begin(), a.every.end(), b.every.begin(), b.every.end(), equal) ? nullptr
+                                                                                             : "the row of all hits";
 }
 
 }  // namespace
 
 std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray,
                                           std::uint64_t& hits) {
-    RayQuestion question{blob, loop, ray, {}};
-    if (!detail::round_ray(blob.data(), ray, question.rounded)) {
-        RayHit hit;
-        if (raycast(blob, ray, hit) || occluded(blob, ray))
-            return difference(question, "raycast", "a refused ray's answer");
-        return std::nullopt;
+    const RayAnswers expected = ask(loop, blob.data(), ray);
+    hits += expected.every.size();
+    for (const InstructionPath& path : instruction_paths()) {
+        const char* what = first_difference(ask(path, blob.data(), ray), expected);
+        if (what != nullptr) return difference(path.name, what, ray);
     }
-    if (auto found = closest_difference(question, false)) return found;
-    if (auto found = closest_difference(question, true)) return found;
-    return every_difference(question, hits);
+    const char* what = first_difference(ask(blob, ray), expected);
+    if (what != nullptr) return difference("the public function", what, ray);
+    return std::nullopt;
 }
 
 std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere,
@@ -149,33 +163,10 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
 
 std::optional<std::string> path_difference(const Blob& blob, const Ray& ray) {
     if (blob.triangle_count() == 0) return std::nullopt;
-    struct Answers {
-        bool closest = false;
-        bool any = false;
-        RayHit hit;
-        std::vector<RayHit> every;
-    };
-    const auto ask = [&](const InstructionPath& path) {
-        Answers answers;
-        answers.closest = path.closest_hit(blob.data(), ray, answers.hit, nullptr);
-        answers.any = path.any_hit(blob.data(), ray, nullptr);
-        path.every_hit(blob.data(), ray, [&](const RayHit& hit) {
-            answers.every.push_back(hit);
-            return keep_going;
-        });
-        return answers;
-    };
-    const Answers expected = ask(instruction_paths().front());
+    const RayAnswers expected = ask(instruction_paths().front(), blob.data(), ray);
     for (const InstructionPath& path : instruction_paths()) {
-        const Answers answers = ask(path);
-        const bool same_row =
-            std::equal(answers.every.begin(), answers.every.end(), expected.every.begin(), expected.every.end(),
-                       [](const auto& a, const auto& b) { return same_bits(a, b); });
-        if (answers.closest == expected.closest && answers.any == expected.any && same_row &&
-            (!answers.closest || same_bits(answers.hit, expected.hit))) {
-            continue;
-        }
-        return std::string(path.name) + " and scalar differ: " + describe(ray);
+        const char* what = first_difference(ask(path, blob.data(), ray), expected);
+        if (what != nullptr) return difference(path.name, what, ray);
     }
     return std::nullopt;
 }

@@ -21,7 +21,7 @@ std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& 
 std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere,
                                              std::uint64_t& hits);
 
-/// Whether an instruction set answers otherwise than the scalar path: also on a blob that is safe but lies.
+/// Whether an instruction set answers otherwise than the scalar path: for great numbers of queries without a loop.
 std::optional<std::string> path_difference(const Blob& blob, const Ray& ray);
 std::optional<std::string> path_difference(const Blob& blob, const Sphere& sphere);
 

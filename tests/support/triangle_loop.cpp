@@ -9,18 +9,6 @@ TriangleLoop::TriangleLoop(const DecodedBlob& decoded) {
     }
 }
 
-std::optional<detail::FoundHit> TriangleLoop::closest_hit(const detail::LatticeRay& ray,
-                                                          bool (*keep)(std::uint32_t)) const {
-    std::optional<detail::FoundHit> best;
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-        detail::TriangleHit hit{};
-        if (!detail::intersect(ray, triangles_[i], hit)) continue;
-        if (keep != nullptr && !keep(i)) continue;
-        if (!best || hit.tau < best->hit.tau) best = {hit, i};
-    }
-    return best;
-}
-
 std::vector<detail::FoundHit> TriangleLoop::every_hit(const detail::LatticeRay& ray) const {
     std::vector<detail::FoundHit> hits;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {

@@ -17,9 +17,7 @@ class TriangleLoop {
 public:
     explicit TriangleLoop(const DecodedBlob& decoded);
 
-    /// Of equal ones the lowest index. `keep` says which triangles count; every one when it is null.
-    [[nodiscard]] std::optional<detail::FoundHit> closest_hit(const detail::LatticeRay& ray,
-                                                              bool (*keep)(std::uint32_t) = nullptr) const;
+    /// In storage order.
     [[nodiscard]] std::vector<detail::FoundHit> every_hit(const detail::LatticeRay& ray) const;
     [[nodiscard]] std::vector<std::uint32_t> every_overlap(const detail::LatticePoint& point) const;
     [[nodiscard]] std::optional<detail::FoundNearest> closest_triangle(const detail::LatticePoint& point) const;
