@@ -112,7 +112,7 @@ inline void set_shear(LatticeRay& ray, unsigned longest_axis, float reach) {
     ray.axis[2] = longest_axis;
     for (int i = 0; i < 2; ++i)
         ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * ray.inverse[longest_axis];
-    ray.shear_error = (reach + 1.0f) * (5.0f * 0x1p-24f);
+    ray.shear_error = (reach + 1.0f) * (6.0f * 0x1p-24f);
     ray.slack_steps = (reach + 1.0f) * 0x1p-20f;
 }
 

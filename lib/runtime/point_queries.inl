@@ -11,15 +11,20 @@ inline Floats squared_distance(const Floats* low, const Floats* high) {
     return sum;
 }
 
-/// The children whose box is within the limit, and the squared distance of each.
-inline unsigned distance_test(const FastNode& node, const FrameOrigin& origin, float limit, float* distances) {
-    const Frame frame = load_frame(node, origin);
+/// The children whose box is within the limit, and the squared distance of each. Planes are exact; the difference to the point,
+/// which may be far away, rounds once.
+inline unsigned distance_test(const FastNode& node, const LatticePoint& point, unsigned bits, float limit, float* distances) {
+    const Frame frame = load_frame(node, bits);
     unsigned mask = 0;
     for (unsigned first = 0; first < format::max_children; first += lanes) {
         Floats low[3], high[3];
         for (int k = 0; k < 3; ++k) {
-            low[k] = multiply_add(bytes_to_floats(node.low_planes(k) + first), frame.scale[k], frame.offset[k]);
-            high[k] = multiply_add(bytes_to_floats(node.high_planes(k) + first), frame.scale[k], frame.offset[k]);
+            const auto from_point = [&](const std::byte* planes) {
+                const Floats plane = multiply_add(bytes_to_floats(planes + first), frame.scale[k], frame.base[k]);
+                return subtract(plane, splat(point.steps[k]));
+            };
+            low[k] = from_point(node.low_planes(k));
+            high[k] = from_point(node.high_planes(k));
         }
         const Floats distance = squared_distance(low, high);
         mask |= at_most(distance, splat(limit)) << first;
@@ -31,13 +36,14 @@ inline unsigned distance_test(const FastNode& node, const FrameOrigin& origin, f
 /// The triangles of a leaf whose box is within the limit.
 template <unsigned groups>
 inline unsigned point_candidates_of(const FastLeaf& leaf, const LatticePoint& point, float limit) {
-    const Corner corner = load_low_corner(leaf.node, leaf.child(), leaf.bits, point.steps);
     Table<groups> coordinates[3];
     for (unsigned k = 0; k < 3; ++k) {
-        const Floats offset = splat(corner.at[k]);
+        const Floats anchor = splat(static_cast<float>(leaf.anchor(static_cast<int>(k))));
+        const Floats from = splat(point.steps[k]);
         for (unsigned group = 0; group < groups; ++group) {
             if (group * lanes >= leaf.vertex_count) break;
-            coordinates[k].set(group, add(to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes)), offset));
+            const Floats offset = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
+            coordinates[k].set(group, subtract(add(offset, anchor), from));
         }
     }
     unsigned mask = 0;
@@ -65,10 +71,10 @@ inline unsigned point_candidates(const FastLeaf& leaf, const LatticePoint& point
 template <class OnOverlap>
 struct EveryOverlap {
     const LatticePoint& point;
-    FrameOrigin origin;
+    unsigned bits;
     OnOverlap on_overlap;
 
-    unsigned children(const FastNode& node, float* keys) { return distance_test(node, origin, point.limit, keys); }
+    unsigned children(const FastNode& node, float* keys) { return distance_test(node, point, bits, point.limit, keys); }
     Visit leaf(const FastLeaf& leaf) {
         for (unsigned candidates = point_candidates(leaf, point, point.limit); candidates != 0; candidates &= candidates - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(candidates));
@@ -82,13 +88,13 @@ struct EveryOverlap {
 /// The closest triangle; of equal ones the lowest index.
 struct ClosestTriangle {
     const LatticePoint& point;
-    FrameOrigin origin;
+    unsigned bits;
     FoundNearest& best;
     float limit_;
     bool found = false;
 
     [[nodiscard]] float limit() const { return limit_; }
-    unsigned children(const FastNode& node, float* keys) { return distance_test(node, origin, limit_, keys); }
+    unsigned children(const FastNode& node, float* keys) { return distance_test(node, point, bits, limit_, keys); }
     Visit leaf(const FastLeaf& leaf) {
         for (unsigned candidates = point_candidates(leaf, point, limit_); candidates != 0; candidates &= candidates - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(candidates));
@@ -108,17 +114,17 @@ struct ClosestTriangle {
 
 bool any_overlap(const BlobData& blob, const LatticePoint& point) {
     const auto on_overlap = [](Triangle) { return stop; };
-    EveryOverlap<decltype(on_overlap)> visitor = {point, FrameOrigin(point.steps, blob.bits), on_overlap};
+    EveryOverlap<decltype(on_overlap)> visitor = {point, blob.bits, on_overlap};
     return !traverse_in_storage_order(blob, visitor);
 }
 
 bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit) {
-    EveryOverlap<decltype(visit)> visitor = {point, FrameOrigin(point.steps, blob.bits), visit};
+    EveryOverlap<decltype(visit)> visitor = {point, blob.bits, visit};
     return traverse_in_storage_order(blob, visitor);
 }
 
 bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best) {
-    ClosestTriangle visitor = {point, FrameOrigin(point.steps, blob.bits), best, point.limit};
+    ClosestTriangle visitor = {point, blob.bits, best, point.limit};
     traverse_nearest_first(blob, visitor);
     return visitor.found;
 }

@@ -37,9 +37,9 @@ inline unsigned ray_candidates_of(const FastLeaf& leaf, const LatticeRay& ray) {
         xs.set(group, multiply_add(z, shear_x, coordinate(kx, offset_x)));
         ys.set(group, multiply_add(z, shear_y, coordinate(ky, offset_y)));
     }
-    // The ray meets the leaf's box, so no sheared coordinate in it is larger than twice the box and a rounding, nor off by more than the
-    // shear error; so each edge function is off by at most this.
-    const float reach = 2.0f * static_cast<float>(leaf.size) + 8.0f * ray.shear_error;
+    // The ray meets the leaf's box, widened by some roundings, so sheared coordinates in it are no larger than twice the box
+    // and 16 shear errors; each is off by at most one, and so each edge function by at most this (docs/numerics.md).
+    const float reach = 2.0f * static_cast<float>(leaf.size) + 16.0f * ray.shear_error;
     const float error = reach * (4.125f * ray.shear_error + reach * 0x1.2p-21f);
     const Floats above = splat(error), below = splat(-error);
     unsigned mask = 0;

@@ -25,6 +25,7 @@ struct Ints {
 inline Floats splat(float x) { return {vdupq_n_f32(x)}; }
 inline void store(float* to, Floats a) { vst1q_f32(to, a.v); }
 inline Floats add(Floats a, Floats b) { return {vaddq_f32(a.v, b.v)}; }
+inline Floats subtract(Floats a, Floats b) { return {vsubq_f32(a.v, b.v)}; }
 inline Floats multiply(Floats a, Floats b) { return {vmulq_f32(a.v, b.v)}; }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return {vfmaq_f32(c.v, a.v, b.v)}; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {vfmaq_f32(vnegq_f32(c.v), a.v, b.v)}; }
@@ -77,21 +78,16 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
     return function(std::integral_constant<unsigned, 8>{});
 }
 
+/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
 struct Frame {
     Floats scale[3];
-    Floats offset[3];
+    Floats base[3];
 };
-/// A point that nodes are seen from.
-struct FrameOrigin {
-    FrameOrigin(const float* steps, unsigned bits_) : origin{steps[0], steps[1], steps[2]}, bits(bits_) {}
-    float origin[3];
-    unsigned bits;
-};
-inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
+inline Frame load_frame(const FastNode& node, unsigned bits) {
     Frame frame;
     for (int k = 0; k < 3; ++k) {
         frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))));
-        frame.offset[k] = splat(static_cast<float>(node.base(k, from.bits)) - from.origin[k]);
+        frame.base[k] = splat(static_cast<float>(node.base(k, bits)));
     }
     return frame;
 }

@@ -19,6 +19,7 @@ using Ints = std::uint32_t;
 inline Floats splat(float x) { return x; }
 inline void store(float* to, Floats a) { *to = a; }
 inline Floats add(Floats a, Floats b) { return a + b; }
+inline Floats subtract(Floats a, Floats b) { return a - b; }
 inline Floats multiply(Floats a, Floats b) { return a * b; }
 /// a * b + c and a * b - c: fused or not, as the machine likes.
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
@@ -52,22 +53,16 @@ inline auto with_table_groups(unsigned, Function function) {
     return function(std::integral_constant<unsigned, format::max_leaf_vertices>{});
 }
 
-/// A node's frame seen from a point: plane * scale + offset.
+/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
 struct Frame {
     Floats scale[3];
-    Floats offset[3];
+    Floats base[3];
 };
-/// A point that nodes are seen from.
-struct FrameOrigin {
-    FrameOrigin(const float* steps, unsigned bits_) : origin{steps[0], steps[1], steps[2]}, bits(bits_) {}
-    float origin[3];
-    unsigned bits;
-};
-inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
+inline Frame load_frame(const FastNode& node, unsigned bits) {
     Frame frame;
     for (int k = 0; k < 3; ++k) {
         frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))));
-        frame.offset[k] = splat(static_cast<float>(node.base(k, from.bits)) - from.origin[k]);
+        frame.base[k] = splat(static_cast<float>(node.base(k, bits)));
     }
     return frame;
 }

@@ -29,6 +29,7 @@ struct Ints {
 inline Floats splat(float x) { return {_mm_set1_ps(x)}; }
 inline void store(float* to, Floats a) { _mm_storeu_ps(to, a.v); }
 inline Floats add(Floats a, Floats b) { return {_mm_add_ps(a.v, b.v)}; }
+inline Floats subtract(Floats a, Floats b) { return {_mm_sub_ps(a.v, b.v)}; }
 inline Floats multiply(Floats a, Floats b) { return {_mm_mul_ps(a.v, b.v)}; }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return {_mm_add_ps(_mm_mul_ps(a.v, b.v), c.v)}; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {_mm_sub_ps(_mm_mul_ps(a.v, b.v), c.v)}; }
@@ -111,28 +112,21 @@ inline Corner load_low_corner(const FastNode& node, unsigned child, unsigned bit
     return corner;
 }
 
-/// A node's frame seen from a point: plane * scale + offset.
+/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
 struct Frame {
     Floats scale[3];
-    Floats offset[3];
+    Floats base[3];
 };
-/// A point that nodes are seen from.
-struct FrameOrigin {
-    FrameOrigin(const float* steps, unsigned bits)
-        : origin(_mm_load_ps(steps)), unit(_mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0))) {}
-    __m128 origin;
-    __m128 unit;  ///< of the bases
-};
-inline Frame load_frame(const FastNode& node, const FrameOrigin& from) {
+inline Frame load_frame(const FastNode& node, unsigned bits) {
     const __m128 scale = load_scales(node);
-    const __m128 offset = _mm_sub_ps(_mm_mul_ps(load_bases(node), from.unit), from.origin);
+    const __m128 base = _mm_mul_ps(load_bases(node), _mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0)));
     Frame frame;
     frame.scale[0] = {_mm_shuffle_ps(scale, scale, 0x00)};
     frame.scale[1] = {_mm_shuffle_ps(scale, scale, 0x55)};
     frame.scale[2] = {_mm_shuffle_ps(scale, scale, 0xAA)};
-    frame.offset[0] = {_mm_shuffle_ps(offset, offset, 0x00)};
-    frame.offset[1] = {_mm_shuffle_ps(offset, offset, 0x55)};
-    frame.offset[2] = {_mm_shuffle_ps(offset, offset, 0xAA)};
+    frame.base[0] = {_mm_shuffle_ps(base, base, 0x00)};
+    frame.base[1] = {_mm_shuffle_ps(base, base, 0x55)};
+    frame.base[2] = {_mm_shuffle_ps(base, base, 0xAA)};
     return frame;
 }
 
