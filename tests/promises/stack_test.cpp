@@ -9,6 +9,7 @@
 
 #include "../support/instruction_paths.hpp"
 #include "../support/query_maker.hpp"
+#include "../support/sanitized.hpp"
 #include "../support/stack_use.hpp"
 #include "../support/test_blobs.hpp"
 
@@ -16,13 +17,6 @@ using namespace espalier;
 using namespace espalier::tests;
 
 namespace {
-
-constexpr bool sanitized =
-#if defined(__SANITIZE_ADDRESS__)
-    true;
-#else
-    false;
-#endif
 
 /// The most that `call` took for any blob and query.
 template <class Call>
