@@ -50,10 +50,11 @@ public:
     }
     [[nodiscard]] std::size_t bytes() const override { return static_cast<std::size_t>(bytes_); }
     [[nodiscard]] double build_seconds() const override { return seconds_; }
-    void closest(const std::vector<Ray>& rays, std::vector<Hit>& hits) override {
+    void closest(const std::vector<Ray>& rays, bool coherent, std::vector<Hit>& hits) override {
         const Mode mode;
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
+        if (coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             RTCRayHit query;
             query.ray = to_ray(rays[i]);

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] const char* profile() const override { return "fast"; }
     [[nodiscard]] std::size_t bytes() const override { return bytes_.size(); }
     [[nodiscard]] double build_seconds() const override { return seconds_; }
-    void closest(const std::vector<Ray>& rays, std::vector<Hit>& hits) override {
+    void closest(const std::vector<Ray>& rays, bool, std::vector<Hit>& hits) override {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             RayHit hit;
             hits[i].found = raycast(blob_, rays[i], hit);

@@ -41,9 +41,9 @@ std::vector<double> ratios(const std::vector<double>& reference, const std::vect
     return result;
 }
 
-double time_closest(System& system, const std::vector<Ray>& rays, std::vector<Hit>& hits) {
+double time_closest(System& system, const std::vector<Ray>& rays, bool coherent, std::vector<Hit>& hits) {
     const double start = seconds_now();
-    system.closest(rays, hits);
+    system.closest(rays, coherent, hits);
     return seconds_now() - start;
 }
 
@@ -92,8 +92,8 @@ void measure(const std::string& path, const Options& options) {
     std::vector<std::size_t> anys(systems.size());
     for (int repetition = 0; repetition < options.repetitions; ++repetition)
         for (std::size_t s = 0; s < systems.size(); ++s) {
-            timings[s].coherent.push_back(time_closest(*systems[s], coherent, view));
-            timings[s].incoherent.push_back(time_closest(*systems[s], incoherent, hits[s]));
+            timings[s].coherent.push_back(time_closest(*systems[s], coherent, true, view));
+            timings[s].incoherent.push_back(time_closest(*systems[s], incoherent, false, hits[s]));
             timings[s].any.push_back(time_any(*systems[s], incoherent, anys[s]));
         }
     for (std::size_t s = 0; s < systems.size(); ++s) {

@@ -30,7 +30,8 @@ public:
     /// Everything that a query reads: tree, vertices, indices.
     [[nodiscard]] virtual std::size_t bytes() const = 0;
     [[nodiscard]] virtual double build_seconds() const = 0;
-    virtual void closest(const std::vector<Ray>& rays, std::vector<Hit>& hits) = 0;
+    /// `coherent`: neighbouring rays are alike, and the system may be told so.
+    virtual void closest(const std::vector<Ray>& rays, bool coherent, std::vector<Hit>& hits) = 0;
     virtual std::size_t any(const std::vector<Ray>& rays) = 0;
 };
 

@@ -58,4 +58,29 @@ inline RayLanes spread_ray(const BlobData& blob, const LatticeRay& ray) {
     return lanes;
 }
 
+/// Whether the ray meets the asset's box, widened like the planes of a node.
+inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const RayLanes& lanes) {
+    float enter = ray.tau_min;
+    float leave = infinity;
+    for (unsigned k = 0; k < 3; ++k) {
+        const float span = static_cast<float>(blob.extent[k]) * lanes.inverse[k];
+        enter = maximum(minimum(span, 0.0f) + lanes.near_offset[k], enter);
+        leave = minimum(maximum(span, 0.0f) + lanes.far_offset[k], leave);
+    }
+    return enter <= leave;
+}
+
+/// All that the queries need of a ray.
+struct PreparedRay {
+    LatticeRay ray;
+    RayLanes lanes;
+};
+
+/// False when the ray can hit nothing.
+inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+    if (!round_ray(blob, world, prepared.ray)) return false;
+    prepared.lanes = spread_ray(blob, prepared.ray);
+    return meets_asset(blob, prepared.ray, prepared.lanes);
+}
+
 }  // namespace espalier::detail

@@ -67,16 +67,13 @@ inline unsigned ray_candidates(const FastLeaf& leaf, const LatticeRay& ray) {
 template <class Counters>
 struct ClosestHit {
     const LatticeRay& ray;
-    RayLanes lanes_;
+    const RayLanes& lanes_;
     const TriangleFilter* filter;
-    FoundHit& best;
     Counters& counters;
-    float limit_;
+    float limit_ = ray.tau_max * interval_slack;
     bool found = false;
+    FoundHit best = {};
 
-    ClosestHit(const BlobData& blob, const LatticeRay& ray_, const TriangleFilter* filter_, FoundHit& best_, Counters& counters_)
-        : ray(ray_), lanes_(spread(blob, ray_)), filter(filter_), best(best_), counters(counters_),
-          limit_(ray_.tau_max * interval_slack) {}
     [[nodiscard]] float limit() const { return limit_; }
     unsigned children(const FastNode& node, float* keys) {
         counters.count_node();
@@ -110,7 +107,7 @@ private:
 template <class OnHit>
 struct EveryHit {
     const LatticeRay& ray;
-    RayLanes lanes_;
+    const RayLanes& lanes_;
     OnHit on_hit;
 
     unsigned children(const FastNode& node, float* keys) {
@@ -131,12 +128,11 @@ struct EveryHit {
 template <class Counters>
 inline bool closest_hit_counting(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter,
                                  Counters& counters) {
-    LatticeRay ray;
-    FoundHit best;
-    if (!round(blob, world, ray)) return false;
-    ClosestHit<Counters> visitor(blob, ray, filter, best, counters);
+    PreparedRay prepared;
+    if (!prepare(blob, world, prepared)) return false;
+    ClosestHit<Counters> visitor = {prepared.ray, prepared.lanes, filter, counters};
     traverse_nearest_first(blob, visitor);
-    if (visitor.found) hit = to_ray_hit(ray, world, best.hit, best.index);
+    if (visitor.found) hit = to_ray_hit(prepared.ray, world, visitor.best.hit, visitor.best.index);
     return visitor.found;
 }
 
@@ -146,19 +142,21 @@ bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const Tria
 }
 
 bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
-    LatticeRay ray;
-    if (!round(blob, world, ray)) return false;
+    PreparedRay prepared;
+    if (!prepare(blob, world, prepared)) return false;
     const auto on_hit = [&](const FoundHit& found) {
         return filter == nullptr || (*filter)(Triangle{found.index}) ? stop : keep_going;
     };
-    EveryHit<decltype(on_hit)> visitor = {ray, spread(blob, ray), on_hit};
+    EveryHit<decltype(on_hit)> visitor = {prepared.ray, prepared.lanes, on_hit};
     return !traverse_in_storage_order(blob, visitor);
 }
 
 bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit) {
-    LatticeRay ray;
-    if (!round(blob, world, ray)) return true;
-    const auto on_hit = [&](const FoundHit& found) { return visit(to_ray_hit(ray, world, found.hit, found.index)); };
-    EveryHit<decltype(on_hit)> visitor = {ray, spread(blob, ray), on_hit};
+    PreparedRay prepared;
+    if (!prepare(blob, world, prepared)) return true;
+    const auto on_hit = [&](const FoundHit& found) {
+        return visit(to_ray_hit(prepared.ray, world, found.hit, found.index));
+    };
+    EveryHit<decltype(on_hit)> visitor = {prepared.ray, prepared.lanes, on_hit};
     return traverse_in_storage_order(blob, visitor);
 }

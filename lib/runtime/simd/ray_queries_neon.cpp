@@ -6,8 +6,9 @@
 #include <runtime/simd/lanes_neon.hpp>
 
 namespace espalier::detail::neon {
-inline bool round(const BlobData& blob, const Ray& world, LatticeRay& ray) { return round_ray(blob, world, ray); }
-inline RayLanes spread(const BlobData& blob, const LatticeRay& ray) { return spread_ray(blob, ray); }
+inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+    return prepare_ray(blob, world, prepared);
+}
 #include <runtime/traverse.inl>
 #include <runtime/ray_queries.inl>
 }  // namespace espalier::detail::neon

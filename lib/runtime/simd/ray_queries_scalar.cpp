@@ -5,8 +5,9 @@
 #include <runtime/simd/lanes_scalar.hpp>
 
 namespace espalier::detail::scalar {
-inline bool round(const BlobData& blob, const Ray& world, LatticeRay& ray) { return round_ray(blob, world, ray); }
-inline RayLanes spread(const BlobData& blob, const LatticeRay& ray) { return spread_ray(blob, ray); }
+inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+    return prepare_ray(blob, world, prepared);
+}
 #include <runtime/traverse.inl>
 #include <runtime/ray_queries.inl>
 

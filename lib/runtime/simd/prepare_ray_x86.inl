@@ -1,5 +1,5 @@
-// round_ray for the ordinary case, all axes at once; the same bits as the definition in lattice_ray.hpp. Included by the
-// x86 instruction sets, inside their namespaces. Relies on round-to-nearest, as the definition does.
+// prepare_ray with all axes at once, in the ordinary case; the rounded ray has the same bits as the definition's in
+// lattice_ray.hpp. Included by the x86 instruction sets, inside their namespaces. Relies on round-to-nearest, as that does.
 
 /// False when the case is not ordinary: an argument out of the domain, a subnormal direction, an origin from far away.
 inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
@@ -66,22 +66,36 @@ inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRa
     return true;
 }
 
-inline bool round(const BlobData& blob, const Ray& world, LatticeRay& ray) {
-    return round_ordinary_ray(blob, world, ray) || round_ray(blob, world, ray);
-}
-
-/// spread_ray for all axes at once; the same bits.
-inline RayLanes spread(const BlobData& blob, const LatticeRay& ray) {
+/// spread_ray.
+inline RayLanes spread_in_lanes(const BlobData& blob, const LatticeRay& ray) {
     RayLanes result;
     const __m128 inverse = _mm_load_ps(ray.inverse);
     const __m128 away = _mm_xor_ps(_mm_mul_ps(_mm_load_ps(ray.origin_steps), inverse), _mm_set1_ps(-0.0f));
     const __m128 slack = _mm_mul_ps(_mm_andnot_ps(_mm_set1_ps(-0.0f), inverse), _mm_set1_ps(ray.slack_steps));
+    const __m128 base_unit = _mm_set1_ps(power_of_two(blob.bits > 16 ? blob.bits - 16 : 0));
     _mm_store_ps(result.inverse, inverse);
+    _mm_store_ps(result.base_inverse, _mm_mul_ps(inverse, base_unit));
     _mm_store_ps(result.near_offset, _mm_sub_ps(away, slack));
     _mm_store_ps(result.far_offset, _mm_add_ps(away, slack));
-    const __m128 base_unit = _mm_set1_ps(power_of_two(blob.bits > 16 ? blob.bits - 16 : 0));
-    _mm_store_ps(result.base_inverse, _mm_mul_ps(inverse, base_unit));
     result.tau_min = ray.tau_min;
-    result.planes = &plane_orders[static_cast<unsigned>(_mm_movemask_ps(_mm_load_ps(reinterpret_cast<const float*>(ray.direction)))) & 7u];
+    const int signs = _mm_movemask_ps(_mm_castsi128_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(ray.direction))));
+    result.planes = &plane_orders[static_cast<unsigned>(signs) & 7u];
     return result;
+}
+
+/// meets_asset.
+inline bool meets_asset_in_lanes(const BlobData& blob, const LatticeRay& ray, const RayLanes& lanes_) {
+    const __m128 extent = _mm_cvtepi32_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(blob.extent)));
+    const __m128 span = _mm_mul_ps(extent, _mm_load_ps(lanes_.inverse));
+    const __m128 enter = _mm_add_ps(_mm_min_ps(span, _mm_setzero_ps()), _mm_load_ps(lanes_.near_offset));
+    const __m128 leave = _mm_add_ps(_mm_max_ps(span, _mm_setzero_ps()), _mm_load_ps(lanes_.far_offset));
+    const __m128 last_in = _mm_max_ss(_mm_max_ss(enter, _mm_movehdup_ps(enter)), _mm_movehl_ps(enter, enter));
+    const __m128 first_out = _mm_min_ss(_mm_min_ss(leave, _mm_movehdup_ps(leave)), _mm_movehl_ps(leave, leave));
+    return _mm_comile_ss(_mm_max_ss(last_in, _mm_set_ss(ray.tau_min)), first_out) != 0;
+}
+
+inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+    if (!round_ordinary_ray(blob, world, prepared.ray)) return prepare_ray(blob, world, prepared);
+    prepared.lanes = spread_in_lanes(blob, prepared.ray);
+    return meets_asset_in_lanes(blob, prepared.ray, prepared.lanes);
 }
