@@ -13,7 +13,7 @@ struct CostModel {
     float node_visit = 1.0f;
     float leaf_visit = 0.7f;     ///< for each started group of 8 triangles
     float triangle = 0.0f;       ///< for each triangle of a visited leaf
-    float byte_price = 20.0f;    ///< of one byte a triangle
+    float byte_price = 5.0f;     ///< of one byte a triangle
 };
 
 /// As espalier::bake, with another model: for tuning and for tests.

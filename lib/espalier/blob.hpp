@@ -30,14 +30,21 @@ struct BlobData {
     std::uint32_t source_count = 0;
     std::uint32_t source_triangles = 0;
     std::uint32_t checksum = 0;
-    float origin[3] = {};
-    std::int32_t extent[3] = {};
+    // Vectors have a fourth element, which is zero.
+    alignas(16) float origin[4] = {};
+    std::int32_t extent[4] = {};
+    float extent_steps[4] = {};    // the same in float, exactly
+    float steps_per_unit = 0.0f;   // 2^-step_exponent
+    float base_unit = 1.0f;        // lattice steps that a node's base counts in
     float max_error = 0.0f;
     std::int16_t step_exponent = 0;
     std::uint8_t bits = 1;
     std::uint8_t depth = 0;
     std::uint8_t id_bits = 0;
     format::Profile profile = format::Profile::fast;
+
+    /// Fills in what follows from bits, step_exponent and extent.
+    void derive() noexcept;
 };
 
 }  // namespace detail

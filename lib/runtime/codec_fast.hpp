@@ -61,18 +61,8 @@ struct FastLeaf {
     unsigned bits;                   ///< of the lattice
     std::uint32_t size;              ///< at least the longest side of its box
 
-    /// Storage index of its first triangle.
-    [[nodiscard]] std::uint32_t first_triangle() const {
-        // All descriptors that there could be, the later ones masked out (the guard keeps that inside the blob): how many there
-        // are before this leaf is not to be foreseen, and a mistaken guess costs more.
-        std::uint32_t first = load_u32(block);
-        const std::byte* descriptor = block + format::fast_leaf::descriptors_at;
-        for (unsigned i = 0; i + 1 < format::max_children; ++i, descriptor += format::fast_leaf::descriptor_bytes) {
-            const std::uint32_t count = ((load_u32(descriptor) >> format::fast_leaf::triangles_shift) & 15u) + 1;
-            first += count & (i < number ? ~0u : 0u);
-        }
-        return first;
-    }
+    /// One for each leaf of the node.
+    [[nodiscard]] const std::byte* descriptors() const { return block + format::fast_leaf::descriptors_at; }
     /// Among the children of its node.
     [[nodiscard]] unsigned child() const { return node.node_children() + number; }
     /// The low corner of its box, which the coordinates count from.
@@ -117,6 +107,18 @@ inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned n
     // The coordinates stay below 2^width; the box, rounded to the node's planes, ends less than a plane later.
     leaf.size = 2u << longest;
     return leaf;
+}
+
+/// Storage index of the first triangle of a leaf. All descriptors that there could be are read, the later ones masked out
+/// (the guard keeps that inside the blob): how many come before is not to be foreseen, and a mistaken guess costs more.
+inline std::uint32_t first_triangle(const FastLeaf& leaf) {
+    std::uint32_t first = load_u32(leaf.block);
+    const std::byte* descriptor = leaf.descriptors();
+    for (unsigned i = 0; i + 1 < format::max_children; ++i, descriptor += format::fast_leaf::descriptor_bytes) {
+        const std::uint32_t count = ((load_u32(descriptor) >> format::fast_leaf::triangles_shift) & 15u) + 1;
+        first += count & (i < leaf.number ? ~0u : 0u);
+    }
+    return first;
 }
 
 }  // namespace espalier::detail

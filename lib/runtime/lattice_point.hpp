@@ -25,16 +25,15 @@ struct LatticePoint {
 inline bool round_point(const BlobData& blob, const Vec3& world, float radius, LatticePoint& point) {
     const float center_world[3] = {world.x, world.y, world.z};
     if (is_nan(radius) || (is_negative(radius) && magnitude_bits(radius) != 0)) return false;
-    const float steps_per_unit = power_of_two(-blob.step_exponent);
     float center[3];
     float gap[3];  // from the asset's box
     float farthest = 0.0f;
     float reach = 0.0f;
     for (int k = 0; k < 3; ++k) {
         if (!is_finite(center_world[k])) return false;
-        center[k] = (flush_subnormal(center_world[k]) - blob.origin[k]) * steps_per_unit;
+        center[k] = (flush_subnormal(center_world[k]) - blob.origin[k]) * blob.steps_per_unit;
         if (!(absolute(center[k]) < 0x1p120f)) return false;
-        const float high = static_cast<float>(blob.extent[k]);
+        const float high = blob.extent_steps[k];
         gap[k] = center[k] < 0.0f ? center[k] : center[k] > high ? center[k] - high : 0.0f;
         farthest = maximum(absolute(gap[k]), farthest);
         reach = maximum(maximum(absolute(center[k]), absolute(high - center[k])), reach);

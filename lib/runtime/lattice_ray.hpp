@@ -49,11 +49,11 @@ inline constexpr float still = 0x1p60f;
 namespace lattice_ray {
 
 /// Largest distance of a coordinate of the asset's box from the origin, along any axis.
-inline float reach(const float* origin, const std::int32_t* extent) {
+inline float reach(const float* origin, const BlobData& blob) {
     float result = 0.0f;
     for (int k = 0; k < 3; ++k) {
         result = maximum(absolute(origin[k]), result);
-        result = maximum(absolute(static_cast<float>(extent[k]) - origin[k]), result);
+        result = maximum(absolute(blob.extent_steps[k] - origin[k]), result);
     }
     return result;
 }
@@ -154,16 +154,15 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     }
 
     float origin[3];
-    const float steps_per_unit = power_of_two(-blob.step_exponent);
     for (int k = 0; k < 3; ++k) {
-        origin[k] = (flush_subnormal(origin_world[k]) - blob.origin[k]) * steps_per_unit;
+        origin[k] = (flush_subnormal(origin_world[k]) - blob.origin[k]) * blob.steps_per_unit;
         if (!(absolute(origin[k]) < 0x1p120f)) return false;
     }
     ray.tau_offset = 0.0f;
-    float reach = lattice_ray::reach(origin, blob.extent);
+    float reach = lattice_ray::reach(origin, blob);
     if (reach >= 0x1p23f) {
         if (!lattice_ray::approach(blob, ray, origin)) return false;
-        reach = lattice_ray::reach(origin, blob.extent);
+        reach = lattice_ray::reach(origin, blob);
     }
     const int spare = 23 - exponent_of(reach);
     ray.fraction_bits = spare > 6 ? 6 : spare;

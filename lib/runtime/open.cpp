@@ -97,6 +97,7 @@ Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
     blob.bits = static_cast<std::uint8_t>(bits);
     blob.depth = static_cast<std::uint8_t>(depth);
     blob.id_bits = static_cast<std::uint8_t>(id_bits);
+    blob.derive();
     return Status::ok;
 }
 
@@ -245,6 +246,13 @@ Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
 }
 
 }  // namespace
+
+void BlobData::derive() noexcept {
+    for (int k = 0; k < 3; ++k) extent_steps[k] = static_cast<float>(extent[k]);
+    steps_per_unit = power_of_two(-step_exponent);
+    base_unit = power_of_two(bits > 16 ? bits - 16 : 0);
+}
+
 }  // namespace detail
 
 Status open(std::span<const std::byte> bytes, Blob& blob) noexcept {

@@ -79,7 +79,7 @@ struct EveryOverlap {
         for (unsigned candidates = point_candidates(leaf, point, point.limit); candidates != 0; candidates &= candidates - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(candidates));
             if (!is_within_radius(point, distance_to(point, leaf.triangle(number)), point.radius)) continue;
-            if (on_overlap(Triangle{leaf.first_triangle() + number}) == stop) return stop;
+            if (on_overlap(Triangle{first_triangle_in_lanes(leaf) + number}) == stop) return stop;
         }
         return keep_going;
     }
@@ -102,7 +102,7 @@ struct ClosestTriangle {
             const PointDistance distance = distance_to(point, triangle);
             if (found && distance.squared > best.distance.squared) continue;
             if (!is_within_radius(point, distance, point.radius)) continue;
-            const std::uint32_t index = leaf.first_triangle() + number;
+            const std::uint32_t index = first_triangle_in_lanes(leaf) + number;
             if (found && distance.squared == best.distance.squared && index > best.index) continue;
             best = {distance, index, triangle};
             found = true;

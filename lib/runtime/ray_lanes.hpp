@@ -42,13 +42,12 @@ struct RayLanes {
 
 inline RayLanes spread_ray(const BlobData& blob, const LatticeRay& ray) {
     RayLanes lanes{};
-    const float base_unit = power_of_two(blob.bits > 16 ? blob.bits - 16 : 0);
     unsigned signs = 0;
     for (unsigned k = 0; k < 3; ++k) {
         const float middle = -ray.origin_steps[k] * ray.inverse[k];
         const float slack = absolute(ray.inverse[k]) * ray.slack_steps;
         lanes.inverse[k] = ray.inverse[k];
-        lanes.base_inverse[k] = ray.inverse[k] * base_unit;
+        lanes.base_inverse[k] = ray.inverse[k] * blob.base_unit;
         lanes.near_offset[k] = middle - slack;
         lanes.far_offset[k] = middle + slack;
         signs |= (static_cast<std::uint32_t>(ray.direction[k]) >> 31) << k;
@@ -63,7 +62,7 @@ inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const RayLa
     float enter = ray.tau_min;
     float leave = infinity;
     for (unsigned k = 0; k < 3; ++k) {
-        const float span = static_cast<float>(blob.extent[k]) * lanes.inverse[k];
+        const float span = blob.extent_steps[k] * lanes.inverse[k];
         enter = maximum(minimum(span, 0.0f) + lanes.near_offset[k], enter);
         leave = minimum(maximum(span, 0.0f) + lanes.far_offset[k], leave);
     }

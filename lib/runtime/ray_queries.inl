@@ -93,7 +93,7 @@ private:
     void decide(const FastLeaf& leaf, unsigned number) {
         TriangleHit hit;
         if (!intersect(ray, leaf.triangle(number), hit) || (found && hit.tau > best.hit.tau)) return;
-        const std::uint32_t index = leaf.first_triangle() + number;
+        const std::uint32_t index = first_triangle_in_lanes(leaf) + number;
         if (found && hit.tau == best.hit.tau && index > best.index) return;
         if (filter != nullptr && !(*filter)(Triangle{index})) return;
         best = {hit, index};
@@ -118,7 +118,7 @@ struct EveryHit {
             const auto number = static_cast<unsigned>(std::countr_zero(candidates));
             FoundHit found;
             if (!intersect(ray, leaf.triangle(number), found.hit)) continue;
-            found.index = leaf.first_triangle() + number;
+            found.index = first_triangle_in_lanes(leaf) + number;
             if (on_hit(found) == stop) return stop;
         }
         return keep_going;

@@ -22,7 +22,7 @@ struct EveryTriangle {
         return (1u << (node.node_children() + node.leaf_children())) - 1u;
     }
     [[nodiscard]] Visit leaf(const FastLeaf& leaf) const {
-        const std::uint32_t first = leaf.first_triangle();
+        const std::uint32_t first = first_triangle(leaf);
         for (unsigned i = 0; i < leaf.triangle_count; ++i) {
             const LatticeTriangle t = leaf.triangle(i);
             const Corners corners = {to_world(blob, t.corner[0]), to_world(blob, t.corner[1]), to_world(blob, t.corner[2])};

@@ -95,7 +95,8 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
 /// The shifts of all three axes, each in the place of a float's exponent.
 inline __m128i load_shifts(const FastNode& node) {
     // They lie in the low half of this word, 5 bits each.
-    const __m128i word = _mm_set1_epi32(static_cast<int>(load_u32(node.bytes + format::fast_node::shifts_at)));
+    const __m128i word = _mm_castps_si128(
+        _mm_broadcast_ss(reinterpret_cast<const float*>(node.bytes + format::fast_node::shifts_at)));
     const __m128i places = _mm_sllv_epi32(word, _mm_setr_epi32(23, 18, 13, 13));
     return _mm_and_si128(places, _mm_set1_epi32(31 << 23));
 }
@@ -137,6 +138,20 @@ inline Frame load_frame(const FastNode& node, unsigned bits) {
     frame.base[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(base))};
     frame.base[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(base, base))};
     return frame;
+}
+
+/// first_triangle, all descriptors at once.
+inline std::uint32_t first_triangle_in_lanes(const FastLeaf& leaf) {
+    const __m256i descriptors = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(leaf.descriptors()));
+    const __m256i counts = _mm256_add_epi32(
+        _mm256_and_si256(_mm256_srli_epi32(descriptors, format::fast_leaf::triangles_shift), _mm256_set1_epi32(15)),
+        _mm256_set1_epi32(1));
+    const __m256i before = _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(leaf.number)),
+                                              _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    const __m256i sums = _mm256_sad_epu8(_mm256_and_si256(counts, before), _mm256_setzero_si256());
+    const __m128i pair = _mm_add_epi32(_mm256_castsi256_si128(sums), _mm256_extracti128_si256(sums, 1));
+    const __m128i sum = _mm_add_epi32(pair, _mm_unpackhi_epi64(pair, pair));
+    return load_u32(leaf.block) + static_cast<std::uint32_t>(_mm_cvtsi128_si32(sum));
 }
 
 /// The planes of a node as tau along a ray: plane * scale + offset. All three axes in one register, then spread.

@@ -130,6 +130,8 @@ inline Frame load_frame(const FastNode& node, unsigned bits) {
     return frame;
 }
 
+inline std::uint32_t first_triangle_in_lanes(const FastLeaf& leaf) { return first_triangle(leaf); }
+
 /// The planes of a node as tau along a ray: plane * scale + offset. All three axes in one register, then spread.
 struct SlabFrame {
     Floats scale[3];

@@ -24,12 +24,12 @@ inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRa
     const __m128 inverse = _mm_blendv_ps(_mm_div_ps(_mm_set1_ps(1.0f), rounded), _mm_set1_ps(still),
                                          _mm_castsi128_ps(_mm_cmpeq_epi32(integers, _mm_setzero_si128())));
 
-    const __m128 corner = _mm_and_ps(three(blob.origin), _mm_castsi128_ps(xyz));  // what follows may look subnormal: slow
+    const __m128 corner = _mm_load_ps(blob.origin);
     const __m128 eye = three(&world.origin.x);
     const __m128i normal = _mm_cmpgt_epi32(_mm_and_si128(_mm_castps_si128(eye), magnitudes), _mm_set1_epi32(0x007FFFFF));
     const __m128 origin = _mm_mul_ps(_mm_sub_ps(_mm_and_ps(eye, _mm_castsi128_ps(normal)), corner),
-                                     _mm_set1_ps(power_of_two(-blob.step_exponent)));
-    const __m128 extent = _mm_cvtepi32_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(blob.extent)));
+                                     _mm_set1_ps(blob.steps_per_unit));
+    const __m128 extent = _mm_load_ps(blob.extent_steps);
     const __m128i reaches = _mm_max_epi32(_mm_and_si128(_mm_castps_si128(origin), magnitudes),
                                           _mm_and_si128(_mm_castps_si128(_mm_sub_ps(extent, origin)), magnitudes));
     const __m128i reach = largest_of(reaches);
@@ -72,9 +72,8 @@ inline RayLanes spread_in_lanes(const BlobData& blob, const LatticeRay& ray) {
     const __m128 inverse = _mm_load_ps(ray.inverse);
     const __m128 away = _mm_xor_ps(_mm_mul_ps(_mm_load_ps(ray.origin_steps), inverse), _mm_set1_ps(-0.0f));
     const __m128 slack = _mm_mul_ps(_mm_andnot_ps(_mm_set1_ps(-0.0f), inverse), _mm_set1_ps(ray.slack_steps));
-    const __m128 base_unit = _mm_set1_ps(power_of_two(blob.bits > 16 ? blob.bits - 16 : 0));
     _mm_store_ps(result.inverse, inverse);
-    _mm_store_ps(result.base_inverse, _mm_mul_ps(inverse, base_unit));
+    _mm_store_ps(result.base_inverse, _mm_mul_ps(inverse, _mm_set1_ps(blob.base_unit)));
     _mm_store_ps(result.near_offset, _mm_sub_ps(away, slack));
     _mm_store_ps(result.far_offset, _mm_add_ps(away, slack));
     result.tau_min = ray.tau_min;
@@ -85,8 +84,7 @@ inline RayLanes spread_in_lanes(const BlobData& blob, const LatticeRay& ray) {
 
 /// meets_asset.
 inline bool meets_asset_in_lanes(const BlobData& blob, const LatticeRay& ray, const RayLanes& lanes_) {
-    const __m128 extent = _mm_cvtepi32_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(blob.extent)));
-    const __m128 span = _mm_mul_ps(extent, _mm_load_ps(lanes_.inverse));
+    const __m128 span = _mm_mul_ps(_mm_load_ps(blob.extent_steps), _mm_load_ps(lanes_.inverse));
     const __m128 enter = _mm_add_ps(_mm_min_ps(span, _mm_setzero_ps()), _mm_load_ps(lanes_.near_offset));
     const __m128 leave = _mm_add_ps(_mm_max_ps(span, _mm_setzero_ps()), _mm_load_ps(lanes_.far_offset));
     const __m128 last_in = _mm_max_ss(_mm_max_ss(enter, _mm_movehdup_ps(enter)), _mm_movehl_ps(enter, enter));
