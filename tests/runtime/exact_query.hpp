@@ -48,7 +48,8 @@ inline detail::LatticeTriangle lattice_triangle(const GridTriangle& triangle) {
 inline detail::BlobData lattice_asset(unsigned bits) {
     detail::BlobData data;
     data.bits = static_cast<std::uint8_t>(bits);
-    for (std::int32_t& extent : data.extent) extent = (std::int32_t{1} << bits) - 1;
+    for (int k = 0; k < 3; ++k) data.extent[k] = (std::int32_t{1} << bits) - 1;
+    data.derive();
     return data;
 }
 
