@@ -35,6 +35,14 @@ public:
         return next;
     }
 
+    /// The number of the entry for which `equals(number)` holds, or none.
+    template <class Equals>
+    [[nodiscard]] std::uint32_t find(std::uint64_t hash, Equals equals) const {
+        std::size_t slot = hash & mask_;
+        while (slots_[slot] != none && !equals(slots_[slot])) slot = (slot + 1) & mask_;
+        return slots_[slot];
+    }
+
     /// Brings the slot of a later find_or_insert into the cache.
     void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & mask_], 1); }
 

@@ -9,6 +9,7 @@ namespace espalier::baker {
 namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
+constexpr unsigned most_places = 256;  // looked at for one subtree: where all boxes overlap, all places look promising
 constexpr float least_gain = 1e-3f;  // of a node's area: less is lost in the rounding of the sums
 
 /// A tree that can be changed. Its leaves are subtrees of the given one, which stay as they are.
@@ -86,27 +87,32 @@ private:
         float saved_above = nodes_[parent].box.half_area();
         float best_saving = area * least_gain;
         std::uint32_t best = none;
+        unsigned places = 0;
         LaneBox without_node = nodes_[sibling(node)].box;
         for (std::uint32_t from = node; nodes_[from].parent != none; from = nodes_[from].parent) {
             const std::uint32_t ancestor = nodes_[from].parent;
-            waiting_.push_back({sibling(from), saved_above});
+            waiting_.push_back(place_beside(sibling(from), box, saved_above));
             while (!waiting_.empty()) {
-                const auto [place, saved] = waiting_.back();
+                const Place place = waiting_.back();
                 waiting_.pop_back();
-                if (saved - area <= best_saving) continue;
-                LaneBox both = nodes_[place].box;
-                const float place_area = both.half_area();
-                both.add(box);
-                const float saving = saved - both.half_area();
-                const bool is_old_place = from == node && place == sibling(node);
-                if (saving > best_saving && !is_old_place) {
-                    best_saving = saving;
-                    best = place;
+                if (place.saved - area <= best_saving) continue;
+                if (++places > most_places) {
+                    waiting_.clear();
+                    return best;
                 }
-                if (nodes_[place].is_inner()) {
-                    waiting_.push_back({nodes_[place].left, saving + place_area});
-                    waiting_.push_back({nodes_[place].right, saving + place_area});
+                const bool is_old_place = from == node && place.node == sibling(node);
+                if (place.saving > best_saving && !is_old_place) {
+                    best_saving = place.saving;
+                    best = place.node;
                 }
+                const LooseNode& beside = nodes_[place.node];
+                if (!beside.is_inner()) continue;
+                const float saved_below = place.saving + beside.box.half_area();
+                const Place left = place_beside(beside.left, box, saved_below);
+                const Place right = place_beside(beside.right, box, saved_below);
+                const bool left_first = left.saving > right.saving;
+                waiting_.push_back(left_first ? right : left);
+                waiting_.push_back(left_first ? left : right);
             }
             if (ancestor != parent) {
                 without_node.add(nodes_[sibling(from)].box);
@@ -114,6 +120,17 @@ private:
             }
         }
         return best;
+    }
+
+    struct Place {
+        std::uint32_t node;  ///< beside which
+        float saved;         ///< before the new parent of both costs anything
+        float saving;        ///< after it
+    };
+    [[nodiscard]] Place place_beside(std::uint32_t node, const LaneBox& box, float saved) const {
+        LaneBox both = nodes_[node].box;
+        both.add(box);
+        return {node, saved, saved - both.half_area()};
     }
 
     /// The old parent becomes the new one.
@@ -179,19 +196,15 @@ private:
         return 1 + std::max(height_of(BinaryTree::left_of(binary_node)), height_of(tree_.right_of(binary_node)));
     }
 
-    struct Waiting {
-        std::uint32_t place;
-        float saved;
-    };
     const BinaryTree& tree_;
     std::vector<LooseNode> nodes_;
-    std::vector<Waiting> waiting_;
+    std::vector<Place> waiting_;
 };
 
 }  // namespace
 
 OptimiseSettings optimise_settings(unsigned effort) {
-    constexpr std::array<unsigned, 10> passes = {0, 0, 0, 0, 1, 1, 2, 3, 3, 4};
+    constexpr std::array<unsigned, 10> passes = {0, 0, 0, 0, 1, 1, 2, 3, 3, 3};
     constexpr std::array<std::uint32_t, 10> least_triangles = {0, 0, 0, 0, 16, 8, 8, 8, 4, 2};
     return {passes[effort], least_triangles[effort], max_binary_height};
 }

@@ -81,13 +81,17 @@ TEST_SUITE("baker") {
     TEST_CASE("a tree that would become too high stays as it was") {
         const baker::LatticeMesh mesh = mixed_sizes(3000, 5);
         const baker::BuildSettings build = baker::build_settings(0, 1);
-        baker::OptimiseSettings settings = baker::optimise_settings(9);
         const baker::BinaryTree before = baker::build_sah(mesh, build);
-        const unsigned free_height = checked_height(baker::optimise(baker::build_sah(mesh, build), settings), 0);
-        settings.most_height = free_height;
-        CHECK(checked_height(baker::optimise(baker::build_sah(mesh, build), settings), 0) == free_height);
-        settings.most_height = free_height - 1;
-        CHECK(baker::optimise(baker::build_sah(mesh, build), settings).triangles == before.triangles);
+        for (const unsigned effort : {5u, 8u, 9u}) {  // large, small and no subtrees that stay together
+            baker::OptimiseSettings settings = baker::optimise_settings(effort);
+            const auto optimised = [&] { return baker::optimise(baker::build_sah(mesh, build), settings); };
+            const unsigned free_height = checked_height(optimised(), 0);
+            settings.most_height = free_height;
+            CHECK(checked_height(optimised(), 0) == free_height);
+            CHECK(optimised().triangles != before.triangles);
+            settings.most_height = free_height - 1;
+            CHECK(optimised().triangles == before.triangles);
+        }
     }
 
     TEST_CASE("an empty tree stays empty") { CHECK(baker::optimise({}, baker::optimise_settings(9)).triangles.empty()); }
