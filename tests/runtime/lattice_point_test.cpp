@@ -26,7 +26,8 @@ TEST_SUITE("runtime rounding") {
             detail::BlobData data = tests::lattice_asset(1 + random.below(24));
             data.step_exponent = static_cast<std::int16_t>(random.between(-40, 20));
             const float size = std::ldexp(1.0f, data.step_exponent + data.bits);
-            for (float& origin : data.origin) origin = random.signed_unit() * size * 8.0f;
+            for (int k = 0; k < 3; ++k) data.origin[k] = random.signed_unit() * size * 8.0f;
+            data.derive();
             const Vec3 offset = random.in_cube(std::ldexp(size, random.between(-3, 7)));
             const Vec3 world{data.origin[0] + offset.x, data.origin[1] + offset.y, data.origin[2] + offset.z};
             const float radius = random.unit() * size;
@@ -74,6 +75,7 @@ TEST_SUITE("runtime rounding") {
         for (std::uint64_t i = 0; i < scaled(100'000); ++i) {
             detail::BlobData data = tests::lattice_asset(1 + random.below(24));
             data.step_exponent = static_cast<std::int16_t>(random.between(-100, 100));
+            data.derive();
             const auto any = [&] {
                 return random.coin() ? tests::hostile_values[random.below(tests::hostile_values.size())]
                                      : std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));

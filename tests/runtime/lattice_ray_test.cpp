@@ -27,9 +27,12 @@ detail::BlobData some_asset(Random& random) {
     data.step_exponent = static_cast<std::int16_t>(random.between(-40, 20));
     const float size = std::ldexp(1.0f, data.step_exponent + data.bits);
     const float away = std::ldexp(size, static_cast<int>(random.below(6)));
-    for (float& origin : data.origin) origin = random.below(3) == 0 ? 0.0f : random.signed_unit() * away;
-    for (std::int32_t& extent : data.extent) extent = random.between(0, extent);
+    for (int k = 0; k < 3; ++k) {
+        data.origin[k] = random.below(3) == 0 ? 0.0f : random.signed_unit() * away;
+        data.extent[k] = random.between(0, data.extent[k]);
+    }
     data.extent[random.below(3)] = (1 << data.bits) - 1;
+    data.derive();
     return data;
 }
 
