@@ -34,7 +34,8 @@ void fill_in(BakeReport& report, const SourceBounds& bounds, const LatticeMesh& 
     report.triangles = static_cast<std::uint32_t>(mesh.triangles.size());
     report.vertices = mesh.used_vertices;
     report.bounds_min = lattice.origin;
-    report.bounds_max = {to_world(lattice.origin.x, mesh.extent.x, step), to_world(lattice.origin.y, mesh.extent.y, step),
+    report.bounds_max = {to_world(lattice.origin.x, mesh.extent.x, step),
+                         to_world(lattice.origin.y, mesh.extent.y, step),
                          to_world(lattice.origin.z, mesh.extent.z, step)};
     report.step = step;
     report.extent = std::max({mesh.extent.x, mesh.extent.y, mesh.extent.z}) * step;

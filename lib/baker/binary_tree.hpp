@@ -15,9 +15,9 @@ namespace espalier::baker {
 /// Three binary levels fit into one wide node, so a binary tree of this height fits into the format's depth.
 inline constexpr unsigned max_binary_height = 3 * format::max_depth;
 
-/// The box around `count` triangles, the ones from `first` on in BinaryTree::triangles. A node of one triangle is a leaf.
-/// The nodes of a subtree lie together: the left child follows its parent, the right child follows the left subtree. Hence a
-/// node's place depends on the tree alone, and threads can fill in subtrees in any order.
+/// The box around `count` triangles, the ones from `first` on in BinaryTree::triangles. A node of one triangle is a
+/// leaf. The nodes of a subtree lie together: the left child follows its parent, the right child follows the left
+/// subtree. Hence a node's place depends on the tree alone, and threads can fill in subtrees in any order.
 struct BinaryNode {
     float lo[3];
     std::uint32_t first;
@@ -44,7 +44,9 @@ struct BinaryTree {
 
     [[nodiscard]] std::size_t node_count() const { return triangles.empty() ? 0 : 2 * triangles.size() - 1; }
     [[nodiscard]] static std::size_t left_of(std::size_t node) { return node + 1; }
-    [[nodiscard]] std::size_t right_of(std::size_t node) const { return node + 1 + subtree_nodes(nodes[node + 1].count); }
+    [[nodiscard]] std::size_t right_of(std::size_t node) const {
+        return node + 1 + subtree_nodes(nodes[node + 1].count);
+    }
 };
 
 }  // namespace espalier::baker

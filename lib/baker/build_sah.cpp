@@ -13,13 +13,16 @@ namespace espalier::baker {
 
 namespace {
 
-constexpr std::uint32_t smallest_parallel = 4096;    // below this a thread costs more than it brings
+constexpr std::uint32_t smallest_parallel = 4096;     // below this a thread costs more than it brings
 constexpr std::uint32_t progress_interval = 1 << 16;  // triangles between two calls
 
 class Builder {
 public:
     Builder(std::span<Reference> references, BinaryNode* nodes, const BuildSettings& settings)
-        : references_(references), nodes_(nodes), settings_(settings), caller_(std::this_thread::get_id()) {}
+        : references_(references),
+          nodes_(nodes),
+          settings_(settings),
+          caller_(std::this_thread::get_id()) {}
 
     void build(const SplitRange& range, std::size_t node, unsigned depth, unsigned threads) {
         const auto references = references_.subspan(range.first, range.count);
@@ -31,8 +34,9 @@ public:
             report_placed();
             return;
         }
-        // Every split leaves at least one triangle on each side, so a child has at most count - 1; when a balanced tree over
-        // that many would no longer fit below this node, this split is balanced, and by the same test all further ones.
+        // Every split leaves at least one triangle on each side, so a child has at most count - 1; when a balanced tree
+        // over that many would no longer fit below this node, this split is balanced, and by the same test all further
+        // ones.
         const auto child_height = static_cast<unsigned>(std::bit_width(range.count - 2));
         const bool must_balance = depth + 1 + child_height > settings_.most_height;
         const auto [left, right] =

@@ -9,11 +9,11 @@
 namespace espalier::baker {
 
 struct BuildSettings {
-    unsigned bins = 32;           ///< candidate planes per axis, for large nodes
-    unsigned exact_below = 8;     ///< nodes with at most this many triangles try every split
+    unsigned bins = 32;        ///< candidate planes per axis, for large nodes
+    unsigned exact_below = 8;  ///< nodes with at most this many triangles try every split
     unsigned threads = 1;
     unsigned most_height = max_binary_height;  ///< the heuristic yields to balance where it would build higher
-    std::function<void(double)> progress;  ///< share of triangles placed, 0..1; called from the calling thread
+    std::function<void(double)> progress;      ///< share of triangles placed, 0..1; called from the calling thread
 };
 
 [[nodiscard]] BuildSettings build_settings(unsigned effort, unsigned threads);

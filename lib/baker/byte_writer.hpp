@@ -8,7 +8,9 @@
 
 namespace espalier::baker {
 
-inline void put_u8(std::vector<std::byte>& bytes, std::uint32_t value) { bytes.push_back(static_cast<std::byte>(value)); }
+inline void put_u8(std::vector<std::byte>& bytes, std::uint32_t value) {
+    bytes.push_back(static_cast<std::byte>(value));
+}
 inline void put_u16(std::vector<std::byte>& bytes, std::uint32_t value) {
     put_u8(bytes, value & 0xFF);
     put_u8(bytes, value >> 8 & 0xFF);

@@ -38,8 +38,9 @@ std::string describe_not_finite(const MeshView& mesh, const TriangleVertices& tr
 std::string describe_out_of_range(const MeshView& mesh, const TriangleVertices& triangle) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
         if (triangle[corner] >= mesh.positions.size()) {
-            return std::string("its ") + corner_names[corner] + " corner is vertex " + std::to_string(triangle[corner]) +
-                   ", but the mesh has " + std::to_string(mesh.positions.size()) + " vertices";
+            return std::string("its ") + corner_names[corner] + " corner is vertex " +
+                   std::to_string(triangle[corner]) + ", but the mesh has " + std::to_string(mesh.positions.size()) +
+                   " vertices";
         }
     }
     return {};
@@ -52,8 +53,8 @@ std::optional<BakeError> check_sizes(std::span<const MeshView> meshes) {
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const MeshView& mesh = meshes[i];
         if (!mesh.materials.empty() && mesh.materials.size() != mesh.triangles.size()) {
-            return invalid_mesh(mesh_name(meshes, i) + ": " + std::to_string(mesh.materials.size()) + " materials for " +
-                                std::to_string(mesh.triangles.size()) +
+            return invalid_mesh(mesh_name(meshes, i) + ": " + std::to_string(mesh.materials.size()) +
+                                " materials for " + std::to_string(mesh.triangles.size()) +
                                 " triangles; give one for each triangle, or none at all");
         }
         triangles += mesh.triangles.size();
@@ -112,7 +113,8 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
             if (complaint.empty()) complaint = triangle_name(source, id) + ": " + describe_not_finite(mesh, triangle);
             continue;
         }
-        const SourceTriangle sound{{first_vertex + triangle[0], first_vertex + triangle[1], first_vertex + triangle[2]}, id};
+        const SourceTriangle sound{{first_vertex + triangle[0], first_vertex + triangle[1], first_vertex + triangle[2]},
+                                   id};
         if (has_zero_area(a, b, c)) {
             count(report.zero_area, source, id);
             source.without_area.push_back(sound);
@@ -148,7 +150,8 @@ std::optional<BakeError> check_options(const BakeOptions& options) {
     return std::nullopt;
 }
 
-Result<Source, BakeError> check_input(std::span<const MeshView> meshes, const BakeOptions& options, BakeReport& report) {
+Result<Source, BakeError> check_input(std::span<const MeshView> meshes, const BakeOptions& options,
+                                      BakeReport& report) {
     if (auto error = check_sizes(meshes)) return *error;
     if (auto error = check_materials(meshes, options.materials)) return *error;
 

@@ -14,13 +14,15 @@ bool is_same(const Coordinates& decoded, const LatticePoint& meant) {
 
 }  // namespace
 
-std::optional<std::string> check_result(std::span<const std::byte> blob, const LatticeMesh& mesh, const WideTree& wide) {
+std::optional<std::string> check_result(std::span<const std::byte> blob, const LatticeMesh& mesh,
+                                        const WideTree& wide) {
     namespace header = format::header;
     const std::uint32_t node_count = detail::load_u32(blob.data() + header::node_count_at);
     const std::uint32_t leaf_bytes = detail::load_u32(blob.data() + header::leaf_bytes_at);
     const std::uint32_t triangle_count = detail::load_u32(blob.data() + header::triangle_count_at);
     const std::size_t node_bytes = std::size_t{node_count} * format::fast_node::bytes;
-    if (blob.size() < header::bytes + node_bytes + leaf_bytes + format::guard_bytes) return "the header counts too many bytes";
+    if (blob.size() < header::bytes + node_bytes + leaf_bytes + format::guard_bytes)
+        return "the header counts too many bytes";
     const TreeBytes tree{blob.subspan(header::bytes, node_bytes), blob.subspan(header::bytes + node_bytes, leaf_bytes),
                          detail::load_u8(blob.data() + header::bits_at)};
 

@@ -11,8 +11,8 @@
 
 namespace espalier::baker {
 
-/// Nothing, or what is wrong: every box holds all that is below it, every triangle is the intended one, corner by corner, and
-/// the header's counts are right.
+/// Nothing, or what is wrong: every box holds all that is below it, every triangle is the intended one, corner by
+/// corner, and the header's counts are right.
 [[nodiscard]] std::optional<std::string> check_result(std::span<const std::byte> blob, const LatticeMesh& mesh,
                                                       const WideTree& wide);
 

@@ -11,11 +11,14 @@ constexpr const char* axis_names[3] = {"x", "y", "z"};
 class TreeWalk {
 public:
     TreeWalk(const TreeBytes& tree, LeafCheck check_leaf, TreeCounts& counts)
-        : tree_(tree), check_leaf_(check_leaf), counts_(counts) {}
+        : tree_(tree),
+          check_leaf_(check_leaf),
+          counts_(counts) {}
 
     /// False after a complaint. `content` becomes the box of all vertices below. No deeper than format::max_depth.
     bool visit(std::uint32_t number, unsigned depth, DecodedBox& content) {
-        if (depth > format::max_depth) return complain(number, "lies deeper than " + std::to_string(format::max_depth) + " nodes");
+        if (depth > format::max_depth)
+            return complain(number, "lies deeper than " + std::to_string(format::max_depth) + " nodes");
         DecodedNode node;
         if (!tree_.decode_node(number, node)) return complain(number, "is missing, or is no node");
         if (node.children() == 0) return complain(number, "has no children");
@@ -32,7 +35,8 @@ public:
         }
         content = contents[0];
         for (unsigned child = 0; child < node.children(); ++child) {
-            if (!node.boxes[child].contains(contents[child])) return complain_about_box(number, child, node, contents[child]);
+            if (!node.boxes[child].contains(contents[child]))
+                return complain_about_box(number, child, node, contents[child]);
             content.add(contents[child]);
         }
         return true;
@@ -41,9 +45,11 @@ public:
     std::optional<std::string> complaint;
 
 private:
-    bool visit_leaves(std::uint32_t number, const DecodedNode& node, std::array<DecodedBox, format::max_children>& contents) {
+    bool visit_leaves(std::uint32_t number, const DecodedNode& node,
+                      std::array<DecodedBox, format::max_children>& contents) {
         if (node.leaf_block != (node.leaves == 0 ? 0 : counts_.leaf_bytes)) {
-            return complain(number, "has its leaves at byte " + std::to_string(node.leaf_block) + " of the leaf section");
+            return complain(number,
+                            "has its leaves at byte " + std::to_string(node.leaf_block) + " of the leaf section");
         }
         if (node.leaves == 0) return true;
         std::size_t end = 0;
@@ -73,8 +79,8 @@ private:
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (box.lo[axis] <= content.lo[axis] && content.hi[axis] <= box.hi[axis]) continue;
             return complain(number, "does not hold what is below its child " + std::to_string(child) + ": on " +
-                                        axis_names[axis] + " the box goes from " + std::to_string(box.lo[axis]) + " to " +
-                                        std::to_string(box.hi[axis]) + ", the vertices from " +
+                                        axis_names[axis] + " the box goes from " + std::to_string(box.lo[axis]) +
+                                        " to " + std::to_string(box.hi[axis]) + ", the vertices from " +
                                         std::to_string(content.lo[axis]) + " to " + std::to_string(content.hi[axis]));
         }
         return false;

@@ -20,8 +20,8 @@ void for_each_edge(const LatticeMesh& mesh, Visit visit) {
     }
 }
 
-/// Edges that pair up in opposite directions cancel in this sum. One that is not zero proves that some do not: the cheap answer
-/// for almost every open mesh.
+/// Edges that pair up in opposite directions cancel in this sum. One that is not zero proves that some do not: the
+/// cheap answer for almost every open mesh.
 bool edges_may_cancel(const LatticeMesh& mesh) {
     std::uint64_t sum = 0;
     for_each_edge(mesh, [&](std::uint32_t from, std::uint32_t to) {

@@ -42,8 +42,8 @@ struct Subtree {
 
 }  // namespace
 
-/// Visits the binary nodes backwards, so that children come before their parents: the right subtree, the left one, then their
-/// parent. What children leave behind lies on a stack no higher than the tree.
+/// Visits the binary nodes backwards, so that children come before their parents: the right subtree, the left one, then
+/// their parent. What children leave behind lies on a stack no higher than the tree.
 class CollapsePlanner {
 public:
     CollapsePlanner(const LatticeMesh& mesh, const BinaryTree& tree, const CostModel& model, CollapsePlan& plan)
@@ -123,7 +123,9 @@ private:
         right.height = height;
     }
 
-    [[nodiscard]] float area_of(const BinaryNode& node) const { return static_cast<float>(node.half_area()) * relative_area_; }
+    [[nodiscard]] float area_of(const BinaryNode& node) const {
+        return static_cast<float>(node.half_area()) * relative_area_;
+    }
 
     [[nodiscard]] float leaf_cost(const BinaryNode& node, unsigned vertices) const {
         const auto groups = static_cast<float>((node.count + 7) / 8);
@@ -188,9 +190,10 @@ Children CollapsePlan::children_of(std::uint32_t binary_node, unsigned levels) c
         return children;
     }
     // Invariant: height(binary_node) <= 3 * levels. It holds for the root, where the builder keeps the height within
-    // 3 * max_depth. The cheapest children are taken if they keep it. If not, the node takes its whole three binary levels
-    // instead: what hangs below those is 3 lower, so height(child) <= 3 * levels - 3 = 3 * (levels - 1). With one level
-    // left, children have height 0: single triangles, which are leaves. Hence no way down has more than max_depth nodes.
+    // 3 * max_depth. The cheapest children are taken if they keep it. If not, the node takes its whole three binary
+    // levels instead: what hangs below those is 3 lower, so height(child) <= 3 * levels - 3 = 3 * (levels - 1). With
+    // one level left, children have height 0: single triangles, which are leaves. Hence no way down has more than
+    // max_depth nodes.
     const unsigned from_left = choice.left_children();
     add_roots(static_cast<std::uint32_t>(BinaryTree::left_of(binary_node)), from_left, children);
     add_roots(static_cast<std::uint32_t>(tree_.right_of(binary_node)), most_roots - from_left, children);

@@ -32,9 +32,9 @@ class CollapsePlan {
 public:
     CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const CostModel& cost_model);
 
-    /// The children of the wide node that stands for `binary_node`, when at most `levels` nodes, itself included, may lie on
-    /// the way down. Requires height(binary_node) <= 3 * levels, and gives children that are leaves or meet the same with
-    /// levels - 1.
+    /// The children of the wide node that stands for `binary_node`, when at most `levels` nodes, itself included, may
+    /// lie on the way down. Requires height(binary_node) <= 3 * levels, and gives children that are leaves or meet the
+    /// same with levels - 1.
     [[nodiscard]] Children children_of(std::uint32_t binary_node, unsigned levels) const;
 
 private:

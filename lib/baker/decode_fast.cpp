@@ -73,8 +73,10 @@ bool TreeBytes::decode_node(std::uint32_t number, DecodedNode& node) const {
         if (shift > layout::max_shift) return false;
         for (std::size_t child = 0; child < node.children(); ++child) {
             const std::size_t at = format::max_children * axis + child;
-            node.boxes[child].lo[axis] = static_cast<std::int32_t>(base + (read(bytes, layout::lo_at + at, 1) << shift));
-            node.boxes[child].hi[axis] = static_cast<std::int32_t>(base + (read(bytes, layout::hi_at + at, 1) << shift));
+            node.boxes[child].lo[axis] =
+                static_cast<std::int32_t>(base + (read(bytes, layout::lo_at + at, 1) << shift));
+            node.boxes[child].hi[axis] =
+                static_cast<std::int32_t>(base + (read(bytes, layout::hi_at + at, 1) << shift));
         }
     }
     return true;
@@ -82,13 +84,15 @@ bool TreeBytes::decode_node(std::uint32_t number, DecodedNode& node) const {
 
 bool TreeBytes::decode_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const {
     namespace layout = format::fast_leaf;
-    const std::size_t data = node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{node.leaves};
+    const std::size_t data =
+        node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{node.leaves};
     if (data > leaves.size()) return false;
     leaf.first_triangle = read(leaves, node.leaf_block, 4);
     std::uint32_t descriptor = 0;
     for (unsigned i = 0; i <= index; ++i) {
         if (i != 0) leaf.first_triangle += leaf.triangle_count;
-        descriptor = read(leaves, node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{i}, 4);
+        descriptor =
+            read(leaves, node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{i}, 4);
         leaf.triangle_count = (descriptor >> layout::triangles_shift & 15) + 1;
     }
     leaf.vertex_count = (descriptor >> layout::vertices_shift & 31) + 1;

@@ -1,5 +1,5 @@
-// The baker's own reader of the profile `fast`, written from docs/format.md and shared with nothing that writes or queries, so
-// that it can testify to both. Reads nothing outside its sections: what would lie there reads as failure.
+// The baker's own reader of the profile `fast`, written from docs/format.md and shared with nothing that writes or
+// queries, so that it can testify to both. Reads nothing outside its sections: what would lie there reads as failure.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ struct DecodedNode {
 };
 
 struct DecodedLeaf {
-    std::size_t at = 0;     ///< of its data, in the leaf section
-    std::size_t bytes = 0;  ///< of its data
+    std::size_t at = 0;                ///< of its data, in the leaf section
+    std::size_t bytes = 0;             ///< of its data
     std::uint32_t first_triangle = 0;  ///< storage index
     unsigned vertex_count = 0;
     unsigned triangle_count = 0;

@@ -11,7 +11,9 @@ namespace {
 
 constexpr std::uint32_t none = InsertionTable::none;
 
-std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
 
 double square_distance(const StepPoint& a, const StepPoint& b) {
     const double x = a[0] - b[0];
@@ -32,8 +34,8 @@ DroppedTriangles::DroppedTriangles(const Source& source, const LatticeMesh& mesh
     gather_edges();
 }
 
-/// On the lattice the triangle is a point or a segment, from which it is no farther than its corners moved. Mostly that is a
-/// vertex or an edge of a kept triangle.
+/// On the lattice the triangle is a point or a segment, from which it is no farther than its corners moved. Mostly that
+/// is a vertex or an edge of a kept triangle.
 double DroppedTriangles::distance_of(const SourceTriangle& triangle, double ignore_below) {
     const Line line = line_of(triangle);
     const double moved = snap_error_of(line);
@@ -51,7 +53,8 @@ StepPoint DroppedTriangles::point_of(std::uint32_t position) const {
     }
     const Vec3& point = source_.positions[position];
     const Vec3& origin = mesh_.lattice.origin;
-    return {(double(point.x) - double(origin.x)) * reciprocal_step_, (double(point.y) - double(origin.y)) * reciprocal_step_,
+    return {(double(point.x) - double(origin.x)) * reciprocal_step_,
+            (double(point.y) - double(origin.y)) * reciprocal_step_,
             (double(point.z) - double(origin.z)) * reciprocal_step_};
 }
 
@@ -60,7 +63,8 @@ double DroppedTriangles::snap_error_of(const Line& line) const {
     for (const std::uint32_t position : line) {
         if (vertex_of(position) == none) continue;
         const LatticePoint& snapped = mesh_.vertices[vertex_of(position)];
-        largest = std::max(largest, square_snap_error(source_.positions[position], mesh_.lattice.origin, snapped, step_));
+        largest =
+            std::max(largest, square_snap_error(source_.positions[position], mesh_.lattice.origin, snapped, step_));
     }
     return std::sqrt(largest) * rounding_margin;
 }
@@ -89,7 +93,8 @@ bool DroppedTriangles::is_edge(std::uint32_t a, std::uint32_t b) const {
     return std::binary_search(edges_.begin(), edges_.end(), edge_key(a, b));
 }
 
-/// Positions that only triangles without area have may still snap to a vertex, as they do where triangles share no indices.
+/// Positions that only triangles without area have may still snap to a vertex, as they do where triangles share no
+/// indices.
 void DroppedTriangles::find_vertices_of_those_without_area() {
     if (source_.without_area.empty()) return;
     InsertionTable table(mesh_.vertices.size());

@@ -16,8 +16,9 @@ public:
     /// The mesh keeps at least one triangle. Both outlive this.
     DroppedTriangles(const Source& source, const LatticeMesh& mesh);
 
-    /// An upper bound on the distance that any point of the triangle has from the kept surface, in world units; not a close one
-    /// when it is no more than `ignore_below`. The triangle is one of LatticeMesh::collapsed or of Source::without_area.
+    /// An upper bound on the distance that any point of the triangle has from the kept surface, in world units; not a
+    /// close one when it is no more than `ignore_below`. The triangle is one of LatticeMesh::collapsed or of
+    /// Source::without_area.
     [[nodiscard]] double distance_of(const SourceTriangle& triangle, double ignore_below);
 
 private:

@@ -21,6 +21,7 @@ struct Properties {
 
 [[nodiscard]] Result<std::vector<std::byte>, BakeError> encode(const Source& source, const LatticeMesh& mesh,
                                                                const BinaryTree& tree, const WideTree& wide,
-                                                               const BakeOptions& options, const Properties& properties);
+                                                               const BakeOptions& options,
+                                                               const Properties& properties);
 
 }  // namespace espalier::baker

@@ -63,7 +63,11 @@ unsigned width_code(std::uint32_t largest, unsigned bits) {
 class FastEncoder {
 public:
     FastEncoder(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide, EncodedTree& encoded)
-        : mesh_(mesh), tree_(tree), wide_(wide), encoded_(encoded), bits_(mesh.lattice.bits) {}
+        : mesh_(mesh),
+          tree_(tree),
+          wide_(wide),
+          encoded_(encoded),
+          bits_(mesh.lattice.bits) {}
 
     void encode(std::uint32_t number) {
         const WideNode& node = wide_.nodes[number];

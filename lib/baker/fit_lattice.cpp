@@ -17,9 +17,10 @@ FittedMesh snap_and_measure(const Source& source, const Lattice& lattice, BakeRe
 }
 
 BakeError too_far_away(const Source& source, const FittedMesh& fitted) {
-    return {BakeError::Kind::too_large, triangle_name(source, fitted.error.dropped_triangle) +
-                                            ": it has no area and lies so far from all others that the distance cannot be "
-                                            "written; remove it from the mesh"};
+    return {BakeError::Kind::too_large,
+            triangle_name(source, fitted.error.dropped_triangle) +
+                ": it has no area and lies so far from all others that the distance cannot be "
+                "written; remove it from the mesh"};
 }
 
 BakeError tolerance_error(const Source& source, const FittedMesh& last, double tolerance, const BakeError& too_fine) {
@@ -62,8 +63,10 @@ Result<FittedMesh, BakeError> fit_tolerance(const Source& source, const SourceBo
 
 Result<FittedMesh, BakeError> fit_lattice(const Source& source, const SourceBounds& bounds, const BakeOptions& options,
                                           BakeReport& report) {
-    if (options.tolerance && !source.triangles.empty()) return fit_tolerance(source, bounds, *options.tolerance, report);
-    const auto lattice = options.tolerance ? Result<Lattice, BakeError>(Lattice{}) : lattice_for_bits(bounds, options.bits);
+    if (options.tolerance && !source.triangles.empty())
+        return fit_tolerance(source, bounds, *options.tolerance, report);
+    const auto lattice =
+        options.tolerance ? Result<Lattice, BakeError>(Lattice{}) : lattice_for_bits(bounds, options.bits);
     if (!lattice) return lattice.error();
     FittedMesh fitted = snap_and_measure(source, *lattice, report);
     if (!std::isfinite(fitted.error.largest)) return too_far_away(source, fitted);

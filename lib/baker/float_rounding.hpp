@@ -8,8 +8,8 @@
 
 namespace espalier::baker {
 
-/// The least float32 that is not below a value of zero or more; infinity above the largest one. Subnormal results become the
-/// least normal number: some machines read subnormals as zero.
+/// The least float32 that is not below a value of zero or more; infinity above the largest one. Subnormal results
+/// become the least normal number: some machines read subnormals as zero.
 [[nodiscard]] inline float round_up_to_float(double value) {
     auto rounded = static_cast<float>(value);
     if (double(rounded) < value) rounded = std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) + 1);

@@ -1,5 +1,5 @@
-// A hash set of numbered things whose numbers are given in the order of insertion, so that the result depends neither on the
-// hash nor on the table's size.
+// A hash set of numbered things whose numbers are given in the order of insertion, so that the result depends neither
+// on the hash nor on the table's size.
 #pragma once
 
 #include <bit>
@@ -21,7 +21,8 @@ public:
     static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
     explicit InsertionTable(std::size_t most_entries)
-        : mask_(std::bit_ceil(most_entries * 2 + 1) - 1), slots_(mask_ + 1, none) {}
+        : mask_(std::bit_ceil(most_entries * 2 + 1) - 1),
+          slots_(mask_ + 1, none) {}
 
     /// The number of the entry for which `equals(number)` holds, or `next` after having put it in.
     template <class Equals>

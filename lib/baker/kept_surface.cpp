@@ -10,7 +10,8 @@ namespace espalier::baker {
 
 namespace {
 
-// Limits of the work, far beyond what meshes need that are not made to reach them. At a limit the bound found so far has to do.
+// Limits of the work, far beyond what meshes need that are not made to reach them. At a limit the bound found so far
+// has to do.
 constexpr unsigned most_pieces = 2048;                 // of one segment
 constexpr std::uint64_t most_distances = 200'000'000;  // to triangles, in all: some ten seconds
 constexpr unsigned most_distances_then = 64;           // for one point, when those are used up
@@ -31,7 +32,8 @@ StepPoint to_steps(const LatticePoint& point) {
 double distance_to_segment(const StepPoint& point, const StepPoint& a, const StepPoint& b) {
     const StepPoint along = b - a;
     const double share = std::clamp(dot(point - a, along) / dot(along, along), 0.0, 1.0);
-    return length({point[0] - a[0] - share * along[0], point[1] - a[1] - share * along[1], point[2] - a[2] - share * along[2]});
+    return length(
+        {point[0] - a[0] - share * along[0], point[1] - a[1] - share * along[1], point[2] - a[2] - share * along[2]});
 }
 
 double square_distance_to_box(const StepPoint& point, const BinaryNode& node) {
@@ -48,7 +50,9 @@ double square_distance_to_box(const StepPoint& point, const BinaryNode& node) {
 }  // namespace
 
 KeptSurface::KeptSurface(const LatticeMesh& mesh)
-    : mesh_(mesh), tree_(build_sah(mesh, build_settings(0, 1))), distances_left_(most_distances) {}
+    : mesh_(mesh),
+      tree_(build_sah(mesh, build_settings(0, 1))),
+      distances_left_(most_distances) {}
 
 double KeptSurface::distance_to_triangle(const StepPoint& point, std::uint32_t triangle) const {
     const auto& corners = mesh_.triangles[triangle].corners;
@@ -59,7 +63,8 @@ double KeptSurface::distance_to_triangle(const StepPoint& point, std::uint32_t t
     const bool is_above = dot(cross(normal, b - a), point - a) >= 0.0 && dot(cross(normal, c - b), point - b) >= 0.0 &&
                           dot(cross(normal, a - c), point - c) >= 0.0;
     if (is_above) return std::abs(dot(normal, point - a)) / length(normal);
-    return std::min({distance_to_segment(point, a, b), distance_to_segment(point, b, c), distance_to_segment(point, c, a)});
+    return std::min(
+        {distance_to_segment(point, a, b), distance_to_segment(point, b, c), distance_to_segment(point, c, a)});
 }
 
 KeptSurface::Nearest KeptSurface::nearest(const StepPoint& point, double enough) {
@@ -95,9 +100,9 @@ KeptSurface::Nearest KeptSurface::nearest(const StepPoint& point, double enough)
     return best;
 }
 
-/// Three upper bounds, of which the least counts: the distance to one triangle is convex, so along the segment it is largest at
-/// an end, be it of the triangle near a or of the one near b; and no distance grows faster than one walks. Where the least is
-/// too much, both halves are looked at.
+/// Three upper bounds, of which the least counts: the distance to one triangle is convex, so along the segment it is
+/// largest at an end, be it of the triangle near a or of the one near b; and no distance grows faster than one walks.
+/// Where the least is too much, both halves are looked at.
 double KeptSurface::bound(const StepPoint& a, const Nearest& near_a, const StepPoint& b, const Nearest& near_b,
                           double ignore_below, unsigned& pieces) {
     const double least = std::max(near_a.distance, near_b.distance);
@@ -117,7 +122,8 @@ double KeptSurface::farthest_of_segment(const StepPoint& a, const StepPoint& b, 
     const double enough = std::max(ignore_below, negligible);
     unsigned pieces = 1;
     const double computed = bound(a, nearest(a, enough), b, nearest(b, enough), enough, pieces);
-    // Lattice coordinates, edges and normals are exact in binary64; what is rounded is some 2^-50 of the largest coordinate.
+    // Lattice coordinates, edges and normals are exact in binary64; what is rounded is some 2^-50 of the largest
+    // coordinate.
     const double largest_coordinate = std::max({length(a), length(b), std::ldexp(1.0, format::max_bits)});
     return computed + largest_coordinate * 0x1p-44;
 }

@@ -17,8 +17,8 @@ public:
     /// The mesh keeps at least one triangle, and outlives this.
     explicit KeptSurface(const LatticeMesh& mesh);
 
-    /// At least the largest distance that any point of the segment has from the surface, and little more; or anything up to
-    /// `ignore_below`, or to a thousandth of a step, when it is less than that.
+    /// At least the largest distance that any point of the segment has from the surface, and little more; or anything
+    /// up to `ignore_below`, or to a thousandth of a step, when it is less than that.
     [[nodiscard]] double farthest_of_segment(const StepPoint& a, const StepPoint& b, double ignore_below);
 
 private:

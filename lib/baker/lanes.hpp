@@ -1,5 +1,6 @@
-// Boxes of lattice coordinates, four lanes at a time. Coordinates are below 2^24, which float32 holds exactly, so minima and
-// maxima are exact on every machine; the compiler's vector types become the machine's own instructions where it has them.
+// Boxes of lattice coordinates, four lanes at a time. Coordinates are below 2^24, which float32 holds exactly, so
+// minima and maxima are exact on every machine; the compiler's vector types become the machine's own instructions where
+// it has them.
 #pragma once
 
 #include <cstddef>

@@ -11,12 +11,15 @@ namespace espalier::baker {
 
 namespace {
 
-constexpr double half_diagonal = 0x1.bb67ae8584cabp-1;  // sqrt(3) / 2, rounded up: how far from a lattice point one can be
+constexpr double half_diagonal =
+    0x1.bb67ae8584cabp-1;  // sqrt(3) / 2, rounded up: how far from a lattice point one can be
 
 constexpr double text_margin = 1e-8;  // of a number of nine digits
 
 /// How far a lattice point may be from what it stands for, as a header would say it.
-float largest_snap_error(int step_exponent) { return round_up_to_float(half_diagonal * std::ldexp(1.0, step_exponent)); }
+float largest_snap_error(int step_exponent) {
+    return round_up_to_float(half_diagonal * std::ldexp(1.0, step_exponent));
+}
 
 constexpr int far_too_fine = -1000;  // below this no float32 extent has few enough steps, nor could they be counted
 
@@ -34,10 +37,11 @@ unsigned bits_needed(const SourceBounds& bounds, int step_exponent) {
 
 std::optional<BakeError> check_exponent(int step_exponent, const SourceBounds& bounds) {
     if (step_exponent >= format::min_step_exponent && step_exponent <= format::max_step_exponent) return std::nullopt;
-    return BakeError{BakeError::Kind::too_large,
-                     "the meshes are " + number_text(bounds.largest_side) + " units large, which needs a lattice step of 2^" +
-                         std::to_string(step_exponent) + "; steps go from 2^" + std::to_string(format::min_step_exponent) +
-                         " to 2^" + std::to_string(format::max_step_exponent) + "; scale the input"};
+    return BakeError{BakeError::Kind::too_large, "the meshes are " + number_text(bounds.largest_side) +
+                                                     " units large, which needs a lattice step of 2^" +
+                                                     std::to_string(step_exponent) + "; steps go from 2^" +
+                                                     std::to_string(format::min_step_exponent) + " to 2^" +
+                                                     std::to_string(format::max_step_exponent) + "; scale the input"};
 }
 
 }  // namespace
@@ -55,8 +59,10 @@ SourceBounds bounds_of(const Source& source) {
     for (const SourceTriangle& triangle : source.triangles) {
         for (const std::uint32_t corner : triangle.corners) {
             const Vec3& point = source.positions[corner];
-            bounds.min = {std::min(bounds.min.x, point.x), std::min(bounds.min.y, point.y), std::min(bounds.min.z, point.z)};
-            bounds.max = {std::max(bounds.max.x, point.x), std::max(bounds.max.y, point.y), std::max(bounds.max.z, point.z)};
+            bounds.min = {std::min(bounds.min.x, point.x), std::min(bounds.min.y, point.y),
+                          std::min(bounds.min.z, point.z)};
+            bounds.max = {std::max(bounds.max.x, point.x), std::max(bounds.max.y, point.y),
+                          std::max(bounds.max.z, point.z)};
         }
     }
     bounds.min = {origin_coordinate(double(bounds.min.x)), origin_coordinate(double(bounds.min.y)),
@@ -64,9 +70,8 @@ SourceBounds bounds_of(const Source& source) {
     bounds.largest_side =
         std::max({double(bounds.max.x) - double(bounds.min.x), double(bounds.max.y) - double(bounds.min.y),
                   double(bounds.max.z) - double(bounds.min.z)});
-    bounds.largest_coordinate =
-        std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.min.z), std::abs(bounds.max.x),
-                  std::abs(bounds.max.y), std::abs(bounds.max.z)});
+    bounds.largest_coordinate = std::max({std::abs(bounds.min.x), std::abs(bounds.min.y), std::abs(bounds.min.z),
+                                          std::abs(bounds.max.x), std::abs(bounds.max.y), std::abs(bounds.max.z)});
     return bounds;
 }
 

@@ -34,8 +34,8 @@ struct SourceBounds {
     float largest_coordinate = 0.0f;  ///< of any sign
 };
 
-/// The float32 to write for the origin: finite, and zero for minus zero, which would be a second way to write the same origin,
-/// and for subnormal numbers, which the format does not allow there: they are far below the finest step.
+/// The float32 to write for the origin: finite, and zero for minus zero, which would be a second way to write the same
+/// origin, and for subnormal numbers, which the format does not allow there: they are far below the finest step.
 [[nodiscard]] float origin_coordinate(double coordinate);
 
 [[nodiscard]] SourceBounds bounds_of(const Source& source);
@@ -46,8 +46,8 @@ struct SourceBounds {
     return (value + shifter) - shifter;
 }
 
-/// A coordinate in steps from the origin, rounded to whole ones. Deterministic: two correctly rounded operations, of which
-/// the second, by a power of two, is exact.
+/// A coordinate in steps from the origin, rounded to whole ones. Deterministic: two correctly rounded operations, of
+/// which the second, by a power of two, is exact.
 [[nodiscard]] inline double snap_coordinate(float coordinate, float origin, double reciprocal_step) {
     return round_half_even((double(coordinate) - double(origin)) * reciprocal_step);
 }
@@ -62,6 +62,7 @@ struct SourceBounds {
 [[nodiscard]] int step_exponent_for_tolerance(double tolerance);
 
 /// The lattice with this step and as few bits as hold every coordinate.
-[[nodiscard]] Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent, double tolerance);
+[[nodiscard]] Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent,
+                                                          double tolerance);
 
 }  // namespace espalier::baker

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
 constexpr unsigned most_places = 256;  // looked at for one subtree: where all boxes overlap, all places look promising
-constexpr float least_gain = 1e-3f;  // of a node's area: less is lost in the rounding of the sums
+constexpr float least_gain = 1e-3f;    // of a node's area: less is lost in the rounding of the sums
 
 /// A tree that can be changed. Its leaves are subtrees of the given one, which stay as they are.
 struct LooseNode {
@@ -35,7 +35,8 @@ public:
         for (const LooseNode& node : nodes_) areas.push_back(node.box.half_area());
         std::vector<std::uint32_t> order(nodes_.size());
         std::iota(order.begin(), order.end(), 0u);
-        std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
         for (const std::uint32_t node : order) {
             if (node == root || nodes_[node].parent == root) continue;
             const std::uint32_t place = best_place(node);
@@ -61,7 +62,8 @@ private:
         const BinaryNode& binary = tree_.nodes[binary_node];
         nodes_.push_back({binary.box(), parent, none, none, binary_node});
         if (binary.count >= least_triangles && !binary.is_leaf()) {
-            const auto left = loosen(static_cast<std::uint32_t>(BinaryTree::left_of(binary_node)), number, least_triangles);
+            const auto left =
+                loosen(static_cast<std::uint32_t>(BinaryTree::left_of(binary_node)), number, least_triangles);
             const auto right = loosen(static_cast<std::uint32_t>(tree_.right_of(binary_node)), number, least_triangles);
             nodes_[number].left = left;
             nodes_[number].right = right;
@@ -76,10 +78,10 @@ private:
 
     /// Where `node` costs least: beside which node. None when it had better stay.
     ///
-    /// Taken out, it saves its parent's area and shrinks every ancestor above. Put in beside another node, it costs the area of
-    /// a new parent of both and enlarges all nodes on the way there from the lowest common ancestor. The search goes up from
-    /// the old place; from every ancestor it goes down the other side, as long as what is saved so far exceeds what the
-    /// best place saves by more than the node's own area, which any new parent costs.
+    /// Taken out, it saves its parent's area and shrinks every ancestor above. Put in beside another node, it costs the
+    /// area of a new parent of both and enlarges all nodes on the way there from the lowest common ancestor. The search
+    /// goes up from the old place; from every ancestor it goes down the other side, as long as what is saved so far
+    /// exceeds what the best place saves by more than the node's own area, which any new parent costs.
     [[nodiscard]] std::uint32_t best_place(std::uint32_t node) {
         const LaneBox box = nodes_[node].box;
         const float area = box.half_area();
@@ -160,7 +162,8 @@ private:
     }
 
     /// Appends a subtree; false when it goes deeper than allowed.
-    bool tighten(std::uint32_t number, unsigned depth, unsigned most_height, BinaryTree& result, std::size_t& next) const {
+    bool tighten(std::uint32_t number, unsigned depth, unsigned most_height, BinaryTree& result,
+                 std::size_t& next) const {
         if (depth > most_height) return false;
         const LooseNode& node = nodes_[number];
         const std::size_t at = next;

@@ -15,7 +15,8 @@ public:
         Children children = plan_.children_of(binary_node, format::max_depth - depth + 1);
         const auto list = children.list();
         std::sort(list.begin(), list.end(), [&](const Child& a, const Child& b) { return comes_before(a, b); });
-        const auto leaf_start = std::find_if(list.begin(), list.end(), [](const Child& child) { return child.is_leaf; });
+        const auto leaf_start =
+            std::find_if(list.begin(), list.end(), [](const Child& child) { return child.is_leaf; });
 
         WideNode node;
         node.node_children = static_cast<std::uint8_t>(leaf_start - list.begin());
@@ -28,7 +29,8 @@ public:
         wide_.depth = std::max(wide_.depth, depth);
 
         for (auto leaf = leaf_start; leaf != list.end(); ++leaf) add_leaf(leaf->binary_node);
-        for (std::uint32_t i = 0; i < node.node_children; ++i) visit(node.binary_nodes[i], node.first_child + i, depth + 1);
+        for (std::uint32_t i = 0; i < node.node_children; ++i)
+            visit(node.binary_nodes[i], node.first_child + i, depth + 1);
     }
 
 private:

@@ -33,9 +33,9 @@ struct WideTree {
     unsigned depth = 0;                    ///< nodes on the longest way down
 };
 
-/// Node children stand before leaves, larger boxes before smaller ones, of equal ones the one with the lower triangle number
-/// first. The node children of a node get the next free numbers, and its leaves the next place in the leaf section, when a
-/// walk in depth-first order comes to the node. Triangles of a leaf keep the order of the source.
+/// Node children stand before leaves, larger boxes before smaller ones, of equal ones the one with the lower triangle
+/// number first. The node children of a node get the next free numbers, and its leaves the next place in the leaf
+/// section, when a walk in depth-first order comes to the node. Triangles of a leaf keep the order of the source.
 [[nodiscard]] WideTree put_in_order(const LatticeMesh& mesh, const BinaryTree& tree, const CollapsePlan& plan);
 
 }  // namespace espalier::baker

@@ -143,7 +143,8 @@ void try_planes(const Bins& bins, unsigned bin_count, unsigned axis, Plane& best
     }
 }
 
-/// Moves what lies left of the plane to the front, without a branch for each reference, and gathers both parts' centres.
+/// Moves what lies left of the plane to the front, without a branch for each reference, and gathers both parts'
+/// centres.
 Parts partition(std::span<Reference> references, const SplitRange& range, const Binning& binning, const Plane& plane,
                 const Bins& bins, unsigned bin_count) {
     LaneBox left_centers;
@@ -167,7 +168,8 @@ Parts partition(std::span<Reference> references, const SplitRange& range, const 
         (bin < plane.bin ? left_box : right_box).add(bins.boxes[plane.axis][bin]);
     }
     const auto left = static_cast<std::uint32_t>(left_count);
-    return {{range.first, left, left_box, left_centers}, {range.first + left, range.count - left, right_box, right_centers}};
+    return {{range.first, left, left_box, left_centers},
+            {range.first + left, range.count - left, right_box, right_centers}};
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ struct SplitRule {
 inline constexpr unsigned max_bins = 64;
 inline constexpr unsigned max_exact = 256;
 
-/// Reorders the references of the range, two or more, and returns the two parts, neither empty. Which order is a function of
-/// the order before.
+/// Reorders the references of the range, two or more, and returns the two parts, neither empty. Which order is a
+/// function of the order before.
 [[nodiscard]] std::pair<SplitRange, SplitRange> split(std::span<Reference> references, const SplitRange& range,
                                                       const SplitRule& rule);
 

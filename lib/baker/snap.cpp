@@ -66,8 +66,8 @@ void drop_duplicates(const Source& source, std::vector<LatticeTriangle>& triangl
 
 /// Marks the vertices of kept triangles and moves the lattice so that their smallest coordinates are 0.
 ///
-/// They are 0 already unless a collapsed triangle reached farthest. Then the lattice moves by whole steps, which changes no
-/// shape; the new origin is rounded to float32, and the measured error includes what that rounding does.
+/// They are 0 already unless a collapsed triangle reached farthest. Then the lattice moves by whole steps, which
+/// changes no shape; the new origin is rounded to float32, and the measured error includes what that rounding does.
 void settle(LatticeMesh& mesh) {
     mesh.is_used.assign(mesh.vertices.size(), 0);
     if (mesh.triangles.empty()) return;

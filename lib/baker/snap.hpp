@@ -1,4 +1,5 @@
-// Second stage: vertices move to lattice points, equal ones become one, what lost its area or its uniqueness is dropped.
+// Second stage: vertices move to lattice points, equal ones become one, what lost its area or its uniqueness is
+// dropped.
 #pragma once
 
 #include "lattice_mesh.hpp"

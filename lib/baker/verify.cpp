@@ -18,7 +18,9 @@ namespace {
 class Gatherer {
 public:
     Gatherer(std::uint32_t triangle_count, std::size_t leaves_at)
-        : leaves_at_(leaves_at), points_(std::size_t{triangle_count} * 3), triangles_(triangle_count) {}
+        : leaves_at_(leaves_at),
+          points_(std::size_t{triangle_count} * 3),
+          triangles_(triangle_count) {}
 
     std::optional<std::string> add(const DecodedLeaf& leaf) {
         std::array<std::uint32_t, format::max_leaf_vertices> numbers{};
@@ -41,7 +43,8 @@ public:
             if (same != index) return about(index, leaf, "is the same as triangle " + std::to_string(same));
             mesh.triangles.push_back({corners, index});
         }
-        if (used != leaf.vertex_count) return about(leaf.first_triangle, leaf, "is in a leaf with vertices that none uses");
+        if (used != leaf.vertex_count)
+            return about(leaf.first_triangle, leaf, "is in a leaf with vertices that none uses");
         return std::nullopt;
     }
 
@@ -56,8 +59,8 @@ private:
         return number;
     }
     [[nodiscard]] std::string about(std::uint32_t triangle, const DecodedLeaf& leaf, const std::string& what) const {
-        return "triangle " + std::to_string(triangle) + " (leaf data at byte " + std::to_string(leaves_at_ + leaf.at) + ") " +
-               what;
+        return "triangle " + std::to_string(triangle) + " (leaf data at byte " + std::to_string(leaves_at_ + leaf.at) +
+               ") " + what;
     }
 
     std::size_t leaves_at_;

@@ -30,8 +30,8 @@ bool sum_is_zero(const std::array<double, 6>& terms) {
 /// Whether (b - a) x (c - a), projected to the axes 0 and 1, is exactly zero.
 ///
 /// Rounded first: the two products of differences are each off by at most 4 * 2^-53 of themselves, so a difference that
-/// exceeds 2^-49 of their sum cannot be zero. Otherwise exactly: written out, with a0 a1 cancelled, the component is a sum of
-/// six products of two floats, each exact in a double (48 bits, exponents above -300).
+/// exceeds 2^-49 of their sum cannot be zero. Otherwise exactly: written out, with a0 a1 cancelled, the component is a
+/// sum of six products of two floats, each exact in a double (48 bits, exponents above -300).
 bool component_is_zero(double a0, double a1, double b0, double b1, double c0, double c1) {
     const double left = (b0 - a0) * (c1 - a1);
     const double right = (b1 - a1) * (c0 - a0);

@@ -20,7 +20,8 @@ inline Result<Baked, BakeError> bake_mesh(const Mesh& mesh, const BakeOptions& o
     return bake({&view, 1}, options);
 }
 
-inline Result<Baked, BakeError> bake_meshes(std::initializer_list<const Mesh*> meshes, const BakeOptions& options = {}) {
+inline Result<Baked, BakeError> bake_meshes(std::initializer_list<const Mesh*> meshes,
+                                            const BakeOptions& options = {}) {
     std::vector<MeshView> views;
     for (const Mesh* mesh : meshes) views.push_back(mesh->view());
     return bake(views, options);

@@ -131,7 +131,8 @@ TEST_SUITE("baker") {
         for (std::uint32_t i = 0; i < 1'000'000; ++i) {
             const auto first = static_cast<std::uint32_t>(mesh.positions.size());
             for (int corner = 0; corner < 3; ++corner) {
-                mesh.positions.push_back({400 + random.unit() * 1e-3f, 300 + random.unit() * 1e-3f, random.unit() * 1e-3f});
+                mesh.positions.push_back(
+                    {400 + random.unit() * 1e-3f, 300 + random.unit() * 1e-3f, random.unit() * 1e-3f});
             }
             mesh.triangles.push_back({first, first + 1, first + 2});
         }

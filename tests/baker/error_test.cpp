@@ -80,8 +80,8 @@ double sampled_error(const Mesh& mesh, const DecodedBlob& baked, unsigned sample
 
 TEST_SUITE("baker") {
     TEST_CASE("no point of the source is farther from the baked surface than max_error") {
-        for (const Mesh& mesh : {make_icosphere(2, 1.0, {3, 0, 0}), make_soup(40, 9), make_needle_fan(40), make_slivers(40, 3),
-                                 make_terrain(7, 1)}) {
+        for (const Mesh& mesh : {make_icosphere(2, 1.0, {3, 0, 0}), make_soup(40, 9), make_needle_fan(40),
+                                 make_slivers(40, 3), make_terrain(7, 1)}) {
             for (const unsigned bits : {2u, 3u, 4u, 6u, 9u}) {
                 CAPTURE(mesh.name);
                 CAPTURE(bits);
@@ -108,7 +108,8 @@ TEST_SUITE("baker") {
                 const auto corners = world_corners(decoded, decoded.triangles[i]);
                 for (std::size_t corner = 0; corner < 3; ++corner) {
                     const Vec3& source = mesh.positions[mesh.triangles[decoded.original_ids[i]][corner]];
-                    largest = std::max(largest, length(minus(corners[corner], {double(source.x), double(source.y), double(source.z)})));
+                    largest = std::max(largest, length(minus(corners[corner],
+                                                             {double(source.x), double(source.y), double(source.z)})));
                 }
             }
             CHECK(result->report.max_error >= largest);

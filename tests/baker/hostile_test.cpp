@@ -18,13 +18,20 @@ namespace {
 
 float some_coordinate(Random& random, unsigned kind) {
     switch (kind) {
-        case 0: return hostile_values[random.below(hostile_values.size())];
-        case 1: return static_cast<float>(random.between(-4, 4));
-        case 2: return std::ldexp(random.signed_unit(), random.between(-149, 127));
-        case 3: return std::ldexp(random.signed_unit(), -140);
-        case 4: return std::numeric_limits<float>::max() * (random.coin() ? 1.0f : 0.9999999f);
-        case 5: return 1e6f + static_cast<float>(random.below(8)) * 0.0625f;
-        default: return random.unit();
+        case 0:
+            return hostile_values[random.below(hostile_values.size())];
+        case 1:
+            return static_cast<float>(random.between(-4, 4));
+        case 2:
+            return std::ldexp(random.signed_unit(), random.between(-149, 127));
+        case 3:
+            return std::ldexp(random.signed_unit(), -140);
+        case 4:
+            return std::numeric_limits<float>::max() * (random.coin() ? 1.0f : 0.9999999f);
+        case 5:
+            return 1e6f + static_cast<float>(random.below(8)) * 0.0625f;
+        default:
+            return random.unit();
     }
 }
 
@@ -74,7 +81,8 @@ TEST_SUITE("baker") {
             const auto complaint = baker::verify_deep(result->blob);
             if (complaint) FAIL(*complaint);
             REQUIRE(result->report.max_error >= 0.0);
-            if (options.tolerance && result->report.triangles != 0) REQUIRE(result->report.max_error <= *options.tolerance);
+            if (options.tolerance && result->report.triangles != 0)
+                REQUIRE(result->report.max_error <= *options.tolerance);
         }
         CHECK(baked > 1000);
         CHECK(refused > 1000);

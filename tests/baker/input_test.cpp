@@ -142,14 +142,16 @@ TEST_SUITE("baker") {
         Random random(7);
         for (int i = 0; i < 20'000; ++i) {
             // Three points on one line, exactly: small integers, shifted alike.
-            const Vec3 along = {static_cast<float>(random.between(-999, 999)), static_cast<float>(random.between(-999, 999)),
+            const Vec3 along = {static_cast<float>(random.between(-999, 999)),
+                                static_cast<float>(random.between(-999, 999)),
                                 static_cast<float>(random.between(-999, 999))};
             const Vec3 from = {static_cast<float>(random.between(-99999, 99999)), 77.0f, -5.0f};
             const auto at = [&](int share) {
                 const auto times = static_cast<float>(share);
                 return Vec3{from.x + times * along.x, from.y + times * along.y, from.z + times * along.z};
             };
-            REQUIRE(has_zero_area(at(random.between(-50, 50)), at(random.between(-50, 50)), at(random.between(-50, 50))));
+            REQUIRE(
+                has_zero_area(at(random.between(-50, 50)), at(random.between(-50, 50)), at(random.between(-50, 50))));
             Vec3 beside = at(60);
             beside.z += along.x != 0 || along.y != 0 ? 0.25f : 0.0f;
             if (along.x != 0 || along.y != 0) REQUIRE(!has_zero_area(at(0), at(1), beside));

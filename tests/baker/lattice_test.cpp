@@ -77,7 +77,8 @@ TEST_SUITE("baker") {
     TEST_CASE("moved by whole steps: the same bytes but for origin and checksum") {
         Mesh mesh = make_icosphere(3, 1.0, {0, 0, 0});
         for (Vec3& point : mesh.positions) {  // multiples of 2^-10, so that moving rounds nothing
-            point = {std::round(point.x * 1024) / 1024, std::round(point.y * 1024) / 1024, std::round(point.z * 1024) / 1024};
+            point = {std::round(point.x * 1024) / 1024, std::round(point.y * 1024) / 1024,
+                     std::round(point.z * 1024) / 1024};
         }
         const auto here = bake_mesh(mesh);
         const auto there = bake_mesh(moved_by(mesh, {1000.0f, -512.0f, 77.5f}));

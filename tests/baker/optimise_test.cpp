@@ -52,7 +52,8 @@ unsigned checked_height(const baker::BinaryTree& tree, std::size_t node) {
         CHECK(here.lo[axis] == std::min(left.lo[axis], right.lo[axis]));
         CHECK(here.hi[axis] == std::max(left.hi[axis], right.hi[axis]));
     }
-    return 1 + std::max(checked_height(tree, baker::BinaryTree::left_of(node)), checked_height(tree, tree.right_of(node)));
+    return 1 +
+           std::max(checked_height(tree, baker::BinaryTree::left_of(node)), checked_height(tree, tree.right_of(node)));
 }
 
 }  // namespace
@@ -63,8 +64,8 @@ TEST_SUITE("baker") {
             const baker::LatticeMesh mesh = mixed_sizes(count, count);
             const baker::BinaryTree before = baker::build_sah(mesh, baker::build_settings(0, 1));
             for (unsigned effort = 0; effort <= 9; ++effort) {
-                const baker::BinaryTree after =
-                    baker::optimise(baker::build_sah(mesh, baker::build_settings(0, 1)), baker::optimise_settings(effort));
+                const baker::BinaryTree after = baker::optimise(baker::build_sah(mesh, baker::build_settings(0, 1)),
+                                                                baker::optimise_settings(effort));
                 REQUIRE(after.triangles.size() == count);
                 CHECK(checked_height(after, 0) <= baker::max_binary_height);
                 auto triangles = after.triangles;
@@ -94,5 +95,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("an empty tree stays empty") { CHECK(baker::optimise({}, baker::optimise_settings(9)).triangles.empty()); }
+    TEST_CASE("an empty tree stays empty") {
+        CHECK(baker::optimise({}, baker::optimise_settings(9)).triangles.empty());
+    }
 }

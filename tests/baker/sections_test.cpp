@@ -98,7 +98,8 @@ TEST_SUITE("baker") {
     }
 
     TEST_CASE("closed meshes are called closed and with a triangle less, more or turned round they are not") {
-        for (const Mesh& mesh : {make_cube(0.0f, 1.0f), make_icosphere(3, 1.0, {0, 0, 0}), make_torus(20, 12, 3.0, 1.0)}) {
+        for (const Mesh& mesh :
+             {make_cube(0.0f, 1.0f), make_icosphere(3, 1.0, {0, 0, 0}), make_torus(20, 12, 3.0, 1.0)}) {
             const auto is_closed = [](const Mesh& candidate) {
                 const auto result = bake_mesh(candidate);
                 REQUIRE(result);

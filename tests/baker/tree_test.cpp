@@ -24,8 +24,8 @@ unsigned height_of(const baker::BinaryTree& tree, std::size_t node = 0) {
     return 1 + std::max(height_of(tree, baker::BinaryTree::left_of(node)), height_of(tree, tree.right_of(node)));
 }
 
-/// Large triangles whose boxes are nearly the same: every split costs about the same, and the surface area heuristic likes to
-/// part with them one by one.
+/// Large triangles whose boxes are nearly the same: every split costs about the same, and the surface area heuristic
+/// likes to part with them one by one.
 baker::LatticeMesh nearly_equal_boxes(std::uint32_t count) {
     baker::LatticeMesh mesh;
     mesh.lattice.bits = 24;
@@ -43,7 +43,8 @@ baker::LatticeMesh nearly_equal_boxes(std::uint32_t count) {
 Mesh as_mesh(const baker::LatticeMesh& lattice_mesh) {
     Mesh mesh;
     for (const baker::LatticePoint& point : lattice_mesh.vertices) {
-        mesh.positions.push_back({static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
+        mesh.positions.push_back(
+            {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
     }
     for (const baker::LatticeTriangle& triangle : lattice_mesh.triangles) mesh.triangles.push_back(triangle.corners);
     return mesh;
@@ -130,7 +131,8 @@ TEST_SUITE("baker") {
              {make_cube(-1.0f, 1.0f), make_icosphere(3, 1.0, {0, 0, 0}), make_uv_sphere(40, 60, 2.0, {1, 1, 1}),
               make_torus(40, 30, 3.0, 1.0), make_far_sphere(), make_plane_grid(30), make_terrain(30, 1),
               make_needle_fan(500), make_slivers(500, 1), make_coplanar_stacks(500, 1), make_soup(1000, 1)}) {
-            for (const unsigned bits : {1u, 2u, 7u, 8u, 15u, 16u, 17u, 20u, 24u}) check_soundness(mesh, with_bits(bits));
+            for (const unsigned bits : {1u, 2u, 7u, 8u, 15u, 16u, 17u, 20u, 24u})
+                check_soundness(mesh, with_bits(bits));
             for (unsigned effort = 0; effort <= 9; ++effort) {
                 BakeOptions options;
                 options.effort = effort;
@@ -152,10 +154,13 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("exponentially spaced triangles stay within the depth") { check_soundness(exponentially_spaced(22), with_bits(24)); }
+    TEST_CASE("exponentially spaced triangles stay within the depth") {
+        check_soundness(exponentially_spaced(22), with_bits(24));
+    }
 
     TEST_CASE("the heuristic yields to balance exactly where the tree would become too high") {
-        for (const baker::LatticeMesh& mesh : {nearly_equal_boxes(1000), nearly_equal_boxes(1024), nearly_equal_boxes(1025)}) {
+        for (const baker::LatticeMesh& mesh :
+             {nearly_equal_boxes(1000), nearly_equal_boxes(1024), nearly_equal_boxes(1025)}) {
             baker::BuildSettings settings = baker::build_settings(5, 1);
             const unsigned free_height = height_of(baker::build_sah(mesh, settings));
             const unsigned balanced_height = mesh.triangles.size() <= 1024 ? 10 : 11;
@@ -184,8 +189,9 @@ TEST_SUITE("baker") {
         // Free bytes and dear leaves: the dynamic program takes whatever nodes it likes.
         const Mesh mesh = as_mesh(nearly_equal_boxes(30'000));
         const MeshView view = mesh.view();
-        for (const baker::CostModel& model : {baker::CostModel{0.001f, 1.0f, 1.0f, 0.0f}, baker::CostModel{1.0f, 0.0f, 0.0f, 0.0f},
-                                              baker::CostModel{1.0f, 1.0f, 0.0f, 1000.0f}}) {
+        for (const baker::CostModel& model :
+             {baker::CostModel{0.001f, 1.0f, 1.0f, 0.0f}, baker::CostModel{1.0f, 0.0f, 0.0f, 0.0f},
+              baker::CostModel{1.0f, 1.0f, 0.0f, 1000.0f}}) {
             const auto result = baker::bake_with_cost_model({&view, 1}, with_bits(24), model);
             REQUIRE(result);
             CHECK(result->report.depth <= format::max_depth);

@@ -34,7 +34,7 @@ TEST_SUITE("baker") {
         CHECK(!baker::verify_deep({}).value_or("").empty());
         auto blob = bake_or_throw(make_cube(0.0f, 1.0f));
         blob[200] ^= std::byte{1};
-        CHECK(contains(baker::verify_deep(blob).value_or(""), "checksum") );
+        CHECK(contains(baker::verify_deep(blob).value_or(""), "checksum"));
     }
 
     TEST_CASE("verify finds a box that is too small, and names node and byte") {
@@ -43,7 +43,8 @@ TEST_SUITE("baker") {
         unsigned found = 0;
         for (std::size_t node = 0; node < decoded.nodes.size(); ++node) {
             for (std::size_t plane = 0; plane < 3 * format::max_children; plane += 5) {
-                const std::size_t at = format::header::bytes + node * format::fast_node::bytes + format::fast_node::hi_at + plane;
+                const std::size_t at =
+                    format::header::bytes + node * format::fast_node::bytes + format::fast_node::hi_at + plane;
                 if (plane % 8 >= decoded.nodes[node].children.size() || std::to_integer<int>(good[at]) < 2) continue;
                 auto bad = good;
                 add_to(bad, at, -2);  // two planes lower: below what outward rounding may have left
@@ -51,7 +52,8 @@ TEST_SUITE("baker") {
                 if (!contains(message, "does not hold what is below")) continue;
                 ++found;
                 CHECK(contains(message, "node " + std::to_string(node) + " (byte " +
-                                            std::to_string(format::header::bytes + node * format::fast_node::bytes) + ")"));
+                                            std::to_string(format::header::bytes + node * format::fast_node::bytes) +
+                                            ")"));
             }
         }
         CHECK(found > decoded.nodes.size());
