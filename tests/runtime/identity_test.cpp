@@ -55,6 +55,16 @@ std::size_t mesh_of(const OriginalTriangle& original) {
     return original.mesh == 0 ? 2 : 3;
 }
 
+/// Collected before anything is required of them: no exception may pass through the runtime.
+std::vector<Corners> every_triangle(const Blob& blob) {
+    std::vector<Corners> triangles;
+    CHECK(for_each_triangle(blob, [&](Triangle triangle, const Corners& corners) {
+        CHECK(triangle.index == triangles.size());
+        return triangles.push_back(corners), keep_going;
+    }));
+    return triangles;
+}
+
 bool is_near(Vec3 a, Vec3 b, float distance) {
     return std::fabs(a.x - b.x) <= distance && std::fabs(a.y - b.y) <= distance && std::fabs(a.z - b.z) <= distance;
 }
@@ -69,7 +79,10 @@ TEST_SUITE("identity") {
             REQUIRE(blob.has_original_ids());
             REQUIRE(blob.has_materials());
             std::set<std::pair<std::size_t, std::uint32_t>> seen;
-            for_each_triangle(blob, [&](Triangle triangle, const Corners& corners) {
+            const std::vector<Corners> triangles = every_triangle(blob);
+            for (std::uint32_t index = 0; index < triangles.size(); ++index) {
+                const Triangle triangle{index};
+                const Corners& corners = triangles[index];
                 OriginalTriangle original;
                 REQUIRE(original_triangle(blob, triangle, original));
                 const std::size_t number = mesh_of(original);
@@ -81,8 +94,7 @@ TEST_SUITE("identity") {
                 REQUIRE(is_near(corners.c, mesh.positions[vertices[2]], blob.max_error()));
                 REQUIRE(material(blob, triangle) == mesh.materials[original.triangle]);
                 REQUIRE(seen.emplace(number, original.triangle).second);
-                return keep_going;
-            });
+            }
             CHECK(seen.size() == blob.triangle_count());
             CHECK(blob.triangle_count() == 320 + 256 + 12);
         }
@@ -119,11 +131,11 @@ TEST_SUITE("walking") {
     TEST_CASE("the walk sees every triangle in storage order with the corners that the decoder finds") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
-            std::uint32_t next = 0;
             const double step = std::ldexp(1.0, blob.decoded.step_exponent);
-            CHECK(for_each_triangle(blob.opened.blob, [&](Triangle triangle, const Corners& corners) {
-                REQUIRE(triangle.index == next);
-                const GridTriangle& expected = blob.decoded.triangles.at(next++);
+            const std::vector<Corners> triangles = every_triangle(blob.opened.blob);
+            REQUIRE(triangles.size() == blob.decoded.triangles.size());
+            for (std::size_t i = 0; i < triangles.size(); ++i) {
+                const GridTriangle& expected = blob.decoded.triangles[i];
                 const auto check = [&](Vec3 corner, const GridPoint& grid) {
                     const float given[3] = {corner.x, corner.y, corner.z};
                     for (unsigned k = 0; k < 3; ++k) {
@@ -131,12 +143,10 @@ TEST_SUITE("walking") {
                         REQUIRE(given[k] == static_cast<float>(exact));
                     }
                 };
-                check(corners.a, expected.a);
-                check(corners.b, expected.b);
-                check(corners.c, expected.c);
-                return keep_going;
-            }));
-            CHECK(next == blob.opened.blob.triangle_count());
+                check(triangles[i].a, expected.a);
+                check(triangles[i].b, expected.b);
+                check(triangles[i].c, expected.c);
+            }
             int calls = 0;
             CHECK_FALSE(for_each_triangle(blob.opened.blob, [&](Triangle, const Corners&) { return ++calls, stop; }));
             CHECK(calls == 1);

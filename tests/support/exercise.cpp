@@ -32,9 +32,27 @@ private:
     std::uint64_t value_ = 0xCBF29CE484222325u;
 };
 
-void require(bool holds, const char* what) {
-    if (!holds) throw std::runtime_error(what);
-}
+/// The first thing that was wrong. Kept until the end: nothing may be thrown through the runtime, which has no exceptions.
+class Verdict {
+public:
+    void require(bool holds, const char* what) {
+        if (!holds && first_ == nullptr) first_ = what;
+    }
+    void speak() const {
+        if (first_ != nullptr) throw std::runtime_error(first_);
+    }
+
+private:
+    const char* first_ = nullptr;
+};
+
+/// What all exercises share.
+struct Exercise {
+    const Blob& blob;
+    Random& random;
+    Hash hash;
+    Verdict verdict;
+};
 
 bool is_number(float value) { return value == value; }
 
@@ -62,11 +80,15 @@ float some_length(const Blob& blob, Random& random) {
     return (blob.bounds_max().x - blob.bounds_min().x) * random.unit();
 }
 
-void check_hit(const Blob& blob, const RayHit& hit, Hash& hash) {
-    require(hit.triangle.index < blob.triangle_count(), "a ray hit a triangle that does not exist");
-    require(is_number(hit.t) && hit.t >= 0.0f, "a hit's t is negative or NaN");
-    require(is_number(hit.u) && is_number(hit.v), "a hit's barycentrics are NaN");
-    require(is_number(hit.normal.x) && is_number(hit.normal.y) && is_number(hit.normal.z), "a hit's normal is NaN");
+void check_hit(Exercise& run, const RayHit& hit) {
+    const Blob& blob = run.blob;
+    Hash& hash = run.hash;
+    Verdict& verdict = run.verdict;
+    verdict.require(hit.triangle.index < blob.triangle_count(), "a ray hit a triangle that does not exist");
+    verdict.require(is_number(hit.t) && hit.t >= 0.0f, "a hit's t is negative or NaN");
+    verdict.require(is_number(hit.u) && is_number(hit.v), "a hit's barycentrics are NaN");
+    verdict.require(is_number(hit.normal.x) && is_number(hit.normal.y) && is_number(hit.normal.z),
+                    "a hit's normal is NaN");
     hash.add(hit.triangle.index);
     hash.add(hit.t);
     hash.add(hit.u);
@@ -74,7 +96,10 @@ void check_hit(const Blob& blob, const RayHit& hit, Hash& hash) {
     hash.add(hit.normal);
 }
 
-void exercise_rays(const Blob& blob, Random& random, Hash& hash) {
+void exercise_rays(Exercise& run) {
+    const Blob& blob = run.blob;
+    Random& random = run.random;
+    Verdict& verdict = run.verdict;
     Ray ray;
     ray.origin = some_point(blob, random);
     if (random.coin()) {
@@ -88,48 +113,53 @@ void exercise_rays(const Blob& blob, Random& random, Hash& hash) {
     ray.faces = static_cast<Faces>(random.below(4));  // one value more than the type names
     const std::uint32_t parity = random.below(2);
     const auto filter = [&](Triangle triangle) {
-        require(triangle.index < blob.triangle_count(), "a filter was asked about a triangle that does not exist");
+        verdict.require(triangle.index < blob.triangle_count(),
+                        "a filter was asked about a triangle that does not exist");
         return triangle.index % 2 == parity;
     };
 
     RayHit hit;
     const bool found = raycast(blob, ray, hit);
-    if (found) check_hit(blob, hit, hash);
-    require(occluded(blob, ray) == found, "occluded and raycast disagree");
+    if (found) check_hit(run, hit);
+    verdict.require(occluded(blob, ray) == found, "occluded and raycast disagree");
     RayHit filtered;
     const bool found_filtered = raycast(blob, ray, filtered, filter);
-    if (found_filtered) check_hit(blob, filtered, hash);
-    require(occluded(blob, ray, filter) == found_filtered, "occluded and raycast disagree under a filter");
+    if (found_filtered) check_hit(run, filtered);
+    verdict.require(occluded(blob, ray, filter) == found_filtered, "occluded and raycast disagree under a filter");
     std::uint32_t visited = 0;
     std::uint32_t last = 0;
     const bool saw_all = for_each_hit(blob, ray, [&](const RayHit& each) {
-        check_hit(blob, each, hash);
-        require(visited == 0 || each.triangle.index > last, "hits are not in storage order");
+        check_hit(run, each);
+        verdict.require(visited == 0 || each.triangle.index > last, "hits are not in storage order");
         last = each.triangle.index;
         return ++visited == 64 ? stop : keep_going;
     });
-    require((visited > 0) == found, "for_each_hit and raycast disagree");
-    require(saw_all == (visited < 64), "for_each_hit says wrongly whether it saw all");
+    verdict.require((visited > 0) == found, "for_each_hit and raycast disagree");
+    verdict.require(saw_all == (visited < 64), "for_each_hit says wrongly whether it saw all");
 }
 
-void exercise_spheres(const Blob& blob, Random& random, Hash& hash) {
+void exercise_spheres(Exercise& run) {
+    const Blob& blob = run.blob;
+    Random& random = run.random;
+    Hash& hash = run.hash;
+    Verdict& verdict = run.verdict;
     const Sphere sphere{some_point(blob, random), some_length(blob, random)};
     const bool any = overlaps(blob, sphere);
     std::uint32_t visited = 0;
     std::uint32_t last = 0;
     for_each_overlap(blob, sphere, [&](Triangle triangle) {
-        require(triangle.index < blob.triangle_count(), "a sphere overlaps a triangle that does not exist");
-        require(visited == 0 || triangle.index > last, "overlaps are not in storage order");
+        verdict.require(triangle.index < blob.triangle_count(), "a sphere overlaps a triangle that does not exist");
+        verdict.require(visited == 0 || triangle.index > last, "overlaps are not in storage order");
         last = triangle.index;
         hash.add(triangle.index);
         return ++visited == 64 ? stop : keep_going;
     });
-    require((visited > 0) == any, "for_each_overlap and overlaps disagree");
+    verdict.require((visited > 0) == any, "for_each_overlap and overlaps disagree");
 
     Nearest nearest;
     if (closest_point(blob, some_point(blob, random), some_length(blob, random), nearest)) {
-        require(nearest.triangle.index < blob.triangle_count(), "the nearest triangle does not exist");
-        require(nearest.distance >= 0.0f, "the nearest distance is negative or NaN");
+        verdict.require(nearest.triangle.index < blob.triangle_count(), "the nearest triangle does not exist");
+        verdict.require(nearest.distance >= 0.0f, "the nearest distance is negative or NaN");
         hash.add(nearest.triangle.index);
         hash.add(nearest.distance);
         hash.add(nearest.u);
@@ -138,13 +168,17 @@ void exercise_spheres(const Blob& blob, Random& random, Hash& hash) {
     }
 }
 
-void exercise_lookups(const Blob& blob, Random& random, Hash& hash) {
+void exercise_lookups(Exercise& run) {
+    const Blob& blob = run.blob;
+    Random& random = run.random;
+    Hash& hash = run.hash;
+    Verdict& verdict = run.verdict;
     const std::uint32_t indices[] = {0, random.below(blob.triangle_count() + 1), blob.triangle_count(), 0x80000000u,
                                      0xFFFFFFFFu};
     for (const std::uint32_t index : indices) {
         OriginalTriangle original;
         if (original_triangle(blob, {index}, original)) {
-            require(index < blob.triangle_count(), "a triangle that does not exist has an original");
+            verdict.require(index < blob.triangle_count(), "a triangle that does not exist has an original");
             hash.add(original.file);
             hash.add(original.mesh);
             hash.add(original.triangle);
@@ -156,7 +190,7 @@ void exercise_lookups(const Blob& blob, Random& random, Hash& hash) {
     hash.add(blob.bounds_max());
     std::uint32_t visited = 0;
     for_each_triangle(blob, [&](Triangle triangle, const Corners& corners) {
-        require(triangle.index == visited++, "triangles are not walked in storage order");
+        verdict.require(triangle.index == visited++, "triangles are not walked in storage order");
         hash.add(corners.a);
         hash.add(corners.b);
         hash.add(corners.c);
@@ -167,13 +201,14 @@ void exercise_lookups(const Blob& blob, Random& random, Hash& hash) {
 }  // namespace
 
 std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds) {
-    Hash hash;
-    exercise_lookups(blob, random, hash);
+    Exercise run{blob, random, {}, {}};
+    exercise_lookups(run);
     for (unsigned i = 0; i < rounds; ++i) {
-        exercise_rays(blob, random, hash);
-        exercise_spheres(blob, random, hash);
+        exercise_rays(run);
+        exercise_spheres(run);
     }
-    return hash.value();
+    run.verdict.speak();
+    return run.hash.value();
 }
 
 }  // namespace espalier::tests
