@@ -33,7 +33,7 @@ enum class Materials : std::uint8_t { none, bits_8, bits_16 };
 
 struct BakeOptions {
     /// Largest allowed distance between source and baked surface, in world units. Without it `bits` decides the lattice.
-    std::optional<double> tolerance;
+    std::optional<double> tolerance = std::nullopt;
     /// Lattice bits for the largest extent, 1..24: the step is the smallest power of two for which they suffice.
     unsigned bits = 16;
     format::Profile profile = format::Profile::fast;
@@ -45,7 +45,7 @@ struct BakeOptions {
     unsigned effort = 5;
     unsigned threads = 1;  ///< 0: as many as the machine has. The bytes do not depend on it.
     /// Called now and then, from the calling thread, with the stage's name and how much of the whole is done, 0..1.
-    std::function<void(const char* stage, double done)> progress;
+    std::function<void(const char* stage, double done)> progress = nullptr;
 };
 
 /// One kind of thing that was wrong with the input, how often, and where it was seen first.
