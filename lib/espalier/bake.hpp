@@ -32,7 +32,8 @@ struct MeshView {
 enum class Materials : std::uint8_t { none, bits_8, bits_16 };
 
 struct BakeOptions {
-    /// Largest allowed distance between source and baked surface, in world units. Without it `bits` decides the lattice.
+    /// Largest allowed distance between source and baked surface, in world units. Without it `bits` decides the
+    /// lattice.
     std::optional<double> tolerance = std::nullopt;
     /// Lattice bits for the largest extent, 1..24: the step is the smallest power of two for which they suffice.
     unsigned bits = 16;
@@ -68,11 +69,12 @@ struct BakeReport {
     Vec3 bounds_min;
     Vec3 bounds_max;
     double step = 0.0;
-    double extent = 0.0;      ///< largest side of the bounds
-    double max_error = 0.0;   ///< what the header says
-    unsigned bits = 0;        ///< what the header says
+    double extent = 0.0;     ///< largest side of the bounds
+    double max_error = 0.0;  ///< what the header says
+    unsigned bits = 0;       ///< what the header says
     bool closed = false;
-    bool step_below_float_spacing = false;  ///< the step is finer than the source's own float32 spacing: bits are wasted
+    bool step_below_float_spacing =
+        false;  ///< the step is finer than the source's own float32 spacing: bits are wasted
     unsigned depth = 0;
     std::uint32_t nodes = 0;
     std::uint64_t leaves = 0;
@@ -118,8 +120,8 @@ private:
     std::variant<Value, Error> state_;
 };
 
-/// Bakes all meshes into one blob. The same arrays and options give the same bytes on every machine and at any number of
-/// threads. An empty mesh gives a legal, empty blob. About 1 microsecond and 150 bytes of memory for each triangle.
+/// Bakes all meshes into one blob. The same arrays and options give the same bytes on every machine and at any number
+/// of threads. An empty mesh gives a legal, empty blob. About 1 microsecond and 150 bytes of memory for each triangle.
 [[nodiscard]] Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options);
 
 }  // namespace espalier

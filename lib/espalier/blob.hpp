@@ -15,8 +15,8 @@ namespace detail {
 
 /// What `open` proved about the bytes; the queries read this and the bytes, nothing else.
 struct BlobData {
-    const std::byte* bytes = nullptr;    // the whole blob
-    const std::byte* nodes = nullptr;    // null when empty
+    const std::byte* bytes = nullptr;  // the whole blob
+    const std::byte* nodes = nullptr;  // null when empty
     const std::byte* leaves = nullptr;
     const std::byte* sources = nullptr;  // null without original ids
     const std::byte* ids = nullptr;
@@ -32,10 +32,10 @@ struct BlobData {
     std::uint32_t checksum = 0;
     // Vectors have a fourth element, which is zero.
     alignas(16) float origin[4] = {};
-    std::int32_t extent[4] = {};
-    float extent_steps[4] = {};    // the same in float, exactly
-    float steps_per_unit = 0.0f;   // 2^-step_exponent
-    float base_unit = 1.0f;        // lattice steps that a node's base counts in
+    alignas(16) std::int32_t extent[4] = {};
+    alignas(16) float extent_steps[4] = {};  // the same in float, exactly
+    float steps_per_unit = 0.0f;             // 2^-step_exponent
+    float base_unit = 1.0f;                  // lattice steps that a node's base counts in
     float max_error = 0.0f;
     std::int16_t step_exponent = 0;
     std::uint8_t bits = 1;
@@ -84,8 +84,9 @@ private:
 };
 
 /// Proves that `bytes` is a blob on which every query is safe, and points `blob` at it. Any bytes, any alignment: reads
-/// only inside `bytes`, writes only `blob`, no heap, no recursion, time proportional to the size. On any status but ok the
-/// blob is empty. It does not promise that a maliciously made blob describes the mesh that you baked: sign it for that.
+/// only inside `bytes`, writes only `blob`, no heap, no recursion, time proportional to the size. On any status but ok
+/// the blob is empty. It does not promise that a maliciously made blob describes the mesh that you baked: sign it for
+/// that.
 [[nodiscard]] Status open(std::span<const std::byte> bytes, Blob& blob) noexcept;
 
 /// Where a triangle came from: which input file, which mesh in it, which triangle of that mesh, all counted from 0.

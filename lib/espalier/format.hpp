@@ -58,11 +58,12 @@ namespace feature {
 inline constexpr std::uint32_t original_ids = 1u << 0;
 inline constexpr std::uint32_t materials_8 = 1u << 1;
 inline constexpr std::uint32_t materials_16 = 1u << 2;  // never together with materials_8
-inline constexpr std::uint32_t closed = 1u << 3;        // no bytes: every edge is shared by two triangles, oppositely wound
+inline constexpr std::uint32_t closed = 1u << 3;  // no bytes: every edge is shared by two triangles, oppositely wound
 inline constexpr std::uint32_t known = original_ids | materials_8 | materials_16 | closed;
 }  // namespace feature
 
-// ---- sections, in this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4 bytes
+// ---- sections, in this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4
+// bytes
 inline constexpr std::size_t guard_bytes = 64;  ///< zeros after the leaves, so that wide loads stay inside the blob
 
 namespace source {                          // one entry of the source table
@@ -76,12 +77,13 @@ inline constexpr std::size_t bytes = 12;
 // Children are numbered nodes first, then leaves. The node children are contiguous; blocks of siblings stand in depth-
 // first order. Child boxes are base + plane * 2^shift per axis, rounded outward.
 namespace fast_node {
-inline constexpr std::size_t base_at = 0;        // 3 x u16, in units of 2^max(0, bits - 16)
-inline constexpr std::size_t shifts_at = 6;      // u16: 5 bits x, 5 bits y, 5 bits z, a zero
-inline constexpr std::size_t children_at = 8;    // u32: 24 bits first child node, 4 bits node children, 4 bits leaves
-inline constexpr std::size_t leaf_block_at = 12; // u32, in units of 4 bytes from the start of the leaf section; 0 without leaves
-inline constexpr std::size_t lo_at = 16;         // u8 [axis][child]
-inline constexpr std::size_t hi_at = 40;         // u8 [axis][child]
+inline constexpr std::size_t base_at = 0;      // 3 x u16, in units of 2^max(0, bits - 16)
+inline constexpr std::size_t shifts_at = 6;    // u16: 5 bits x, 5 bits y, 5 bits z, a zero
+inline constexpr std::size_t children_at = 8;  // u32: 24 bits first child node, 4 bits node children, 4 bits leaves
+inline constexpr std::size_t leaf_block_at =
+    12;  // u32, in units of 4 bytes from the start of the leaf section; 0 without leaves
+inline constexpr std::size_t lo_at = 16;  // u8 [axis][child]
+inline constexpr std::size_t hi_at = 40;  // u8 [axis][child]
 inline constexpr std::size_t bytes = 64;
 inline constexpr unsigned max_shift = 17;
 static_assert(hi_at + 3 * max_children == bytes);
@@ -92,15 +94,16 @@ static_assert(hi_at + 3 * max_children == bytes);
 namespace fast_leaf {
 inline constexpr std::size_t descriptors_at = 4;
 inline constexpr std::size_t descriptor_bytes = 4;
-inline constexpr unsigned offset_bits = 11;    // of the data, in units of 2 bytes from the end of the descriptors
+inline constexpr unsigned offset_bits = 11;      // of the data, in units of 2 bytes from the end of the descriptors
 inline constexpr unsigned triangles_shift = 11;  // 4 bits: triangles - 1
 inline constexpr unsigned vertices_shift = 15;   // 5 bits: vertices - 1
 inline constexpr unsigned widths_shift = 20;     // 3 x 4 bits: width codes of x, y, z
-// Data: a stream of x, of y, of z (offsets from the low corner of the leaf's own box in its node, vertex by vertex) and a
-// stream of triangles (three vertex numbers, the first in the low bits). Each stream is fields of one width, low bits
+// Data: a stream of x, of y, of z (offsets from the low corner of the leaf's own box in its node, vertex by vertex) and
+// a stream of triangles (three vertex numbers, the first in the low bits). Each stream is fields of one width, low bits
 // first, padded with zero bits to a byte.
 
-/// The field width that a width code stands for: codes count from 1 to the lattice's own width, 0 means a constant axis.
+/// The field width that a width code stands for: codes count from 1 to the lattice's own width, 0 means a constant
+/// axis.
 constexpr unsigned coordinate_width(unsigned code, unsigned bits) {
     return code == 0 ? 0 : bits <= 15 ? code : code + (bits - 15);
 }

@@ -9,27 +9,42 @@ namespace espalier {
 template <class Signature>
 class FunctionRef;
 
-/// Refers to any callable with a fitting signature. The callable must outlive the call it is passed to.
+/// Refers to any callable with a fitting signature: a lambda, a function object, a function. The callable must outlive
+/// the call that it is passed to, and must not throw: the runtime is built without exceptions.
 template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
 public:
     template <class Callable>
-        requires(!std::is_same_v<std::remove_cvref_t<Callable>, FunctionRef> &&
-                 std::is_invocable_r_v<Result, Callable&, Arguments...>)
-    constexpr FunctionRef(Callable&& callable) noexcept  // NOLINT(google-explicit-constructor): a parameter type
-        : object_(const_cast<void*>(static_cast<const volatile void*>(&callable))),
-          call_([](void* object, Arguments... arguments) -> Result {
-              return (*static_cast<std::remove_reference_t<Callable>*>(object))(
-                  std::forward<Arguments>(arguments)...);
-          }) {}
+    requires(
+        !std::is_same_v<std::remove_cvref_t<Callable>, FunctionRef> &&
+        std::is_invocable_r_v<Result, Callable&,
+                              Arguments...>) constexpr FunctionRef(Callable&& callable) noexcept {  // NOLINT(google-explicit-constructor):
+                                                                                                    // a parameter type
+        using Target = std::remove_reference_t<Callable>;
+        if constexpr (std::is_function_v<Target>) {
+            target_.function = reinterpret_cast<void (*)()>(&callable);
+            call_ = [](Pointer target, Arguments... arguments) -> Result {
+                return (*reinterpret_cast<Target*>(target.function))(std::forward<Arguments>(arguments)...);
+            };
+        } else {
+            target_.object = const_cast<void*>(static_cast<const volatile void*>(&callable));
+            call_ = [](Pointer target, Arguments... arguments) -> Result {
+                return (*static_cast<Target*>(target.object))(std::forward<Arguments>(arguments)...);
+            };
+        }
+    }
 
     constexpr Result operator()(Arguments... arguments) const {
-        return call_(object_, std::forward<Arguments>(arguments)...);
+        return call_(target_, std::forward<Arguments>(arguments)...);
     }
 
 private:
-    void* object_;
-    Result (*call_)(void*, Arguments...);
+    union Pointer {
+        void* object;
+        void (*function)();
+    };
+    Pointer target_ = {nullptr};
+    Result (*call_)(Pointer, Arguments...) = nullptr;
 };
 
 }  // namespace espalier

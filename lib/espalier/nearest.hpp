@@ -1,10 +1,11 @@
 // The point of the surface that is closest to a given point.
 //
-// Numbers. The point is rounded once onto a grid finer than the asset's lattice (docs/numerics.md). Distances are compared
-// by their correctly ordered squares, within 6 ulp of the exact ones; of equal ones the lowest storage index wins. Whether
-// anything lies within max_distance is decided exactly. The distance is within 4 ulp, the point within 4 ulp of the largest
-// coordinate of the asset's bounds.
-// Arguments. Any bit pattern is safe. A NaN, an infinite point or a negative max_distance finds nothing, O(1).
+// Numbers. The point is rounded once onto a grid finer than the asset's lattice (docs/numerics.md). Distances are
+// compared by their correctly ordered squares, within 6 ulp of the exact ones; of equal ones the lowest storage index
+// wins. Whether anything lies within max_distance is decided exactly. The distance is within 4 ulp, the point's
+// coordinates within 14 ulp of the largest coordinate of the asset's bounds.
+// Arguments. Any bit pattern is safe. A NaN, a point that is infinite or more than 2^120 lattice steps away, or a
+// negative max_distance finds nothing, O(1).
 #pragma once
 
 #include <espalier/blob.hpp>

@@ -1,11 +1,13 @@
 // Rays against a blob: closest hit, any hit, all hits.
 //
-// Numbers. The ray is rounded once onto a grid finer than the asset's lattice (docs/numerics.md), and that ray is answered
-// exactly: whether a triangle is hit, within [t_min, t_max], is decided in integers, touching counts, and neighbours never
-// leave a gap. t, u, v are within 4 ulp of the exact values, the normal within 4 ulp of a unit vector's coordinates.
-// A ray inside the plane of a triangle does not hit that triangle.
-// Arguments. Any bit pattern is safe. A NaN anywhere, an infinite origin or direction, or a zero direction: no hit, O(1).
-// t_max may be infinite; t_min below zero counts as zero; t_min > t_max hits nothing.
+// Numbers. The ray is rounded once onto a grid finer than the asset's lattice (from beyond 2^23 lattice steps, as
+// finely as float32 resolves its origin: docs/numerics.md), and that ray is answered exactly: whether a triangle is
+// hit, within [t_min, t_max], is decided in integers, touching counts, and neighbours never leave a gap. t, u, v are
+// within 4 ulp of the exact values (t is infinite where float32 ends), the normal's coordinates within 4 ulp of 1. A
+// ray inside the plane of a triangle does not hit that triangle. The rounding mode must be to nearest, as it is unless
+// a program changes it. Arguments. Any bit pattern is safe. A NaN anywhere, an infinite origin or direction, or a zero
+// direction: no hit, O(1). So does an origin more than 2^120 lattice steps away. t_max may be infinite; t_min below
+// zero counts as zero; t_min > t_max hits nothing.
 #pragma once
 
 #include <cstdint>
@@ -35,11 +37,12 @@ struct RayHit {
     Triangle triangle;
 };
 
-/// Called with a triangle that the ray hits; answers whether the hit counts. May be called for hits behind the closest one,
-/// in no promised order: its answer must depend on the triangle alone.
+/// Called with a triangle that the ray hits; answers whether the hit counts. May be called for hits behind the closest
+/// one, in no promised order: its answer must depend on the triangle alone. It must not throw.
 using TriangleFilter = FunctionRef<bool(Triangle)>;
 
-/// The hit with the smallest t, of equal t the one with the lowest storage index. `hit` is untouched when there is none.
+/// The hit with the smallest t, of equal t (before it is clamped into the window) the one with the lowest storage
+/// index. `hit` is untouched when there is none.
 bool raycast(const Blob& blob, const Ray& ray, RayHit& hit) noexcept;
 bool raycast(const Blob& blob, const Ray& ray, RayHit& hit, TriangleFilter filter);
 
@@ -47,7 +50,8 @@ bool raycast(const Blob& blob, const Ray& ray, RayHit& hit, TriangleFilter filte
 [[nodiscard]] bool occluded(const Blob& blob, const Ray& ray) noexcept;
 [[nodiscard]] bool occluded(const Blob& blob, const Ray& ray, TriangleFilter filter);
 
-/// Every hit, in storage order (not sorted by t), until the visitor answers stop. True when it saw them all.
+/// Every hit, in storage order (not sorted by t), until the visitor answers stop. True when it saw them all. The
+/// visitor must not throw.
 bool for_each_hit(const Blob& blob, const Ray& ray, FunctionRef<Visit(const RayHit&)> visit);
 
 }  // namespace espalier

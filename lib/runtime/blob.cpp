@@ -14,9 +14,7 @@ Vec3 Blob::bounds_min() const noexcept {
     return data_.triangle_count == 0 ? Vec3{} : Vec3{data_.origin[0], data_.origin[1], data_.origin[2]};
 }
 
-Vec3 Blob::bounds_max() const noexcept {
-    return data_.triangle_count == 0 ? Vec3{} : to_world(data_, data_.extent);
-}
+Vec3 Blob::bounds_max() const noexcept { return data_.triangle_count == 0 ? Vec3{} : to_world(data_, data_.extent); }
 
 bool original_triangle(const Blob& blob, Triangle triangle, OriginalTriangle& original) noexcept {
     const BlobData& data = blob.data();

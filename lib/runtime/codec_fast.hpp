@@ -15,7 +15,9 @@ namespace espalier::detail {
 struct FastNode {
     const std::byte* bytes;
 
-    [[nodiscard]] std::uint32_t first_child() const { return load_u32(bytes + format::fast_node::children_at) & 0xFFFFFFu; }
+    [[nodiscard]] std::uint32_t first_child() const {
+        return load_u32(bytes + format::fast_node::children_at) & 0xFFFFFFu;
+    }
     [[nodiscard]] unsigned node_children() const { return load_u8(bytes + format::fast_node::children_at + 3) & 15u; }
     [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + format::fast_node::children_at + 3) >> 4; }
     [[nodiscard]] unsigned shift(int axis) const {
@@ -23,8 +25,8 @@ struct FastNode {
     }
     [[nodiscard]] std::int32_t base(int axis, unsigned bits) const {
         const unsigned unit = bits > 16 ? bits - 16 : 0;
-        return static_cast<std::int32_t>(load_u16(bytes + format::fast_node::base_at + 2 * static_cast<std::size_t>(axis))
-                                         << unit);
+        return static_cast<std::int32_t>(
+            load_u16(bytes + format::fast_node::base_at + 2 * static_cast<std::size_t>(axis)) << unit);
     }
     [[nodiscard]] const std::byte* low_planes(int axis) const {
         return bytes + format::fast_node::lo_at + 8 * static_cast<std::size_t>(axis);
@@ -49,24 +51,24 @@ inline FastNode fast_node(const BlobData& blob, std::uint32_t index) {
 
 /// One leaf: where its streams are and how wide their fields.
 struct FastLeaf {
-    FastNode node;                   ///< whose child it is
-    const std::byte* block;          ///< of the node's leaves
+    FastNode node;           ///< whose child it is
+    const std::byte* block;  ///< of the node's leaves
     const std::byte* coordinates[3];
     const std::byte* triangles;
     unsigned width[3];
     unsigned corner_width;
     unsigned vertex_count;
     unsigned triangle_count;
-    unsigned number;                 ///< among the node's leaves
-    unsigned bits;                   ///< of the lattice
-    std::uint32_t size;              ///< at least the longest side of its box
+    unsigned number;  ///< among the node's leaves
+    const BlobData* blob;
+    std::uint32_t size;  ///< more than the distance of any two vertices along an axis
 
     /// One for each leaf of the node.
     [[nodiscard]] const std::byte* descriptors() const { return block + format::fast_leaf::descriptors_at; }
     /// Among the children of its node.
     [[nodiscard]] unsigned child() const { return node.node_children() + number; }
     /// The low corner of its box, which the coordinates count from.
-    [[nodiscard]] std::int32_t anchor(int axis) const { return node.low(axis, child(), bits); }
+    [[nodiscard]] std::int32_t anchor(int axis) const { return node.low(axis, child(), blob->bits); }
     [[nodiscard]] LatticeTriangle triangle(unsigned index) const {
         const std::int32_t anchors[3] = {anchor(0), anchor(1), anchor(2)};
         std::uint32_t corners = load_field(triangles, 3 * corner_width, index);
@@ -88,7 +90,7 @@ inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned n
     leaf.node = node;
     leaf.block = node.leaf_block(blob);
     leaf.number = number;
-    leaf.bits = blob.bits;
+    leaf.blob = &blob;
     const std::uint32_t descriptor = load_u32(leaf.block + descriptors_at + descriptor_bytes * std::size_t{number});
     leaf.triangle_count = ((descriptor >> triangles_shift) & 15u) + 1;
     leaf.vertex_count = ((descriptor >> vertices_shift) & 31u) + 1;
@@ -97,20 +99,20 @@ inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned n
                           2 * std::size_t{descriptor & ((1u << offset_bits) - 1u)};
     unsigned longest = 0;
     for (int k = 0; k < 3; ++k) {
-        leaf.width[k] = coordinate_width((descriptor >> (widths_shift + 4 * static_cast<unsigned>(k))) & 15u, blob.bits);
+        leaf.width[k] =
+            coordinate_width((descriptor >> (widths_shift + 4 * static_cast<unsigned>(k))) & 15u, blob.bits);
         leaf.coordinates[k] = at;
         at += stream_bytes(leaf.vertex_count, leaf.width[k]);
         longest = leaf.width[k] > longest ? leaf.width[k] : longest;
-        longest = node.shift(k) > longest ? node.shift(k) : longest;
     }
     leaf.triangles = at;
-    // The coordinates stay below 2^width; the box, rounded to the node's planes, ends less than a plane later.
-    leaf.size = 2u << longest;
+    leaf.size = 1u << longest;
     return leaf;
 }
 
-/// Storage index of the first triangle of a leaf. All descriptors that there could be are read, the later ones masked out
-/// (the guard keeps that inside the blob): how many come before is not to be foreseen, and a mistaken guess costs more.
+/// Storage index of the first triangle of a leaf. All descriptors that there could be are read, the later ones masked
+/// out (the guard keeps that inside the blob): how many come before is not to be foreseen, and a mistaken guess costs
+/// more.
 inline std::uint32_t first_triangle(const FastLeaf& leaf) {
     std::uint32_t first = load_u32(leaf.block);
     const std::byte* descriptor = leaf.descriptors();

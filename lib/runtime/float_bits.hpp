@@ -59,7 +59,8 @@ constexpr float scale_by_power_of_two(float x, int exponent) {
 /// The nearest integer, ties to even, for |x| < 2^24. Relies on round-to-nearest: adding 2^23 leaves no fraction bits.
 /// Without a branch on the sign, which no processor could foresee.
 inline float round_to_integer(float x) {
-    const float big = std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) & 0x80000000u) | 0x4B000000u);  // 2^23, x's sign
+    const float big =
+        std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) & 0x80000000u) | 0x4B000000u);  // 2^23, x's sign
     const float rounded = (x + big) - big;
     return magnitude_bits(x) < 0x4B000000u ? rounded : x;
 }

@@ -1,4 +1,5 @@
-// A point and a radius moved into lattice units and rounded there, once: the query that everything else answers exactly.
+// A point and a radius moved into lattice units and rounded there, once: the query that everything else answers
+// exactly.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +10,16 @@
 
 namespace espalier::detail {
 
-/// Squared distances of boxes are compared with this much slack: 16 units in the last place cover the rounding of both sides.
+/// Squared distances of boxes are compared with this much slack, 64 roundings: it covers those of both sides.
 inline constexpr float distance_slack = 1.0f + 0x1p-18f;
 
 struct LatticePoint {
-    std::int64_t origin[3];  ///< the point, in units of 2^-fraction_bits lattice steps; below 2^34 steps
-    int fraction_bits;       ///< 0..6
-    alignas(16) float steps[4];  ///< the same in float, exactly; the fourth means nothing
-    float radius;            ///< lattice steps; may be infinite
-    float limit;             ///< squared radius with slack: boxes farther away hold nothing
-    float distance_offset;   ///< lattice steps: how far a point from far away was moved towards the asset
+    std::int64_t origin[3];      ///< the point, in units of 2^-fraction_bits lattice steps; below 2^37 steps
+    int fraction_bits;           ///< 0..6
+    alignas(16) float steps[4];  ///< the same in float, exactly; the fourth is zero
+    float radius;                ///< lattice steps; may be infinite
+    float limit;                 ///< squared radius with slack: boxes farther away hold nothing
+    float distance_offset;       ///< lattice steps: how far a point from far away was moved towards the asset
 };
 
 /// False when nothing can be within the radius: an argument out of the domain.
@@ -43,9 +44,10 @@ inline bool round_point(const BlobData& blob, const Vec3& world, float radius, L
     if (magnitude_bits(radius) != 0 && radius_steps < 0x1p-100f) radius_steps = 0x1p-100f;
 
     point.distance_offset = 0.0f;
-    if (farthest >= 0x1p32f) {
-        // From this far every direction to the asset is the same to float precision: move the point closer along the gap.
-        const int shrink = exponent_of(farthest) - 31;
+    if (farthest >= 0x1p36f) {
+        // From this far all of the asset lies in one direction, nearly enough that a shorter gap in that direction
+        // orders its points alike to within half a unit in the last place of their distances.
+        const int shrink = exponent_of(farthest) - 35;
         float squared = 0.0f;
         for (int k = 0; k < 3; ++k) {
             const float near = gap[k] * power_of_two(-shrink);
@@ -57,7 +59,7 @@ inline bool round_point(const BlobData& blob, const Vec3& world, float radius, L
         point.distance_offset = distance - near_distance;
         radius_steps -= point.distance_offset;
         if (radius_steps < 0.0f) return false;
-        reach = 0x1p33f;
+        reach = 0x1p37f;
     }
     const int spare = 23 - exponent_of(reach);
     point.fraction_bits = spare > 6 ? 6 : spare < 0 ? 0 : spare;
@@ -67,6 +69,7 @@ inline bool round_point(const BlobData& blob, const Vec3& world, float radius, L
         point.origin[k] = static_cast<std::int64_t>(rounded);
         point.steps[k] = rounded * power_of_two(-point.fraction_bits);
     }
+    point.steps[3] = 0.0f;
     point.radius = radius_steps;
     point.limit = radius_steps * radius_steps * distance_slack;
     return true;

@@ -1,5 +1,6 @@
-// A ray moved into lattice units and rounded there, once. What is rounded here is the query that everything else answers
-// exactly: an integer origin on a sub-lattice and an integer direction. docs/numerics.md bounds what the rounding moves.
+// A ray moved into lattice units and rounded there, once. What is rounded here is the query that everything else
+// answers exactly: an integer origin on a sub-lattice and an integer direction. docs/numerics.md bounds what the
+// rounding moves.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +11,14 @@
 
 namespace espalier::detail {
 
-/// Slab intervals are widened by this factor: 8 units in the last place cover their rounding and that of t.
+/// The far end of what is still of interest is widened by this factor, 8 roundings: they cover those of tau.
 inline constexpr float interval_slack = 1.0f + 0x1p-21f;
 
 struct LatticeRay {
-    // The ray, exactly: point(tau) = origin * 2^-fraction_bits + tau * direction, in lattice steps from lattice point 0 0 0.
-    // Vectors have a fourth element that means nothing, so that one register fills them.
-    alignas(16) std::int32_t origin[4];     ///< |origin - 2^fraction_bits * v| <= 2^24 for every lattice point v of the asset
+    // The ray, exactly: point(tau) = origin * 2^-fraction_bits + tau * direction, in lattice steps from lattice point 0
+    // 0 0. Vectors have a fourth element, which is zero or means nothing, so that one register fills them.
+    alignas(
+        16) std::int32_t origin[4];  ///< |origin - 2^fraction_bits * v| <= 2^24 for every lattice point v of the asset
     alignas(16) std::int32_t direction[4];  ///< the largest is in [2^23, 2^24)
 
     // The same in float, exactly.
@@ -27,23 +29,24 @@ struct LatticeRay {
     float tau_min;      ///< >= 0
     float tau_max;      ///< may be infinite
 
-    // Back to the caller: t = (tau_offset + tau) * 2^t_exponent. The offset is not 0 for rays from far away, whose origin was
-    // moved along them to the asset.
+    // Back to the caller: t = (tau_offset + tau) * 2^t_exponent. The offset is not 0 for rays from far away, whose
+    // origin was moved along them to the asset.
     float tau_offset;
     int t_exponent;
 
-    // For the filters that reject triangles without deciding: axes with the longest component of the direction last, the
-    // shear that turns the ray into that axis, and a bound on the error of sheared coordinates.
+    // For the filters that reject triangles without deciding: axes with the longest component of the direction last,
+    // the shear that turns the ray into that axis, and a bound on the error of sheared coordinates.
     unsigned axis[3];
     float shear[2];
     float shear_error;
-    float slack_steps;  ///< how far the slab test moves planes outward, in lattice steps: 16 roundings of the ray's reach
+    float
+        slack_steps;  ///< how far the slab test moves planes outward, in lattice steps: 16 roundings of the ray's reach
 
     Faces faces;
 };
 
-/// The inverse of a component that is zero: every plane that is not exactly at the origin is farther away than any hit, and
-/// a plane at the origin is at 0, so that the axis decides by comparison and nothing is ever not a number.
+/// The inverse of a component that is zero: every plane that is not exactly at the origin is farther away than any hit,
+/// and a plane at the origin is at 0, so that the axis decides by comparison and nothing is ever not a number.
 inline constexpr float still = 0x1p60f;
 
 namespace lattice_ray {
@@ -58,8 +61,8 @@ inline float reach(const float* origin, const BlobData& blob) {
     return result;
 }
 
-/// Moves an origin far outside the asset along the ray to the asset's box, grown by its own size where the lattice has room.
-/// False when the ray passes the box by.
+/// Moves an origin far outside the asset along the ray to the asset's box, grown by its own size where the lattice has
+/// room. False when the ray passes the box by.
 inline bool approach(const BlobData& blob, LatticeRay& ray, float* origin) {
     const std::int32_t size = blob.extent[0] > blob.extent[1] ? blob.extent[0] : blob.extent[1];
     const std::int32_t largest = size > blob.extent[2] ? size : blob.extent[2];
@@ -158,12 +161,17 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
         origin[k] = (flush_subnormal(origin_world[k]) - blob.origin[k]) * blob.steps_per_unit;
         if (!(absolute(origin[k]) < 0x1p120f)) return false;
     }
+    // What the last rounding makes zero anyway is zero from here on, so that nothing below is ever subnormal.
+    for (float& coordinate : origin)
+        if (absolute(coordinate) < 0x1p-30f) coordinate = 0.0f;
     ray.tau_offset = 0.0f;
     float reach = lattice_ray::reach(origin, blob);
     if (reach >= 0x1p23f) {
         if (!lattice_ray::approach(blob, ray, origin)) return false;
         reach = lattice_ray::reach(origin, blob);
     }
+    ray.origin[3] = ray.direction[3] = 0;
+    ray.origin_steps[3] = ray.inverse[3] = 0.0f;
     const int spare = 23 - exponent_of(reach);
     ray.fraction_bits = spare > 6 ? 6 : spare;
     for (int k = 0; k < 3; ++k) {
@@ -190,9 +198,10 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     return true;
 }
 
-/// tau as the caller's t. A hit is decided exactly: rounding must not report it outside of the window that it was found in.
-inline float to_t(const LatticeRay& ray, float tau, const Ray& world) {
-    const float t = scale_by_power_of_two(ray.tau_offset + tau, ray.t_exponent);
+/// The caller's t, from tau counted from his origin. A hit is decided exactly: rounding must not report it outside of
+/// the window that it was found in.
+inline float to_t(const LatticeRay& ray, float whole_tau, const Ray& world) {
+    const float t = scale_by_power_of_two(whole_tau, ray.t_exponent);
     const auto less = [](float a, float b) { return magnitude_bits(a) < magnitude_bits(b); };  // neither is negative
     const float low = is_negative(world.t_min) ? 0.0f : world.t_min;
     return less(world.t_max, t) ? world.t_max : less(t, low) ? low : t;

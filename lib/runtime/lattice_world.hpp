@@ -8,8 +8,8 @@
 
 namespace espalier::detail {
 
-/// origin + steps * 2^step_exponent, rounded twice at most. Subnormal numbers become zero, whether the machine would flush
-/// them or not: they are far below any lattice step.
+/// origin + steps * 2^step_exponent, rounded twice at most. Subnormal numbers become zero, whether the machine would
+/// flush them or not: they are far below any lattice step.
 inline Vec3 to_world(const BlobData& blob, float x, float y, float z) {
     const float step = power_of_two(blob.step_exponent);
     const auto coordinate = [&](int axis, float steps) {

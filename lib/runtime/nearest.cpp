@@ -26,7 +26,8 @@ bool closest_point(const Blob& blob, Vec3 point, float max_distance, Nearest& ne
     const float distance = scale_by_power_of_two(steps, blob.data().step_exponent);
     // That it is within max_distance was decided exactly; rounding must not say otherwise.
     nearest = {to_world(blob.data(), on_surface[0], on_surface[1], on_surface[2]),
-               magnitude_bits(distance) > magnitude_bits(max_distance) ? max_distance : distance, u, v, Triangle{found.index}};
+               magnitude_bits(distance) > magnitude_bits(max_distance) ? max_distance : distance, u, v,
+               Triangle{found.index}};
     return true;
 }
 

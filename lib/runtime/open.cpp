@@ -49,7 +49,8 @@ Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
     if (bytes.size() < format::header::bytes) return Status::too_short;
     const std::byte* h = bytes.data();
     if (load_u32(h + magic_at) != format::magic) return Status::not_a_blob;
-    if (load_u16(h + version_major_at) != format::version_major || load_u16(h + version_minor_at) > format::version_minor)
+    if (load_u16(h + version_major_at) != format::version_major ||
+        load_u16(h + version_minor_at) > format::version_minor)
         return Status::unsupported_version;
     blob.size = load_u32(h + total_bytes_at);
     if (blob.size > bytes.size()) return Status::too_short;
@@ -103,7 +104,7 @@ Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
 
 /// What the pass over the nodes has seen so far.
 struct Progress {
-    std::uint32_t nodes = 1;       ///< the root, then every block of siblings when their parent is reached
+    std::uint32_t nodes = 1;  ///< the root, then every block of siblings when their parent is reached
     std::uint32_t triangles = 0;
     std::uint32_t leaf_words = 0;  ///< of 4 bytes
     unsigned depth = 0;
@@ -122,7 +123,8 @@ std::uint32_t leaf_size(const BlobData& blob, const FastLeaf& leaf, std::size_t 
     if (!is_padded_with_zeros(leaf.triangles, std::uint64_t{leaf.triangle_count} * 3 * leaf.corner_width)) return 0;
     for (int k = 0; k < 3; ++k)
         for (unsigned i = 0; i < leaf.vertex_count; ++i)
-            if (leaf.anchor(k) + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], i)) > blob.extent[k])
+            if (leaf.anchor(k) + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], i)) >
+                blob.extent[k])
                 return 0;
     for (unsigned i = 0; i < leaf.triangle_count; ++i) {
         std::uint32_t corners = load_field(leaf.triangles, 3 * leaf.corner_width, i);
@@ -180,7 +182,8 @@ Status check_node(const BlobData& blob, const FastNode& node, Progress& seen) {
     return check_leaves(blob, node, seen);
 }
 
-/// Every node exactly once, children after their parents, in depth-first order with a stack as deep as the format allows.
+/// Every node exactly once, children after their parents, in depth-first order with a stack as deep as the format
+/// allows.
 Status check_tree(const BlobData& blob) {
     struct Siblings {
         std::uint32_t next;
@@ -203,7 +206,8 @@ Status check_tree(const BlobData& blob) {
         stack[depth++] = {node.first_child(), node.first_child() + node.node_children()};
     }
     if (seen.nodes != blob.node_count || seen.depth != blob.depth) return Status::bad_node;
-    if (seen.triangles != blob.triangle_count || std::uint64_t{4} * seen.leaf_words != blob.leaf_bytes) return Status::bad_leaf;
+    if (seen.triangles != blob.triangle_count || std::uint64_t{4} * seen.leaf_words != blob.leaf_bytes)
+        return Status::bad_leaf;
     return Status::ok;
 }
 
@@ -217,12 +221,14 @@ Status check_original_ids(BlobData& blob, Bytes& rest) {
         if (i == 0 ? first != 0 : first < previous) return Status::bad_section;
         previous = first;
     }
-    if (previous > blob.source_triangles || (blob.source_count == 0 && blob.triangle_count != 0)) return Status::bad_section;
+    if (previous > blob.source_triangles || (blob.source_count == 0 && blob.triangle_count != 0))
+        return Status::bad_section;
     const std::uint64_t bit_count = std::uint64_t{blob.triangle_count} * blob.id_bits;
     const std::uint64_t used = (bit_count + 7) / 8;
     blob.ids = rest.take(round_up_to_4(used));
     if (blob.ids == nullptr || !is_padded_with_zeros(blob.ids, bit_count)) return Status::bad_section;
-    return is_zero(blob.ids + used, static_cast<std::size_t>(round_up_to_4(used) - used)) ? Status::ok : Status::bad_section;
+    return is_zero(blob.ids + used, static_cast<std::size_t>(round_up_to_4(used) - used)) ? Status::ok
+                                                                                          : Status::bad_section;
 }
 
 Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
@@ -240,7 +246,8 @@ Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
         const std::uint64_t used = std::uint64_t{blob.triangle_count} * ((blob.features & materials_16) != 0 ? 2u : 1u);
         blob.materials = rest.take(round_up_to_4(used));
         if (blob.materials == nullptr) return Status::bad_section;
-        if (!is_zero(blob.materials + used, static_cast<std::size_t>(round_up_to_4(used) - used))) return Status::bad_section;
+        if (!is_zero(blob.materials + used, static_cast<std::size_t>(round_up_to_4(used) - used)))
+            return Status::bad_section;
     }
     return rest.left == 0 ? Status::ok : Status::bad_section;
 }

@@ -5,11 +5,11 @@
 #include <runtime/found.hpp>
 #include <runtime/simd/select.hpp>
 
-#define ESPALIER_DECLARE_POINT_QUERIES(instruction_set)                                                          \
-    namespace instruction_set {                                                                                  \
-    bool any_overlap(const BlobData& blob, const LatticePoint& point);                                           \
-    bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit);     \
-    bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best);                  \
+#define ESPALIER_DECLARE_POINT_QUERIES(instruction_set)                                                      \
+    namespace instruction_set {                                                                              \
+    bool any_overlap(const BlobData& blob, const LatticePoint& point);                                       \
+    bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit); \
+    bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best);              \
     }
 
 namespace espalier::detail {

@@ -1,5 +1,5 @@
-// Spheres and closest points: the tests of boxes in lanes, and the queries as visitors. Included once per instruction set,
-// inside its namespace. Lanes only ever reject; what they let through is decided by point_triangle.hpp.
+// Spheres and closest points: the tests of boxes in lanes, and the queries as visitors. Included once per instruction
+// set, inside its namespace. Lanes only ever reject; what they let through is decided by point_triangle.hpp.
 
 /// Squared distance from the origin to boxes, given by planes relative to it.
 inline Floats squared_distance(const Floats* low, const Floats* high) {
@@ -11,10 +11,11 @@ inline Floats squared_distance(const Floats* low, const Floats* high) {
     return sum;
 }
 
-/// The children whose box is within the limit, and the squared distance of each. Planes are exact; the difference to the point,
-/// which may be far away, rounds once.
-inline unsigned distance_test(const FastNode& node, const LatticePoint& point, unsigned bits, float limit, float* distances) {
-    const Frame frame = load_frame(node, bits);
+/// The children whose box is within the limit, and the squared distance of each. Planes are exact; the difference to
+/// the point, which may be far away, rounds once.
+inline unsigned distance_test(const FastNode& node, const LatticePoint& point, const BlobData& blob, float limit,
+                              float* distances) {
+    const Frame frame = load_frame(node, blob);
     unsigned mask = 0;
     for (unsigned first = 0; first < format::max_children; first += lanes) {
         Floats low[3], high[3];
@@ -54,7 +55,8 @@ inline unsigned point_candidates_of(const FastLeaf& leaf, const LatticePoint& po
         const Ints c = corner_of(corners, 2, leaf.corner_width);
         Floats low[3], high[3];
         for (int k = 0; k < 3; ++k) {
-            const Floats at_a = coordinates[k].look_up(a), at_b = coordinates[k].look_up(b), at_c = coordinates[k].look_up(c);
+            const Floats at_a = coordinates[k].look_up(a), at_b = coordinates[k].look_up(b),
+                         at_c = coordinates[k].look_up(c);
             low[k] = smaller(at_a, smaller(at_b, at_c));
             high[k] = larger(at_a, larger(at_b, at_c));
         }
@@ -64,19 +66,21 @@ inline unsigned point_candidates_of(const FastLeaf& leaf, const LatticePoint& po
 }
 
 inline unsigned point_candidates(const FastLeaf& leaf, const LatticePoint& point, float limit) {
-    return with_table_groups(leaf.vertex_count, [&](auto groups) { return point_candidates_of<groups>(leaf, point, limit); });
+    return with_table_groups(leaf.vertex_count,
+                             [&](auto groups) { return point_candidates_of<groups>(leaf, point, limit); });
 }
 
 /// Overlapping triangles in storage order, handed to a callable.
 template <class OnOverlap>
 struct EveryOverlap {
     const LatticePoint& point;
-    unsigned bits;
+    const BlobData& blob;
     OnOverlap on_overlap;
 
-    unsigned children(const FastNode& node, float* keys) { return distance_test(node, point, bits, point.limit, keys); }
+    unsigned children(const FastNode& node, float* keys) { return distance_test(node, point, blob, point.limit, keys); }
     Visit leaf(const FastLeaf& leaf) {
-        for (unsigned candidates = point_candidates(leaf, point, point.limit); candidates != 0; candidates &= candidates - 1) {
+        for (unsigned candidates = point_candidates(leaf, point, point.limit); candidates != 0;
+             candidates &= candidates - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(candidates));
             if (!is_within_radius(point, distance_to(point, leaf.triangle(number)), point.radius)) continue;
             if (on_overlap(Triangle{first_triangle_in_lanes(leaf) + number}) == stop) return stop;
@@ -88,15 +92,16 @@ struct EveryOverlap {
 /// The closest triangle; of equal ones the lowest index.
 struct ClosestTriangle {
     const LatticePoint& point;
-    unsigned bits;
+    const BlobData& blob;
     FoundNearest& best;
     float limit_;
     bool found = false;
 
     [[nodiscard]] float limit() const { return limit_; }
-    unsigned children(const FastNode& node, float* keys) { return distance_test(node, point, bits, limit_, keys); }
+    unsigned children(const FastNode& node, float* keys) { return distance_test(node, point, blob, limit_, keys); }
     Visit leaf(const FastLeaf& leaf) {
-        for (unsigned candidates = point_candidates(leaf, point, limit_); candidates != 0; candidates &= candidates - 1) {
+        for (unsigned candidates = point_candidates(leaf, point, limit_); candidates != 0;
+             candidates &= candidates - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(candidates));
             const LatticeTriangle triangle = leaf.triangle(number);
             const PointDistance distance = distance_to(point, triangle);
@@ -114,17 +119,17 @@ struct ClosestTriangle {
 
 bool any_overlap(const BlobData& blob, const LatticePoint& point) {
     const auto on_overlap = [](Triangle) { return stop; };
-    EveryOverlap<decltype(on_overlap)> visitor = {point, blob.bits, on_overlap};
+    EveryOverlap<decltype(on_overlap)> visitor = {point, blob, on_overlap};
     return !traverse_in_storage_order(blob, visitor);
 }
 
 bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit) {
-    EveryOverlap<decltype(visit)> visitor = {point, blob.bits, visit};
+    EveryOverlap<decltype(visit)> visitor = {point, blob, visit};
     return traverse_in_storage_order(blob, visitor);
 }
 
 bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best) {
-    ClosestTriangle visitor = {point, blob.bits, best, point.limit};
+    ClosestTriangle visitor = {point, blob, best, point.limit};
     traverse_nearest_first(blob, visitor);
     return visitor.found;
 }

@@ -48,10 +48,8 @@ PointDistance distance_to(const LatticePoint& point, const LatticeTriangle& tria
         place(side, along);
         best = side;
     };
-    if (flat || weight_c.is_negative())
-        offer(p, t.ab, [](PointDistance& side, float along) { side.u = along; });
-    if (flat || weight_b.is_negative())
-        offer(p, t.ac, [](PointDistance& side, float along) { side.v = along; });
+    if (flat || weight_c.is_negative()) offer(p, t.ab, [](PointDistance& side, float along) { side.u = along; });
+    if (flat || weight_b.is_negative()) offer(p, t.ac, [](PointDistance& side, float along) { side.v = along; });
     if (flat || weight_a.is_negative()) {
         const Integer3 from_b = {p.x - (t.ab.x << bits), p.y - (t.ab.y << bits), p.z - (t.ab.z << bits)};
         offer(from_b, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, [](PointDistance& side, float along) {
@@ -71,7 +69,8 @@ bool is_within_radius(const LatticePoint& point, const PointDistance& distance, 
     if (distance.square_numerator) numerator = Unsigned256::product(numerator, numerator);
     const int exponent = exponent_of(radius) - 23;
     const auto mantissa = static_cast<std::int64_t>((magnitude_bits(radius) & 0x007FFFFFu) | 0x00800000u);
-    const Unsigned256 bound = Unsigned256::product(Unsigned256(distance.denominator), Unsigned256(Int128(mantissa * mantissa)));
+    const Unsigned256 bound =
+        Unsigned256::product(Unsigned256(distance.denominator), Unsigned256(Int128(mantissa * mantissa)));
     return compare_scaled(numerator, bound, 2 * (exponent + point.fraction_bits)) <= 0;
 }
 

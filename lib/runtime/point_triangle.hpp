@@ -1,5 +1,6 @@
-// How far a rounded point is from a triangle of the lattice. Squared distances are exact quotients of integers; which part of
-// the triangle is closest is decided by exact signs. The regions are Ericson's (Real-Time Collision Detection, 2005, 5.1.5).
+// How far a rounded point is from a triangle of the lattice. Squared distances are exact quotients of integers; which
+// part of the triangle is closest is decided by exact signs. The regions are Ericson's (Real-Time Collision Detection,
+// 2005, 5.1.5).
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 
 namespace espalier::detail {
 
-/// A squared distance in lattice steps, exactly: numerator / denominator * 2^(-2 fraction_bits), or numerator^2 / denominator
-/// for the distance to a face; and where on the triangle it is reached.
+/// A squared distance in lattice steps, exactly: numerator / denominator * 2^(-2 fraction_bits), or numerator^2 /
+/// denominator for the distance to a face; and where on the triangle it is reached.
 struct PointDistance {
     Int128 numerator;
     Int128 denominator = Int128(1);
@@ -42,8 +43,8 @@ inline PointDistance to_segment(const Integer3& p, const Integer3& edge, int fra
         result.numerator = squared_length(p);
     } else if (forward >= length) {
         along = 1.0f;
-        result.numerator = squared_length({p.x - (edge.x << fraction_bits), p.y - (edge.y << fraction_bits),
-                                           p.z - (edge.z << fraction_bits)});
+        result.numerator = squared_length(
+            {p.x - (edge.x << fraction_bits), p.y - (edge.y << fraction_bits), p.z - (edge.z << fraction_bits)});
     } else {
         along = to_float(forward) / to_float(length);
         result.numerator = squared_length(cross(p, edge));

@@ -10,7 +10,8 @@
 
 namespace espalier::detail {
 
-/// Which planes of a node a ray enters and leaves through, as offsets into the node: for each axis, by the direction's sign.
+/// Which planes of a node a ray enters and leaves through, as offsets into the node: for each axis, by the direction's
+/// sign.
 struct PlaneOrder {
     std::uint8_t near_at[3];
     std::uint8_t far_at[3];
@@ -28,9 +29,9 @@ inline constexpr std::array<PlaneOrder, 8> plane_orders = [] {
     return orders;
 }();
 
-/// tau of a plane is (base + plane * 2^shift - origin) * inverse; here it is plane * (2^shift * inverse) + (base * inverse +
-/// offset), with offsets that move the planes outward by more than all of it can round (docs/numerics.md): then a box that
-/// contains the hit is never refused. Vectors have a fourth element that means nothing.
+/// tau of a plane is (base + plane * 2^shift - origin) * inverse; here it is plane * (2^shift * inverse) + (base *
+/// inverse + offset), with offsets that move the planes outward by more than all of it can round (docs/numerics.md):
+/// then a box that contains the hit is never refused. Vectors have a fourth element that means nothing.
 struct RayLanes {
     alignas(16) float inverse[4];
     alignas(16) float base_inverse[4];  ///< the same for the units that a node's base counts in

@@ -1,15 +1,16 @@
-// The ray queries, once for each instruction set: rounded, answered in lattice units, translated back. The blob is not empty.
+// The ray queries, once for each instruction set: rounded, answered in lattice units, translated back. The blob is not
+// empty.
 #pragma once
 
 #include <espalier/function_ref.hpp>
 #include <runtime/found.hpp>
 #include <runtime/simd/select.hpp>
 
-#define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                          \
-    namespace instruction_set {                                                                                \
-    bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter);       \
-    bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                        \
-    bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit);           \
+#define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                    \
+    namespace instruction_set {                                                                          \
+    bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter); \
+    bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                  \
+    bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit);     \
     }
 
 namespace espalier::detail {

@@ -1,5 +1,5 @@
-// Rays: the tests of boxes and triangles in lanes, and the queries as visitors. Included once per instruction set, inside
-// its namespace. Lanes only ever reject; what they let through is decided by ray_triangle.hpp.
+// Rays: the tests of boxes and triangles in lanes, and the queries as visitors. Included once per instruction set,
+// inside its namespace. Lanes only ever reject; what they let through is decided by ray_triangle.hpp.
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
 inline unsigned slab_test(const FastNode& node, const RayLanes& ray, float limit, float* near) {
@@ -24,7 +24,7 @@ inline unsigned slab_test(const FastNode& node, const RayLanes& ray, float limit
 template <unsigned groups>
 inline unsigned ray_candidates_of(const FastLeaf& leaf, const LatticeRay& ray) {
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
-    const Corner corner = load_low_corner(leaf.node, leaf.child(), leaf.bits, ray.origin_steps);
+    const Corner corner = load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray.origin_steps);
     const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]), offset_z = splat(corner.at[kz]);
     const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
     Table<groups> xs, ys;
@@ -37,9 +37,10 @@ inline unsigned ray_candidates_of(const FastLeaf& leaf, const LatticeRay& ray) {
         xs.set(group, multiply_add(z, shear_x, coordinate(kx, offset_x)));
         ys.set(group, multiply_add(z, shear_y, coordinate(ky, offset_y)));
     }
-    // The ray meets the leaf's box, widened by some roundings, so sheared coordinates in it are no larger than twice the box
-    // and 16 shear errors; each is off by at most one, and so each edge function by at most this (docs/numerics.md).
-    const float reach = 2.0f * static_cast<float>(leaf.size) + 16.0f * ray.shear_error;
+    // A hit lies among the leaf's vertices, so the sheared coordinates of a triangle that is hit are at most twice as
+    // large as the leaf; each is off by at most the shear error, and so each edge function by at most this
+    // (docs/numerics.md).
+    const float reach = 2.0f * static_cast<float>(leaf.size) + ray.shear_error;
     const float error = reach * (4.125f * ray.shear_error + reach * 0x1.2p-21f);
     const Floats above = splat(error), below = splat(-error);
     unsigned mask = 0;
@@ -92,14 +93,14 @@ struct ClosestHit {
 private:
     void decide(const FastLeaf& leaf, unsigned number) {
         TriangleHit hit;
-        if (!intersect(ray, leaf.triangle(number), hit) || (found && hit.tau > best.hit.tau)) return;
+        if (!intersect(ray, leaf.triangle(number), hit) || (found && hit.whole_tau > best.hit.whole_tau)) return;
         const std::uint32_t index = first_triangle_in_lanes(leaf) + number;
-        if (found && hit.tau == best.hit.tau && index > best.index) return;
+        if (found && hit.whole_tau == best.hit.whole_tau && index > best.index) return;
         if (filter != nullptr && !(*filter)(Triangle{index})) return;
         best = {hit, index};
         found = true;
         // A hit at least as good has its box's interval begin at or before this (docs/numerics.md).
-        limit_ = hit.tau * interval_slack;
+        limit_ = (hit.whole_tau * interval_slack - ray.tau_offset) * interval_slack;
     }
 };
 

@@ -1,5 +1,6 @@
-// Whether a rounded ray hits a triangle of the lattice: decided in integers, so that neighbours agree at every shared edge
-// and vertex, on every machine. The division-free form with one origin-relative corner goes back to Möller and Trumbore (1997).
+// Whether a rounded ray hits a triangle of the lattice: decided in integers, so that neighbours agree at every shared
+// edge and vertex, on every machine. The division-free form with one origin-relative corner goes back to Möller and
+// Trumbore (1997).
 #pragma once
 
 #include <cstdint>
@@ -21,9 +22,10 @@ struct Integer3 {
 
 /// A hit as the kernel leaves it: what the caller sees of it follows by a few divisions.
 struct TriangleHit {
-    float tau;      ///< within 3 ulp
-    float b, c;     ///< weights of corners b and c, times the volume
-    float volume;   ///< > 0
+    float tau;        ///< within 3 ulp
+    float whole_tau;  ///< counted from the caller's origin, within 4 ulp: hits are ordered by this
+    float b, c;       ///< weights of corners b and c, times the volume
+    float volume;     ///< > 0
     Integer3 normal;
 };
 inline Integer3 cross(const Integer3& a, const Integer3& b) {
@@ -41,7 +43,8 @@ inline Int128 dot<Int128>(const Integer3& a, const Integer3& b) {
     return multiply(a.x, b.x) + multiply(a.y, b.y) + multiply(a.z, b.z);
 }
 
-/// A triangle as the kernels see it: corner a from the query's origin, in units of 2^-fraction_bits; edges in lattice steps.
+/// A triangle as the kernels see it: corner a from the query's origin, in units of 2^-fraction_bits; edges in lattice
+/// steps.
 struct OriginRelative {
     Integer3 a;
     Integer3 ab;
@@ -60,11 +63,12 @@ inline OriginRelative relative_to(const Query& query, const LatticeTriangle& tri
 
 namespace ray_triangle {
 
-/// Edges below 2^12 steps keep every determinant below 2^63: 24 bits of direction, 25 of corner, 12 of edge, 6 products.
+/// Edges below 2^12 steps keep every determinant, and the sum of two that is formed of them, below 2^63
+/// (docs/numerics.md).
 inline bool is_small(const OriginRelative& t) {
     const auto shifted = [](std::int64_t e) { return static_cast<std::uint64_t>(e + 4096); };
-    const std::uint64_t any = shifted(t.ab.x) | shifted(t.ab.y) | shifted(t.ab.z) | shifted(t.ac.x) | shifted(t.ac.y) |
-                              shifted(t.ac.z);
+    const std::uint64_t any =
+        shifted(t.ab.x) | shifted(t.ab.y) | shifted(t.ab.z) | shifted(t.ac.x) | shifted(t.ac.y) | shifted(t.ac.z);
     return any < 8192;
 }
 
@@ -94,7 +98,8 @@ inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hi
     const Integer3 normal = cross(t.ab, t.ac);
     Sum denominator = dot<Sum>(direction, normal);
     const bool front = is_negative(denominator);
-    if (is_zero(denominator) || (ray.faces == Faces::front && !front) || (ray.faces == Faces::back && front)) return false;
+    if (is_zero(denominator) || (ray.faces == Faces::front && !front) || (ray.faces == Faces::back && front))
+        return false;
     Sum b = dot<Sum>(direction, cross(t.ac, t.a));
     Sum c = dot<Sum>(direction, cross(t.a, t.ab));
     Sum numerator = dot<Sum>(normal, t.a);
@@ -107,6 +112,7 @@ inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hi
     if (denominator < b + c) return false;
     hit.volume = to_float(denominator);
     hit.tau = to_float(numerator) / hit.volume;
+    hit.whole_tau = ray.tau_offset + hit.tau;
     hit.b = to_float(b);
     hit.c = to_float(c);
     hit.normal = normal;
@@ -122,14 +128,17 @@ inline bool intersect(const LatticeRay& ray, const LatticeTriangle& triangle, Tr
                                      : ray_triangle::hits<Int128>(ray, t, hit);
 }
 
-/// What the caller sees of a hit: t within 4 ulp and in the window that he asked for, weights within 3 ulp, the unit normal's
-/// coordinates within 4 ulp.
+/// What the caller sees of a hit: t within 4 ulp and in the window that he asked for, weights within 3 ulp, the unit
+/// normal's coordinates within 4 ulp of 1.
 inline RayHit to_ray_hit(const LatticeRay& ray, const Ray& world, const TriangleHit& hit, std::uint32_t index) {
     const float x = to_float(hit.normal.x);
     const float y = to_float(hit.normal.y);
     const float z = to_float(hit.normal.z);
     const float length = square_root(x * x + y * y + z * z);
-    return {to_t(ray, hit.tau, world), hit.b / hit.volume, hit.c / hit.volume, {x / length, y / length, z / length},
+    return {to_t(ray, hit.whole_tau, world),
+            hit.b / hit.volume,
+            hit.c / hit.volume,
+            {x / length, y / length, z / length},
             Triangle{index}};
 }
 

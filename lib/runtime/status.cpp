@@ -1,22 +1,34 @@
+// What each status says to a person.
 #include <espalier/status.hpp>
 
 namespace espalier {
 
 const char* describe(Status status) noexcept {
     switch (status) {
-        case Status::ok: return "ok";
-        case Status::too_short: return "the blob is cut short: there are fewer bytes than its header says, or not even a header";
-        case Status::trailing_bytes: return "there are more bytes than the blob's header says";
-        case Status::not_a_blob: return "these bytes are not an Espalier blob: they do not begin with ESPL";
+        case Status::ok:
+            return "ok";
+        case Status::too_short:
+            return "the blob is cut short: there are fewer bytes than its header says, or not even a header";
+        case Status::trailing_bytes:
+            return "there are more bytes than the blob's header says";
+        case Status::not_a_blob:
+            return "these bytes are not an Espalier blob: they do not begin with ESPL";
         case Status::unsupported_version:
             return "the blob's format version is not one that this library reads: bake it again, or update the library";
-        case Status::unsupported_profile: return "the blob uses a profile that this library does not know";
-        case Status::unsupported_feature: return "the blob has an optional section that this library does not know";
-        case Status::bad_header: return "a field of the blob's header is out of its range";
-        case Status::bad_checksum: return "the blob is damaged: its checksum does not match its bytes";
-        case Status::bad_node: return "a node of the blob breaks the format's rules";
-        case Status::bad_leaf: return "a leaf of the blob breaks the format's rules";
-        case Status::bad_section: return "an optional section of the blob breaks the format's rules, or bytes are left over";
+        case Status::unsupported_profile:
+            return "the blob uses a profile that this library does not know";
+        case Status::unsupported_feature:
+            return "the blob has an optional section that this library does not know";
+        case Status::bad_header:
+            return "a field of the blob's header is out of its range";
+        case Status::bad_checksum:
+            return "the blob is damaged: its checksum does not match its bytes";
+        case Status::bad_node:
+            return "a node of the blob breaks the format's rules";
+        case Status::bad_leaf:
+            return "a leaf of the blob breaks the format's rules";
+        case Status::bad_section:
+            return "an optional section of the blob breaks the format's rules, or bytes are left over";
     }
     return "not a status of this library";
 }

@@ -4,8 +4,8 @@
 //   float limit() const                              children with a larger key are passed over
 //   Visit leaf(const FastLeaf&)                      stop ends the walk
 
-/// Children with the smallest keys first: for queries whose limit shrinks as they find something. Keys are not negative, so
-/// that their bits order like integers: a waiting node is one word, its key above its index.
+/// Children with the smallest keys first: for queries whose limit shrinks as they find something. Keys are not
+/// negative, so that their bits order like integers: a waiting node is one word, its key above its index.
 template <class Visitor>
 inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
     // Every level but the last leaves at most all children but one behind.
@@ -64,7 +64,8 @@ inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
     }
 }
 
-/// Children in storage order: for queries that enumerate, or that are done at the first find. True when it saw them all.
+/// Children in storage order: for queries that enumerate, or that are done at the first find. True when it saw them
+/// all.
 template <class Visitor>
 inline bool traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
     struct Level {
@@ -80,7 +81,8 @@ inline bool traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
         const unsigned mask = visitor.children(node, keys);
         const unsigned node_children = node.node_children();
         for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1)
-            if (visitor.leaf(fast_leaf(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop) return false;
+            if (visitor.leaf(fast_leaf(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop)
+                return false;
         if (const unsigned nodes = mask & ((1u << node_children) - 1u); nodes != 0)
             stack[depth++] = {node.first_child(), nodes};
         if (depth == 0) return true;

@@ -25,7 +25,8 @@ struct EveryTriangle {
         const std::uint32_t first = first_triangle(leaf);
         for (unsigned i = 0; i < leaf.triangle_count; ++i) {
             const LatticeTriangle t = leaf.triangle(i);
-            const Corners corners = {to_world(blob, t.corner[0]), to_world(blob, t.corner[1]), to_world(blob, t.corner[2])};
+            const Corners corners = {to_world(blob, t.corner[0]), to_world(blob, t.corner[1]),
+                                     to_world(blob, t.corner[2])};
             if (visit(Triangle{first + i}, corners) == stop) return stop;
         }
         return keep_going;

@@ -22,8 +22,9 @@ struct Int128 {
     friend constexpr Int128 operator+(Int128 a, Int128 b) {
         const std::uint64_t sum = a.low + b.low;
         const std::uint64_t carry = sum < a.low ? 1 : 0;
-        return {static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) + static_cast<std::uint64_t>(b.high) + carry),
-                sum};
+        return {
+            static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) + static_cast<std::uint64_t>(b.high) + carry),
+            sum};
     }
     friend constexpr Int128 operator-(Int128 a) {
         const std::uint64_t word = ~a.low + 1;

@@ -127,6 +127,24 @@ TEST_SUITE("promises") {
         }
     }
 
+    TEST_CASE("an origin a hair outside of a 24-bit asset is the same with subnormals flushed") {
+        Mesh mesh;
+        const float size = 16777215.0f;
+        mesh.positions = {{0, 0, 0}, {0, size, 0}, {0, 0, size}, {size, 0, 0}};
+        mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
+        BakeOptions options;
+        options.bits = 24;
+        const OpenedBlob blob(mesh, options);
+        const Ray ray{{-0x1p-104f, 100.0f, 100.0f}, {1.0f, 0.0f, 0.0f}};
+        RayHit plain, flushed;
+        REQUIRE(raycast(blob.blob, ray, plain));
+        {
+            const FloatMode mode(0x8040);
+            REQUIRE(raycast(blob.blob, ray, flushed));
+        }
+        CHECK(same_bits(plain, flushed));
+    }
+
     TEST_CASE("a closest point whose coordinate is subnormal is the same with subnormals flushed") {
         // The finest step, 2^-100, and a foot on the first side that is 2^-30 steps away from x = 0.
         Mesh mesh;

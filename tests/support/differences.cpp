@@ -73,9 +73,9 @@ RayAnswers ask(const TriangleLoop& loop, const detail::BlobData& data, const Ray
     };
     for (const detail::FoundHit& found : loop.every_hit(rounded)) {
         answers.every.push_back(translate(found));
-        if (!closest || found.hit.tau < closest->hit.tau) closest = found;
+        if (!closest || found.hit.whole_tau < closest->hit.whole_tau) closest = found;
         if (!third_is_left_out(found.index)) continue;
-        if (!closest_filtered || found.hit.tau < closest_filtered->hit.tau) closest_filtered = found;
+        if (!closest_filtered || found.hit.whole_tau < closest_filtered->hit.whole_tau) closest_filtered = found;
     }
     if (closest) answers.closest = translate(*closest);
     if (closest_filtered) answers.closest_filtered = translate(*closest_filtered);

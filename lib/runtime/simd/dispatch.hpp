@@ -4,7 +4,7 @@
 #include <runtime/simd/select.hpp>
 
 #if ESPALIER_X86
-#define ESPALIER_DISPATCH(query, ...)                                        \
+#define ESPALIER_DISPATCH(query, ...)                                                             \
     (::espalier::detail::instruction_set() == InstructionSet::avx2    ? avx2::query(__VA_ARGS__)  \
      : ::espalier::detail::instruction_set() == InstructionSet::sse42 ? sse42::query(__VA_ARGS__) \
                                                                       : scalar::query(__VA_ARGS__))

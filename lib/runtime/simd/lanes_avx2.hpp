@@ -34,14 +34,8 @@ inline Floats multiply(Floats a, Floats b) { return {_mm256_mul_ps(a.v, b.v)}; }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return {_mm256_fmadd_ps(a.v, b.v, c.v)}; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {_mm256_fmsub_ps(a.v, b.v, c.v)}; }
 inline Floats negate(Floats a) { return {_mm256_xor_ps(a.v, _mm256_set1_ps(-0.0f))}; }
-inline Floats magnitude(Floats a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
 inline Floats smaller(Floats a, Floats b) { return {_mm256_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
-inline float largest(Floats a) {
-    const __m128 four = _mm_max_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
-    const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
-    return _mm_cvtss_f32(_mm_max_ss(two, _mm_movehdup_ps(two)));
-}
 inline unsigned at_most(Floats a, Floats b) {
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }
@@ -59,7 +53,8 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const UnpackEntry& entry = unpack_table[width];
     const __m256i spread = _mm256_shuffle_epi8(_mm256_set_m128i(high, low),
                                                _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.shuffle)));
-    const __m256i shifted = _mm256_srlv_epi32(spread, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.shift)));
+    const __m256i shifted =
+        _mm256_srlv_epi32(spread, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.shift)));
     return {_mm256_and_si256(shifted, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.mask)))};
 }
 inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
@@ -92,94 +87,35 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
     return function(std::integral_constant<unsigned, 4>{});
 }
 
-/// The shifts of all three axes, each in the place of a float's exponent.
-inline __m128i load_shifts(const FastNode& node) {
-    // They lie in the low half of this word, 5 bits each.
-    const __m128i word = _mm_castps_si128(
-        _mm_broadcast_ss(reinterpret_cast<const float*>(node.bytes + format::fast_node::shifts_at)));
-    const __m128i places = _mm_sllv_epi32(word, _mm_setr_epi32(23, 18, 13, 13));
-    return _mm_and_si128(places, _mm_set1_epi32(31 << 23));
-}
-inline __m128 load_scales(const FastNode& node) {
-    return _mm_castsi128_ps(_mm_add_epi32(load_shifts(node), _mm_set1_epi32(127 << 23)));
-}
-inline __m128 load_bases(const FastNode& node) {
-    return _mm_cvtepi32_ps(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.bytes))));
-}
-
-/// The low corner of a child's box, seen from a point.
-struct Corner {
-    alignas(16) float at[4];
-};
-inline Corner load_low_corner(const FastNode& node, unsigned child, unsigned bits, const float* origin) {
-    const std::uint32_t bytes = load_u8(node.low_planes(0) + child) | load_u8(node.low_planes(1) + child) << 8 |
-                                load_u8(node.low_planes(2) + child) << 16;
-    const __m128 planes = _mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(bytes))));
-    const __m128 unit = _mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0));
-    Corner corner;
-    // Every step of it is exact: the corner is a lattice point, the origin near enough.
-    _mm_store_ps(corner.at, _mm_fmadd_ps(planes, load_scales(node), _mm_fmsub_ps(load_bases(node), unit, _mm_load_ps(origin))));
-    return corner;
-}
-
-/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
-struct Frame {
-    Floats scale[3];
-    Floats base[3];
-};
-inline Frame load_frame(const FastNode& node, unsigned bits) {
-    const __m128 scale = load_scales(node);
-    const __m128 base = _mm_mul_ps(load_bases(node), _mm_set1_ps(power_of_two(bits > 16 ? static_cast<int>(bits) - 16 : 0)));
-    Frame frame;
-    frame.scale[0] = {_mm256_broadcastss_ps(scale)};
-    frame.scale[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(scale))};
-    frame.scale[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(scale, scale))};
-    frame.base[0] = {_mm256_broadcastss_ps(base)};
-    frame.base[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(base))};
-    frame.base[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(base, base))};
-    return frame;
-}
-
 /// first_triangle, all descriptors at once.
 inline std::uint32_t first_triangle_in_lanes(const FastLeaf& leaf) {
     const __m256i descriptors = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(leaf.descriptors()));
     const __m256i counts = _mm256_add_epi32(
         _mm256_and_si256(_mm256_srli_epi32(descriptors, format::fast_leaf::triangles_shift), _mm256_set1_epi32(15)),
         _mm256_set1_epi32(1));
-    const __m256i before = _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(leaf.number)),
-                                              _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    const __m256i before =
+        _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(leaf.number)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
     const __m256i sums = _mm256_sad_epu8(_mm256_and_si256(counts, before), _mm256_setzero_si256());
     const __m128i pair = _mm_add_epi32(_mm256_castsi256_si128(sums), _mm256_extracti128_si256(sums, 1));
     const __m128i sum = _mm_add_epi32(pair, _mm_unpackhi_epi64(pair, pair));
     return load_u32(leaf.block) + static_cast<std::uint32_t>(_mm_cvtsi128_si32(sum));
 }
 
-/// The planes of a node as tau along a ray: plane * scale + offset. All three axes in one register, then spread.
-struct SlabFrame {
-    Floats scale[3];
-    Floats near_offset[3];
-    Floats far_offset[3];
-};
-inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
-    // Adding a shift to the exponent multiplies by its power of two.
-    const __m128 scale = _mm_castsi128_ps(
-        _mm_add_epi32(load_shifts(node), _mm_load_si128(reinterpret_cast<const __m128i*>(ray.inverse))));
-    const __m128 slope = _mm_load_ps(ray.base_inverse);
-    const __m128 bases = load_bases(node);
-    const __m128 near_offset = _mm_fmadd_ps(bases, slope, _mm_load_ps(ray.near_offset));
-    const __m128 far_offset = _mm_fmadd_ps(bases, slope, _mm_load_ps(ray.far_offset));
-    SlabFrame frame;
-    frame.scale[0] = {_mm256_broadcastss_ps(scale)};
-    frame.scale[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(scale))};
-    frame.scale[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(scale, scale))};
-    frame.near_offset[0] = {_mm256_broadcastss_ps(near_offset)};
-    frame.near_offset[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(near_offset))};
-    frame.near_offset[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(near_offset, near_offset))};
-    frame.far_offset[0] = {_mm256_broadcastss_ps(far_offset)};
-    frame.far_offset[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(far_offset))};
-    frame.far_offset[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(far_offset, far_offset))};
-    return frame;
+inline __m128 multiply_add(__m128 a, __m128 b, __m128 c) { return _mm_fmadd_ps(a, b, c); }
+/// The three elements of a vector to all lanes each.
+inline void spread(__m128 a, Floats* to) {
+    to[0] = {_mm256_broadcastss_ps(a)};
+    to[1] = {_mm256_broadcastss_ps(_mm_movehdup_ps(a))};
+    to[2] = {_mm256_broadcastss_ps(_mm_unpackhi_ps(a, a))};
 }
+/// A word of the blob, shifted left by each count.
+template <int x, int y, int z>
+inline __m128i shift_left_each(const std::byte* word) {
+    return _mm_sllv_epi32(_mm_castps_si128(_mm_broadcast_ss(reinterpret_cast<const float*>(word))),
+                          _mm_setr_epi32(x, y, z, z));
+}
+
+#include <runtime/simd/frames_x86.inl>
 
 }  // namespace espalier::detail::avx2
 ESPALIER_END_TARGET

@@ -30,11 +30,9 @@ inline Floats multiply(Floats a, Floats b) { return {vmulq_f32(a.v, b.v)}; }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return {vfmaq_f32(c.v, a.v, b.v)}; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {vfmaq_f32(vnegq_f32(c.v), a.v, b.v)}; }
 inline Floats negate(Floats a) { return {vnegq_f32(a.v)}; }
-inline Floats magnitude(Floats a) { return {vabsq_f32(a.v)}; }
 /// The number when one is not a number.
 inline Floats smaller(Floats a, Floats b) { return {vminnmq_f32(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {vmaxnmq_f32(a.v, b.v)}; }
-inline float largest(Floats a) { return vmaxnmvq_f32(a.v); }
 inline unsigned at_most(Floats a, Floats b) {
     const uint32x4_t bit = {1u, 2u, 4u, 8u};
     return vaddvq_u32(vandq_u32(vcleq_f32(a.v, b.v), bit));
@@ -78,47 +76,6 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
     return function(std::integral_constant<unsigned, 8>{});
 }
 
-/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
-struct Frame {
-    Floats scale[3];
-    Floats base[3];
-};
-inline Frame load_frame(const FastNode& node, unsigned bits) {
-    Frame frame;
-    for (int k = 0; k < 3; ++k) {
-        frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))));
-        frame.base[k] = splat(static_cast<float>(node.base(k, bits)));
-    }
-    return frame;
-}
-
-inline std::uint32_t first_triangle_in_lanes(const FastLeaf& leaf) { return first_triangle(leaf); }
-
-/// The planes of a node as tau along a ray: plane * scale + offset.
-struct SlabFrame {
-    Floats scale[3];
-    Floats near_offset[3];
-    Floats far_offset[3];
-};
-inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
-    SlabFrame frame;
-    for (int k = 0; k < 3; ++k) {
-        const float base = static_cast<float>(node.base(k, 0)) * ray.base_inverse[k];
-        frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))) * ray.inverse[k]);
-        frame.near_offset[k] = splat(base + ray.near_offset[k]);
-        frame.far_offset[k] = splat(base + ray.far_offset[k]);
-    }
-    return frame;
-}
-
-/// The low corner of a child's box, seen from a point.
-struct Corner {
-    float at[3];
-};
-inline Corner load_low_corner(const FastNode& node, unsigned child, unsigned bits, const float* origin) {
-    Corner corner;
-    for (int k = 0; k < 3; ++k) corner.at[k] = static_cast<float>(node.low(k, child, bits)) - origin[k];
-    return corner;
-}
+#include <runtime/simd/frames_portable.inl>
 
 }  // namespace espalier::detail::neon

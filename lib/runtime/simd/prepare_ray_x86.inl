@@ -1,12 +1,13 @@
 // prepare_ray with all axes at once, in the ordinary case; the rounded ray has the same bits as the definition's in
-// lattice_ray.hpp. Included by the x86 instruction sets, inside their namespaces. Relies on round-to-nearest, as that does.
+// lattice_ray.hpp. Included by the x86 instruction sets, inside their namespaces. Relies on round-to-nearest, as that
+// does.
 
 /// False when the case is not ordinary: an argument out of the domain, a subnormal direction, an origin from far away.
 inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     const __m128i magnitudes = _mm_setr_epi32(0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF, 0);
     const __m128i xyz = _mm_setr_epi32(-1, -1, -1, 0);
     const auto three = [](const float* at) { return _mm_loadu_ps(at); };  // what follows in the structure is masked off
-    const auto largest_of = [](__m128i a) {  // in every element
+    const auto largest_of = [](__m128i a) {                               // in every element
         const __m128i two = _mm_max_epi32(a, _mm_shuffle_epi32(a, 0x4E));
         return _mm_max_epi32(two, _mm_shuffle_epi32(two, 0xB1));
     };
@@ -21,28 +22,32 @@ inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRa
     const __m128 scaled = _mm_mul_ps(direction, _mm_castsi128_ps(to_24_bits(longest)));
     const __m128i integers = _mm_and_si128(_mm_cvtps_epi32(scaled), xyz);
     const __m128 rounded = _mm_cvtepi32_ps(integers);
-    const __m128 inverse = _mm_blendv_ps(_mm_div_ps(_mm_set1_ps(1.0f), rounded), _mm_set1_ps(still),
-                                         _mm_castsi128_ps(_mm_cmpeq_epi32(integers, _mm_setzero_si128())));
+    const __m128 one = _mm_set1_ps(1.0f);
+    const __m128 at_rest = _mm_castsi128_ps(_mm_cmpeq_epi32(integers, _mm_setzero_si128()));
+    const __m128 divisor = _mm_blendv_ps(rounded, one, at_rest);  // a program may have division by zero trap
+    const __m128 inverse = _mm_blendv_ps(_mm_div_ps(one, divisor), _mm_set1_ps(still), at_rest);
 
     const __m128 corner = _mm_load_ps(blob.origin);
     const __m128 eye = three(&world.origin.x);
-    const __m128i normal = _mm_cmpgt_epi32(_mm_and_si128(_mm_castps_si128(eye), magnitudes), _mm_set1_epi32(0x007FFFFF));
-    const __m128 origin = _mm_mul_ps(_mm_sub_ps(_mm_and_ps(eye, _mm_castsi128_ps(normal)), corner),
-                                     _mm_set1_ps(blob.steps_per_unit));
+    const __m128i normal =
+        _mm_cmpgt_epi32(_mm_and_si128(_mm_castps_si128(eye), magnitudes), _mm_set1_epi32(0x007FFFFF));
+    const __m128 origin =
+        _mm_mul_ps(_mm_sub_ps(_mm_and_ps(eye, _mm_castsi128_ps(normal)), corner), _mm_set1_ps(blob.steps_per_unit));
     const __m128 extent = _mm_load_ps(blob.extent_steps);
     const __m128i reaches = _mm_max_epi32(_mm_and_si128(_mm_castps_si128(origin), magnitudes),
                                           _mm_and_si128(_mm_castps_si128(_mm_sub_ps(extent, origin)), magnitudes));
     const __m128i reach = largest_of(reaches);
     const __m128i fraction_scale = _mm_min_epi32(to_24_bits(reach), _mm_set1_epi32((6 + 127) << 23));
     const __m128i fine = _mm_cvtps_epi32(_mm_mul_ps(origin, _mm_castsi128_ps(fraction_scale)));
-    const __m128 steps = _mm_mul_ps(
-        _mm_cvtepi32_ps(fine), _mm_castsi128_ps(_mm_sub_epi32(_mm_set1_epi32(254 << 23), fraction_scale)));
+    const __m128 steps =
+        _mm_mul_ps(_mm_cvtepi32_ps(fine), _mm_castsi128_ps(_mm_sub_epi32(_mm_set1_epi32(254 << 23), fraction_scale)));
 
     const int exponent = (_mm_cvtsi128_si32(longest) >> 23) - 127;
     ray.fraction_bits = (_mm_cvtsi128_si32(fraction_scale) >> 23) - 127;
     const std::uint32_t t_min = std::bit_cast<std::uint32_t>(world.t_min);
     const std::uint32_t t_max = std::bit_cast<std::uint32_t>(world.t_max);
-    if (exponent < -100 || exponent > 127 || ray.fraction_bits <= 0 || t_min != 0 || t_max > infinity_bits) return false;
+    if (exponent < -100 || exponent > 127 || ray.fraction_bits <= 0 || t_min != 0 || t_max > infinity_bits)
+        return false;
 
     // A finite t_max is scaled in its exponent, while that stays in the middle of its range.
     ray.t_exponent = blob.step_exponent - exponent + 23;
@@ -59,6 +64,7 @@ inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRa
     _mm_store_si128(reinterpret_cast<__m128i*>(ray.origin), _mm_and_si128(fine, xyz));
     _mm_store_ps(ray.inverse, inverse);
     _mm_store_ps(ray.origin_steps, steps);
+    // Where rounding makes two components equally long this may choose the other one: only the filter sees it.
     const __m128 longest_axes = _mm_castsi128_ps(_mm_cmpeq_epi32(lengths, longest));
     set_shear(ray, static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(_mm_movemask_ps(longest_axes)))),
               _mm_cvtss_f32(_mm_castsi128_ps(reach)));
@@ -77,7 +83,8 @@ inline RayLanes spread_in_lanes(const BlobData& blob, const LatticeRay& ray) {
     _mm_store_ps(result.near_offset, _mm_sub_ps(away, slack));
     _mm_store_ps(result.far_offset, _mm_add_ps(away, slack));
     result.tau_min = ray.tau_min;
-    const int signs = _mm_movemask_ps(_mm_castsi128_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(ray.direction))));
+    const int signs =
+        _mm_movemask_ps(_mm_castsi128_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(ray.direction))));
     result.planes = &plane_orders[static_cast<unsigned>(signs) & 7u];
     return result;
 }

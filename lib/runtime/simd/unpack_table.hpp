@@ -6,8 +6,8 @@
 
 namespace espalier::detail {
 
-/// The first 4 fields are found from the stream's byte 0 of a group, the last 4 from byte width / 2; each half's shuffle
-/// counts from there.
+/// The first 4 fields are found from the stream's byte 0 of a group, the last 4 from byte width / 2; each half's
+/// shuffle counts from there.
 struct UnpackEntry {
     std::uint8_t shuffle[32];
     std::uint32_t shift[8];

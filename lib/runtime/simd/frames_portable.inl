@@ -1,0 +1,45 @@
+// How nodes and rays become lanes, axis by axis, for instruction sets without a better way. Included inside their
+// namespaces.
+
+inline std::uint32_t first_triangle_in_lanes(const FastLeaf& leaf) { return first_triangle(leaf); }
+
+/// The low corner of a child's box, seen from a point.
+struct Corner {
+    float at[3];
+};
+inline Corner load_low_corner(const FastNode& node, unsigned child, const BlobData& blob, const float* origin) {
+    Corner corner;
+    for (int k = 0; k < 3; ++k) corner.at[k] = static_cast<float>(node.low(k, child, blob.bits)) - origin[k];
+    return corner;
+}
+
+/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
+struct Frame {
+    Floats scale[3];
+    Floats base[3];
+};
+inline Frame load_frame(const FastNode& node, const BlobData& blob) {
+    Frame frame;
+    for (int k = 0; k < 3; ++k) {
+        frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))));
+        frame.base[k] = splat(static_cast<float>(node.base(k, blob.bits)));
+    }
+    return frame;
+}
+
+/// The planes of a node as tau along a ray: plane * scale + offset.
+struct SlabFrame {
+    Floats scale[3];
+    Floats near_offset[3];
+    Floats far_offset[3];
+};
+inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
+    SlabFrame frame;
+    for (int k = 0; k < 3; ++k) {
+        const float base = static_cast<float>(node.base(k, 0)) * ray.base_inverse[k];
+        frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))) * ray.inverse[k]);
+        frame.near_offset[k] = splat(base + ray.near_offset[k]);
+        frame.far_offset[k] = splat(base + ray.far_offset[k]);
+    }
+    return frame;
+}
