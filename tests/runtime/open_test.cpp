@@ -214,6 +214,50 @@ TEST_SUITE("open") {
         CHECK(status_with(bytes, guard_at + format::guard_bytes, 1, 4) == Status::bad_section);
     }
 
+    TEST_CASE("each rule of nodes and leaves is enforced where it is broken") {
+        // Two triangles over four vertices: one node with one leaf.
+        const Bytes bytes = bake_or_throw(make_plane_grid(1));
+        REQUIRE(status_of(bytes) == Status::ok);
+        namespace node = format::fast_node;
+        namespace leaf = format::fast_leaf;
+        constexpr std::size_t root = format::header::bytes;
+        CHECK(status_with(bytes, root + node::children_at, 1u << 28 | 1u, 4) == Status::bad_node);  // a first child
+        CHECK(status_with(bytes, root + node::children_at, 1u << 28 | 1u << 24 | 1u, 4) ==
+              Status::bad_node);                                                               // no such
+        CHECK(status_with(bytes, root + node::children_at, 0, 4) == Status::bad_node);         // no child at all
+        CHECK(status_with(bytes, root + node::children_at, 9u << 28, 4) == Status::bad_node);  // nine leaves
+        CHECK(status_with(bytes, root + node::leaf_block_at, 1, 4) == Status::bad_node);       // not the next block
+        CHECK(status_with(bytes, root + node::lo_at + 1, 1, 1) == Status::bad_node);           // an unused plane
+        CHECK(status_with(bytes, root + node::hi_at + 7, 1, 1) == Status::bad_node);
+        CHECK(status_with(bytes, root + node::shifts_at, node::max_shift + 1, 2) == Status::bad_node);
+
+        constexpr std::size_t block = root + node::bytes;
+        constexpr std::size_t descriptor_at = block + leaf::descriptors_at;
+        const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
+        const auto bits = static_cast<unsigned>(get(bytes, format::header::bits_at, 1));
+        REQUIRE((descriptor >> leaf::triangles_shift & 15u) == 1);
+        REQUIRE((descriptor >> leaf::vertices_shift & 31u) == 3);
+        CHECK(status_with(bytes, descriptor_at, descriptor + 1, 4) == Status::bad_leaf);  // data somewhere else
+        CHECK(status_with(bytes, descriptor_at, descriptor + (1u << leaf::triangles_shift), 4) == Status::bad_leaf);
+        CHECK(status_with(bytes, descriptor_at, descriptor - (1u << leaf::triangles_shift), 4) == Status::bad_leaf);
+        CHECK(status_with(bytes, descriptor_at, descriptor | 31u << leaf::vertices_shift, 4) == Status::bad_leaf);
+        CHECK(status_with(bytes, descriptor_at, descriptor | 15u << (leaf::widths_shift + 8), 4) == Status::bad_leaf);
+
+        std::size_t triangles_at = descriptor_at + leaf::descriptor_bytes;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const unsigned code = descriptor >> (leaf::widths_shift + 4 * axis) & 15u;
+            triangles_at += leaf::stream_bytes(4, leaf::coordinate_width(code, bits));
+        }
+        const unsigned width = leaf::corner_width(4);
+        const std::uint64_t corners = get(bytes, triangles_at, 4);
+        const std::uint64_t no_vertex = (std::uint64_t{1} << width) - 1;
+        if (no_vertex >= 4) CHECK(status_with(bytes, triangles_at, corners | no_vertex, 4) == Status::bad_leaf);
+        const std::uint64_t padding = std::uint64_t{1} << (6 * width);
+        if (6 * width % 8 != 0) CHECK(status_with(bytes, triangles_at, corners | padding, 4) == Status::bad_leaf);
+        const std::uint64_t extent = get(bytes, format::header::extent_at, 4);
+        CHECK(status_with(bytes, format::header::extent_at, extent - 1, 4) == Status::bad_leaf);  // a vertex beyond it
+    }
+
     TEST_CASE("each header field at its extremes is refused or leaves every query safe") {
         const Bytes bytes = full_blob();
         for (const Field& field : header_fields) {

@@ -159,6 +159,35 @@ TEST_SUITE("rays") {
         CHECK(hit.t == 0.0f);
     }
 
+    TEST_CASE("a reported t lies in the window that was asked for, whatever it was rounded to") {
+        std::uint64_t at_the_end = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 475);
+            for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
+                Ray ray = maker.any_ray();
+                RayHit hit;
+                if (!raycast(blob.opened.blob, ray, hit)) continue;
+                const float t = hit.t;
+                // The exact t lies between two of these floats: as ends of the window they cut off the rounding.
+                for (const float bound : {std::nextafter(std::nextafter(t, 0.0f), 0.0f), std::nextafter(t, 0.0f), t,
+                                          std::nextafter(t, infinity)}) {
+                    CAPTURE(describe(ray));
+                    ray.t_min = 0.0f;
+                    ray.t_max = bound;
+                    if (raycast(blob.opened.blob, ray, hit)) {
+                        REQUIRE(hit.t <= bound);
+                        if (hit.t == bound) ++at_the_end;
+                    }
+                    ray.t_min = bound;
+                    ray.t_max = infinity;
+                    if (raycast(blob.opened.blob, ray, hit)) REQUIRE(hit.t >= bound);
+                }
+            }
+        }
+        CHECK(at_the_end > 0);
+    }
+
     TEST_CASE("no hit leaves the caller's hit untouched") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const RayHit before{17.0f, 0.1f, 0.2f, {3.0f, 4.0f, 5.0f}, Triangle{99}};
