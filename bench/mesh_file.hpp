@@ -1,5 +1,5 @@
-// Reading the two formats of the usual research meshes without the baker's importer: Wavefront OBJ (triangles fanned) and
-// binary little-endian PLY (float positions first, triangle lists).
+// Reading the two formats of the usual research meshes without the baker's importer: Wavefront OBJ (triangles fanned)
+// and binary little-endian PLY (float positions first, triangle lists).
 #pragma once
 
 #include <string>

@@ -21,11 +21,11 @@ public:
         if (mode == EmbreeMode::robust || mode == EmbreeMode::compact_robust) flags |= RTC_SCENE_FLAG_ROBUST;
         rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(flags));
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12,
-                                                 mesh.positions.size());
+        void* vertices =
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size());
         std::memcpy(vertices, mesh.positions.data(), 12 * mesh.positions.size());
-        void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12,
-                                                mesh.triangles.size());
+        void* indices =
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size());
         std::memcpy(indices, mesh.triangles.data(), 12 * mesh.triangles.size());
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene_, geometry);
@@ -41,10 +41,14 @@ public:
     [[nodiscard]] const char* name() const override { return "embree"; }
     [[nodiscard]] const char* profile() const override {
         switch (mode_) {
-            case EmbreeMode::fast: return "default";
-            case EmbreeMode::compact: return "compact";
-            case EmbreeMode::robust: return "robust";
-            case EmbreeMode::compact_robust: return "compact+robust";
+            case EmbreeMode::fast:
+                return "default";
+            case EmbreeMode::compact:
+                return "compact";
+            case EmbreeMode::robust:
+                return "robust";
+            case EmbreeMode::compact_robust:
+                return "compact+robust";
         }
         return "";
     }
@@ -63,8 +67,12 @@ public:
             rtcIntersect1(scene_, &context, &query);
             hits[i].found = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
             if (hits[i].found)
-                hits[i] = {true, query.ray.tfar, query.hit.u, query.hit.v,
-                           Vec3{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z}, query.hit.primID};
+                hits[i] = {true,
+                           query.ray.tfar,
+                           query.hit.u,
+                           query.hit.v,
+                           Vec3{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z},
+                           query.hit.primID};
         }
     }
     std::size_t any(const std::vector<Ray>& rays) override {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <runtime/simd/select.hpp>
+
 #include "../mesh_file.hpp"
 #include "../rays.hpp"
 #include "system.hpp"
@@ -70,20 +72,38 @@ Options parse(int count, char** words) {
         if (word == "--json") options.json = true;
         else if (word == "--reference-only") options.reference_only = true;
         else if (word == "--repetitions" && i + 1 < count) options.repetitions = std::atoi(words[++i]);
-        else if (word == "--rays" && i + 1 < count) options.incoherent = static_cast<std::size_t>(std::atol(words[++i]));
+        else if (word == "--rays" && i + 1 < count)
+            options.incoherent = static_cast<std::size_t>(std::atol(words[++i]));
         else if (word == "--bits" && i + 1 < count) options.bits = static_cast<unsigned>(std::atoi(words[++i]));
         else if (word == "--effort" && i + 1 < count) options.effort = static_cast<unsigned>(std::atoi(words[++i]));
         else if (word.rfind("--", 0) == 0) {
-            std::fprintf(stderr, "usage: espalier_bench_peers [--json] [--reference-only] [--repetitions N] [--rays N] [--bits N] [--effort N] MESH...\n");
+            std::fprintf(stderr,
+                         "usage: espalier_bench_peers [--json] [--reference-only] [--repetitions N] [--rays N] [--bits "
+                         "N] [--effort N] MESH...\n");
             std::exit(1);
         } else options.meshes.push_back(word);
     }
     return options;
 }
 
+const char* instruction_set_name() {
+    switch (detail::instruction_set()) {
+        case detail::InstructionSet::scalar:
+            return "scalar";
+        case detail::InstructionSet::sse42:
+            return "sse4.2";
+        case detail::InstructionSet::avx2:
+            return "avx2";
+        case detail::InstructionSet::neon:
+            return "neon";
+    }
+    return "";
+}
+
 void measure(const std::string& path, const Options& options) {
     const Mesh mesh = read_mesh(path);
-    std::vector<std::unique_ptr<System>> systems = make_systems(mesh, options.bits, options.effort, options.reference_only);
+    std::vector<std::unique_ptr<System>> systems =
+        make_systems(mesh, options.bits, options.effort, options.reference_only);
     const std::vector<Ray> coherent = coherent_rays(mesh);
     const std::vector<Ray> incoherent = incoherent_rays(mesh, options.incoherent);
     std::vector<Timing> timings(systems.size());
@@ -106,17 +126,21 @@ void measure(const std::string& path, const Options& options) {
         const double build = systems[0]->build_seconds() / systems[s]->build_seconds();
         const double rate = static_cast<double>(incoherent.size()) / spread(timings[s].incoherent).median * 1e-6;
         if (options.json) {
-            std::printf("{\"system\":\"%s\",\"profile\":\"%s\",\"mesh\":\"%s\",\"bytes_per_triangle\":%.3f,"
-                        "\"incoherent_ratio\":%.3f,\"coherent_ratio\":%.3f,\"any_ratio\":%.3f,\"build_ratio\":%.3f,"
-                        "\"incoherent_spread\":[%.3f,%.3f],\"coherent_spread\":[%.3f,%.3f],\"any_spread\":[%.3f,%.3f],"
-                        "\"incoherent_mrays\":%.3f,\"disagreeing\":%zu}\n",
-                        systems[s]->name(), systems[s]->profile(), mesh.name.c_str(), bytes, n.median, c.median, a.median,
-                        build, n.low, n.high, c.low, c.high, a.low, a.high, rate, disagreeing);
+            std::printf(
+                "{\"system\":\"%s\",\"profile\":\"%s\",\"mesh\":\"%s\",\"triangles\":%zu,\"bits\":%u,\"effort\":%u,"
+                "\"instruction_set\":\"%s\",\"bytes_per_triangle\":%.3f,"
+                "\"incoherent_ratio\":%.3f,\"coherent_ratio\":%.3f,\"any_ratio\":%.3f,\"build_ratio\":%.3f,"
+                "\"incoherent_spread\":[%.3f,%.3f],\"coherent_spread\":[%.3f,%.3f],\"any_spread\":[%.3f,%.3f],"
+                "\"incoherent_mrays\":%.3f,\"disagreeing\":%zu}\n",
+                systems[s]->name(), systems[s]->profile(), mesh.name.c_str(), mesh.triangles.size(), options.bits,
+                options.effort, instruction_set_name(), bytes, n.median, c.median, a.median, build, n.low, n.high,
+                c.low, c.high, a.low, a.high, rate, disagreeing);
         } else {
-            std::printf("%-12s %-16s %-12s %6.2f B/tri  incoherent %.2f (%.2f-%.2f)  coherent %.2f (%.2f-%.2f)  any %.2f "
-                        "(%.2f-%.2f)  build %.3f s  %.2f Mray/s  disagreeing %zu\n",
-                        mesh.name.c_str(), systems[s]->name(), systems[s]->profile(), bytes, n.median, n.low, n.high,
-                        c.median, c.low, c.high, a.median, a.low, a.high, systems[s]->build_seconds(), rate, disagreeing);
+            std::printf(
+                "%-12s %-16s %-12s %6.2f B/tri  incoherent %.2f (%.2f-%.2f)  coherent %.2f (%.2f-%.2f)  any %.2f "
+                "(%.2f-%.2f)  build %.3f s  %.2f Mray/s  disagreeing %zu\n",
+                mesh.name.c_str(), systems[s]->name(), systems[s]->profile(), bytes, n.median, n.low, n.high, c.median,
+                c.low, c.high, a.median, a.low, a.high, systems[s]->build_seconds(), rate, disagreeing);
         }
         std::fflush(stdout);
     }

@@ -42,6 +42,7 @@ std::unique_ptr<System> make_embree(const Mesh& mesh, EmbreeMode mode);
 #endif
 
 /// The reference first: Embree's default where it is installed, else Espalier itself.
-std::vector<std::unique_ptr<System>> make_systems(const Mesh& mesh, unsigned bits, unsigned effort, bool reference_only);
+std::vector<std::unique_ptr<System>> make_systems(const Mesh& mesh, unsigned bits, unsigned effort,
+                                                  bool reference_only);
 
 }  // namespace espalier::bench
