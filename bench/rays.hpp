@@ -6,9 +6,11 @@
 
 #include <espalier/ray.hpp>
 
-#include "mesh_file.hpp"
+#include "../tests/support/mesh.hpp"
 
 namespace espalier::bench {
+
+using tests::Mesh;
 
 /// 512 x 512 pinhole views from three sides, row by row.
 std::vector<Ray> coherent_rays(const Mesh& mesh);

@@ -15,10 +15,7 @@ public:
         BakeOptions options;
         options.bits = bits;
         options.effort = effort;
-        MeshView view;
-        view.positions = mesh.positions;
-        view.triangles = mesh.triangles;
-        view.name = mesh.name;
+        const MeshView view = mesh.view();
         auto baked = bake({&view, 1}, options);
         if (!baked) fail(baked.error().message.c_str());
         seconds_ = baked->report.seconds;

@@ -5,14 +5,14 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <runtime/simd/select.hpp>
 
-#include "../mesh_file.hpp"
+#include "../../tests/support/mesh_files.hpp"
 #include "../rays.hpp"
 #include "system.hpp"
 
@@ -101,7 +101,7 @@ const char* instruction_set_name() {
 }
 
 void measure(const std::string& path, const Options& options) {
-    const Mesh mesh = read_mesh(path);
+    const Mesh mesh = tests::read_mesh(path);
     std::vector<std::unique_ptr<System>> systems =
         make_systems(mesh, options.bits, options.effort, options.reference_only);
     const std::vector<Ray> coherent = coherent_rays(mesh);
@@ -154,6 +154,11 @@ int main(int count, char** words) {
         std::fprintf(stderr, "espalier_bench_peers: name at least one mesh, .obj or .ply\n");
         return 1;
     }
-    for (const std::string& path : options.meshes) measure(path, options);
+    try {
+        for (const std::string& path : options.meshes) measure(path, options);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
     return 0;
 }

@@ -8,7 +8,7 @@
 
 #include <espalier/ray.hpp>
 
-#include "../mesh_file.hpp"
+#include "../rays.hpp"
 
 namespace espalier::bench {
 
