@@ -90,7 +90,12 @@ TEST_SUITE("queries against the oracle") {
                     const RayHit& hit = every[k];
                     const oracle::Crossing& expected = exact[k].crossing;
                     REQUIRE(hit.triangle.index == exact[k].index);
-                    worst_t = std::max(worst_t, oracle::error_in_ulp(hit.t, exact_t(rounded, expected.t)));
+                    const Rational t = exact_t(rounded, expected.t);
+                    if (std::isinf(hit.t)) {
+                        REQUIRE(t > Rational::of(std::numeric_limits<float>::max()));  // where float32 ends
+                    } else {
+                        worst_t = std::max(worst_t, oracle::error_in_ulp(hit.t, t));
+                    }
                     worst_weight = std::max({worst_weight, oracle::error_in_ulp(hit.u, expected.u),
                                              oracle::error_in_ulp(hit.v, expected.v)});
                     if (hit.triangle == closest.triangle) REQUIRE(same_bits(hit, closest));
@@ -237,10 +242,8 @@ TEST_SUITE("rays") {
                 REQUIRE(raycast(blob.opened.blob, ray, hit) == first.has_value());
                 if (!first) continue;
                 REQUIRE(same_bits(hit.t, first->t));
-                // From far away several hits round to the same t; then the order before that rounding counts.
-                detail::LatticeRay rounded;
-                REQUIRE(detail::round_ray(blob.opened.blob.data(), ray, rounded));
-                if (rounded.tau_offset == 0.0f) REQUIRE(same_bits(hit, *first));
+                // Where t leaves float32's range the order is that of t before it did.
+                if (std::isnormal(hit.t) || hit.t == 0.0f) REQUIRE(same_bits(hit, *first));
             }
         }
     }
