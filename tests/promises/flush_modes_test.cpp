@@ -104,16 +104,27 @@ TEST_SUITE("promises") {
                 Ray ray = maker.any_ray();
                 Sphere sphere = maker.sphere();
                 switch (random.below(8)) {
-                    case 0: ray.direction = {hostile(), hostile(), hostile()}; break;
-                    case 1: ray.direction = {subnormal(), subnormal(), subnormal()}; break;
+                    case 0:
+                        ray.direction = {hostile(), hostile(), hostile()};
+                        break;
+                    case 1:
+                        ray.direction = {subnormal(), subnormal(), subnormal()};
+                        break;
                     case 2:
                         ray.origin = {subnormal(), subnormal(), subnormal()};
                         sphere.center = ray.origin;
                         break;
-                    case 3: ray.t_min = subnormal(); break;
-                    case 4: ray.t_max = hostile(); break;
-                    case 5: sphere.radius = subnormal(); break;
-                    default: break;
+                    case 3:
+                        ray.t_min = subnormal();
+                        break;
+                    case 4:
+                        ray.t_max = hostile();
+                        break;
+                    case 5:
+                        sphere.radius = subnormal();
+                        break;
+                    default:
+                        break;
                 }
                 const Answers expected = ask(opened.bytes, ray, sphere);
                 for (const unsigned flags : {flush_to_zero, denormals_are_zero, flush_to_zero | denormals_are_zero}) {

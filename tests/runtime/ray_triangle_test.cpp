@@ -26,9 +26,12 @@ GridPoint some_grid_point(Random& random, unsigned bits) {
     const std::int32_t limit = (1 << bits) - 1;
     const auto coordinate = [&] {
         switch (random.below(6)) {
-            case 0: return 0;
-            case 1: return limit;
-            default: return random.between(0, limit);
+            case 0:
+                return 0;
+            case 1:
+                return limit;
+            default:
+                return random.between(0, limit);
         }
     };
     const std::int32_t x = coordinate();
@@ -49,8 +52,11 @@ GridTriangle some_triangle(Random& random, unsigned bits) {
             return q;
         };
         switch (random.below(4)) {
-            case 0: break;
-            case 1: triangle.b = near(triangle.a, 3); break;
+            case 0:
+                break;
+            case 1:
+                triangle.b = near(triangle.a, 3);
+                break;
             case 2:
                 triangle.b = near(triangle.a, 40);
                 triangle.c = near(triangle.a, 40);
@@ -73,9 +79,12 @@ Vec3 some_target(Random& random, const GridTriangle& triangle) {
     const Vec3 p = to_vec3(corners[random.below(3)]);
     const Vec3 q = to_vec3(corners[random.below(3)]);
     switch (random.below(4)) {
-        case 0: return p;
-        case 1: return {0.5f * (p.x + q.x), 0.5f * (p.y + q.y), 0.5f * (p.z + q.z)};
-        case 2: return {p.x + random.signed_unit(), p.y + random.signed_unit(), p.z + random.signed_unit()};
+        case 0:
+            return p;
+        case 1:
+            return {0.5f * (p.x + q.x), 0.5f * (p.y + q.y), 0.5f * (p.z + q.z)};
+        case 2:
+            return {p.x + random.signed_unit(), p.y + random.signed_unit(), p.z + random.signed_unit()};
         default: {
             const float s = random.unit();
             return {p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), p.z + s * (q.z - p.z)};

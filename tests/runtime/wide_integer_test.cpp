@@ -33,11 +33,16 @@ BigInteger exact(const Unsigned256& value) {
 /// Of every length, with long runs of ones and zeros more often than chance would have it.
 std::uint64_t some_word(Random& random) {
     switch (random.below(6)) {
-        case 0: return 0;
-        case 1: return ~std::uint64_t{0};
-        case 2: return std::uint64_t{1} << random.below(64);
-        case 3: return (std::uint64_t{1} << random.below(64)) - 1;
-        default: return random.next() >> random.below(64);
+        case 0:
+            return 0;
+        case 1:
+            return ~std::uint64_t{0};
+        case 2:
+            return std::uint64_t{1} << random.below(64);
+        case 3:
+            return (std::uint64_t{1} << random.below(64)) - 1;
+        default:
+            return random.next() >> random.below(64);
     }
 }
 std::int64_t some_signed(Random& random) { return static_cast<std::int64_t>(some_word(random)); }

@@ -32,7 +32,8 @@ private:
     std::uint64_t value_ = 0xCBF29CE484222325u;
 };
 
-/// The first thing that was wrong. Kept until the end: nothing may be thrown through the runtime, which has no exceptions.
+/// The first thing that was wrong. Kept until the end: nothing may be thrown through the runtime, which has no
+/// exceptions.
 class Verdict {
 public:
     void require(bool holds, const char* what) {
@@ -62,11 +63,16 @@ Vec3 some_point(const Blob& blob, Random& random) {
     const Vec3 high = blob.bounds_max();
     const auto coordinate = [&](float from, float to) {
         switch (random.below(8)) {
-            case 0: return hostile_values[random.below(hostile_values.size())];
-            case 1: return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
-            case 2: return from;
-            case 3: return to;
-            default: return from + (to - from) * (random.unit() * 1.5f - 0.25f);
+            case 0:
+                return hostile_values[random.below(hostile_values.size())];
+            case 1:
+                return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+            case 2:
+                return from;
+            case 3:
+                return to;
+            default:
+                return from + (to - from) * (random.unit() * 1.5f - 0.25f);
         }
     };
     const float x = coordinate(low.x, high.x);

@@ -93,7 +93,9 @@ Ray QueryMaker::ray(RayKind kind) {
             // From another lattice point the aim is exact where the asset lies near the world's origin.
             if (random_.coin()) ray.origin = to_world(some_vertex());
             break;
-        case RayKind::through_edge: target = some_edge_middle(); break;
+        case RayKind::through_edge:
+            target = some_edge_middle();
+            break;
         case RayKind::axis_parallel: {
             const std::uint32_t axis = random_.below(3);
             const float length = std::ldexp(random_.coin() ? 1.0f : -0.7f, random_.between(-20, 20));
@@ -129,8 +131,12 @@ Ray QueryMaker::ray(RayKind kind) {
             ray.direction = {nudged(anywhere.x), nudged(anywhere.y), anywhere.z};
             return ray;
         }
-        case RayKind::far_ten_thousand: ray.origin = around(1e4); break;
-        case RayKind::far_million: ray.origin = around(1e6); break;
+        case RayKind::far_ten_thousand:
+            ray.origin = around(1e4);
+            break;
+        case RayKind::far_million:
+            ray.origin = around(1e6);
+            break;
     }
     ray.direction = difference(target, ray.origin);
     ray.direction = {nudged(ray.direction.x), nudged(ray.direction.y), nudged(ray.direction.z)};
@@ -148,13 +154,18 @@ void QueryMaker::restrict(Ray& ray) {
     const auto longest = std::max({std::fabs(ray.direction.x), std::fabs(ray.direction.y), std::fabs(ray.direction.z)});
     const auto sizes = [&] { return static_cast<float>(size_) / longest * random_.unit(); };
     switch (random_.below(4)) {
-        case 0: ray.t_min = sizes(); break;
-        case 1: ray.t_max = sizes() * 2.0f; break;
+        case 0:
+            ray.t_min = sizes();
+            break;
+        case 1:
+            ray.t_max = sizes() * 2.0f;
+            break;
         case 2:
             ray.t_min = sizes();
             ray.t_max = ray.t_min + sizes();
             break;
-        default: ray.t_min = -1.0f;
+        default:
+            ray.t_min = -1.0f;
     }
     ray.faces = static_cast<Faces>(random_.below(3));
 }
@@ -163,10 +174,18 @@ Sphere QueryMaker::sphere() {
     Sphere sphere;
     const Vec3 target = some_target();
     switch (random_.below(8)) {
-        case 0: sphere.center = target; break;
-        case 1: sphere.center = middle(target, to_world(some_triangle().a)); break;
-        case 2: sphere.center = around(1e4); break;
-        case 3: sphere.center = around(random_.coin() ? 1e6 : 10.0); break;
+        case 0:
+            sphere.center = target;
+            break;
+        case 1:
+            sphere.center = middle(target, to_world(some_triangle().a));
+            break;
+        case 2:
+            sphere.center = around(1e4);
+            break;
+        case 3:
+            sphere.center = around(random_.coin() ? 1e6 : 10.0);
+            break;
         case 4:
             sphere.center = to_world(0.5 * decoded_.extent[0], 0.5 * decoded_.extent[1], 0.5 * decoded_.extent[2]);
             break;
@@ -180,11 +199,20 @@ Sphere QueryMaker::sphere() {
                                       static_cast<double>(gap.y) * static_cast<double>(gap.y) +
                                       static_cast<double>(gap.z) * static_cast<double>(gap.z));
     switch (random_.below(6)) {
-        case 0: sphere.radius = 0.0f; break;
-        case 1: sphere.radius = INFINITY; break;
-        case 2: sphere.radius = nudged(static_cast<float>(distance)); break;
-        case 3: sphere.radius = static_cast<float>(size_) * 0.01f * random_.unit(); break;
-        default: sphere.radius = static_cast<float>(distance) * random_.unit();
+        case 0:
+            sphere.radius = 0.0f;
+            break;
+        case 1:
+            sphere.radius = INFINITY;
+            break;
+        case 2:
+            sphere.radius = nudged(static_cast<float>(distance));
+            break;
+        case 3:
+            sphere.radius = static_cast<float>(size_) * 0.01f * random_.unit();
+            break;
+        default:
+            sphere.radius = static_cast<float>(distance) * random_.unit();
     }
     return sphere;
 }
