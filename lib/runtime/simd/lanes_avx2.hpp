@@ -111,8 +111,8 @@ inline void spread(__m128 a, Floats* to) {
 /// A word of the blob, shifted left by each count.
 template <int x, int y, int z>
 inline __m128i shift_left_each(const std::byte* word) {
-    return _mm_sllv_epi32(_mm_castps_si128(_mm_broadcast_ss(reinterpret_cast<const float*>(word))),
-                          _mm_setr_epi32(x, y, z, z));
+    const __m128i all = _mm_broadcastd_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(word))));
+    return _mm_sllv_epi32(all, _mm_setr_epi32(x, y, z, z));
 }
 
 #include <runtime/simd/frames_x86.inl>
