@@ -51,6 +51,14 @@ inline constexpr float still = 0x1p60f;
 
 namespace lattice_ray {
 
+/// x, or `instead` where x is +0. In integers: compilers turn a choice before a division into one after it, and then divide by
+/// zero, which a program may have trap.
+inline float or_if_zero(float x, float instead) {
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
+    const std::uint32_t mask = bits == 0 ? ~0u : 0u;
+    return std::bit_cast<float>(bits | (mask & std::bit_cast<std::uint32_t>(instead)));
+}
+
 /// Largest distance of a coordinate of the asset's box from the origin, along any axis.
 inline float reach(const float* origin, const BlobData& blob) {
     float result = 0.0f;
@@ -153,7 +161,7 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     for (int k = 0; k < 3; ++k) {
         const float rounded = round_to_integer(scaled[k]);
         ray.direction[k] = static_cast<std::int32_t>(rounded);
-        ray.inverse[k] = ray.direction[k] == 0 ? still : 1.0f / rounded;
+        ray.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
     }
 
     float origin[3];

@@ -111,8 +111,9 @@ inline void spread(__m128 a, Floats* to) {
 /// A word of the blob, shifted left by each count.
 template <int x, int y, int z>
 inline __m128i shift_left_each(const std::byte* word) {
-    const __m128i all = _mm_broadcastd_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(word))));
-    return _mm_sllv_epi32(all, _mm_setr_epi32(x, y, z, z));
+    float bits;  // never calculated with; as a float it is loaded and spread by one instruction
+    __builtin_memcpy(&bits, word, sizeof bits);
+    return _mm_sllv_epi32(_mm_castps_si128(_mm_set1_ps(bits)), _mm_setr_epi32(x, y, z, z));
 }
 
 #include <runtime/simd/frames_x86.inl>

@@ -22,10 +22,9 @@ inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRa
     const __m128 scaled = _mm_mul_ps(direction, _mm_castsi128_ps(to_24_bits(longest)));
     const __m128i integers = _mm_and_si128(_mm_cvtps_epi32(scaled), xyz);
     const __m128 rounded = _mm_cvtepi32_ps(integers);
-    const __m128 one = _mm_set1_ps(1.0f);
     const __m128 at_rest = _mm_castsi128_ps(_mm_cmpeq_epi32(integers, _mm_setzero_si128()));
-    const __m128 divisor = _mm_blendv_ps(rounded, one, at_rest);  // a program may have division by zero trap
-    const __m128 inverse = _mm_blendv_ps(_mm_div_ps(one, divisor), _mm_set1_ps(still), at_rest);
+    const __m128 divisor = _mm_or_ps(rounded, _mm_and_ps(at_rest, _mm_set1_ps(1.0f / still)));  // see or_if_zero
+    const __m128 inverse = _mm_div_ps(_mm_set1_ps(1.0f), divisor);
 
     const __m128 corner = _mm_load_ps(blob.origin);
     const __m128 eye = three(&world.origin.x);
