@@ -51,8 +51,8 @@ inline constexpr float still = 0x1p60f;
 
 namespace lattice_ray {
 
-/// x, or `instead` where x is +0. In integers: compilers turn a choice before a division into one after it, and then divide by
-/// zero, which a program may have trap.
+/// x, or `instead` where x is +0. In integers: compilers turn a choice before a division into one after it, and then
+/// divide by zero, which a program may have trap.
 inline float or_if_zero(float x, float instead) {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
     const std::uint32_t mask = bits == 0 ? ~0u : 0u;
