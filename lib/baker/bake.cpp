@@ -9,7 +9,6 @@
 #include "check_result.hpp"
 #include "closed.hpp"
 #include "collapse.hpp"
-#include "cost_model.hpp"
 #include "encode.hpp"
 #include "fit_lattice.hpp"
 #include "lattice.hpp"
@@ -56,8 +55,10 @@ BakeError internal_error(const std::string& complaint) {
 
 }  // namespace
 
-Result<Baked, BakeError> bake_with_cost_model(std::span<const MeshView> meshes, const BakeOptions& options,
-                                              const CostModel& cost_model) {
+}  // namespace baker
+
+Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options) {
+    using namespace baker;
     const auto start = std::chrono::steady_clock::now();
     const Progress progress(options.progress);
     Baked baked;
@@ -81,7 +82,7 @@ Result<Baked, BakeError> bake_with_cost_model(std::span<const MeshView> meshes, 
     const BinaryTree tree = optimise(build_sah(mesh, settings), optimise_settings(options.effort));
 
     progress.begin(stages::collapse);
-    const CollapsePlan plan(mesh, tree, cost_model);
+    const CollapsePlan plan(mesh, tree, {options.cost_model, options.max_leaf_triangles});
 
     progress.begin(stages::order);
     const WideTree wide = put_in_order(mesh, tree, plan);
@@ -98,12 +99,6 @@ Result<Baked, BakeError> bake_with_cost_model(std::span<const MeshView> meshes, 
     fill_in(report, bounds, mesh, wide, properties, baked.blob.size());
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return baked;
-}
-
-}  // namespace baker
-
-Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options) {
-    return baker::bake_with_cost_model(meshes, options, baker::CostModel{});
 }
 
 }  // namespace espalier

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "text.hpp"
 #include "zero_area.hpp"
@@ -12,6 +13,7 @@ namespace espalier::baker {
 namespace {
 
 constexpr unsigned max_effort = 9;
+constexpr float most_expensive = 1e6f;  // sums over all nodes stay far from infinity, which means impossible there
 constexpr const char* corner_names[3] = {"first", "second", "third"};
 
 BakeError invalid_options(std::string message) { return {BakeError::Kind::invalid_options, std::move(message)}; }
@@ -124,6 +126,19 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
     }
 }
 
+std::optional<BakeError> check_cost_model(const CostModel& model) {
+    const std::pair<const char*, float> costs[] = {{"node_visit", model.node_visit},
+                                                   {"leaf_visit", model.leaf_visit},
+                                                   {"triangle", model.triangle},
+                                                   {"byte_price", model.byte_price}};
+    for (const auto& [name, cost] : costs) {
+        if (std::isfinite(cost) && cost >= 0.0f && cost <= most_expensive) continue;
+        return invalid_options(std::string("the cost model's ") + name + " is " + number_text(double(cost)) +
+                               "; choose a number from 0 to " + number_text(double(most_expensive)));
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<BakeError> check_options(const BakeOptions& options) {
@@ -139,6 +154,11 @@ std::optional<BakeError> check_options(const BakeOptions& options) {
         return invalid_options("effort is " + std::to_string(options.effort) + "; choose 0 (fastest) to " +
                                std::to_string(max_effort) + " (best)");
     }
+    if (options.max_leaf_triangles < 1 || options.max_leaf_triangles > format::max_leaf_triangles) {
+        return invalid_options("max_leaf_triangles is " + std::to_string(options.max_leaf_triangles) +
+                               "; choose 1 to " + std::to_string(format::max_leaf_triangles));
+    }
+    if (auto error = check_cost_model(options.cost_model)) return error;
     if (options.profile != format::Profile::fast) {
         return invalid_options("profile " + std::to_string(static_cast<unsigned>(options.profile)) +
                                " is not known; choose fast");

@@ -46,13 +46,14 @@ struct Subtree {
 /// their parent. What children leave behind lies on a stack no higher than the tree.
 class CollapsePlanner {
 public:
-    CollapsePlanner(const LatticeMesh& mesh, const BinaryTree& tree, const CostModel& model, CollapsePlan& plan)
+    CollapsePlanner(const LatticeMesh& mesh, const BinaryTree& tree, const CollapseSettings& settings, CollapsePlan& plan)
         : mesh_(mesh),
           tree_(tree),
-          model_(model),
+          model_(settings.cost_model),
+          max_leaf_triangles_(settings.max_leaf_triangles),
           plan_(plan),
           relative_area_(1.0f / static_cast<float>(std::max(tree.nodes[0].half_area(), 1.0))),
-          byte_cost_(model.byte_price / static_cast<float>(tree.triangles.size())) {
+          byte_cost_(settings.cost_model.byte_price / static_cast<float>(tree.triangles.size())) {
         plan.choices_.resize(tree.node_count());
         std::vector<Subtree> stack(max_binary_height + 2);
         std::size_t top = 0;
@@ -100,7 +101,7 @@ private:
         float as_leaf = impossible;
         VertexList vertices;
         vertices.count = VertexList::too_many;
-        if (binary.count <= format::max_leaf_triangles) {
+        if (binary.count <= max_leaf_triangles_) {
             vertices = merge(left.vertices, right.vertices);
             if (vertices.fits()) as_leaf = leaf_cost(binary, vertices.count);
         }
@@ -147,13 +148,15 @@ private:
     const LatticeMesh& mesh_;
     const BinaryTree& tree_;
     const CostModel& model_;
+    unsigned max_leaf_triangles_;
     CollapsePlan& plan_;
     float relative_area_;
     float byte_cost_;
 };
 
-CollapsePlan::CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const CostModel& cost_model) : tree_(tree) {
-    if (!tree.triangles.empty()) CollapsePlanner(mesh, tree, cost_model, *this);
+CollapsePlan::CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const CollapseSettings& settings)
+    : tree_(tree) {
+    if (!tree.triangles.empty()) CollapsePlanner(mesh, tree, settings, *this);
 }
 
 Child CollapsePlan::child_for(std::uint32_t binary_node) const {

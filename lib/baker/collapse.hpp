@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include <espalier/bake.hpp>
 #include <espalier/format.hpp>
 
 #include "binary_tree.hpp"
-#include "cost_model.hpp"
 #include "lattice_mesh.hpp"
 
 namespace espalier::baker {
@@ -27,10 +27,15 @@ struct Children {
     [[nodiscard]] std::span<Child> list() { return {slots.data(), count}; }
 };
 
+struct CollapseSettings {
+    CostModel cost_model;
+    unsigned max_leaf_triangles = format::max_leaf_triangles;  ///< at least 1
+};
+
 /// The cheapest choice for every subtree, found by dynamic programming.
 class CollapsePlan {
 public:
-    CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const CostModel& cost_model);
+    CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const CollapseSettings& settings);
 
     /// The children of the wide node that stands for `binary_node`, when at most `levels` nodes, itself included, may
     /// lie on the way down. Requires height(binary_node) <= 3 * levels, and gives children that are leaves or meet the

@@ -31,6 +31,18 @@ struct MeshView {
 
 enum class Materials : std::uint8_t { none, bits_8, bits_16 };
 
+/// What the baker minimises where it decides which boxes become nodes and where leaves begin: the expected cost of a
+/// ray, in visits of a node, plus a price on bytes,
+///   sum over nodes and leaves of (area / the root's area) * cost + byte_price * bytes / triangles.
+/// Each is between 0 and a million. The defaults are committed: no clock enters the bytes. bench/cost_model fits them
+/// to a machine.
+struct CostModel {
+    float node_visit = 1.0f;
+    float leaf_visit = 0.7f;  ///< for each started group of 8 triangles
+    float triangle = 0.0f;    ///< for each triangle of a visited leaf
+    float byte_price = 5.0f;  ///< of one byte a triangle
+};
+
 struct BakeOptions {
     /// Largest allowed distance between source and baked surface, in world units. Without it `bits` decides the
     /// lattice.
@@ -42,6 +54,9 @@ struct BakeOptions {
     Materials materials = Materials::none;
     /// Drop triangles with NaN or infinite corners and with indices out of range, instead of refusing the mesh.
     bool repair = false;
+    CostModel cost_model = {};
+    /// 1..format::max_leaf_triangles. Smaller leaves test fewer triangles for each ray and take more bytes.
+    unsigned max_leaf_triangles = format::max_leaf_triangles;
     /// 0 builds fastest, 9 builds best.
     unsigned effort = 5;
     unsigned threads = 1;  ///< 0: as many as the machine has. The bytes do not depend on it.

@@ -2,11 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include <baker/build_sah.hpp>
 #include <baker/collapse.hpp>
-#include <baker/cost_model.hpp>
 #include <baker/verify.hpp>
 
 #include "../support/baking.hpp"
@@ -177,8 +177,8 @@ TEST_SUITE("baker") {
         const baker::LatticeMesh mesh = nearly_equal_boxes(5000);
         const baker::BinaryTree tree = baker::build_sah(mesh, baker::build_settings(5, 1));
         const unsigned least_levels = (height_of(tree) + 2) / 3;
-        for (const baker::CostModel& model : {baker::CostModel{}, baker::CostModel{0.001f, 1.0f, 1.0f, 0.0f}}) {
-            const baker::CollapsePlan plan(mesh, tree, model);
+        for (const CostModel& model : {CostModel{}, CostModel{0.001f, 1.0f, 1.0f, 0.0f}}) {
+            const baker::CollapsePlan plan(mesh, tree, {model});
             for (unsigned levels = least_levels; levels <= format::max_depth; ++levels) {
                 CHECK(wide_depth(plan, 0, levels) <= levels);
             }
@@ -188,14 +188,67 @@ TEST_SUITE("baker") {
     TEST_CASE("when the collapse likes long chains, the depth still holds") {
         // Free bytes and dear leaves: the dynamic program takes whatever nodes it likes.
         const Mesh mesh = as_mesh(nearly_equal_boxes(30'000));
-        const MeshView view = mesh.view();
-        for (const baker::CostModel& model :
-             {baker::CostModel{0.001f, 1.0f, 1.0f, 0.0f}, baker::CostModel{1.0f, 0.0f, 0.0f, 0.0f},
-              baker::CostModel{1.0f, 1.0f, 0.0f, 1000.0f}}) {
-            const auto result = baker::bake_with_cost_model({&view, 1}, with_bits(24), model);
+        for (const CostModel& model :
+             {CostModel{0.001f, 1.0f, 1.0f, 0.0f}, CostModel{1.0f, 0.0f, 0.0f, 0.0f},
+              CostModel{1.0f, 1.0f, 0.0f, 1000.0f}}) {
+            BakeOptions options = with_bits(24);
+            options.cost_model = model;
+            const auto result = bake_mesh(mesh, options);
             REQUIRE(result);
             CHECK(result->report.depth <= format::max_depth);
             CHECK(!baker::verify_deep(result->blob));
+        }
+    }
+
+    TEST_CASE("leaves hold as many triangles as the options allow and no more") {
+        const Mesh mesh = make_terrain(60, 3);
+        for (unsigned most = 1; most <= format::max_leaf_triangles; ++most) {
+            BakeOptions options;
+            options.max_leaf_triangles = most;
+            options.cost_model.byte_price = 20.0f;  // large leaves are wanted
+            const auto result = bake_mesh(mesh, options);
+            REQUIRE(result);
+            CHECK(!baker::verify_deep(result->blob));
+            const DecodedBlob decoded = decode(result->blob);
+            CHECK(decoded.triangles.size() == mesh.triangles.size());
+            CHECK(*std::max_element(decoded.triangles_in_leaf.begin(), decoded.triangles_in_leaf.end()) == most);
+        }
+    }
+
+    TEST_CASE("a leaf size or a cost that makes no sense is refused by name") {
+        const Mesh mesh = make_terrain(4, 3);
+        const auto refused_for = [&](const BakeOptions& options, const char* name) {
+            const auto result = bake_mesh(mesh, options);
+            REQUIRE(!result);
+            CHECK(result.error().kind == BakeError::Kind::invalid_options);
+            CHECK(contains(result.error().message, name));
+        };
+        for (const unsigned most : {0u, format::max_leaf_triangles + 1u}) {
+            BakeOptions options;
+            options.max_leaf_triangles = most;
+            refused_for(options, "max_leaf_triangles");
+        }
+        for (const float cost : {-1.0f, std::numeric_limits<float>::quiet_NaN(),
+                                 std::numeric_limits<float>::infinity(), 1e7f}) {
+            BakeOptions options;
+            options.cost_model.leaf_visit = cost;
+            refused_for(options, "leaf_visit");
+            options.cost_model = {};
+            options.cost_model.byte_price = cost;
+            refused_for(options, "byte_price");
+        }
+    }
+
+    TEST_CASE("a dearer byte gives a smaller blob") {
+        const Mesh mesh = make_terrain(60, 3);
+        std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
+        for (const float price : {0.0f, 5.0f, 100.0f}) {
+            BakeOptions options;
+            options.cost_model.byte_price = price;
+            const auto result = bake_mesh(mesh, options);
+            REQUIRE(result);
+            CHECK(result->report.bytes < last);
+            last = result->report.bytes;
         }
     }
 
