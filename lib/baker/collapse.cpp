@@ -46,7 +46,8 @@ struct Subtree {
 /// their parent. What children leave behind lies on a stack no higher than the tree.
 class CollapsePlanner {
 public:
-    CollapsePlanner(const LatticeMesh& mesh, const BinaryTree& tree, const CollapseSettings& settings, CollapsePlan& plan)
+    CollapsePlanner(const LatticeMesh& mesh, const BinaryTree& tree, const CollapseSettings& settings,
+                    CollapsePlan& plan)
         : mesh_(mesh),
           tree_(tree),
           model_(settings.cost_model),
