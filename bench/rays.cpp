@@ -60,6 +60,22 @@ Ray towards(const float* from, const float* to) {
 
 }  // namespace
 
+BoundingSphere bounding_sphere(const Mesh& mesh) {
+    const Box box = box_of(mesh);
+    return {{box.center(0), box.center(1), box.center(2)}, box.radius()};
+}
+
+double bring_to_common_size(Mesh& mesh) {
+    const Box box = box_of(mesh);
+    float extent = 0.0f;
+    for (int k = 0; k < 3; ++k) extent = std::max(extent, box.high[k] - box.low[k]);
+    if (!(extent > 0.0f) || std::isinf(extent)) return 1.0;
+    const int exponent = 7 - std::ilogb(extent);
+    for (Vec3& p : mesh.positions)
+        p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+    return std::ldexp(1.0, exponent);
+}
+
 std::vector<Ray> coherent_rays(const Mesh& mesh) {
     const Box box = box_of(mesh);
     const float radius = box.radius();
@@ -79,10 +95,10 @@ std::vector<Ray> coherent_rays(const Mesh& mesh) {
     return rays;
 }
 
-std::vector<Ray> incoherent_rays(const Mesh& mesh, std::size_t count) {
+std::vector<Ray> incoherent_rays(const Mesh& mesh, std::size_t count, std::uint64_t seed) {
     const Box box = box_of(mesh);
     const float radius = 1.2f * box.radius();
-    Random random{2026};
+    Random random{seed};
     std::vector<Ray> rays;
     while (rays.size() < count) {
         const float s[3] = {random.symmetric(), random.symmetric(), random.symmetric()};

@@ -2,23 +2,22 @@
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
-#include <chrono>
 #include <cstring>
 
+#include "stopwatch.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {
 namespace {
 
+// Bytes are what Embree's memory monitor says the device holds once the scene is committed: tree, vertices and indices.
+// Building is the commit; the copies of the arrays into Embree's buffers are made before.
 class EmbreeSystem final : public System {
 public:
-    EmbreeSystem(const Mesh& mesh, EmbreeMode mode) : mode_(mode) {
+    EmbreeSystem(const Mesh& mesh, int flags) {
         device_ = rtcNewDevice("threads=1,set_affinity=0");
         rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, this);
         scene_ = rtcNewScene(device_);
-        int flags = RTC_SCENE_FLAG_NONE;
-        if (mode == EmbreeMode::compact || mode == EmbreeMode::compact_robust) flags |= RTC_SCENE_FLAG_COMPACT;
-        if (mode == EmbreeMode::robust || mode == EmbreeMode::compact_robust) flags |= RTC_SCENE_FLAG_ROBUST;
         rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(flags));
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
         void* vertices =
@@ -30,27 +29,13 @@ public:
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene_, geometry);
         rtcReleaseGeometry(geometry);
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         rtcCommitScene(scene_);
-        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        seconds_ = watch.seconds();
     }
     ~EmbreeSystem() override {
         rtcReleaseScene(scene_);
         rtcReleaseDevice(device_);
-    }
-    [[nodiscard]] const char* name() const override { return "embree"; }
-    [[nodiscard]] const char* profile() const override {
-        switch (mode_) {
-            case EmbreeMode::fast:
-                return "default";
-            case EmbreeMode::compact:
-                return "compact";
-            case EmbreeMode::robust:
-                return "robust";
-            case EmbreeMode::compact_robust:
-                return "compact+robust";
-        }
-        return "";
     }
     [[nodiscard]] std::size_t bytes() const override { return static_cast<std::size_t>(bytes_); }
     [[nodiscard]] double build_seconds() const override { return seconds_; }
@@ -75,17 +60,15 @@ public:
                            query.hit.primID};
         }
     }
-    std::size_t any(const std::vector<Ray>& rays) override {
+    void any(const std::vector<Ray>& rays, std::vector<std::uint8_t>& answers) override {
         const Mode mode;
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
-        std::size_t count = 0;
-        for (const Ray& ray : rays) {
-            RTCRay query = to_ray(ray);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            RTCRay query = to_ray(rays[i]);
             rtcOccluded1(scene_, &context, &query);
-            count += query.tfar < 0.0f;
+            answers[i] = query.tfar < 0.0f;
         }
-        return count;
     }
 
 private:
@@ -115,7 +98,6 @@ private:
         query.flags = 0;
         return query;
     }
-    EmbreeMode mode_;
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
     ssize_t bytes_ = 0;
@@ -124,8 +106,23 @@ private:
 
 }  // namespace
 
-std::unique_ptr<System> make_embree(const Mesh& mesh, EmbreeMode mode) {
-    return std::make_unique<EmbreeSystem>(mesh, mode);
+std::vector<Maker> embree_makers() {
+    struct Mode {
+        const char* profile;
+        int flags;
+    };
+    const Mode modes[] = {
+        {"default", RTC_SCENE_FLAG_NONE},
+        {"compact", RTC_SCENE_FLAG_COMPACT},
+        {"robust", RTC_SCENE_FLAG_ROBUST},
+        {"compact+robust", RTC_SCENE_FLAG_COMPACT | RTC_SCENE_FLAG_ROBUST},
+    };
+    std::vector<Maker> makers;
+    for (const Mode& mode : modes)
+        makers.push_back({"embree", mode.profile, RTC_VERSION_STRING, [flags = mode.flags](const Mesh& mesh) {
+                              return std::make_unique<EmbreeSystem>(mesh, flags);
+                          }});
+    return makers;
 }
 
 }  // namespace espalier::bench

@@ -1,30 +1,38 @@
-#include <cstdio>
-#include <cstdlib>
+#include <stdexcept>
 
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
+#include "stopwatch.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {
 namespace {
 
+struct NamedProfile {
+    const char* name;
+    format::Profile profile;
+};
+
+/// Every profile gets a row.
+constexpr NamedProfile profiles[] = {
+    {"fast", format::Profile::fast},
+};
+
 class EspalierSystem final : public System {
 public:
-    EspalierSystem(const Mesh& mesh, unsigned bits, unsigned effort) {
-        BakeOptions options;
-        options.bits = bits;
-        options.effort = effort;
-        const MeshView view = mesh.view();
-        auto baked = bake({&view, 1}, options);
-        if (!baked) fail(baked.error().message.c_str());
-        seconds_ = baked->report.seconds;
-        bytes_ = std::move(baked->blob);
-        if (const Status status = open(bytes_, blob_); status != Status::ok) fail(describe(status));
+    EspalierSystem(const Mesh& mesh, const BakeOptions& options) : mesh_(mesh), options_(options) {
+        const Stopwatch watch;
+        Baked baked = bake_or_throw(options);
+        seconds_ = watch.seconds();
+        lattice_ = {baked.report.step, baked.report.extent, baked.report.max_error};
+        bytes_ = std::move(baked.blob);
+        if (const Status status = open(bytes_, blob_); status != Status::ok)
+            throw std::runtime_error(mesh.name + ": what was baked does not open: " + describe(status));
     }
-    [[nodiscard]] const char* name() const override { return "espalier"; }
-    [[nodiscard]] const char* profile() const override { return "fast"; }
+    /// The whole blob, header included.
     [[nodiscard]] std::size_t bytes() const override { return bytes_.size(); }
+    /// The whole of bake(), its check of its own result included.
     [[nodiscard]] double build_seconds() const override { return seconds_; }
     void closest(const std::vector<Ray>& rays, bool, std::vector<Hit>& hits) override {
         for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -33,41 +41,49 @@ public:
             if (hits[i].found) hits[i] = {true, hit.t, hit.u, hit.v, hit.normal, hit.triangle.index};
         }
     }
-    std::size_t any(const std::vector<Ray>& rays) override {
-        std::size_t count = 0;
-        for (const Ray& ray : rays) count += occluded(blob_, ray);
-        return count;
+    void any(const std::vector<Ray>& rays, std::vector<std::uint8_t>& answers) override {
+        for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = occluded(blob_, rays[i]);
+    }
+    [[nodiscard]] std::optional<Lattice> lattice() const override { return lattice_; }
+    [[nodiscard]] std::optional<std::size_t> bytes_at_20_bits() const override {
+        BakeOptions options = options_;
+        options.bits = 20;
+        return bake_or_throw(options).blob.size();
+    }
+    [[nodiscard]] std::size_t bytes_with_ids() const override {
+        BakeOptions options = options_;
+        options.original_ids = true;
+        return bake_or_throw(options).blob.size();
     }
 
 private:
-    [[noreturn]] static void fail(const char* why) {
-        std::fprintf(stderr, "espalier: %s\n", why);
-        std::exit(3);
+    [[nodiscard]] Baked bake_or_throw(const BakeOptions& options) const {
+        const MeshView view = mesh_.view();
+        auto baked = bake({&view, 1}, options);
+        if (!baked) throw std::runtime_error(baked.error().message);
+        return std::move(*baked);
     }
+    const Mesh& mesh_;
+    BakeOptions options_;
     std::vector<std::byte> bytes_;
     Blob blob_;
+    Lattice lattice_;
     double seconds_ = 0.0;
 };
 
 }  // namespace
 
-std::unique_ptr<System> make_espalier(const Mesh& mesh, unsigned bits, unsigned effort) {
-    return std::make_unique<EspalierSystem>(mesh, bits, effort);
-}
-
-std::vector<std::unique_ptr<System>> make_systems(const Mesh& mesh, unsigned bits, unsigned effort,
-                                                  [[maybe_unused]] bool reference_only) {
-    std::vector<std::unique_ptr<System>> systems;
-#if defined(ESPALIER_BENCH_EMBREE)
-    systems.push_back(make_embree(mesh, EmbreeMode::fast));
-    if (!reference_only) {
-        systems.push_back(make_embree(mesh, EmbreeMode::compact));
-        systems.push_back(make_embree(mesh, EmbreeMode::robust));
-        systems.push_back(make_embree(mesh, EmbreeMode::compact_robust));
+std::vector<Maker> espalier_makers(const BakeSettings& settings) {
+    std::vector<Maker> makers;
+    for (const NamedProfile& named : profiles) {
+        BakeOptions options;
+        options.profile = named.profile;
+        options.bits = settings.bits;
+        options.effort = settings.effort;
+        makers.push_back({"espalier", named.name, ESPALIER_BENCH_VERSION,
+                          [options](const Mesh& mesh) { return std::make_unique<EspalierSystem>(mesh, options); }});
     }
-#endif
-    systems.push_back(make_espalier(mesh, bits, effort));
-    return systems;
+    return makers;
 }
 
 }  // namespace espalier::bench

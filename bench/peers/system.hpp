@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <espalier/ray.hpp>
@@ -12,11 +15,19 @@
 
 namespace espalier::bench {
 
+/// What every system is asked for. Who does not give one of them pays for its computation inside the measured time.
 struct Hit {
     bool found = false;
     float t = 0.0f, u = 0.0f, v = 0.0f;
     Vec3 normal;
     std::uint32_t id = 0;
+};
+
+/// What rounding the vertices cost, in the units of the mesh that was built.
+struct Lattice {
+    double step = 0.0;
+    double extent = 0.0;  ///< largest side of the box
+    double max_error = 0.0;
 };
 
 class System {
@@ -25,24 +36,51 @@ public:
     System(const System&) = delete;
     System& operator=(const System&) = delete;
     virtual ~System() = default;
-    [[nodiscard]] virtual const char* name() const = 0;
-    [[nodiscard]] virtual const char* profile() const = 0;
-    /// Everything that a query reads: tree, vertices, indices.
+    /// Everything that a query reads: tree, vertices, indices. Each system's file says how it is counted.
     [[nodiscard]] virtual std::size_t bytes() const = 0;
+    /// From arrays of vertices and indices to an answering structure; copying them into the system's own is left out
+    /// where the system lets us.
     [[nodiscard]] virtual double build_seconds() const = 0;
+    /// False: there is no such query, and it is never called.
+    [[nodiscard]] virtual bool has_closest() const { return true; }
+    [[nodiscard]] virtual bool has_any() const { return true; }
     /// `coherent`: neighbouring rays are alike, and the system may be told so.
     virtual void closest(const std::vector<Ray>& rays, bool coherent, std::vector<Hit>& hits) = 0;
-    virtual std::size_t any(const std::vector<Ray>& rays) = 0;
+    /// 1 for a ray that hits anything, else 0.
+    virtual void any(const std::vector<Ray>& rays, std::vector<std::uint8_t>& answers) = 0;
+    /// Nothing for a system that keeps float32 vertices.
+    [[nodiscard]] virtual std::optional<Lattice> lattice() const { return std::nullopt; }
+    /// The same at 20 lattice bits; builds again.
+    [[nodiscard]] virtual std::optional<std::size_t> bytes_at_20_bits() const { return std::nullopt; }
+    /// The same when a hit must name the source's triangle; builds again where that is an option.
+    [[nodiscard]] virtual std::size_t bytes_with_ids() const { return bytes(); }
 };
 
-std::unique_ptr<System> make_espalier(const Mesh& mesh, unsigned bits, unsigned effort);
-#if defined(ESPALIER_BENCH_EMBREE)
-enum class EmbreeMode { fast, compact, robust, compact_robust };
-std::unique_ptr<System> make_embree(const Mesh& mesh, EmbreeMode mode);
-#endif
+/// How to make one; `mesh` must outlive what is made.
+struct Maker {
+    std::string name;
+    std::string profile;
+    std::string version;
+    std::function<std::unique_ptr<System>(const Mesh& mesh)> make;
+};
 
-/// The reference first: Embree's default where it is installed, else Espalier itself.
-std::vector<std::unique_ptr<System>> make_systems(const Mesh& mesh, unsigned bits, unsigned effort,
-                                                  bool reference_only);
+/// What Espalier is baked with.
+struct BakeSettings {
+    unsigned bits = 16;
+    unsigned effort = 5;
+};
+
+// Each in a file of its own, which is compiled where the system is installed.
+std::vector<Maker> espalier_makers(const BakeSettings& settings);
+std::vector<Maker> embree_makers();  ///< the reference first
+std::vector<Maker> bullet_makers();
+std::vector<Maker> ode_makers();
+std::vector<Maker> fcl_makers();
+
+/// All that this build knows, in the order in which they take turns: the reference and Espalier next to each other.
+std::vector<Maker> all_makers(const BakeSettings& settings);
+
+/// Whether ratios are taken to this one.
+bool is_reference(const Maker& maker);
 
 }  // namespace espalier::bench

@@ -1,0 +1,170 @@
+#include "print.hpp"
+
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+
+#include <runtime/simd/select.hpp>
+
+namespace espalier::bench {
+namespace {
+
+const char* instruction_set_name() {
+    switch (detail::instruction_set()) {
+        case detail::InstructionSet::scalar:
+            return "scalar";
+        case detail::InstructionSet::sse42:
+            return "sse4.2";
+        case detail::InstructionSet::avx2:
+            return "avx2";
+        case detail::InstructionSet::neon:
+            return "neon";
+    }
+    return "";
+}
+
+/// As the kernel calls it; Linux only, elsewhere nothing.
+std::string processor() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name"))
+            if (const std::size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+    return "";
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    char text[16] = "";
+    std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+    return text;
+}
+
+const char* compiler() {
+#if defined(__clang__)
+    return "clang " __clang_version__;
+#else
+    return "gcc " __VERSION__;
+#endif
+}
+
+std::string decimal(double value, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+/// A JSON object, field by field.
+class Object {
+public:
+    void add(const char* name, const std::string& text) {
+        std::string quoted = "\"";
+        for (const char c : text) {
+            if (c == '"' || c == '\\') quoted += '\\';
+            if (static_cast<unsigned char>(c) >= 0x20) quoted += c;
+        }
+        raw(name, quoted + "\"");
+    }
+    void add(const char* name, std::size_t value) { raw(name, std::to_string(value)); }
+    void add(const char* name, std::optional<std::size_t> value) { raw(name, value ? std::to_string(*value) : "null"); }
+    void add(const char* name, std::optional<double> value, int digits) {
+        raw(name, value ? decimal(*value, digits) : "null");
+    }
+    /// Lengths: they may be of any size.
+    void add_length(const char* name, std::optional<double> value) {
+        char text[64];
+        if (value) std::snprintf(text, sizeof text, "%.6g", *value);
+        raw(name, value ? text : "null");
+    }
+    void add_ratio(const std::string& name, const std::optional<Spread>& ratio) {
+        raw((name + "_ratio").c_str(), ratio ? decimal(ratio->median, 3) : "null");
+        std::string range = "null";
+        if (ratio) range = '[' + decimal(ratio->low, 3) + ',' + decimal(ratio->high, 3) + ']';
+        raw((name + "_spread").c_str(), range);
+    }
+    void print() const { std::printf("{%s}\n", fields_.c_str()); }
+
+private:
+    void raw(const char* name, const std::string& value) {
+        if (!fields_.empty()) fields_ += ',';
+        fields_ += '"' + std::string(name) + "\":" + value;
+    }
+    std::string fields_;
+};
+
+std::string with_spread(const std::optional<Spread>& ratio) {
+    if (!ratio) return "-";
+    return decimal(ratio->median, 2) + " (" + decimal(ratio->low, 2) + "-" + decimal(ratio->high, 2) + ")";
+}
+
+std::string or_dash(const std::optional<double>& value, int digits) { return value ? decimal(*value, digits) : "-"; }
+
+std::string or_dash(const std::optional<std::size_t>& value) { return value ? std::to_string(*value) : "-"; }
+
+}  // namespace
+
+void print_json(const MeshResult& result, const Options& options) {
+    for (const Row& row : result.rows) {
+        Object object;
+        object.add("system", row.system);
+        object.add("profile", row.profile);
+        object.add("version", row.version);
+        object.add("mesh", result.mesh);
+        object.add("triangles", result.triangles);
+        object.add("bits", std::size_t{options.bake.bits});
+        object.add("effort", std::size_t{options.bake.effort});
+        object.add("rays", options.incoherent);
+        object.add("seed", std::size_t{options.seed});
+        object.add("repetitions", std::size_t{options.repetitions});
+        object.add("builds", std::size_t{options.builds});
+        object.add("instruction_set", instruction_set_name());
+        object.add("processor", processor());
+        object.add("compiler", compiler());
+        object.add("date", today());
+        object.add("bytes_per_triangle", row.bytes_per_triangle, 3);
+        object.add("bytes_per_triangle_20_bits", row.bytes_per_triangle_20_bits, 3);
+        object.add("bytes_per_triangle_with_ids", row.bytes_per_triangle_with_ids, 3);
+        const bool rounded = row.lattice.has_value();
+        object.add_length("step", rounded ? std::optional(row.lattice->step) : std::nullopt);
+        object.add_length("extent", rounded ? std::optional(row.lattice->extent) : std::nullopt);
+        object.add_length("max_error", rounded ? std::optional(row.lattice->max_error) : std::nullopt);
+        object.add_ratio("incoherent", row.incoherent.ratio);
+        object.add_ratio("coherent", row.coherent.ratio);
+        object.add_ratio("any", row.any.ratio);
+        object.add_ratio("build", row.build_ratio);
+        object.add("incoherent_mrays", row.incoherent.mrays, 3);
+        object.add("coherent_mrays", row.coherent.mrays, 3);
+        object.add("any_mrays", row.any.mrays, 3);
+        object.add("build_seconds", row.build_seconds, 4);
+        object.add("hit_fraction", row.hit_fraction, 4);
+        object.add("disagreeing", row.disagreeing);
+        object.add("t_disagreeing", row.t_disagreeing);
+        object.add("any_contradictions", row.any_contradictions);
+        object.print();
+    }
+    std::fflush(stdout);
+}
+
+void print_table(const MeshResult& result, const Options& options) {
+    std::printf("%s, %zu triangles", result.mesh.c_str(), result.triangles);
+    for (const Row& row : result.rows)
+        if (row.lattice) {
+            std::printf("; %u-bit lattice: step %.6g, extent %.6g", options.bake.bits, row.lattice->step,
+                        row.lattice->extent);
+            break;
+        }
+    std::printf("\n%-9s %-14s %8s %8s %8s  %-18s %-18s %-18s %-18s %7s %8s %7s %7s %5s\n", "system", "profile", "B/tri",
+                "20 bits", "with ids", "incoherent", "coherent", "any", "build", "Mray/s", "build s", "differ", "t",
+                "any");
+    for (const Row& row : result.rows)
+        std::printf("%-9s %-14s %8.2f %8s %8.2f  %-18s %-18s %-18s %-18s %7s %8.4f %7s %7s %5s\n", row.system.c_str(),
+                    row.profile.c_str(), row.bytes_per_triangle, or_dash(row.bytes_per_triangle_20_bits, 2).c_str(),
+                    row.bytes_per_triangle_with_ids, with_spread(row.incoherent.ratio).c_str(),
+                    with_spread(row.coherent.ratio).c_str(), with_spread(row.any.ratio).c_str(),
+                    with_spread(row.build_ratio).c_str(), or_dash(row.incoherent.mrays, 2).c_str(), row.build_seconds,
+                    or_dash(row.disagreeing).c_str(), or_dash(row.t_disagreeing).c_str(),
+                    or_dash(row.any_contradictions).c_str());
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+}  // namespace espalier::bench
