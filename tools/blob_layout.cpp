@@ -38,7 +38,7 @@ std::vector<Section> sections_of(const Blob& blob) {
         at += bytes;
     };
     add("header", format::header::bytes);
-    add("nodes", std::size_t{data.node_count} * format::fast_node::bytes);
+    add("nodes", std::size_t{data.node_count} * format::node::bytes);
     add("leaves", data.leaf_bytes);
     add("guard", format::guard_bytes);
     if ((data.features & format::feature::original_ids) != 0) {
@@ -63,7 +63,7 @@ const Section& section_named(const std::vector<Section>& sections, std::string_v
 }
 
 NodeFields read_node(std::span<const std::byte> bytes, std::size_t at) {
-    namespace field = format::fast_node;
+    namespace field = format::node;
     NodeFields node{};
     const std::uint32_t shifts = read_u16(bytes, at + field::shifts_at);
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -79,7 +79,7 @@ NodeFields read_node(std::span<const std::byte> bytes, std::size_t at) {
 }
 
 LeafFields read_leaf(std::uint32_t descriptor, unsigned bits) {
-    namespace field = format::fast_leaf;
+    namespace field = format::indexed_leaf;
     LeafFields leaf{};
     leaf.data_offset = std::size_t{2} * (descriptor & ((1u << field::offset_bits) - 1));
     leaf.triangles = ((descriptor >> field::triangles_shift) & 15u) + 1;
@@ -93,14 +93,15 @@ LeafFields read_leaf(std::uint32_t descriptor, unsigned bits) {
 std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob) {
     std::uint64_t count = 0;
     for (std::size_t node = 0; node < blob.data().node_count; ++node) {
-        count += read_node(bytes, format::header::bytes + node * format::fast_node::bytes).leaves;
+        count += read_node(bytes, format::header::bytes + node * format::node::bytes).leaves;
     }
     return count;
 }
 
 const char* name_of(format::Profile profile) {
     switch (profile) {
-        case format::Profile::fast: return "fast";
+        case format::Profile::fast:
+            return "fast";
     }
     return "unknown";
 }

@@ -55,11 +55,14 @@ std::string value_of(Bytes bytes, const HeaderField& field) {
         return width == 1 ? read_u8(bytes, at) : width == 2 ? read_u16(bytes, at) : read_u32(bytes, at);
     };
     switch (field.kind) {
-        case HeaderField::Kind::integer: return text(' ', integer(field.at, field.bytes));
+        case HeaderField::Kind::integer:
+            return text(' ', integer(field.at, field.bytes));
         case HeaderField::Kind::signed_integer:
             return text(' ', static_cast<int>(static_cast<std::int16_t>(read_u16(bytes, field.at))));
-        case HeaderField::Kind::real: return text(' ', read_f32(bytes, field.at));
-        case HeaderField::Kind::hexadecimal: return text(' ', checksum_text(read_u32(bytes, field.at)));
+        case HeaderField::Kind::real:
+            return text(' ', read_f32(bytes, field.at));
+        case HeaderField::Kind::hexadecimal:
+            return text(' ', checksum_text(read_u32(bytes, field.at)));
         case HeaderField::Kind::text:
             return text(" \"", printable({reinterpret_cast<const char*>(bytes.data()) + field.at, field.bytes}), '"');
         case HeaderField::Kind::vector:
@@ -68,7 +71,8 @@ std::string value_of(Bytes bytes, const HeaderField& field) {
         case HeaderField::Kind::point:
             return text(' ', read_f32(bytes, field.at), ' ', read_f32(bytes, field.at + 4), ' ',
                         read_f32(bytes, field.at + 8));
-        case HeaderField::Kind::zero: return {};
+        case HeaderField::Kind::zero:
+            return {};
     }
     return {};
 }
@@ -111,16 +115,16 @@ void list_coordinates(Bytes bytes, char axis, unsigned count, unsigned width, By
     if (width == 0) return;
     std::string values;
     for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
-    listing.field(format::fast_leaf::stream_bytes(count, width), text("  ", axis, ", ", width, " bits:", values));
+    listing.field(format::indexed_leaf::stream_bytes(count, width), text("  ", axis, ", ", width, " bits:", values));
 }
 
 void list_corners(Bytes bytes, const LeafFields& leaf, ByteListing& listing) {
-    const unsigned width = format::fast_leaf::corner_width(leaf.vertices);
+    const unsigned width = format::indexed_leaf::corner_width(leaf.vertices);
     std::string values;
     for (unsigned corner = 0; corner < 3 * leaf.triangles; ++corner) {
         values += text(corner % 3 == 0 ? ' ' : '-', read_bits(bytes, listing.at() * 8 + corner * width, width));
     }
-    listing.field(format::fast_leaf::stream_bytes(leaf.triangles, 3 * width),
+    listing.field(format::indexed_leaf::stream_bytes(leaf.triangles, 3 * width),
                   text("  corners, ", width, " bits:", values));
 }
 
@@ -131,7 +135,7 @@ void list_leaf_block(Bytes bytes, unsigned leaves, unsigned bits, std::size_t no
     for (unsigned i = 0; i < leaves; ++i) {
         fields.push_back(read_leaf(read_u32(bytes, listing.at()), bits));
         const LeafFields& leaf = fields.back();
-        listing.field(format::fast_leaf::descriptor_bytes,
+        listing.field(format::indexed_leaf::descriptor_bytes,
                       text("leaf ", i, ": data at ", leaf.data_offset, ", ", counted(leaf.triangles, "triangle"), ", ",
                            counted(leaf.vertices, "vertex"), ", widths ", leaf.widths[0], ' ', leaf.widths[1], ' ',
                            leaf.widths[2]));
@@ -156,8 +160,8 @@ void list_leaves(Bytes bytes, const Section& nodes, const Section& leaves, unsig
         unsigned leaves;
     };
     std::vector<Block> blocks;
-    for (std::size_t node = 0; node < nodes.bytes / format::fast_node::bytes; ++node) {
-        const NodeFields fields = read_node(bytes, nodes.at + node * format::fast_node::bytes);
+    for (std::size_t node = 0; node < nodes.bytes / format::node::bytes; ++node) {
+        const NodeFields fields = read_node(bytes, nodes.at + node * format::node::bytes);
         if (fields.leaves > 0) blocks.push_back({leaves.at + std::size_t{4} * fields.leaf_block, node, fields.leaves});
     }
     std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.at < b.at; });

@@ -11,9 +11,7 @@ constexpr const char* axis_names[3] = {"x", "y", "z"};
 class TreeWalk {
 public:
     TreeWalk(const TreeBytes& tree, LeafCheck check_leaf, TreeCounts& counts)
-        : tree_(tree),
-          check_leaf_(check_leaf),
-          counts_(counts) {}
+        : tree_(tree), check_leaf_(check_leaf), counts_(counts) {}
 
     /// False after a complaint. `content` becomes the box of all vertices below. No deeper than format::max_depth.
     bool visit(std::uint32_t number, unsigned depth, DecodedBox& content) {
@@ -69,7 +67,7 @@ private:
     }
 
     bool complain(std::uint32_t number, const std::string& what) {
-        const std::size_t at = format::header::bytes + std::size_t{number} * format::fast_node::bytes;
+        const std::size_t at = format::header::bytes + std::size_t{number} * format::node::bytes;
         complaint = "node " + std::to_string(number) + " (byte " + std::to_string(at) + ") " + what;
         return false;
     }
@@ -101,7 +99,7 @@ std::optional<std::string> check_tree(const TreeBytes& tree, LeafCheck check_lea
         TreeWalk walk(tree, check_leaf, counts);
         if (!walk.visit(0, 1, all)) return walk.complaint;
     }
-    if (counts.nodes * format::fast_node::bytes != tree.nodes.size()) {
+    if (counts.nodes * format::node::bytes != tree.nodes.size()) {
         return "the tree has " + std::to_string(counts.nodes) + " nodes, the node section " +
                std::to_string(tree.nodes.size()) + " bytes";
     }

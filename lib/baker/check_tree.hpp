@@ -7,7 +7,7 @@
 
 #include <espalier/function_ref.hpp>
 
-#include "decode_fast.hpp"
+#include "decode_tree.hpp"
 
 namespace espalier::baker {
 

@@ -98,7 +98,7 @@ private:
         packed |= from_left[most_roots];
 
         const float area = area_of(binary);
-        const float node_cost = area * model_.node_visit + byte_cost_ * static_cast<float>(format::fast_node::bytes);
+        const float node_cost = area * model_.node_visit + byte_cost_ * static_cast<float>(format::node::bytes);
         float as_leaf = impossible;
         VertexList vertices;
         vertices.count = VertexList::too_many;
@@ -137,7 +137,7 @@ private:
 
     /// Close to what the leaf will take: only its box in the node, and with it a width, may turn out a bit larger.
     [[nodiscard]] std::size_t leaf_bytes(const BinaryNode& node, unsigned vertices) const {
-        using namespace format::fast_leaf;
+        using namespace format::indexed_leaf;
         std::size_t bytes = stream_bytes(node.count, 3 * corner_width(vertices));
         for (unsigned axis = 0; axis < 3; ++axis) {
             const auto side = static_cast<std::uint32_t>(node.hi[axis] - node.lo[axis]);

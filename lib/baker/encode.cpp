@@ -8,7 +8,7 @@
 #include <runtime/checksum.hpp>
 
 #include "byte_writer.hpp"
-#include "encode_fast.hpp"
+#include "encode_tree.hpp"
 
 namespace espalier::baker {
 
@@ -108,7 +108,7 @@ Result<std::vector<std::byte>, BakeError> encode(const Source& source, const Lat
                                                  const WideTree& wide, const BakeOptions& options,
                                                  const Properties& properties) {
     if (auto error = check_limits(wide, 0)) return *error;
-    const EncodedTree encoded = encode_fast(mesh, tree, wide);
+    const EncodedTree encoded = encode_tree(mesh, tree, wide);
 
     std::vector<std::byte> blob(format::header::bytes);
     blob.reserve(format::header::bytes + encoded.nodes.size() + encoded.leaves.size() + format::guard_bytes);

@@ -18,9 +18,7 @@ namespace {
 class Gatherer {
 public:
     Gatherer(std::uint32_t triangle_count, std::size_t leaves_at)
-        : leaves_at_(leaves_at),
-          points_(std::size_t{triangle_count} * 3),
-          triangles_(triangle_count) {}
+        : leaves_at_(leaves_at), points_(std::size_t{triangle_count} * 3), triangles_(triangle_count) {}
 
     std::optional<std::string> add(const DecodedLeaf& leaf) {
         std::array<std::uint32_t, format::max_leaf_vertices> numbers{};
@@ -88,7 +86,7 @@ std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
     Blob blob;
     if (const Status status = open(bytes, blob); status != Status::ok) return describe(status);
     const detail::BlobData& data = blob.data();
-    const std::size_t node_bytes = std::size_t{data.node_count} * format::fast_node::bytes;
+    const std::size_t node_bytes = std::size_t{data.node_count} * format::node::bytes;
     const std::size_t leaves_at = format::header::bytes + node_bytes;
     const TreeBytes tree{bytes.subspan(format::header::bytes, node_bytes), bytes.subspan(leaves_at, data.leaf_bytes),
                          data.bits};

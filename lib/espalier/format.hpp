@@ -76,7 +76,7 @@ inline constexpr std::size_t bytes = 12;
 // ---- profile fast: a node is one cache line ------------------------------------------------------------------------
 // Children are numbered nodes first, then leaves. The node children are contiguous; blocks of siblings stand in depth-
 // first order. Child boxes are base + plane * 2^shift per axis, rounded outward.
-namespace fast_node {
+namespace node {
 inline constexpr std::size_t base_at = 0;      // 3 x u16, in units of 2^max(0, bits - 16)
 inline constexpr std::size_t shifts_at = 6;    // u16: 5 bits x, 5 bits y, 5 bits z, a zero
 inline constexpr std::size_t children_at = 8;  // u32: 24 bits first child node, 4 bits node children, 4 bits leaves
@@ -87,11 +87,11 @@ inline constexpr std::size_t hi_at = 40;  // u8 [axis][child]
 inline constexpr std::size_t bytes = 64;
 inline constexpr unsigned max_shift = 17;
 static_assert(hi_at + 3 * max_children == bytes);
-}  // namespace fast_node
+}  // namespace node
 
 // A node's leaves lie together in one block: u32 storage index of the first triangle, a u32 descriptor for each leaf,
 // then each leaf's data, at even offsets. A block is padded with zeros to 4 bytes.
-namespace fast_leaf {
+namespace indexed_leaf {
 inline constexpr std::size_t descriptors_at = 4;
 inline constexpr std::size_t descriptor_bytes = 4;
 inline constexpr unsigned offset_bits = 11;      // of the data, in units of 2 bytes from the end of the descriptors
@@ -110,6 +110,6 @@ constexpr unsigned coordinate_width(unsigned code, unsigned bits) {
 /// Bits of one vertex number, 3 to 5; a triangle's field is three of them.
 constexpr unsigned corner_width(unsigned vertex_count) { return vertex_count <= 8 ? 3 : vertex_count <= 16 ? 4 : 5; }
 constexpr std::size_t stream_bytes(unsigned count, unsigned width) { return (std::size_t{count} * width + 7) / 8; }
-}  // namespace fast_leaf
+}  // namespace indexed_leaf
 
 }  // namespace espalier::format

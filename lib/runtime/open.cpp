@@ -7,7 +7,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
 #include <runtime/checksum.hpp>
-#include <runtime/codec_fast.hpp>
+#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
 
 namespace espalier {
@@ -111,10 +111,10 @@ struct Progress {
 };
 
 /// One leaf at `at`, of which `left` bytes may be read; its size, or 0.
-std::uint32_t leaf_size(const BlobData& blob, const FastLeaf& leaf, std::size_t left) {
+std::uint32_t leaf_size(const BlobData& blob, const IndexedLeaf& leaf, std::size_t left) {
     std::size_t size = 0;
-    for (int k = 0; k < 3; ++k) size += format::fast_leaf::stream_bytes(leaf.vertex_count, leaf.width[k]);
-    size += format::fast_leaf::stream_bytes(leaf.triangle_count, 3 * leaf.corner_width);
+    for (int k = 0; k < 3; ++k) size += format::indexed_leaf::stream_bytes(leaf.vertex_count, leaf.width[k]);
+    size += format::indexed_leaf::stream_bytes(leaf.triangle_count, 3 * leaf.corner_width);
     if (size > left) return 0;
     for (int k = 0; k < 3; ++k) {
         if (leaf.width[k] > blob.bits) return 0;
@@ -134,10 +134,10 @@ std::uint32_t leaf_size(const BlobData& blob, const FastLeaf& leaf, std::size_t 
     return static_cast<std::uint32_t>(size);
 }
 
-Status check_leaves(const BlobData& blob, const FastNode& node, Progress& seen) {
-    using namespace format::fast_leaf;
+Status check_leaves(const BlobData& blob, const Node& node, Progress& seen) {
+    using namespace format::indexed_leaf;
     const unsigned count = node.leaf_children();
-    const std::uint32_t block_words = load_u32(node.bytes + format::fast_node::leaf_block_at);
+    const std::uint32_t block_words = load_u32(node.bytes + format::node::leaf_block_at);
     if (count == 0) return block_words == 0 ? Status::ok : Status::bad_node;
     if (block_words != seen.leaf_words) return Status::bad_node;
     std::size_t left = blob.leaf_bytes - std::size_t{4} * seen.leaf_words;
@@ -150,7 +150,7 @@ Status check_leaves(const BlobData& blob, const FastNode& node, Progress& seen) 
     for (unsigned number = 0; number < count; ++number) {
         const std::uint32_t descriptor = load_u32(block + descriptors_at + descriptor_bytes * std::size_t{number});
         if ((descriptor & ((1u << offset_bits) - 1u)) != used / 2) return Status::bad_leaf;
-        const FastLeaf leaf = fast_leaf(blob, node, number);
+        const IndexedLeaf leaf = indexed_leaf(blob, node, number);
         const std::uint32_t size = leaf_size(blob, leaf, left - used);
         if (size == 0) return Status::bad_leaf;
         seen.triangles += leaf.triangle_count;
@@ -163,16 +163,16 @@ Status check_leaves(const BlobData& blob, const FastNode& node, Progress& seen) 
     return Status::ok;
 }
 
-Status check_node(const BlobData& blob, const FastNode& node, Progress& seen) {
+Status check_node(const BlobData& blob, const Node& node, Progress& seen) {
     const unsigned nodes = node.node_children();
     const unsigned children = nodes + node.leaf_children();
     if (children == 0 || children > format::max_children) return Status::bad_node;
-    if (load_u16(node.bytes + format::fast_node::shifts_at) >> 15 != 0) return Status::bad_node;
+    if (load_u16(node.bytes + format::node::shifts_at) >> 15 != 0) return Status::bad_node;
     if (node.first_child() != (nodes == 0 ? 0 : seen.nodes)) return Status::bad_node;
     if (nodes > blob.node_count - seen.nodes) return Status::bad_node;
     seen.nodes += nodes;
     for (int axis = 0; axis < 3; ++axis) {
-        if (node.shift(axis) > format::fast_node::max_shift) return Status::bad_node;
+        if (node.shift(axis) > format::node::max_shift) return Status::bad_node;
         for (unsigned child = 0; child < format::max_children; ++child) {
             const std::uint32_t low = load_u8(node.low_planes(axis) + child);
             const std::uint32_t high = load_u8(node.high_planes(axis) + child);
@@ -201,7 +201,7 @@ Status check_tree(const BlobData& blob) {
         }
         if (depth > blob.depth) return Status::bad_node;
         seen.depth = depth > seen.depth ? depth : seen.depth;
-        const FastNode node = fast_node(blob, siblings.next++);
+        const Node node = node_at(blob, siblings.next++);
         if (const Status status = check_node(blob, node, seen); status != Status::ok) return status;
         stack[depth++] = {node.first_child(), node.first_child() + node.node_children()};
     }
@@ -234,7 +234,7 @@ Status check_original_ids(BlobData& blob, Bytes& rest) {
 Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
     Bytes rest = {bytes.data(), bytes.size()};
     rest.take(format::header::bytes);
-    blob.nodes = rest.take(std::uint64_t{blob.node_count} * format::fast_node::bytes);
+    blob.nodes = rest.take(std::uint64_t{blob.node_count} * format::node::bytes);
     blob.leaves = blob.nodes == nullptr ? nullptr : rest.take(blob.leaf_bytes);
     const std::byte* guard = blob.leaves == nullptr ? nullptr : rest.take(format::guard_bytes);
     if (guard == nullptr || !is_zero(guard, format::guard_bytes)) return Status::bad_section;

@@ -13,7 +13,7 @@ inline Floats squared_distance(const Floats* low, const Floats* high) {
 
 /// The children whose box is within the limit, and the squared distance of each. Planes are exact; the difference to
 /// the point, which may be far away, rounds once.
-inline unsigned distance_test(const FastNode& node, const LatticePoint& point, const BlobData& blob, float limit,
+inline unsigned distance_test(const Node& node, const LatticePoint& point, const BlobData& blob, float limit,
                               float* distances) {
     const Frame frame = load_frame(node, blob);
     unsigned mask = 0;
@@ -36,7 +36,7 @@ inline unsigned distance_test(const FastNode& node, const LatticePoint& point, c
 
 /// The triangles of a leaf whose box is within the limit.
 template <unsigned groups>
-inline unsigned point_candidates_of(const FastLeaf& leaf, const LatticePoint& point, float limit) {
+inline unsigned point_candidates_of(const IndexedLeaf& leaf, const LatticePoint& point, float limit) {
     Table<groups> coordinates[3];
     for (unsigned k = 0; k < 3; ++k) {
         const Floats anchor = splat(static_cast<float>(leaf.anchor(static_cast<int>(k))));
@@ -65,7 +65,7 @@ inline unsigned point_candidates_of(const FastLeaf& leaf, const LatticePoint& po
     return mask & ((1u << leaf.triangle_count) - 1u);
 }
 
-inline unsigned point_candidates(const FastLeaf& leaf, const LatticePoint& point, float limit) {
+inline unsigned point_candidates(const IndexedLeaf& leaf, const LatticePoint& point, float limit) {
     return with_table_groups(leaf.vertex_count,
                              [&](auto groups) { return point_candidates_of<groups>(leaf, point, limit); });
 }
@@ -77,8 +77,8 @@ struct EveryOverlap {
     const BlobData& blob;
     OnOverlap on_overlap;
 
-    unsigned children(const FastNode& node, float* keys) { return distance_test(node, point, blob, point.limit, keys); }
-    Visit leaf(const FastLeaf& leaf) {
+    unsigned children(const Node& node, float* keys) { return distance_test(node, point, blob, point.limit, keys); }
+    Visit leaf(const IndexedLeaf& leaf) {
         for (unsigned candidates = point_candidates(leaf, point, point.limit); candidates != 0;
              candidates &= candidates - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(candidates));
@@ -98,8 +98,8 @@ struct ClosestTriangle {
     bool found = false;
 
     [[nodiscard]] float limit() const { return limit_; }
-    unsigned children(const FastNode& node, float* keys) { return distance_test(node, point, blob, limit_, keys); }
-    Visit leaf(const FastLeaf& leaf) {
+    unsigned children(const Node& node, float* keys) { return distance_test(node, point, blob, limit_, keys); }
+    Visit leaf(const IndexedLeaf& leaf) {
         for (unsigned candidates = point_candidates(leaf, point, limit_); candidates != 0;
              candidates &= candidates - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(candidates));

@@ -18,7 +18,7 @@ struct PlaneOrder {
 };
 /// By the signs of the direction: bit k is set where axis k runs down.
 inline constexpr std::array<PlaneOrder, 8> plane_orders = [] {
-    using namespace format::fast_node;
+    using namespace format::node;
     std::array<PlaneOrder, 8> orders{};
     for (unsigned signs = 0; signs < 8; ++signs)
         for (unsigned k = 0; k < 3; ++k) {

@@ -2,7 +2,7 @@
 // inside its namespace. Lanes only ever reject; what they let through is decided by ray_triangle.hpp.
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
-inline unsigned slab_test(const FastNode& node, const RayLanes& ray, float limit, float* near) {
+inline unsigned slab_test(const Node& node, const RayLanes& ray, float limit, float* near) {
     const SlabFrame frame = load_slab_frame(node, ray);
     unsigned mask = 0;
     for (unsigned first = 0; first < format::max_children; first += lanes) {
@@ -22,7 +22,7 @@ inline unsigned slab_test(const FastNode& node, const RayLanes& ray, float limit
 /// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
 /// Shearing the ray into an axis is from Woop, Benthin and Wald (2013); docs/numerics.md bounds the errors.
 template <unsigned groups>
-inline unsigned ray_candidates_of(const FastLeaf& leaf, const LatticeRay& ray) {
+inline unsigned ray_candidates_of(const IndexedLeaf& leaf, const LatticeRay& ray) {
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
     const Corner corner = load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray.origin_steps);
     const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]), offset_z = splat(corner.at[kz]);
@@ -60,7 +60,7 @@ inline unsigned ray_candidates_of(const FastLeaf& leaf, const LatticeRay& ray) {
     return mask & ((1u << leaf.triangle_count) - 1u);
 }
 
-inline unsigned ray_candidates(const FastLeaf& leaf, const LatticeRay& ray) {
+inline unsigned ray_candidates(const IndexedLeaf& leaf, const LatticeRay& ray) {
     return with_table_groups(leaf.vertex_count, [&](auto groups) { return ray_candidates_of<groups>(leaf, ray); });
 }
 
@@ -76,11 +76,11 @@ struct ClosestHit {
     FoundHit best = {};
 
     [[nodiscard]] float limit() const { return limit_; }
-    unsigned children(const FastNode& node, float* keys) {
+    unsigned children(const Node& node, float* keys) {
         counters.count_node();
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit leaf(const FastLeaf& leaf) {
+    Visit leaf(const IndexedLeaf& leaf) {
         unsigned candidates = ray_candidates(leaf, ray);
         counters.count_leaf();
         counters.count_triangles(leaf.triangle_count);
@@ -91,7 +91,7 @@ struct ClosestHit {
     }
 
 private:
-    void decide(const FastLeaf& leaf, unsigned number) {
+    void decide(const IndexedLeaf& leaf, unsigned number) {
         TriangleHit hit;
         if (!intersect(ray, leaf.triangle(number), hit) || (found && hit.whole_tau > best.hit.whole_tau)) return;
         const std::uint32_t index = first_triangle_in_lanes(leaf) + number;
@@ -111,10 +111,10 @@ struct EveryHit {
     const RayLanes& lanes_;
     OnHit on_hit;
 
-    unsigned children(const FastNode& node, float* keys) {
+    unsigned children(const Node& node, float* keys) {
         return slab_test(node, lanes_, ray.tau_max * interval_slack, keys);
     }
-    Visit leaf(const FastLeaf& leaf) {
+    Visit leaf(const IndexedLeaf& leaf) {
         for (unsigned candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(candidates));
             FoundHit found;

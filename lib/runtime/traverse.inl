@@ -1,8 +1,8 @@
 // The two ways through a tree. Included once per instruction set, inside its namespace.
 // A visitor offers:
-//   unsigned children(const FastNode&, float* keys)  mask of the children worth a visit, and for each how near it is
+//   unsigned children(const Node&, float* keys)  mask of the children worth a visit, and for each how near it is
 //   float limit() const                              children with a larger key are passed over
-//   Visit leaf(const FastLeaf&)                      stop ends the walk
+//   Visit leaf(const IndexedLeaf&)                      stop ends the walk
 
 /// Children with the smallest keys first: for queries whose limit shrinks as they find something. Keys are not
 /// negative, so that their bits order like integers: a waiting node is one word, its key above its index.
@@ -13,7 +13,7 @@ inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
     unsigned size = 0;
     std::uint32_t index = 0;
     for (;;) {
-        const FastNode node = fast_node(blob, index);
+        const Node node = node_at(blob, index);
         alignas(32) float keys[format::max_children];
         const unsigned mask = visitor.children(node, keys);
         const unsigned node_children = node.node_children();
@@ -21,7 +21,7 @@ inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
         for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(leaves));
             if (keys[node_children + number] <= visitor.limit())
-                if (visitor.leaf(fast_leaf(blob, node, number)) == stop) return;
+                if (visitor.leaf(indexed_leaf(blob, node, number)) == stop) return;
         }
         unsigned nodes = mask & ((1u << node_children) - 1u);
         if (nodes != 0) {
@@ -35,7 +35,7 @@ inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
                 }
             } else {
                 const auto entry_of = [&](unsigned number) {
-                    prefetch(fast_node(blob, first_child + number).bytes);
+                    prefetch(node_at(blob, first_child + number).bytes);
                     return std::uint64_t{std::bit_cast<std::uint32_t>(keys[number])} << 32 | (first_child + number);
                 };
                 // The nearest is next; the others wait, the nearer ones on top.
@@ -76,12 +76,12 @@ inline bool traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
     unsigned depth = 0;
     std::uint32_t index = 0;
     for (;;) {
-        const FastNode node = fast_node(blob, index);
+        const Node node = node_at(blob, index);
         alignas(32) float keys[format::max_children];
         const unsigned mask = visitor.children(node, keys);
         const unsigned node_children = node.node_children();
         for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1)
-            if (visitor.leaf(fast_leaf(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop)
+            if (visitor.leaf(indexed_leaf(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop)
                 return false;
         if (const unsigned nodes = mask & ((1u << node_children) - 1u); nodes != 0)
             stack[depth++] = {node.first_child(), nodes};

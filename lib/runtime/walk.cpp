@@ -18,10 +18,10 @@ struct EveryTriangle {
     const BlobData& blob;
     FunctionRef<Visit(Triangle, const Corners&)> visit;
 
-    static unsigned children(const FastNode& node, float*) {
+    static unsigned children(const Node& node, float*) {
         return (1u << (node.node_children() + node.leaf_children())) - 1u;
     }
-    [[nodiscard]] Visit leaf(const FastLeaf& leaf) const {
+    [[nodiscard]] Visit leaf(const IndexedLeaf& leaf) const {
         const std::uint32_t first = first_triangle(leaf);
         for (unsigned i = 0; i < leaf.triangle_count; ++i) {
             const LatticeTriangle t = leaf.triangle(i);

@@ -43,8 +43,7 @@ TEST_SUITE("baker") {
         unsigned found = 0;
         for (std::size_t node = 0; node < decoded.nodes.size(); ++node) {
             for (std::size_t plane = 0; plane < 3 * format::max_children; plane += 5) {
-                const std::size_t at =
-                    format::header::bytes + node * format::fast_node::bytes + format::fast_node::hi_at + plane;
+                const std::size_t at = format::header::bytes + node * format::node::bytes + format::node::hi_at + plane;
                 if (plane % 8 >= decoded.nodes[node].children.size() || std::to_integer<int>(good[at]) < 2) continue;
                 auto bad = good;
                 add_to(bad, at, -2);  // two planes lower: below what outward rounding may have left
@@ -52,8 +51,7 @@ TEST_SUITE("baker") {
                 if (!contains(message, "does not hold what is below")) continue;
                 ++found;
                 CHECK(contains(message, "node " + std::to_string(node) + " (byte " +
-                                            std::to_string(format::header::bytes + node * format::fast_node::bytes) +
-                                            ")"));
+                                            std::to_string(format::header::bytes + node * format::node::bytes) + ")"));
             }
         }
         CHECK(found > decoded.nodes.size());
@@ -84,8 +82,9 @@ TEST_SUITE("baker") {
         const auto good = bake_or_throw(quad, with_bits(1));
         const DecodedBlob decoded = decode(good);
         REQUIRE(decoded.triangles.size() == 2);
-        const std::size_t leaves_at = format::header::bytes + format::fast_node::bytes;
-        const std::size_t data = leaves_at + format::fast_leaf::descriptors_at + format::fast_leaf::descriptor_bytes;
+        const std::size_t leaves_at = format::header::bytes + format::node::bytes;
+        const std::size_t data =
+            leaves_at + format::indexed_leaf::descriptors_at + format::indexed_leaf::descriptor_bytes;
         // x and y are streams of 4 bits in a byte each, z has none.
         const auto with_corners = [&](unsigned first, unsigned second) {
             auto bad = good;

@@ -205,9 +205,9 @@ TEST_SUITE("open") {
         // A child plane above its box, a leaf whose first triangle is another one, a bit in the guard, an unsorted
         // source.
         const std::size_t nodes_at = at::bytes;
-        CHECK(status_with(bytes, nodes_at + format::fast_node::lo_at, 255, 1) == Status::bad_node);
-        CHECK(status_with(bytes, nodes_at + format::fast_node::shifts_at + 1, 0x80, 1) == Status::bad_node);
-        const std::size_t leaves_at = nodes_at + get(bytes, at::node_count_at, 4) * format::fast_node::bytes;
+        CHECK(status_with(bytes, nodes_at + format::node::lo_at, 255, 1) == Status::bad_node);
+        CHECK(status_with(bytes, nodes_at + format::node::shifts_at + 1, 0x80, 1) == Status::bad_node);
+        const std::size_t leaves_at = nodes_at + get(bytes, at::node_count_at, 4) * format::node::bytes;
         CHECK(status_with(bytes, leaves_at, 1, 4) == Status::bad_leaf);
         const std::size_t guard_at = leaves_at + get(bytes, at::leaf_bytes_at, 4);
         CHECK(status_with(bytes, guard_at + 63, 1, 1) == Status::bad_section);
@@ -218,8 +218,8 @@ TEST_SUITE("open") {
         // Two triangles over four vertices: one node with one leaf.
         const Bytes bytes = bake_or_throw(make_plane_grid(1));
         REQUIRE(status_of(bytes) == Status::ok);
-        namespace node = format::fast_node;
-        namespace leaf = format::fast_leaf;
+        namespace node = format::node;
+        namespace leaf = format::indexed_leaf;
         constexpr std::size_t root = format::header::bytes;
         CHECK(status_with(bytes, root + node::children_at, 1u << 28 | 1u, 4) == Status::bad_node);  // a first child
         CHECK(status_with(bytes, root + node::children_at, 1u << 28 | 1u << 24 | 1u, 4) ==

@@ -45,7 +45,7 @@ struct Leaf {
 };
 
 void append_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits, std::vector<GridTriangle>& triangles) {
-    namespace layout = format::fast_leaf;
+    namespace layout = format::indexed_leaf;
     const unsigned triangle_count = (leaf.descriptor >> layout::triangles_shift & 15u) + 1;
     const unsigned vertex_count = (leaf.descriptor >> layout::vertices_shift & 31u) + 1;
     std::size_t at = leaf.at;
@@ -103,7 +103,7 @@ private:
         id_bits_ = bytes_.u8(at::id_bits_at);
         source_count_ = bytes_.u32(at::source_count_at);
         decoded_.source_triangles = bytes_.u32(at::source_triangles_at);
-        leaves_at_ = at::bytes + std::size_t{node_count_} * format::fast_node::bytes;
+        leaves_at_ = at::bytes + std::size_t{node_count_} * format::node::bytes;
     }
 
     // Leaf blocks hold consecutive storage indices but are reached in the order of the nodes, so each leaf's triangles
@@ -124,7 +124,7 @@ private:
 
     void read_node(std::uint32_t node, std::vector<std::pair<std::uint32_t, std::uint8_t>>& leaf_sizes,
                    std::size_t& filled) {
-        namespace layout = format::fast_node;
+        namespace layout = format::node;
         const std::size_t at = format::header::bytes + std::size_t{node} * layout::bytes;
         const std::uint32_t children = bytes_.u32(at + layout::children_at);
         const std::uint32_t first_node = children & 0xFFFFFFu;
@@ -152,7 +152,7 @@ private:
                 if (out.node >= node_count_) throw std::runtime_error("decoder: a child node is out of range");
                 decoded_.nodes[out.node].depth = decoded_.nodes[node].depth + 1;
             } else {
-                namespace leaf = format::fast_leaf;
+                namespace leaf = format::indexed_leaf;
                 const std::size_t data = block + leaf::descriptors_at + leaf::descriptor_bytes * std::size_t{leaves};
                 const std::uint32_t descriptor =
                     bytes_.u32(block + leaf::descriptors_at + leaf::descriptor_bytes * std::size_t{child - nodes});

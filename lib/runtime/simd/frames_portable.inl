@@ -1,13 +1,13 @@
 // How nodes and rays become lanes, axis by axis, for instruction sets without a better way. Included inside their
 // namespaces.
 
-inline std::uint32_t first_triangle_in_lanes(const FastLeaf& leaf) { return first_triangle(leaf); }
+inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }
 
 /// The low corner of a child's box, seen from a point.
 struct Corner {
     float at[3];
 };
-inline Corner load_low_corner(const FastNode& node, unsigned child, const BlobData& blob, const float* origin) {
+inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& blob, const float* origin) {
     Corner corner;
     for (int k = 0; k < 3; ++k) corner.at[k] = static_cast<float>(node.low(k, child, blob.bits)) - origin[k];
     return corner;
@@ -18,7 +18,7 @@ struct Frame {
     Floats scale[3];
     Floats base[3];
 };
-inline Frame load_frame(const FastNode& node, const BlobData& blob) {
+inline Frame load_frame(const Node& node, const BlobData& blob) {
     Frame frame;
     for (int k = 0; k < 3; ++k) {
         frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))));
@@ -33,7 +33,7 @@ struct SlabFrame {
     Floats near_offset[3];
     Floats far_offset[3];
 };
-inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
+inline SlabFrame load_slab_frame(const Node& node, const RayLanes& ray) {
     SlabFrame frame;
     for (int k = 0; k < 3; ++k) {
         const float base = static_cast<float>(node.base(k, 0)) * ray.base_inverse[k];

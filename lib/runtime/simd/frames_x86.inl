@@ -3,16 +3,16 @@
 // beforehand.
 
 /// The shifts of all three axes, each in the place of a float's exponent.
-inline __m128i load_shifts(const FastNode& node) {
+inline __m128i load_shifts(const Node& node) {
     // They lie in the low half of this word, 5 bits each.
-    return _mm_and_si128(shift_left_each<23, 18, 13>(node.bytes + format::fast_node::shifts_at),
+    return _mm_and_si128(shift_left_each<23, 18, 13>(node.bytes + format::node::shifts_at),
                          _mm_set1_epi32(31 << 23));
 }
-inline __m128 load_scales(const FastNode& node) {
+inline __m128 load_scales(const Node& node) {
     return _mm_castsi128_ps(_mm_add_epi32(load_shifts(node), _mm_set1_epi32(127 << 23)));
 }
 /// In the units that bases count in.
-inline __m128 load_bases(const FastNode& node) {
+inline __m128 load_bases(const Node& node) {
     return _mm_cvtepi32_ps(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(node.bytes))));
 }
 
@@ -20,7 +20,7 @@ inline __m128 load_bases(const FastNode& node) {
 struct Corner {
     alignas(16) float at[4];
 };
-inline Corner load_low_corner(const FastNode& node, unsigned child, const BlobData& blob, const float* origin) {
+inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& blob, const float* origin) {
     const std::uint32_t bytes = load_u8(node.low_planes(0) + child) | load_u8(node.low_planes(1) + child) << 8 |
                                 load_u8(node.low_planes(2) + child) << 16;
     const __m128 planes = _mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(bytes))));
@@ -36,7 +36,7 @@ struct Frame {
     Floats scale[3];
     Floats base[3];
 };
-inline Frame load_frame(const FastNode& node, const BlobData& blob) {
+inline Frame load_frame(const Node& node, const BlobData& blob) {
     Frame frame;
     spread(load_scales(node), frame.scale);
     spread(_mm_mul_ps(load_bases(node), _mm_set1_ps(blob.base_unit)), frame.base);
@@ -49,7 +49,7 @@ struct SlabFrame {
     Floats near_offset[3];
     Floats far_offset[3];
 };
-inline SlabFrame load_slab_frame(const FastNode& node, const RayLanes& ray) {
+inline SlabFrame load_slab_frame(const Node& node, const RayLanes& ray) {
     // Adding a shift to the exponent multiplies by its power of two.
     const __m128i inverse = _mm_load_si128(reinterpret_cast<const __m128i*>(ray.inverse));
     const __m128 slope = _mm_load_ps(ray.base_inverse);

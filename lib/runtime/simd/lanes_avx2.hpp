@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/codec_fast.hpp>
+#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
 #include <runtime/ray_lanes.hpp>
 #include <runtime/simd/target.hpp>
@@ -88,10 +88,10 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
 }
 
 /// first_triangle, all descriptors at once.
-inline std::uint32_t first_triangle_in_lanes(const FastLeaf& leaf) {
+inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) {
     const __m256i descriptors = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(leaf.descriptors()));
     const __m256i counts = _mm256_add_epi32(
-        _mm256_and_si256(_mm256_srli_epi32(descriptors, format::fast_leaf::triangles_shift), _mm256_set1_epi32(15)),
+        _mm256_and_si256(_mm256_srli_epi32(descriptors, format::indexed_leaf::triangles_shift), _mm256_set1_epi32(15)),
         _mm256_set1_epi32(1));
     const __m256i before =
         _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(leaf.number)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));

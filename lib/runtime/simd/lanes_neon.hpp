@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/codec_fast.hpp>
+#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
 #include <runtime/ray_lanes.hpp>
 #include <runtime/simd/unpack_table.hpp>

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include <runtime/bytes.hpp>
-#include <runtime/codec_fast.hpp>
+#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
 #include <runtime/ray_lanes.hpp>
 

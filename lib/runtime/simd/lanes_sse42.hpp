@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/codec_fast.hpp>
+#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
 #include <runtime/ray_lanes.hpp>
 #include <runtime/simd/target.hpp>
@@ -79,7 +79,7 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
     return function(std::integral_constant<unsigned, 8>{});
 }
 
-inline std::uint32_t first_triangle_in_lanes(const FastLeaf& leaf) { return first_triangle(leaf); }
+inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }
 
 inline __m128 multiply_add(__m128 a, __m128 b, __m128 c) { return _mm_add_ps(_mm_mul_ps(a, b), c); }
 /// The three elements of a vector to all lanes each.

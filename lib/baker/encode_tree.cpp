@@ -1,4 +1,4 @@
-#include "encode_fast.hpp"
+#include "encode_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ namespace espalier::baker {
 
 namespace {
 
-using format::fast_node::max_shift;
+using format::node::max_shift;
 
 struct Box {
     std::array<std::int32_t, 3> lo;
@@ -56,18 +56,14 @@ Frame frame_for(std::int32_t lo, std::int32_t hi, unsigned base_unit) {
 /// The least code whose width holds `largest`.
 unsigned width_code(std::uint32_t largest, unsigned bits) {
     unsigned code = 0;
-    while (largest >> format::fast_leaf::coordinate_width(code, bits) != 0) ++code;
+    while (largest >> format::indexed_leaf::coordinate_width(code, bits) != 0) ++code;
     return code;
 }
 
-class FastEncoder {
+class TreeEncoder {
 public:
-    FastEncoder(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide, EncodedTree& encoded)
-        : mesh_(mesh),
-          tree_(tree),
-          wide_(wide),
-          encoded_(encoded),
-          bits_(mesh.lattice.bits) {}
+    TreeEncoder(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide, EncodedTree& encoded)
+        : mesh_(mesh), tree_(tree), wide_(wide), encoded_(encoded), bits_(mesh.lattice.bits) {}
 
     void encode(std::uint32_t number) {
         const WideNode& node = wide_.nodes[number];
@@ -75,18 +71,18 @@ public:
         std::array<Box, format::max_children> boxes;
         for (std::size_t i = 0; i < count; ++i) boxes[i] = box_of(tree_.nodes[node.binary_nodes[i]]);
 
-        std::byte* bytes = encoded_.nodes.data() + std::size_t{number} * format::fast_node::bytes;
+        std::byte* bytes = encoded_.nodes.data() + std::size_t{number} * format::node::bytes;
         std::array<Frame, 3> frames;
         std::uint32_t shifts = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             frames[axis] = put_axis(std::span(boxes).first(count), axis, bytes);
             shifts |= frames[axis].shift << (5 * axis);
         }
-        set_u16(bytes + format::fast_node::shifts_at, shifts);
-        set_u32(bytes + format::fast_node::children_at,
+        set_u16(bytes + format::node::shifts_at, shifts);
+        set_u32(bytes + format::node::children_at,
                 node.first_child | std::uint32_t{node.node_children} << 24 | std::uint32_t{node.leaves} << 28);
         if (node.leaves != 0) {
-            set_u32(bytes + format::fast_node::leaf_block_at, static_cast<std::uint32_t>(encoded_.leaves.size() / 4));
+            set_u32(bytes + format::node::leaf_block_at, static_cast<std::uint32_t>(encoded_.leaves.size() / 4));
             put_leaf_block(node, std::span(boxes).subspan(node.node_children, node.leaves), frames);
         }
         for (std::uint32_t i = 0; i < node.node_children; ++i) encode(node.first_child + i);
@@ -102,17 +98,17 @@ private:
         }
         const unsigned base_unit = bits_ > 16 ? bits_ - 16 : 0;
         const Frame frame = frame_for(lo, hi, base_unit);
-        set_u16(bytes + format::fast_node::base_at + 2 * axis, static_cast<std::uint32_t>(frame.base) >> base_unit);
+        set_u16(bytes + format::node::base_at + 2 * axis, static_cast<std::uint32_t>(frame.base) >> base_unit);
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             const std::size_t at = format::max_children * axis + i;
-            set_u8(bytes + format::fast_node::lo_at + at, frame.plane_below(boxes[i].lo[axis]));
-            set_u8(bytes + format::fast_node::hi_at + at, frame.plane_above(boxes[i].hi[axis]));
+            set_u8(bytes + format::node::lo_at + at, frame.plane_below(boxes[i].lo[axis]));
+            set_u8(bytes + format::node::hi_at + at, frame.plane_above(boxes[i].hi[axis]));
         }
         return frame;
     }
 
     void put_leaf_block(const WideNode& node, std::span<const Box> boxes, const std::array<Frame, 3>& frames) {
-        using namespace format::fast_leaf;
+        using namespace format::indexed_leaf;
         auto& bytes = encoded_.leaves;
         const std::size_t block = bytes.size();
         put_u32(bytes, wide_.leaves[node.first_leaf].first);
@@ -133,7 +129,7 @@ private:
 
     /// Appends the leaf's streams; returns its descriptor without the offset.
     std::uint32_t put_leaf(const Leaf& leaf, const Box& box, const std::array<std::int32_t, 3>& anchor) {
-        using namespace format::fast_leaf;
+        using namespace format::indexed_leaf;
         number_vertices(leaf);
         std::uint32_t descriptor = (leaf.count - 1) << triangles_shift | (vertex_count_ - 1) << vertices_shift;
         BitStream stream(encoded_.leaves);
@@ -185,12 +181,12 @@ private:
 
 }  // namespace
 
-EncodedTree encode_fast(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide) {
+EncodedTree encode_tree(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide) {
     EncodedTree encoded;
     if (wide.nodes.empty()) return encoded;
-    encoded.nodes.resize(wide.nodes.size() * format::fast_node::bytes);
+    encoded.nodes.resize(wide.nodes.size() * format::node::bytes);
     encoded.leaves.reserve(wide.triangles.size() * 7);
-    FastEncoder(mesh, tree, wide, encoded).encode(0);
+    TreeEncoder(mesh, tree, wide, encoded).encode(0);
     return encoded;
 }
 

@@ -12,27 +12,25 @@
 namespace espalier::detail {
 
 /// Where the pieces of a node are.
-struct FastNode {
+struct Node {
     const std::byte* bytes;
 
-    [[nodiscard]] std::uint32_t first_child() const {
-        return load_u32(bytes + format::fast_node::children_at) & 0xFFFFFFu;
-    }
-    [[nodiscard]] unsigned node_children() const { return load_u8(bytes + format::fast_node::children_at + 3) & 15u; }
-    [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + format::fast_node::children_at + 3) >> 4; }
+    [[nodiscard]] std::uint32_t first_child() const { return load_u32(bytes + format::node::children_at) & 0xFFFFFFu; }
+    [[nodiscard]] unsigned node_children() const { return load_u8(bytes + format::node::children_at + 3) & 15u; }
+    [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + format::node::children_at + 3) >> 4; }
     [[nodiscard]] unsigned shift(int axis) const {
-        return (load_u16(bytes + format::fast_node::shifts_at) >> (5 * axis)) & 31u;
+        return (load_u16(bytes + format::node::shifts_at) >> (5 * axis)) & 31u;
     }
     [[nodiscard]] std::int32_t base(int axis, unsigned bits) const {
         const unsigned unit = bits > 16 ? bits - 16 : 0;
-        return static_cast<std::int32_t>(
-            load_u16(bytes + format::fast_node::base_at + 2 * static_cast<std::size_t>(axis)) << unit);
+        return static_cast<std::int32_t>(load_u16(bytes + format::node::base_at + 2 * static_cast<std::size_t>(axis))
+                                         << unit);
     }
     [[nodiscard]] const std::byte* low_planes(int axis) const {
-        return bytes + format::fast_node::lo_at + 8 * static_cast<std::size_t>(axis);
+        return bytes + format::node::lo_at + 8 * static_cast<std::size_t>(axis);
     }
     [[nodiscard]] const std::byte* high_planes(int axis) const {
-        return bytes + format::fast_node::hi_at + 8 * static_cast<std::size_t>(axis);
+        return bytes + format::node::hi_at + 8 * static_cast<std::size_t>(axis);
     }
     [[nodiscard]] std::int32_t low(int axis, unsigned child, unsigned bits) const {
         return base(axis, bits) + static_cast<std::int32_t>(load_u8(low_planes(axis) + child) << shift(axis));
@@ -41,17 +39,17 @@ struct FastNode {
         return base(axis, bits) + static_cast<std::int32_t>(load_u8(high_planes(axis) + child) << shift(axis));
     }
     [[nodiscard]] const std::byte* leaf_block(const BlobData& blob) const {
-        return blob.leaves + 4 * std::size_t{load_u32(bytes + format::fast_node::leaf_block_at)};
+        return blob.leaves + 4 * std::size_t{load_u32(bytes + format::node::leaf_block_at)};
     }
 };
 
-inline FastNode fast_node(const BlobData& blob, std::uint32_t index) {
-    return {blob.nodes + std::size_t{index} * format::fast_node::bytes};
+inline Node node_at(const BlobData& blob, std::uint32_t index) {
+    return {blob.nodes + std::size_t{index} * format::node::bytes};
 }
 
 /// One leaf: where its streams are and how wide their fields.
-struct FastLeaf {
-    FastNode node;           ///< whose child it is
+struct IndexedLeaf {
+    Node node;               ///< whose child it is
     const std::byte* block;  ///< of the node's leaves
     const std::byte* coordinates[3];
     const std::byte* triangles;
@@ -64,7 +62,7 @@ struct FastLeaf {
     std::uint32_t size;  ///< more than the distance of any two vertices along an axis
 
     /// One for each leaf of the node.
-    [[nodiscard]] const std::byte* descriptors() const { return block + format::fast_leaf::descriptors_at; }
+    [[nodiscard]] const std::byte* descriptors() const { return block + format::indexed_leaf::descriptors_at; }
     /// Among the children of its node.
     [[nodiscard]] unsigned child() const { return node.node_children() + number; }
     /// The low corner of its box, which the coordinates count from.
@@ -84,9 +82,9 @@ struct FastLeaf {
 };
 
 /// The leaf that is child `node.node_children() + number` of the node.
-inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned number) {
-    using namespace format::fast_leaf;
-    FastLeaf leaf;
+inline IndexedLeaf indexed_leaf(const BlobData& blob, const Node& node, unsigned number) {
+    using namespace format::indexed_leaf;
+    IndexedLeaf leaf;
     leaf.node = node;
     leaf.block = node.leaf_block(blob);
     leaf.number = number;
@@ -94,7 +92,7 @@ inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned n
     const std::uint32_t descriptor = load_u32(leaf.block + descriptors_at + descriptor_bytes * std::size_t{number});
     leaf.triangle_count = ((descriptor >> triangles_shift) & 15u) + 1;
     leaf.vertex_count = ((descriptor >> vertices_shift) & 31u) + 1;
-    leaf.corner_width = format::fast_leaf::corner_width(leaf.vertex_count);
+    leaf.corner_width = format::indexed_leaf::corner_width(leaf.vertex_count);
     const std::byte* at = leaf.block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
                           2 * std::size_t{descriptor & ((1u << offset_bits) - 1u)};
     unsigned longest = 0;
@@ -113,11 +111,11 @@ inline FastLeaf fast_leaf(const BlobData& blob, const FastNode& node, unsigned n
 /// Storage index of the first triangle of a leaf. All descriptors that there could be are read, the later ones masked
 /// out (the guard keeps that inside the blob): how many come before is not to be foreseen, and a mistaken guess costs
 /// more.
-inline std::uint32_t first_triangle(const FastLeaf& leaf) {
+inline std::uint32_t first_triangle(const IndexedLeaf& leaf) {
     std::uint32_t first = load_u32(leaf.block);
     const std::byte* descriptor = leaf.descriptors();
-    for (unsigned i = 0; i + 1 < format::max_children; ++i, descriptor += format::fast_leaf::descriptor_bytes) {
-        const std::uint32_t count = ((load_u32(descriptor) >> format::fast_leaf::triangles_shift) & 15u) + 1;
+    for (unsigned i = 0; i + 1 < format::max_children; ++i, descriptor += format::indexed_leaf::descriptor_bytes) {
+        const std::uint32_t count = ((load_u32(descriptor) >> format::indexed_leaf::triangles_shift) & 15u) + 1;
         first += count & (i < leaf.number ? ~0u : 0u);
     }
     return first;

@@ -15,6 +15,6 @@ struct EncodedTree {
     std::vector<std::byte> leaves;
 };
 
-[[nodiscard]] EncodedTree encode_fast(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide);
+[[nodiscard]] EncodedTree encode_tree(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide);
 
 }  // namespace espalier::baker

@@ -1,4 +1,4 @@
-#include "decode_fast.hpp"
+#include "decode_tree.hpp"
 
 #include <algorithm>
 
@@ -57,7 +57,7 @@ DecodedBox DecodedLeaf::box() const {
 }
 
 bool TreeBytes::decode_node(std::uint32_t number, DecodedNode& node) const {
-    namespace layout = format::fast_node;
+    namespace layout = format::node;
     if (number >= nodes.size() / layout::bytes) return false;
     const auto bytes = nodes.subspan(std::size_t{number} * layout::bytes, layout::bytes);
     const std::uint32_t children = read(bytes, layout::children_at, 4);
@@ -83,7 +83,7 @@ bool TreeBytes::decode_node(std::uint32_t number, DecodedNode& node) const {
 }
 
 bool TreeBytes::decode_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const {
-    namespace layout = format::fast_leaf;
+    namespace layout = format::indexed_leaf;
     const std::size_t data =
         node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{node.leaves};
     if (data > leaves.size()) return false;
