@@ -1,31 +1,42 @@
 // bake: meshes in, one blob out.
-#include <espalier/bake.hpp>
-#include <espalier/blob.hpp>
+#include <optional>
+#include <utility>
 
 #include "bake_report.hpp"
+#include "baking.hpp"
+#include "byte_sizes.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "cost_model_file.hpp"
 #include "import_assimp.hpp"
 #include "lengths.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "pick.hpp"
+#include "pick_report.hpp"
 #include "source_options.hpp"
 
 namespace espalier::tools {
 
 namespace {
 
+/// Above zero, in units of the blob.
+double error_bound(const std::string& length, const char* option) {
+    const double bound = parse_length(length, option);
+    if (bound <= 0.0) {
+        throw CommandError(ExitCode::usage, text(option, ' ', printable(length), ": it must be above zero."));
+    }
+    return bound;
+}
+
 BakeOptions bake_options(const BakeArguments& arguments) {
     BakeOptions options;
-    if (!arguments.tolerance.empty()) {
-        options.tolerance = parse_length(arguments.tolerance, "--tolerance");
-        if (*options.tolerance <= 0.0) {
-            throw CommandError(ExitCode::usage,
-                               text("--tolerance ", printable(arguments.tolerance), ": a tolerance is above zero."));
-        }
-    }
+    if (!arguments.tolerance.empty()) options.tolerance = error_bound(arguments.tolerance, "--tolerance");
+    if (arguments.max_error) options.tolerance = error_bound(*arguments.max_error, "--max-error");
     options.bits = arguments.bits;
-    options.profile = arguments.profile;
+    if (arguments.profile) options.profile = *arguments.profile;
+    if (arguments.leaf_size) options.max_leaf_triangles = *arguments.leaf_size;
+    if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
     options.original_ids = arguments.original_ids;
     options.materials = arguments.material_bits == 8    ? Materials::bits_8
                         : arguments.material_bits == 16 ? Materials::bits_16
@@ -36,16 +47,22 @@ BakeOptions bake_options(const BakeArguments& arguments) {
     return options;
 }
 
-ExitCode exit_code_of(BakeError::Kind kind) {
-    switch (kind) {
-        case BakeError::Kind::invalid_options: return ExitCode::usage;
-        case BakeError::Kind::invalid_mesh: return ExitCode::invalid_input;
-        // The mesh is sound and the option is well-formed: together they ask for more than 24 bits.
-        case BakeError::Kind::tolerance_too_fine: return ExitCode::unsupported;
-        case BakeError::Kind::too_large: return ExitCode::unsupported;
-        case BakeError::Kind::internal: return ExitCode::internal;
+/// Nothing when no picking option was given.
+std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
+    PickGoal goal;
+    if (arguments.max_bytes) {
+        goal.max_bytes = parse_byte_size(*arguments.max_bytes, "--max-bytes");
+        goal.may_coarsen = arguments.tolerance.empty() && !arguments.max_error;
+        goal.limit_name = text("--max-bytes ", printable(*arguments.max_bytes));
+    } else if (arguments.fastest_under) {
+        goal.max_bytes = parse_byte_size(*arguments.fastest_under, "--fastest-under");
+        goal.limit_name = text("--fastest-under ", printable(*arguments.fastest_under));
+    } else if (!arguments.max_error) {
+        return std::nullopt;
     }
-    return ExitCode::internal;
+    goal.profile = arguments.profile;
+    goal.leaf_size = arguments.leaf_size;
+    return goal;
 }
 
 Imported import_with_progress(const BakeArguments& arguments, ImportOptions options) {
@@ -54,21 +71,18 @@ Imported import_with_progress(const BakeArguments& arguments, ImportOptions opti
     return import_files(arguments.inputs, options);
 }
 
-Baked bake_or_throw(const Imported& imported, const BakeArguments& arguments) {
+/// What was picked is said here; the rest of the verb sees a bake like any other.
+Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, const Console& console,
+                   Json& picked_json) {
     BakeOptions options = bake_options(arguments);
+    const std::optional<PickGoal> goal = pick_goal(arguments);
     Progress progress(arguments.quiet);
     options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
-    const std::vector<MeshView> meshes = imported.views();
-    Result<Baked, BakeError> result = bake(meshes, options);
-    if (!result) {
-        std::string message = result.error().message;
-        if (!message.ends_with('.')) message += '.';
-        if (result.error().kind == BakeError::Kind::invalid_mesh) {
-            message += " --repair drops such triangles and counts them.";
-        }
-        throw CommandError(exit_code_of(result.error().kind), message);
-    }
-    return std::move(*result);
+    if (!goal) return bake_or_throw(imported.views(), options);
+    Picked picked = pick(imported, options, *goal);
+    say_pick(console, picked, options);
+    picked_json = pick_json(picked);
+    return std::move(picked.baked);
 }
 
 }  // namespace
@@ -77,24 +91,22 @@ ExitCode run_bake(const BakeArguments& arguments) {
     const Console console(arguments.quiet);
     for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(arguments.output, input);
     const ImportOptions source = import_options(arguments.source);
-    static_cast<void>(bake_options(arguments));  // a mistyped length is said before a long import
+    static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import
+    static_cast<void>(pick_goal(arguments));
 
     const Imported imported = import_with_progress(arguments, source);
     say_import(console, arguments, imported);
-    const Baked baked = bake_or_throw(imported, arguments);
-
-    // What is written has been read by those who will read it.
-    Blob blob;
-    if (const Status status = open(baked.blob, blob); status != Status::ok) {
-        throw CommandError(ExitCode::internal,
-                           text("the baked blob is refused by this program's own reader: ", describe(status),
-                                ". Nothing was written; please report the mesh."));
-    }
+    Json picked_json;
+    const Baked baked = bake_or_pick(imported, arguments, console, picked_json);
     say_findings(console, baked.report);
     say_result(console, baked.report);
     write_output_file(arguments.output, baked.blob);
     console.say(text("wrote ", printable(arguments.output)));
-    if (arguments.json) print_json(bake_json(arguments, imported, baked.report, blob));
+    if (arguments.json) {
+        Json document = bake_json(arguments, imported, baked.report, opened(baked));
+        if (!picked_json.is_null()) document["picked"] = std::move(picked_json);
+        print_json(document);
+    }
     return ExitCode::ok;
 }
 

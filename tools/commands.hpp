@@ -27,7 +27,12 @@ struct BakeArguments {
     SourceArguments source;
     std::string tolerance;  ///< a length; empty: bits decide
     unsigned bits = 16;
-    format::Profile profile = format::Profile::fast;
+    std::optional<std::string> max_bytes;      ///< an amount of bytes
+    std::optional<std::string> max_error;      ///< a length; without it --tolerance or --bits decides
+    std::optional<std::string> fastest_under;  ///< an amount of bytes
+    std::optional<format::Profile> profile;    ///< without one: the library's, or what the picking options pick
+    std::optional<unsigned> leaf_size;         ///< likewise
+    std::string cost_model;                    ///< a JSON file; empty: the committed constants
     bool original_ids = false;
     unsigned material_bits = 0;  ///< 0, 8 or 16
     bool repair = false;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "choices.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "numbers.hpp"
@@ -23,9 +24,6 @@ namespace {
 
 /// The verb that was chosen, ready to run.
 using Chosen = std::function<ExitCode()>;
-
-template <class Value>
-using Choices = std::vector<std::pair<std::string, Value>>;
 
 const Choices<Axis> axes{{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}};
 
@@ -73,6 +71,27 @@ void add_source(CLI::App* verb, SourceArguments& source) {
                "axes stay as the importer gives them (Collada and IFC come with +Y up)");
 }
 
+/// The options that try several bakes and keep one. They judge by counters, so that every machine picks the same.
+void add_picking(CLI::App* verb, BakeArguments& arguments, CLI::Option* tolerance, CLI::Option* bits) {
+    CLI::Option* max_bytes =
+        verb->add_option("--max-bytes", arguments.max_bytes,
+                         "Pick what fits into so many bytes (64K, 1.5M): the finest lattice up to --bits at which "
+                         "anything fits, and there the profile, leaf size and price of bytes with the least counted "
+                         "work. With --tolerance or --max-error the lattice stays")
+            ->type_name("BYTES");
+    verb->add_option("--fastest-under", arguments.fastest_under,
+                     "Pick the profile, leaf size and price of bytes with the least counted work that fits into so "
+                     "many bytes, at the lattice asked for")
+        ->excludes(max_bytes)
+        ->type_name("BYTES");
+    verb->add_option("--max-error", arguments.max_error,
+                     "Pick the profile, leaf size and price of bytes with the least counted work, on the coarsest "
+                     "lattice that keeps this distance between source and blob")
+        ->excludes(tolerance)
+        ->excludes(bits)
+        ->type_name("LENGTH");
+}
+
 void add_bake(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<BakeArguments>();
     CLI::App* verb = add_verb(app, "bake", "Make one blob out of mesh files");
@@ -87,13 +106,21 @@ void add_bake(CLI::App& app, Chosen& chosen) {
                          "Largest distance between source and blob: 0.5mm, 2cm, 1e-3m, 1in; a bare number is in units "
                          "of the blob")
             ->type_name("LENGTH");
-    verb->add_option("--bits", arguments->bits, "Lattice bits over the largest extent")
-        ->capture_default_str()
-        ->check(between(1u, 24u))
-        ->excludes(tolerance)
-        ->type_name("1..24");
-    const Choices<format::Profile> profiles{{"fast", format::Profile::fast}};
-    add_choice(verb, "--profile", arguments->profile, profiles, "How nodes and leaves are coded");
+    CLI::Option* bits = verb->add_option("--bits", arguments->bits, "Lattice bits over the largest extent")
+                            ->capture_default_str()
+                            ->check(between(1u, 24u))
+                            ->excludes(tolerance)
+                            ->type_name("1..24");
+    add_picking(verb, *arguments, tolerance, bits);
+    add_choice(verb, "--profile", arguments->profile, profile_choices, "How nodes and leaves are coded");
+    verb->add_option("--leaf-size", arguments->leaf_size,
+                     "Most triangles of a leaf; fewer are tested faster and take more bytes. 16 unless one is picked")
+        ->check(between(1u, format::max_leaf_triangles))
+        ->type_name(text("1..", format::max_leaf_triangles));
+    verb->add_option("--cost-model", arguments->cost_model,
+                     "JSON object with any of node_visit, leaf_visit, triangle and byte_price: what the tree is shaped "
+                     "by and what picks are judged by")
+        ->type_name("FILE");
     add_source(verb, arguments->source);
     verb->add_flag("--ids", arguments->original_ids, "Carry each triangle's file, mesh and number in it");
     const Choices<unsigned> widths{{"8", 8u}, {"16", 16u}};

@@ -12,12 +12,16 @@ namespace espalier {
 struct QueryCounters {
     std::uint64_t nodes = 0;       ///< nodes whose children were tested
     std::uint64_t leaves = 0;      ///< leaves that were decoded
+    std::uint64_t groups = 0;      ///< started groups of 8 triangles in those leaves: what lanes test at once
     std::uint64_t triangles = 0;   ///< triangles that went through the filter
     std::uint64_t candidates = 0;  ///< triangles that were decided exactly
 
     void count_node() { ++nodes; }
     void count_leaf() { ++leaves; }
-    void count_triangles(unsigned count) { triangles += count; }
+    void count_triangles(unsigned count) {  // of one leaf
+        groups += (count + 7) / 8;
+        triangles += count;
+    }
     void count_candidates(unsigned count) { candidates += count; }
 };
 

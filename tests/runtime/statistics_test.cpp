@@ -39,6 +39,9 @@ TEST_SUITE("statistics") {
             CHECK(counters.nodes >= count / 2);
             CHECK(counters.candidates <= counters.triangles);
             CHECK(counters.triangles <= counters.leaves * format::max_leaf_triangles);
+            CHECK(counters.triangles <= counters.groups * 8);
+            CHECK(counters.groups <= counters.leaves * 2);
+            CHECK(counters.groups >= counters.leaves);
             // A traversal that culls nothing would pass every other test.
             CHECK(counters.triangles < count * blob.decoded.triangle_count / 3);
             CHECK(counters.nodes < count * blob.decoded.nodes.size() / 2);

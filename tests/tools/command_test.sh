@@ -194,6 +194,118 @@ run 5 bake sheet.obj -o fine.espl --tolerance 1e-9
 err_has "too fine"
 absent fine.espl
 
+# ---- picks ----------------------------------------------------------------------------------------------------------
+claim "a pick keeps to its bytes, and says what it took and what it gave up"
+for bytes in 1K 4K 10K 0.02M 65536; do
+    run 0 bake sheet.obj -o picked.espl --max-bytes $bytes
+    err_has "picked: profile "
+    err_has "  error: "
+    err_has "  bytes: "
+    err_has "  counted work: "
+    allowed=$(echo $bytes | awk '/K/ { print $0 * 1024; next } /M/ { print int($0 * 1048576); next } { print $0 }')
+    [ "$(stat -c %s picked.espl)" -le "$allowed" ] || fail "$(stat -c %s picked.espl) bytes in $bytes"
+    "$espalier" verify picked.espl --deep --source sheet.obj >/dev/null || fail "the pick is not sound"
+done
+run 0 bake sheet.obj -o picked.espl --max-bytes 1M
+err_has "16 bits"
+err_has "nothing given up"
+run 0 bake sheet.obj -o picked.espl --max-bytes 10K
+err_has "given up: "
+err_has "at 16 bits"
+
+claim "the same is picked twice and at any number of threads"
+for pick in "--max-bytes 10K" "--fastest-under 30K" "--max-error 5mm" "--max-error 5mm --max-bytes 22K"; do
+    # shellcheck disable=SC2086
+    run 0 bake sheet.obj -o a.espl $pick --threads 1
+    cp err first_err
+    # shellcheck disable=SC2086
+    run 0 bake sheet.obj -o b.espl $pick --threads 2
+    same a.espl b.espl
+    grep -v wrote first_err >first
+    grep -v wrote err >second
+    same first second
+done
+
+claim "the fastest under a limit works no harder than other blobs under it, on the lattice that was asked for"
+run 0 bake sheet.obj -o fast.espl --fastest-under 1M --json -q
+if command -v jq >/dev/null; then
+    jq -e '.bits == 16 and (.picked.tried | length) > 8 and
+        (.picked.chosen.counted_cost <= 1.01 * ([.picked.tried[].counted_cost] | min))' out >/dev/null || fail "$(jq -c .picked.chosen out)"
+    size=$(jq '[.picked.tried[].bytes] | add / length | floor' out)
+    run 0 bake sheet.obj -o fast.espl --fastest-under "$size" --json -q
+    jq -e "(.bytes <= $size) and
+        (.picked.chosen.counted_cost <= 1.01 * ([.picked.tried[] | select(.bytes <= $size) | .counted_cost] | min))" out \
+        >/dev/null || fail "$(jq -c .picked.chosen out)"
+fi
+
+claim "an error that is allowed is kept, on the coarsest lattice that keeps it"
+run 0 bake sheet.obj -o x.espl --tolerance 5mm --json -q
+bits=$(grep '"bits"' out | head -n 1)
+run 0 bake sheet.obj -o x.espl --max-error 5mm --json -q
+[ "$bits" = "$(grep '"bits"' out | head -n 1)" ] || fail "$bits by tolerance, $(grep '"bits"' out | head -n 1) by max error"
+awk '/"max_error"/ { exit !($2 + 0 <= 0.005) }' out || fail "$(grep max_error out)"
+
+claim "what cannot be had is unsupported, names the smallest that was reached, and leaves no file"
+for pick in "--max-bytes 100" "--fastest-under 5K" "--max-error 5mm --max-bytes 5K"; do
+    # shellcheck disable=SC2086
+    run 5 bake sheet.obj -o small.espl $pick
+    err_has "nothing fits"
+    err_has "The smallest of "
+    absent small.espl
+done
+for amount in 0 -5 64X K nan 1e99 ""; do run 1 bake sheet.obj -o small.espl --fastest-under "$amount"; done
+run 1 bake sheet.obj -o small.espl --max-bytes 64Q
+err_has "is no amount of bytes"
+run 1 bake sheet.obj -o small.espl --max-bytes 64K --fastest-under 64K
+run 1 bake sheet.obj -o small.espl --max-error 1mm --tolerance 1mm
+run 1 bake sheet.obj -o small.espl --max-error 1mm --bits 12
+run 1 bake sheet.obj -o small.espl --max-error 0
+absent small.espl
+
+claim "a pick leaves alone what the user chose, and an empty mesh is no trouble"
+run 0 bake sheet.obj -o x.espl --fastest-under 1M --leaf-size 5 --profile fast
+err_has "leaves of up to 5 triangles"
+printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >line.obj
+run 0 bake line.obj -o x.espl --max-bytes 1K
+run 0 verify x.espl --deep
+
+claim "leaves are as large as --leaf-size allows"
+run 0 bake sheet.obj -o x.espl --leaf-size 1 --json -q
+out_has '"leaves": 3200'
+run 1 bake sheet.obj -o x.espl --leaf-size 0
+run 1 bake sheet.obj -o x.espl --leaf-size 17
+
+# ---- cost model -----------------------------------------------------------------------------------------------------
+claim "a cost model shapes the tree; the defaults written out change nothing"
+echo '{"node_visit": 1, "leaf_visit": 0.7, "triangle": 0, "byte_price": 5}' >default.json
+run 0 bake sheet.obj -o x.espl --cost-model default.json --ids --materials 8
+same x.espl sheet.espl
+echo '{}' >default.json
+run 0 bake sheet.obj -o x.espl --cost-model default.json --ids --materials 8
+same x.espl sheet.espl
+echo '{"byte_price": 0}' >free_bytes.json
+run 0 bake sheet.obj -o x.espl --cost-model free_bytes.json --ids --materials 8
+[ "$(stat -c %s x.espl)" -gt "$(stat -c %s sheet.espl)" ] || fail "free bytes make no larger blob"
+
+claim "a cost model that makes no sense is refused with its file and its field"
+refused_model() { # JSON FIELD_OR_WORDS
+    echo "$1" >model.json
+    run 3 bake sheet.obj -o model.espl --cost-model model.json
+    err_has "'model.json'"
+    err_has "$2"
+    absent model.espl
+}
+refused_model '{"node_visits": 1}' "'node_visits' is not known"
+refused_model '{"leaf_visit": -1}' "'leaf_visit'"
+refused_model '{"triangle": "much"}' "'triangle'"
+refused_model '{"byte_price": 1e9}' "'byte_price'"
+refused_model '{"node_visit": null}' "'node_visit'"
+refused_model '[1, 2]' "JSON object"
+refused_model '{"node_visit": 1' "no JSON"
+refused_model '' "no JSON"
+run 2 bake sheet.obj -o model.espl --cost-model missing.json
+err_has "missing.json"
+
 claim "unit, scale and up axis do what they say"
 run 0 bake box.obj -o x.espl --unit mm
 err_has "unit: 1 = 0.001 m (--unit)"
@@ -568,7 +680,7 @@ cmp -s a.png heat.png && fail "the heat map looks like the shaded picture"
 claim "every --json is one JSON object with a schema"
 if command -v jq >/dev/null; then
     cp box.obj "$(printf 'l\303\251vel \377.obj')"
-    for arguments in "bake box.obj $(printf 'l\303\251vel') -o x.espl" "bake box.obj -o x.espl" "info sheet.espl" \
+    for arguments in "bake box.obj $(printf 'l\303\251vel') -o x.espl" "bake box.obj -o x.espl" "bake box.obj -o x.espl --max-bytes 1K" "info sheet.espl" \
         "verify sheet.espl --deep --source sheet.obj" "query box.espl ray 0 0 0 nan 0 0" "query box.espl ray 0 1 9 0 0 -1 --all" \
         "query box.espl sphere 0 0 0 inf" "query box.espl nearest 0 0 9" "render box.espl -o x.png --size 8x8" \
         "dump sheet.espl" "dump changed.espl"; do

@@ -1,0 +1,55 @@
+#include "baking.hpp"
+
+#include <utility>
+
+#include "exit_code.hpp"
+#include "numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+ExitCode exit_code_of(BakeError::Kind kind) {
+    switch (kind) {
+        case BakeError::Kind::invalid_options:
+            return ExitCode::usage;
+        case BakeError::Kind::invalid_mesh:
+            return ExitCode::invalid_input;
+        // The mesh is sound and the option is well-formed: together they ask for more than 24 bits.
+        case BakeError::Kind::tolerance_too_fine:
+            return ExitCode::unsupported;
+        case BakeError::Kind::too_large:
+            return ExitCode::unsupported;
+        case BakeError::Kind::internal:
+            return ExitCode::internal;
+    }
+    return ExitCode::internal;
+}
+
+}  // namespace
+
+Baked bake_or_throw(std::span<const MeshView> meshes, const BakeOptions& options) {
+    Result<Baked, BakeError> result = bake(meshes, options);
+    if (!result) {
+        std::string message = result.error().message;
+        if (!message.ends_with('.')) message += '.';
+        if (result.error().kind == BakeError::Kind::invalid_mesh) {
+            message += " --repair drops such triangles and counts them.";
+        }
+        throw CommandError(exit_code_of(result.error().kind), message);
+    }
+    static_cast<void>(opened(*result));
+    return std::move(*result);
+}
+
+Blob opened(const Baked& baked) {
+    Blob blob;
+    if (const Status status = open(baked.blob, blob); status != Status::ok) {
+        throw CommandError(ExitCode::internal,
+                           text("the baked blob is refused by this program's own reader: ", describe(status),
+                                ". Nothing was written; please report the mesh."));
+    }
+    return blob;
+}
+
+}  // namespace espalier::tools

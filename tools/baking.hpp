@@ -1,0 +1,19 @@
+// A bake that ends the verb when it fails.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include <espalier/bake.hpp>
+#include <espalier/blob.hpp>
+
+namespace espalier::tools {
+
+/// Throws CommandError with the baker's reason and the exit code that it stands for, and (internal) when the reader
+/// refuses what was baked: what is written has been read by those who will read it.
+Baked bake_or_throw(std::span<const MeshView> meshes, const BakeOptions& options);
+
+/// The view of what was just baked; the bytes must outlive it.
+Blob opened(const Baked& baked);
+
+}  // namespace espalier::tools

@@ -1,0 +1,26 @@
+// The names that options take, each list in the order in which help shows it.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+namespace espalier::tools {
+
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+inline const Choices<format::Profile> profile_choices{{"fast", format::Profile::fast}};
+
+/// The name that stands for the value; it is in the list.
+template <class Value>
+const std::string& name_in(const Choices<Value>& choices, Value value) {
+    for (const auto& choice : choices) {
+        if (choice.second == value) return choice.first;
+    }
+    return choices.front().first;
+}
+
+}  // namespace espalier::tools

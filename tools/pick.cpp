@@ -1,0 +1,152 @@
+#include "pick.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "baking.hpp"
+#include "choices.hpp"
+#include "exit_code.hpp"
+#include "numbers.hpp"
+#include "sample_queries.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::size_t counted_rays = 20'000;
+constexpr std::array<unsigned, 4> leaf_sizes = {16, 12, 8, 4};
+/// The dearer a byte, the smaller the blob and the more visits. The first gives the smallest.
+constexpr std::array<float, 4> byte_price_factors = {16.0f, 1.0f, 0.2f, 0.0f};
+
+struct Configuration {
+    format::Profile profile;
+    unsigned leaf_size;
+    float byte_price;
+};
+
+struct Configurations {
+    std::vector<Configuration> smallest;  ///< one for each profile
+    std::vector<Configuration> others;
+};
+
+Configurations configurations(const PickGoal& goal, const CostModel& model) {
+    Configurations result;
+    for (const auto& choice : profile_choices) {
+        if (goal.profile && *goal.profile != choice.second) continue;
+        for (const unsigned size : leaf_sizes) {
+            if (goal.leaf_size && size != leaf_sizes.front()) continue;
+            for (const float factor : byte_price_factors) {
+                const bool is_smallest = size == leaf_sizes.front() && factor == byte_price_factors.front();
+                (is_smallest ? result.smallest : result.others)
+                    .push_back({choice.second, goal.leaf_size.value_or(size), factor * model.byte_price});
+            }
+        }
+    }
+    return result;
+}
+
+/// The search. Candidates are tried in a fixed order, and of equally good ones the first is taken.
+class Search {
+public:
+    Search(const Imported& imported, const BakeOptions& options, const PickGoal& goal)
+        : meshes_(imported.views()),
+          rays_(make_sample_queries(imported, counted_rays).rays),
+          options_(options),
+          goal_(goal) {}
+
+    Picked run() {
+        const auto [smallest, others] = configurations(goal_, options_.cost_model);
+        // Large leaves and dear bytes give the smallest blob: where not even that fits, the lattice is too fine.
+        for (unsigned bits = options_.bits; bits >= 1; --bits) {
+            options_.bits = bits;
+            for (const Configuration& configuration : smallest) try_one(configuration);
+            if (some_fit_ || vanished_ || !goal_.may_coarsen) break;
+        }
+        if (some_fit_ || !goal_.may_coarsen) {
+            for (const Configuration& configuration : others) try_one(configuration);
+        }
+        if (!some_fit_) refuse();
+        const Candidate chosen = best();
+        return {bake_with({chosen.profile, chosen.leaf_size, chosen.byte_price}), chosen, std::move(tried_)};
+    }
+
+private:
+    Baked bake_with(const Configuration& configuration) const {
+        BakeOptions options = options_;
+        options.profile = configuration.profile;
+        options.max_leaf_triangles = configuration.leaf_size;
+        options.cost_model.byte_price = configuration.byte_price;
+        return bake_or_throw(meshes_, options);
+    }
+
+    void try_one(const Configuration& configuration) {
+        const Baked baked = bake_with(configuration);
+        const BakeReport& report = baked.report;
+        // A lattice so coarse that no triangle is left fits everywhere and answers nothing.
+        if (report.triangles == 0 && report.collapsed.count > 0 && !tried_.empty()) {
+            vanished_ = true;
+            return;
+        }
+        const CountedWork work = count_work(opened(baked), rays_);
+        tried_.push_back({configuration.profile, configuration.leaf_size, configuration.byte_price, report.bits,
+                          report.bytes, report.max_error, work,
+                          counted_cost(work, options_.cost_model, configuration.profile)});
+        some_fit_ = some_fit_ || fits(tried_.back());
+    }
+
+    [[nodiscard]] bool fits(const Candidate& candidate) const {
+        return !goal_.max_bytes || candidate.bytes <= *goal_.max_bytes;
+    }
+
+    /// The least work; of those within a hundredth of it, which so few rays cannot tell apart, the fewest bytes.
+    [[nodiscard]] const Candidate& best() const {
+        double least_cost = std::numeric_limits<double>::infinity();
+        for (const Candidate& candidate : tried_) {
+            if (fits(candidate)) least_cost = std::min(least_cost, candidate.cost);
+        }
+        const Candidate* best = nullptr;
+        for (const Candidate& candidate : tried_) {
+            if (!fits(candidate) || candidate.cost > 1.01 * least_cost) continue;
+            if (best == nullptr || candidate.bytes < best->bytes) best = &candidate;
+        }
+        return *best;
+    }
+
+    [[noreturn]] void refuse() const {
+        const auto has_fewer_bytes = [](const Candidate& a, const Candidate& b) { return a.bytes < b.bytes; };
+        const Candidate& smallest = *std::min_element(tried_.begin(), tried_.end(), has_fewer_bytes);
+        throw CommandError(
+            ExitCode::unsupported,
+            text(goal_.limit_name, ": nothing fits. The smallest of ", counted(tried_.size(), "bake"), " has ",
+                 counted(smallest.bytes, "byte"), ", with ", describe(smallest), ", max error ",
+                 rounded(smallest.max_error),
+                 goal_.may_coarsen
+                     ? ". A coarser lattice leaves no triangle: allow more bytes, or bake a simpler mesh."
+                     : ". Allow more bytes, a larger error or fewer bits, or bake a simpler mesh; --max-bytes "
+                       "without a tolerance gives up bits until it fits."));
+    }
+
+    std::vector<MeshView> meshes_;
+    std::vector<Ray> rays_;
+    BakeOptions options_;
+    const PickGoal& goal_;
+    std::vector<Candidate> tried_;
+    bool some_fit_ = false;
+    bool vanished_ = false;
+};
+
+}  // namespace
+
+std::string describe(const Candidate& candidate) {
+    return text("profile ", name_in(profile_choices, candidate.profile), ", leaves of up to ",
+                counted(candidate.leaf_size, "triangle"), ", byte price ", candidate.byte_price, ", ",
+                counted(candidate.bits, "bit"));
+}
+
+Picked pick(const Imported& imported, const BakeOptions& options, const PickGoal& goal) {
+    return Search(imported, options, goal).run();
+}
+
+}  // namespace espalier::tools
