@@ -1,0 +1,90 @@
+#include "ray_groups.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <span>
+
+#include <espalier/statistics.hpp>
+
+namespace espalier::bench {
+namespace {
+
+constexpr std::size_t shares_by_nodes = 16;
+constexpr std::size_t shares_by_triangles = 8;
+
+/// The part of a list that belongs to one of several equal shares.
+template <class Value>
+std::span<Value> share_of(std::span<Value> all, std::size_t number, std::size_t shares) {
+    const std::size_t begin = all.size() * number / shares, end = all.size() * (number + 1) / shares;
+    return all.subspan(begin, end - begin);
+}
+
+RayGroup group_of(const std::vector<Ray>& rays, const std::vector<QueryCounters>& work,
+                  std::span<const std::uint32_t> members) {
+    RayGroup group;
+    for (const std::uint32_t ray : members) {
+        group.rays.push_back(rays[ray]);
+        group.nodes += static_cast<double>(work[ray].nodes);
+        group.leaves += static_cast<double>(work[ray].leaves);
+        group.groups += static_cast<double>(work[ray].groups);
+        group.triangles += static_cast<double>(work[ray].triangles);
+    }
+    for (double* sum : {&group.nodes, &group.leaves, &group.groups, &group.triangles})
+        *sum /= static_cast<double>(members.size());
+    return group;
+}
+
+}  // namespace
+
+std::vector<RayGroup> group_by_work(const Blob& blob, const std::vector<Ray>& rays) {
+    std::vector<QueryCounters> work(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        RayHit hit;
+        raycast_counted(blob, rays[i], hit, work[i]);
+    }
+    std::vector<std::uint32_t> order(rays.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto by = [&](auto measure) {
+        return [&work, measure](std::uint32_t a, std::uint32_t b) { return measure(work[a]) < measure(work[b]); };
+    };
+    std::stable_sort(order.begin(), order.end(), by([](const QueryCounters& c) { return c.nodes; }));
+    std::vector<RayGroup> groups;
+    for (std::size_t i = 0; i < shares_by_nodes; ++i) {
+        const auto slice = share_of(std::span(order), i, shares_by_nodes);
+        std::stable_sort(slice.begin(), slice.end(), by([](const QueryCounters& c) { return c.triangles; }));
+        for (std::size_t j = 0; j < shares_by_triangles; ++j) {
+            const auto members = share_of(slice, j, shares_by_triangles);
+            if (members.empty()) continue;
+            std::sort(members.begin(), members.end());
+            groups.push_back(group_of(rays, work, members));
+        }
+    }
+    return groups;
+}
+
+void time_groups(const Blob& blob, std::vector<RayGroup>& groups, unsigned repetitions) {
+    std::vector<std::vector<double>> times(groups.size());
+    unsigned found = 0;
+    for (unsigned repetition = 0; repetition <= repetitions; ++repetition) {
+        for (std::size_t i = 0; i < groups.size(); ++i) {
+            const auto start = std::chrono::steady_clock::now();
+            for (const Ray& ray : groups[i].rays) {
+                RayHit hit;
+                found += raycast(blob, ray, hit);
+            }
+            const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
+            if (repetition != 0)  // the first only warms the caches
+                times[i].push_back(taken.count() / static_cast<double>(groups[i].rays.size()));
+        }
+    }
+    [[maybe_unused]] static volatile unsigned sink;  // so that no compiler drops the casts
+    sink = found;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const auto middle = times[i].begin() + static_cast<std::ptrdiff_t>(times[i].size() / 2);
+        std::nth_element(times[i].begin(), middle, times[i].end());
+        groups[i].nanoseconds = *middle;
+    }
+}
+
+}  // namespace espalier::bench
