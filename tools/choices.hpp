@@ -13,6 +13,11 @@ template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
 inline const Choices<format::Profile> profile_choices{{"fast", format::Profile::fast}};
+inline const Choices<Builder> builder_choices{{"binned_sah", Builder::binned_sah},
+                                              {"sweep_sah", Builder::sweep_sah},
+                                              {"agglomerative", Builder::agglomerative},
+                                              {"linear", Builder::linear},
+                                              {"insertion", Builder::insertion}};
 
 /// The name that stands for the value; it is in the list.
 template <class Value>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "build_sah.hpp"
+#include "build.hpp"
 #include "check_input.hpp"
 #include "check_result.hpp"
 #include "closed.hpp"
@@ -79,7 +79,7 @@ Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOption
     progress.begin(stages::build);
     BuildSettings settings = build_settings(options.effort, options.threads);
     settings.progress = progress.within(stages::build);
-    const BinaryTree tree = optimise(build_sah(mesh, settings), optimise_settings(options.effort));
+    const BinaryTree tree = optimise(build(mesh, options.builder, settings), optimise_settings(options.effort));
 
     progress.begin(stages::collapse);
     const CollapsePlan plan(mesh, tree, {options.cost_model, options.max_leaf_triangles});

@@ -1,6 +1,7 @@
 // The binary tree between building and collapsing.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -37,6 +38,11 @@ static_assert(sizeof(BinaryNode) == 32);
 
 /// Nodes in a subtree of `count` triangles.
 [[nodiscard]] constexpr std::size_t subtree_nodes(std::uint32_t count) { return 2 * std::size_t{count} - 1; }
+
+/// Levels below the root of the lowest tree of `count` triangles, one or more.
+[[nodiscard]] constexpr unsigned balanced_height(std::uint32_t count) {
+    return static_cast<unsigned>(std::bit_width(count - 1));
+}
 
 struct BinaryTree {
     std::unique_ptr<BinaryNode[]> nodes;   ///< subtree_nodes(triangles.size()) of them; none for an empty mesh

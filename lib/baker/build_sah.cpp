@@ -1,24 +1,19 @@
 #include "build_sah.hpp"
 
-#include <algorithm>
-#include <array>
 #include <atomic>
-#include <bit>
-#include <exception>
 #include <thread>
 
-#include "sah_split.hpp"
+#include "in_two_threads.hpp"
 
 namespace espalier::baker {
 
 namespace {
 
-constexpr std::uint32_t smallest_parallel = 4096;     // below this a thread costs more than it brings
 constexpr std::uint32_t progress_interval = 1 << 16;  // triangles between two calls
 
-class Builder {
+class SahBuilder {
 public:
-    Builder(std::span<Reference> references, BinaryNode* nodes, const BuildSettings& settings)
+    SahBuilder(std::span<Reference> references, BinaryNode* nodes, const BuildSettings& settings)
         : references_(references),
           nodes_(nodes),
           settings_(settings),
@@ -37,35 +32,19 @@ public:
         // Every split leaves at least one triangle on each side, so a child has at most count - 1; when a balanced tree
         // over that many would no longer fit below this node, this split is balanced, and by the same test all further
         // ones.
-        const auto child_height = static_cast<unsigned>(std::bit_width(range.count - 2));
-        const bool must_balance = depth + 1 + child_height > settings_.most_height;
-        const auto [left, right] =
-            split(references, range, must_balance ? SplitRule{0, 0} : SplitRule{settings_.bins, settings_.exact_below});
+        const bool must_balance = !leaves_room(depth, range.count - 1, settings_.most_height);
+        const SplitRule rule = must_balance ? SplitRule{0, 0} : SplitRule{settings_.bins, settings_.exact_below};
+        const std::pair<SplitRange, SplitRange> parts = split(references, range, rule);
+        const SplitRange& left = parts.first;
+        const SplitRange& right = parts.second;
         const std::size_t left_node = node + 1;
         const std::size_t right_node = left_node + subtree_nodes(left.count);
-        if (threads > 1 && range.count >= smallest_parallel) {
-            build_both(left, left_node, right, right_node, depth + 1, threads);
-        } else {
-            build(left, left_node, depth + 1, 1);
-            build(right, right_node, depth + 1, 1);
-        }
+        in_two_threads(
+            threads, left.count, right.count, [&](unsigned share) { build(left, left_node, depth + 1, share); },
+            [&](unsigned share) { build(right, right_node, depth + 1, share); });
     }
 
 private:
-    void build_both(const SplitRange& left, std::size_t left_node, const SplitRange& right, std::size_t right_node,
-                    unsigned depth, unsigned threads) {
-        const double share = static_cast<double>(left.count) / (static_cast<double>(left.count) + right.count);
-        const unsigned left_threads = std::clamp(static_cast<unsigned>(share * threads + 0.5), 1u, threads - 1);
-        std::jthread helper;  // joins on every way out
-        try {
-            helper = std::jthread([&, left_threads] { build(left, left_node, depth, left_threads); });
-        } catch (const std::exception&) {
-            // The machine gives no more threads: the same work in this one.
-            build(left, left_node, depth, 1);
-        }
-        build(right, right_node, depth, threads - left_threads);
-    }
-
     void report_placed() {
         if (!settings_.progress) return;
         const std::uint32_t placed = placed_.fetch_add(1, std::memory_order_relaxed) + 1;
@@ -84,16 +63,6 @@ private:
 
 }  // namespace
 
-BuildSettings build_settings(unsigned effort, unsigned threads) {
-    constexpr std::array<unsigned, 10> bins = {16, 16, 24, 24, 32, 32, 48, 48, 64, 64};
-    constexpr std::array<unsigned, 10> exact_below = {4, 8, 8, 16, 16, 16, 32, 64, 128, 256};
-    BuildSettings settings;
-    settings.bins = bins[effort];
-    settings.exact_below = exact_below[effort];
-    settings.threads = threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
-    return settings;
-}
-
 BinaryTree build_sah(const LatticeMesh& mesh, const BuildSettings& settings) {
     BinaryTree tree;
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
@@ -106,10 +75,23 @@ BinaryTree build_sah(const LatticeMesh& mesh, const BuildSettings& settings) {
         all.centers.add(box.lo + box.hi);
     }
     tree.nodes = std::make_unique_for_overwrite<BinaryNode[]>(subtree_nodes(count));
-    Builder({references.get(), count}, tree.nodes.get(), settings).build(all, 0, 0, settings.threads);
+    SahBuilder({references.get(), count}, tree.nodes.get(), settings).build(all, 0, 0, settings.threads);
     tree.triangles.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) tree.triangles[i] = references[i].triangle;
     return tree;
+}
+
+void build_sah_below(std::span<Reference> references, std::uint32_t first, std::uint32_t count, unsigned depth,
+                     BinaryNode* nodes, const BuildSettings& settings) {
+    SplitRange range{first, count, {}, {}};
+    for (const Reference& reference : references.subspan(first, count)) {
+        const LaneBox box = lane_box_of(reference);
+        range.box.add(box);
+        range.centers.add(box.lo + box.hi);
+    }
+    BuildSettings quiet = settings;
+    quiet.progress = nullptr;
+    SahBuilder(references, nodes, quiet).build(range, 0, depth, 1);
 }
 
 }  // namespace espalier::baker

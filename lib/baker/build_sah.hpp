@@ -1,25 +1,22 @@
-// Third stage: a binary tree by the surface area heuristic.
+// A binary tree by the surface area heuristic over planes between bins: fast to build and close to the best.
 #pragma once
 
-#include <functional>
+#include <cstdint>
+#include <span>
 
 #include "binary_tree.hpp"
+#include "build_settings.hpp"
 #include "lattice_mesh.hpp"
+#include "sah_split.hpp"
 
 namespace espalier::baker {
 
-struct BuildSettings {
-    unsigned bins = 32;        ///< candidate planes per axis, for large nodes
-    unsigned exact_below = 8;  ///< nodes with at most this many triangles try every split
-    unsigned threads = 1;
-    unsigned most_height = max_binary_height;  ///< the heuristic yields to balance where it would build higher
-    std::function<void(double)> progress;      ///< share of triangles placed, 0..1; called from the calling thread
-};
-
-[[nodiscard]] BuildSettings build_settings(unsigned effort, unsigned threads);
-
-/// Down to single triangles, at most most_height high, or as high as a balanced tree must be. The result depends on
-/// the triangles and on the settings, but not on threads.
+/// "On fast construction of SAH-based bounding volume hierarchies" (Wald 2007), down to single triangles. As `build`.
 [[nodiscard]] BinaryTree build_sah(const LatticeMesh& mesh, const BuildSettings& settings);
+
+/// The same for the subtree at `depth` over `count` references from `first` on, which it reorders; its nodes go to
+/// `nodes`, their root first. Of `settings`, threads and progress count for nothing.
+void build_sah_below(std::span<Reference> references, std::uint32_t first, std::uint32_t count, unsigned depth,
+                     BinaryNode* nodes, const BuildSettings& settings);
 
 }  // namespace espalier::baker

@@ -163,6 +163,10 @@ std::optional<BakeError> check_options(const BakeOptions& options) {
         return invalid_options("profile " + std::to_string(static_cast<unsigned>(options.profile)) +
                                " is not known; choose fast");
     }
+    if (options.builder > Builder::insertion) {
+        return invalid_options("builder " + std::to_string(static_cast<unsigned>(options.builder)) +
+                               " is not known; choose one of Builder in bake.hpp");
+    }
     if (options.materials > Materials::bits_16) {
         return invalid_options("materials is " + std::to_string(static_cast<unsigned>(options.materials)) +
                                "; choose none, 8 bits or 16 bits");

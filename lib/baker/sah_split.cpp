@@ -12,9 +12,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 using Parts = std::pair<SplitRange, SplitRange>;
 
-/// Twice a box's centre: a sum of whole numbers, rounded alike everywhere.
 Lanes center_of(const LaneBox& box) { return box.lo + box.hi; }
-float center_of(const Reference& reference, unsigned axis) { return reference.lo[axis] + reference.hi[axis]; }
 
 void add(SplitRange& range, const Reference& reference) {
     const LaneBox box = lane_box_of(reference);
@@ -30,16 +28,6 @@ Parts parts_at(std::span<const Reference> references, std::uint32_t first, std::
     for (std::uint32_t i = left_count; i < count; ++i) add(parts.second, references[i]);
     return parts;
 }
-
-/// Along one axis; of equal centres the lower triangle comes first, so that no two references are equal.
-struct ByCenter {
-    unsigned axis;
-    bool operator()(const Reference& a, const Reference& b) const {
-        const float center_a = center_of(a, axis);
-        const float center_b = center_of(b, axis);
-        return center_a != center_b ? center_a < center_b : a.triangle < b.triangle;
-    }
-};
 
 /// Halves along the axis in which the centres spread most.
 Parts split_in_halves(std::span<Reference> references, const SplitRange& range) {

@@ -22,6 +22,21 @@ static_assert(sizeof(Reference) == 32);
 /// Fills in the reference of a triangle and returns its box.
 LaneBox put_reference(const LatticeMesh& mesh, std::uint32_t triangle, Reference& reference);
 
+/// Twice a box's centre: a sum of whole numbers, rounded alike everywhere.
+[[nodiscard]] inline float center_of(const Reference& reference, unsigned axis) {
+    return reference.lo[axis] + reference.hi[axis];
+}
+
+/// Along one axis; of equal centres the lower triangle comes first, so that no two references are equal.
+struct ByCenter {
+    unsigned axis;
+    [[nodiscard]] bool operator()(const Reference& a, const Reference& b) const {
+        const float center_a = center_of(a, axis);
+        const float center_b = center_of(b, axis);
+        return center_a != center_b ? center_a < center_b : a.triangle < b.triangle;
+    }
+};
+
 /// References first .. first + count - 1 of all, the box around them, and the box around twice their centres.
 struct SplitRange {
     std::uint32_t first;

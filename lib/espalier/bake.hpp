@@ -43,6 +43,16 @@ struct CostModel {
     float byte_price = 5.0f;  ///< of one byte a triangle
 };
 
+/// How the tree is built, before subtrees are moved (from effort 4 on) and nodes are made wide. All obey the format's
+/// depth.
+enum class Builder : std::uint8_t {
+    binned_sah,     ///< surface area heuristic over planes between bins (Wald 2007)
+    sweep_sah,      ///< surface area heuristic over every split along every axis (MacDonald, Booth 1990)
+    agglomerative,  ///< pairs of near clusters, bottom up (Gu, He, Fatahalian, Blelloch 2013)
+    linear,         ///< along a space-filling curve (Lauterbach et al. 2009): fastest to build, most visits
+    insertion,      ///< one triangle after the other, with rotations (Goldsmith, Salmon 1987)
+};
+
 struct BakeOptions {
     /// Largest allowed distance between source and baked surface, in world units. Without it `bits` decides the
     /// lattice.
@@ -50,6 +60,7 @@ struct BakeOptions {
     /// Lattice bits for the largest extent, 1..24: the step is the smallest power of two for which they suffice.
     unsigned bits = 16;
     format::Profile profile = format::Profile::fast;
+    Builder builder = Builder::binned_sah;
     bool original_ids = false;
     Materials materials = Materials::none;
     /// Drop triangles with NaN or infinite corners and with indices out of range, instead of refusing the mesh.

@@ -44,7 +44,9 @@ inline bool contains(const std::string& text, const std::string& part) { return 
 /// The first `count` triangles of the mesh.
 inline Mesh first_triangles(Mesh mesh, std::size_t count) {
     mesh.triangles.resize(count);
-    if (!mesh.materials.empty()) mesh.materials.resize(count);
+    if (mesh.materials.size() > count) {
+        mesh.materials.erase(mesh.materials.begin() + static_cast<std::ptrdiff_t>(count), mesh.materials.end());
+    }
     return mesh;
 }
 

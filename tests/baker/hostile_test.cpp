@@ -69,6 +69,7 @@ TEST_SUITE("baker") {
             options.original_ids = random.coin();
             options.materials = static_cast<Materials>(random.below(3));
             options.effort = random.below(10);
+            options.builder = static_cast<Builder>(random.below(5));
             const auto result = random.coin() ? bake_mesh(first, options) : bake_meshes({&first, &second}, options);
             if (!result) {
                 ++refused;

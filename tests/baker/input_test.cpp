@@ -203,6 +203,9 @@ TEST_SUITE("baker") {
         options = {};
         options.profile = static_cast<format::Profile>(1);
         refused(options, "profile 1");
+        options = {};
+        options.builder = static_cast<Builder>(99);
+        refused(options, "builder 99");
     }
 
     TEST_CASE("progress goes from 0 to 1 and never back, in the calling thread") {

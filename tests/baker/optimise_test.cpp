@@ -7,53 +7,17 @@
 #include <baker/build_sah.hpp>
 #include <baker/optimise.hpp>
 
-#include "../support/random.hpp"
-#include "baking_support.hpp"
+#include "tree_support.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
 
 namespace {
 
-/// Triangles of many sizes in a cube, which no heuristic that only splits gets right.
-baker::LatticeMesh mixed_sizes(std::uint32_t count, std::uint64_t seed) {
-    baker::LatticeMesh mesh;
-    mesh.lattice.bits = 16;
-    Random random(seed);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::int32_t size = 10 << random.below(10);
-        const auto from = [&] { return random.between(0, 65'535 - size); };
-        const baker::LatticePoint a = {from(), from(), from()};
-        const auto near = [&](std::int32_t coordinate) { return coordinate + random.between(0, size); };
-        mesh.vertices.push_back(a);
-        mesh.vertices.push_back({near(a.x), near(a.y), near(a.z)});
-        mesh.vertices.push_back({near(a.x), near(a.y), near(a.z)});
-        mesh.triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, i});
-    }
-    return mesh;
-}
-
 double sum_of_areas(const baker::BinaryTree& tree) {
     double sum = 0.0;
     for (std::size_t i = 0; i < tree.node_count(); ++i) sum += tree.nodes[i].half_area();
     return sum;
-}
-
-/// Height of the subtree, having checked that it lies together and that its box is the one around its children.
-unsigned checked_height(const baker::BinaryTree& tree, std::size_t node) {
-    const baker::BinaryNode& here = tree.nodes[node];
-    if (here.is_leaf()) return 0;
-    const baker::BinaryNode& left = tree.nodes[baker::BinaryTree::left_of(node)];
-    const baker::BinaryNode& right = tree.nodes[tree.right_of(node)];
-    CHECK(left.count + right.count == here.count);
-    CHECK(left.first == here.first);
-    CHECK(right.first == here.first + left.count);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        CHECK(here.lo[axis] == std::min(left.lo[axis], right.lo[axis]));
-        CHECK(here.hi[axis] == std::max(left.hi[axis], right.hi[axis]));
-    }
-    return 1 +
-           std::max(checked_height(tree, baker::BinaryTree::left_of(node)), checked_height(tree, tree.right_of(node)));
 }
 
 }  // namespace

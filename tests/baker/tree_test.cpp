@@ -11,8 +11,8 @@
 
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"
-#include "../support/random.hpp"
 #include "baking_support.hpp"
+#include "tree_support.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -22,32 +22,6 @@ namespace {
 unsigned height_of(const baker::BinaryTree& tree, std::size_t node = 0) {
     if (tree.nodes[node].is_leaf()) return 0;
     return 1 + std::max(height_of(tree, baker::BinaryTree::left_of(node)), height_of(tree, tree.right_of(node)));
-}
-
-/// Large triangles whose boxes are nearly the same: every split costs about the same, and the surface area heuristic
-/// likes to part with them one by one.
-baker::LatticeMesh nearly_equal_boxes(std::uint32_t count) {
-    baker::LatticeMesh mesh;
-    mesh.lattice.bits = 24;
-    Random random(1);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const auto jitter = [&] { return random.between(0, 40'000); };
-        mesh.vertices.push_back({jitter(), jitter(), jitter()});
-        mesh.vertices.push_back({16'000'000 + jitter(), 16'000'000 + jitter(), jitter()});
-        mesh.vertices.push_back({jitter(), 16'000'000 + jitter(), 16'000'000 + jitter()});
-        mesh.triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, i});
-    }
-    return mesh;
-}
-
-Mesh as_mesh(const baker::LatticeMesh& lattice_mesh) {
-    Mesh mesh;
-    for (const baker::LatticePoint& point : lattice_mesh.vertices) {
-        mesh.positions.push_back(
-            {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
-    }
-    for (const baker::LatticeTriangle& triangle : lattice_mesh.triangles) mesh.triangles.push_back(triangle.corners);
-    return mesh;
 }
 
 /// Triangle i is twice as large and twice as far as triangle i - 1.

@@ -123,6 +123,7 @@ run 1 bake box.obj -o x.espl --bits 0
 run 1 bake box.obj -o x.espl --profile huge
 run 1 bake box.obj -o x.espl --materials 9
 run 1 bake box.obj -o x.espl --effort 10
+run 1 bake box.obj -o x.espl --builder oak
 run 1 bake box.obj -o x.espl --bits 12 --tolerance 1mm
 run 1 bake box.obj -o x.espl --scale 0
 run 1 bake box.obj -o x.espl --scale -1
