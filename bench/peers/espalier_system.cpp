@@ -3,21 +3,12 @@
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
+#include "../../tools/choices.hpp"
 #include "stopwatch.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {
 namespace {
-
-struct NamedProfile {
-    const char* name;
-    format::Profile profile;
-};
-
-/// Every profile gets a row.
-constexpr NamedProfile profiles[] = {
-    {"fast", format::Profile::fast},
-};
 
 class EspalierSystem final : public System {
 public:
@@ -75,12 +66,13 @@ private:
 
 std::vector<Maker> espalier_makers(const BakeSettings& settings) {
     std::vector<Maker> makers;
-    for (const NamedProfile& named : profiles) {
+    for (const auto& [name, profile] : tools::profile_choices) {
         BakeOptions options;
-        options.profile = named.profile;
+        options.profile = profile;
+        options.builder = settings.builder;
         options.bits = settings.bits;
         options.effort = settings.effort;
-        makers.push_back({"espalier", named.name, ESPALIER_BENCH_VERSION,
+        makers.push_back({"espalier", name, ESPALIER_BENCH_VERSION,
                           [options](const Mesh& mesh) { return std::make_unique<EspalierSystem>(mesh, options); }});
     }
     return makers;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 
 #include "../../tests/support/mesh_files.hpp"
@@ -83,6 +84,11 @@ double largest_coordinate(const Mesh& mesh) {
     return static_cast<double>(std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) + 2.4f * sphere.radius);
 }
 
+std::optional<double> load_average() {
+    double load = 0.0;
+    return getloadavg(&load, 1) == 1 ? std::optional(load) : std::nullopt;
+}
+
 std::optional<Lattice> in_own_units(std::optional<Lattice> lattice, double scale) {
     if (lattice) lattice = {lattice->step / scale, lattice->extent / scale, lattice->max_error / scale};
     return lattice;
@@ -106,7 +112,7 @@ MeshResult measure(const std::string& path, const std::vector<Maker>& makers, co
     const auto per_triangle = [&mesh](std::size_t bytes) {
         return static_cast<double>(bytes) / static_cast<double>(mesh.triangles.size());
     };
-    MeshResult result{mesh.name, mesh.triangles.size(), {}};
+    MeshResult result{mesh.name, mesh.triangles.size(), load_average(), {}};
     for (std::size_t s = 0; s < makers.size(); ++s) {
         const Run& run = runs[s];
         const std::optional<Lattice> lattice = run.system->lattice();

@@ -40,6 +40,7 @@ struct Row {
 struct MeshResult {
     std::string mesh;
     std::size_t triangles = 0;
+    std::optional<double> load;  ///< the machine's load average of a minute, at the end; a quiet one has about 1: us
     std::vector<Row> rows;
 };
 

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "../../tools/choices.hpp"
+
 namespace espalier::bench {
 namespace {
 
@@ -15,6 +17,15 @@ Number number(const std::string& option, std::string_view word, Number low, Numb
         throw std::invalid_argument(option + " takes a whole number from " + std::to_string(low) + " to " +
                                     std::to_string(high) + ", not '" + std::string(word) + "'");
     return value;
+}
+
+Builder builder(const std::string& word) {
+    std::string names;
+    for (const auto& [name, value] : tools::builder_choices) {
+        if (name == word) return value;
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    throw std::invalid_argument("there is no builder '" + word + "'; there are " + names);
 }
 
 }  // namespace
@@ -29,7 +40,8 @@ const char* const usage =
     "  --rays N            incoherent rays (500000)\n"
     "  --seed N            of the incoherent rays (2026)\n"
     "  --bits N            Espalier's lattice (16)\n"
-    "  --effort N          Espalier's build, 0 to 9 (5)\n";
+    "  --effort N          Espalier's build, 0 to 9 (5)\n"
+    "  --builder NAME      Espalier's build, by the names of 'espalier bake --builder' (binned_sah)\n";
 
 Options parse(int count, char** words) {
     Options options;
@@ -49,6 +61,7 @@ Options parse(int count, char** words) {
         else if (word == "--seed") options.seed = number(word, value(), std::uint64_t{0}, ~std::uint64_t{0});
         else if (word == "--bits") options.bake.bits = number(word, value(), 1u, 24u);
         else if (word == "--effort") options.bake.effort = number(word, value(), 0u, 9u);
+        else if (word == "--builder") options.bake.builder = builder(value());
         else if (word.starts_with("-")) throw std::invalid_argument("there is no option '" + word + "'");
         else options.meshes.push_back(word);
     }

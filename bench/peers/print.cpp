@@ -3,8 +3,11 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <thread>
 
 #include <runtime/simd/select.hpp>
+
+#include "../../tools/choices.hpp"
 
 namespace espalier::bench {
 namespace {
@@ -112,6 +115,7 @@ void print_json(const MeshResult& result, const Options& options) {
         object.add("triangles", result.triangles);
         object.add("bits", std::size_t{options.bake.bits});
         object.add("effort", std::size_t{options.bake.effort});
+        object.add("builder", tools::name_in(tools::builder_choices, options.bake.builder));
         object.add("rays", options.incoherent);
         object.add("seed", std::size_t{options.seed});
         object.add("repetitions", std::size_t{options.repetitions});
@@ -120,6 +124,8 @@ void print_json(const MeshResult& result, const Options& options) {
         object.add("processor", processor());
         object.add("compiler", compiler());
         object.add("date", today());
+        object.add("processors", std::size_t{std::thread::hardware_concurrency()});
+        object.add("load", result.load, 2);
         object.add("bytes_per_triangle", row.bytes_per_triangle, 3);
         object.add("bytes_per_triangle_20_bits", row.bytes_per_triangle_20_bits, 3);
         object.add("bytes_per_triangle_with_ids", row.bytes_per_triangle_with_ids, 3);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <espalier/bake.hpp>
 #include <espalier/ray.hpp>
 
 #include "../rays.hpp"
@@ -68,6 +69,7 @@ struct Maker {
 struct BakeSettings {
     unsigned bits = 16;
     unsigned effort = 5;
+    Builder builder = Builder::binned_sah;
 };
 
 // Each in a file of its own, which is compiled where the system is installed.
