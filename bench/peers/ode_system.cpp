@@ -60,8 +60,9 @@ public:
             hit.t = static_cast<float>(contact.depth);
             hit.u = u_;
             hit.v = v_;
-            hit.normal = {static_cast<float>(contact.normal[0]), static_cast<float>(contact.normal[1]),
-                          static_cast<float>(contact.normal[2])};
+            // ODE's points to the back of the triangle.
+            hit.normal = {-static_cast<float>(contact.normal[0]), -static_cast<float>(contact.normal[1]),
+                          -static_cast<float>(contact.normal[2])};
             hit.id = static_cast<std::uint32_t>(contact.side1);
         }
     }
