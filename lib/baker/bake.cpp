@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "bake_with.hpp"
 #include "build.hpp"
 #include "check_input.hpp"
 #include "check_result.hpp"
@@ -55,10 +56,8 @@ BakeError internal_error(const std::string& complaint) {
 
 }  // namespace
 
-}  // namespace baker
-
-Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options) {
-    using namespace baker;
+Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const MeshView> meshes,
+                                   const BakeOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     const Progress progress(options.progress);
     Baked baked;
@@ -79,7 +78,7 @@ Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOption
     progress.begin(stages::build);
     BuildSettings settings = build_settings(options.effort, options.threads);
     settings.progress = progress.within(stages::build);
-    const BinaryTree tree = optimise(build(mesh, options.builder, settings), optimise_settings(options.effort));
+    const BinaryTree tree = make_tree(mesh, settings);
 
     progress.begin(stages::collapse);
     const CollapsePlan plan(mesh, tree, {options.cost_model, options.max_leaf_triangles});
@@ -99,6 +98,16 @@ Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOption
     fill_in(report, bounds, mesh, wide, properties, baked.blob.size());
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return baked;
+}
+
+}  // namespace baker
+
+Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options) {
+    using namespace baker;
+    const auto make_tree = [&](const LatticeMesh& mesh, const BuildSettings& settings) {
+        return optimise(build(mesh, options.builder, settings), optimise_settings(options.effort));
+    };
+    return bake_with(make_tree, meshes, options);
 }
 
 }  // namespace espalier

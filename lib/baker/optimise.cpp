@@ -4,6 +4,9 @@
 #include <array>
 #include <numeric>
 
+#include "sah_split.hpp"
+#include "tree_shape.hpp"
+
 namespace espalier::baker {
 
 namespace {
@@ -44,14 +47,16 @@ public:
         }
     }
 
-    /// The same tree in the order that BinaryTree asks for; an empty one when it would be higher than allowed.
+    /// The same tree in the order that BinaryTree asks for; an empty one when it is no better than the given one.
     [[nodiscard]] BinaryTree tightened(unsigned most_height) const {
         BinaryTree result;
         result.triangles.reserve(tree_.triangles.size());
         result.nodes = std::make_unique_for_overwrite<BinaryNode[]>(tree_.node_count());
         std::size_t next = 0;
-        if (!tighten(root, 0, most_height, result, next)) return {};
-        return result;
+        if (tighten(root, 0, most_height, result, next)) return result;
+        BinaryTree low = lowered(most_height);
+        const bool is_better = sum_of_areas(low) < sum_of_areas(tree_) || height_of(0) > most_height;
+        return is_better ? std::move(low) : BinaryTree{};
     }
 
 private:
@@ -179,6 +184,56 @@ private:
         result.nodes[at].first = first;
         result.nodes[at].count = static_cast<std::uint32_t>(result.triangles.size()) - first;
         return true;
+    }
+
+    [[nodiscard]] static double sum_of_areas(const BinaryTree& tree) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < tree.node_count(); ++i) sum += tree.nodes[i].half_area();
+        return sum;
+    }
+
+    /// The same tree, but where it is higher than allowed. Without recursion, as nobody knows how high it is.
+    [[nodiscard]] BinaryTree lowered(unsigned most_height) const {
+        const auto leaf_count = static_cast<std::uint32_t>(tree_.triangles.size());
+        std::vector<Reference> references(leaf_count);
+        std::vector<std::uint32_t> shape_numbers(nodes_.size());        // of loose nodes
+        std::vector<std::uint32_t> binary_numbers(tree_.node_count());  // of nodes in subtrees that stay together
+        std::uint32_t next_inner = leaf_count;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            if (nodes_[i].is_inner()) {
+                shape_numbers[i] = next_inner++;
+                continue;
+            }
+            const std::size_t top = nodes_[i].binary_node;
+            for (std::size_t below = top; below < top + subtree_nodes(tree_.nodes[top].count); ++below) {
+                const BinaryNode& binary = tree_.nodes[below];
+                binary_numbers[below] = binary.is_leaf() ? binary.first : next_inner++;
+                if (!binary.is_leaf()) continue;
+                const LaneBox box = binary.box();
+                std::memcpy(&references[binary.first], &box, sizeof(Reference));
+                references[binary.first].triangle = tree_.triangles[binary.first];
+            }
+            shape_numbers[i] = binary_numbers[top];
+        }
+        TreeShape shape;
+        shape.root = shape_numbers[root];
+        shape.children.resize(leaf_count - 1);
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            if (nodes_[i].is_inner()) {
+                shape.children[shape_numbers[i] - leaf_count] = {shape_numbers[nodes_[i].left],
+                                                                 shape_numbers[nodes_[i].right]};
+                continue;
+            }
+            const std::size_t top = nodes_[i].binary_node;
+            for (std::size_t below = top; below < top + subtree_nodes(tree_.nodes[top].count); ++below) {
+                if (tree_.nodes[below].is_leaf()) continue;
+                shape.children[binary_numbers[below] - leaf_count] = {binary_numbers[BinaryTree::left_of(below)],
+                                                                      binary_numbers[tree_.right_of(below)]};
+            }
+        }
+        BuildSettings settings;
+        settings.most_height = most_height;
+        return lay_out(references, shape, settings);
     }
 
     /// Subtrees lie together, so that moving one only moves its `first`.

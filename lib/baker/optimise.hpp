@@ -16,7 +16,8 @@ struct OptimiseSettings {
 /// Takes subtrees out, the largest boxes first, and puts each where the sum of all boxes' areas becomes least: "Fast
 /// insertion- based optimization of bounding volume hierarchies" (Bittner, Hapala, Havran 2013), with the search of
 /// "Parallel reinsertion for bounding volume hierarchy optimization" (Meister, Bittner 2018). One thread; the result
-/// depends on the tree alone.
+/// depends on the tree alone. Where it would become higher than allowed, it is lowered as by `lay_out`,
+/// or left as it was if that costs more than moving saved.
 [[nodiscard]] BinaryTree optimise(BinaryTree tree, const OptimiseSettings& settings);
 
 }  // namespace espalier::baker

@@ -3,23 +3,29 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "binary_tree.hpp"
 #include "build_settings.hpp"
 #include "lattice_mesh.hpp"
+#include "sah_split.hpp"
 
 namespace espalier::baker {
 
-/// Nodes are numbered: triangle t of the mesh is node t, inner node i is node i + triangles. The tree of n triangles
-/// has n - 1 inner nodes.
+/// Nodes are numbered: leaf t is node t, inner node i is node i + leaves. The tree of n leaves has n - 1 inner nodes.
 struct TreeShape {
     std::vector<std::array<std::uint32_t, 2>> children;  ///< of each inner node, left and right
     std::uint32_t root = 0;
 };
 
 /// The tree in the order of BinaryTree. Where it is higher than allowed, it stays as it is down to the last nodes whose
-/// children leave room for balanced trees; what lies below those is built anew by build_sah_below.
+/// children leave room for balanced trees; what lies below those is built anew by build_sah_below. Leaf t is
+/// references[t]; there is one at least.
+[[nodiscard]] BinaryTree lay_out(std::span<const Reference> references, const TreeShape& shape,
+                                 const BuildSettings& settings);
+
+/// The same where leaf t is triangle t of the mesh.
 [[nodiscard]] BinaryTree lay_out(const LatticeMesh& mesh, const TreeShape& shape, const BuildSettings& settings);
 
 }  // namespace espalier::baker

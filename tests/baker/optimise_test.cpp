@@ -43,20 +43,34 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a tree that would become too high stays as it was") {
+    TEST_CASE("a tree that would become too high is lowered, and never worse than it was") {
         const baker::LatticeMesh mesh = mixed_sizes(3000, 5);
         const baker::BuildSettings build = baker::build_settings(0, 1);
         const baker::BinaryTree before = baker::build_sah(mesh, build);
+        const unsigned height_before = checked_height(before, 0);
+        unsigned became_higher = 0;
         for (const unsigned effort : {5u, 8u, 9u}) {  // large, small and no subtrees that stay together
             baker::OptimiseSettings settings = baker::optimise_settings(effort);
             const auto optimised = [&] { return baker::optimise(baker::build_sah(mesh, build), settings); };
             const unsigned free_height = checked_height(optimised(), 0);
+            const auto free_triangles = optimised().triangles;
             settings.most_height = free_height;
             CHECK(checked_height(optimised(), 0) == free_height);
-            CHECK(optimised().triangles != before.triangles);
+            CHECK(optimised().triangles == free_triangles);
             settings.most_height = free_height - 1;
-            CHECK(optimised().triangles == before.triangles);
+            CHECK(checked_height(optimised(), 0) <= free_height - 1);
+            if (height_before < free_height) {
+                CHECK(sum_of_areas(optimised()) <= sum_of_areas(before));
+                ++became_higher;
+            }
+            settings.most_height = 12;  // as high as a balanced tree
+            auto triangles = optimised().triangles;
+            CHECK(checked_height(optimised(), 0) == 12);
+            std::sort(triangles.begin(), triangles.end());
+            CHECK(std::adjacent_find(triangles.begin(), triangles.end()) == triangles.end());
+            CHECK(triangles.size() == 3000);
         }
+        CHECK(became_higher > 0);
     }
 
     TEST_CASE("an empty tree stays empty") {

@@ -1,0 +1,152 @@
+// What each builder costs and brings: bytes, visits of a random ray (counted, the same on every machine) and seconds.
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <baker/bake_with.hpp>
+#include <baker/build.hpp>
+#include <baker/optimise.hpp>
+#include <espalier/blob.hpp>
+#include <espalier/statistics.hpp>
+
+#include "../../tests/support/mesh_files.hpp"
+#include "../rays.hpp"
+#include "textbook.hpp"
+
+namespace {
+
+using namespace espalier;
+using namespace espalier::bench;
+
+constexpr std::uint64_t seed = 2026;
+constexpr const char* usage =
+    "usage: espalier_bench_builders [--effort 0..9]... [--rays N] [--shipped] MESH.obj|MESH.ply...\n"
+    "  --effort N   may be given several times (3, without reinsertion, and 5)\n"
+    "  --rays N     incoherent rays (100000)\n"
+    "  --shipped    without the builders from the textbook\n";
+
+struct NamedBuilder {
+    std::string name;
+    std::function<baker::BinaryTree(const baker::LatticeMesh&, const baker::BuildSettings&)> build;
+};
+
+std::vector<NamedBuilder> all_builders(bool with_textbook) {
+    std::vector<NamedBuilder> builders;
+    const auto shipped = [&](const char* name, Builder builder) {
+        builders.push_back({name, [builder](const auto& mesh, const auto& settings) {
+                                return baker::build(mesh, builder, settings);
+                            }});
+    };
+    shipped("binned_sah", Builder::binned_sah);
+    shipped("sweep_sah", Builder::sweep_sah);
+    shipped("agglomerative", Builder::agglomerative);
+    shipped("linear", Builder::linear);
+    shipped("insertion", Builder::insertion);
+    if (!with_textbook) return builders;
+    const auto textbook = [&](const char* name, Textbook rule) {
+        builders.push_back(
+            {name, [rule](const auto& mesh, const auto& settings) { return build_textbook(mesh, rule, settings); }});
+    };
+    textbook("object median", Textbook::object_median);
+    textbook("object mean", Textbook::object_mean);
+    textbook("spatial median", Textbook::spatial_median);
+    textbook("minimum sum", Textbook::minimum_sum);
+    textbook("minimum of the maximum", Textbook::minimum_maximum);
+    textbook("minimum intersection", Textbook::minimum_intersection);
+    textbook("maximum separation", Textbook::maximum_separation);
+    return builders;
+}
+
+/// The surface area heuristic's cost of the binary tree: nodes with children that a random line through the root's box
+/// is expected to meet.
+double expected_nodes(const baker::BinaryTree& tree) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < tree.node_count(); ++i) {
+        if (!tree.nodes[i].is_leaf()) sum += tree.nodes[i].half_area();
+    }
+    return tree.node_count() == 0 ? 0.0 : sum / tree.nodes[0].half_area();
+}
+
+void measure(const Mesh& mesh, const NamedBuilder& named, unsigned effort, const std::vector<Ray>& rays) {
+    BakeOptions options;
+    options.effort = effort;
+    double cost = 0.0;
+    const auto make_tree = [&](const baker::LatticeMesh& lattice_mesh, const baker::BuildSettings& settings) {
+        auto tree = baker::optimise(named.build(lattice_mesh, settings), baker::optimise_settings(effort));
+        cost = expected_nodes(tree);
+        return tree;
+    };
+    const MeshView view = mesh.view();
+    const auto baked = baker::bake_with(make_tree, {&view, 1}, options);
+    if (!baked) throw std::runtime_error(baked.error().message);
+    Blob blob;
+    if (const Status status = open(baked->blob, blob); status != Status::ok)
+        throw std::runtime_error(std::string("what was baked does not open: ") + describe(status));
+    QueryCounters counters;
+    for (const Ray& ray : rays) {
+        RayHit hit;
+        raycast_counted(blob, ray, hit, counters);
+    }
+    const auto per_ray = [&](std::uint64_t count) {
+        return static_cast<double>(count) / static_cast<double>(rays.size());
+    };
+    std::printf("| %s | %s | %u | %.2f | %.1f | %.2f | %.2f | %.1f | %.3f |\n", mesh.name.c_str(), named.name.c_str(),
+                effort, static_cast<double>(baked->blob.size()) / static_cast<double>(baked->report.triangles), cost,
+                per_ray(counters.nodes), per_ray(counters.leaves), per_ray(counters.triangles), baked->report.seconds);
+    std::fflush(stdout);
+}
+
+int run(int count, char** words) {
+    std::vector<unsigned> efforts;
+    std::size_t ray_count = 100'000;
+    bool with_textbook = true;
+    std::vector<std::string> files;
+    for (int i = 1; i < count; ++i) {
+        const std::string word = words[i];
+        if (word == "--effort" && i + 1 < count) {
+            const int effort = std::atoi(words[++i]);
+            if (effort < 0 || effort > 9) throw std::invalid_argument("--effort takes 0 to 9");
+            efforts.push_back(static_cast<unsigned>(effort));
+        } else if (word == "--rays" && i + 1 < count) {
+            ray_count = static_cast<std::size_t>(std::max(1, std::atoi(words[++i])));
+        } else if (word == "--shipped") {
+            with_textbook = false;
+        } else if (word.starts_with("-")) {
+            throw std::invalid_argument("there is no option " + word);
+        } else {
+            files.push_back(word);
+        }
+    }
+    if (files.empty()) throw std::invalid_argument("there is no mesh to measure");
+    if (efforts.empty()) efforts = {3, 5};
+    std::printf(
+        "| mesh | builder | effort | bytes/triangle | expected binary nodes | nodes/ray | leaves/ray | triangles/ray | "
+        "bake s |\n"
+        "|---|---|---|---|---|---|---|---|---|\n");
+    for (const std::string& file : files) {
+        const Mesh mesh = tests::read_mesh(file);
+        const std::vector<Ray> rays = incoherent_rays(mesh, ray_count, seed);
+        for (const unsigned effort : efforts) {
+            for (const NamedBuilder& named : all_builders(with_textbook)) measure(mesh, named, effort, rays);
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    try {
+        return run(count, words);
+    } catch (const std::invalid_argument& error) {
+        std::fprintf(stderr, "%s\n%s", error.what(), usage);
+        return 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
+}

@@ -1,0 +1,20 @@
+// As espalier::bake, with a tree from elsewhere: for benchmarks and tests.
+#pragma once
+
+#include <functional>
+
+#include <espalier/bake.hpp>
+
+#include "binary_tree.hpp"
+#include "build_settings.hpp"
+#include "lattice_mesh.hpp"
+
+namespace espalier::baker {
+
+/// Called once, with the mesh on its lattice; answers with a tree as `build` gives it.
+using TreeMaker = std::function<BinaryTree(const LatticeMesh& mesh, const BuildSettings& settings)>;
+
+[[nodiscard]] Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const MeshView> meshes,
+                                                 const BakeOptions& options);
+
+}  // namespace espalier::baker
