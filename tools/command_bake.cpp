@@ -62,6 +62,7 @@ std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
         return std::nullopt;
     }
     goal.profile = arguments.profile;
+    goal.builder = arguments.builder;
     goal.leaf_size = arguments.leaf_size;
     return goal;
 }

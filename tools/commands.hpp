@@ -44,6 +44,28 @@ struct BakeArguments {
 };
 ExitCode run_bake(const BakeArguments& arguments);
 
+/// Lists stay text here; command_trade.cpp reads them.
+struct TradeArguments {
+    std::vector<std::string> inputs;
+    std::string output;  ///< the picture; empty: none
+    std::string csv;     ///< empty: to stdout
+    SourceArguments source;
+    std::string bits = "12,14,16,20";
+    std::string leaf_sizes = "4,8,16";
+    std::string byte_prices = "0,1,5";
+    std::string profiles = "all";
+    std::string builders = "binned_sah";
+    std::string cost_model;  ///< a JSON file; empty: the committed constants
+    unsigned rays = 20'000;
+    unsigned repetitions = 5;
+    unsigned effort = 5;
+    unsigned threads = 0;
+    bool repair = false;
+    bool json = false;
+    bool quiet = false;
+};
+ExitCode run_trade(const TradeArguments& arguments);
+
 struct InfoArguments {
     std::string blob;
     bool json = false;

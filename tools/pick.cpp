@@ -16,32 +16,44 @@ namespace espalier::tools {
 namespace {
 
 constexpr std::size_t counted_rays = 20'000;
-constexpr std::array<unsigned, 4> leaf_sizes = {16, 12, 8, 4};
+constexpr std::array<unsigned, 2> leaf_sizes = {16, 8};
+/// The others never measured best. None of these repeats triangles: what is picked answers every query.
+constexpr std::array<Builder, 3> builders = {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative};
 /// The dearer a byte, the smaller the blob and the more visits. The first gives the smallest.
 constexpr std::array<float, 4> byte_price_factors = {16.0f, 1.0f, 0.2f, 0.0f};
 
+/// Counted work predicts time no better than this (docs/trade.md): whoever comes so close may win by its bytes.
+constexpr double close_enough = 1.05;
+
 struct Configuration {
     format::Profile profile;
+    Builder builder;
     unsigned leaf_size;
     float byte_price;
 };
 
 struct Configurations {
-    std::vector<Configuration> smallest;  ///< one for each profile
+    std::vector<Configuration> smallest;  ///< one for each profile and builder
     std::vector<Configuration> others;
 };
 
 Configurations configurations(const PickGoal& goal, const CostModel& model) {
     Configurations result;
-    for (const auto& choice : profile_choices) {
-        if (goal.profile && *goal.profile != choice.second) continue;
+    const auto add_sizes = [&](format::Profile profile, Builder builder) {
         for (const unsigned size : leaf_sizes) {
             if (goal.leaf_size && size != leaf_sizes.front()) continue;
             for (const float factor : byte_price_factors) {
                 const bool is_smallest = size == leaf_sizes.front() && factor == byte_price_factors.front();
                 (is_smallest ? result.smallest : result.others)
-                    .push_back({choice.second, goal.leaf_size.value_or(size), factor * model.byte_price});
+                    .push_back({profile, builder, goal.leaf_size.value_or(size), factor * model.byte_price});
             }
+        }
+    };
+    for (const auto& choice : profile_choices) {
+        if (goal.profile && *goal.profile != choice.second) continue;
+        for (const Builder builder : builders) {
+            if (goal.builder && builder != builders.front()) continue;
+            add_sizes(choice.second, goal.builder.value_or(builder));
         }
     }
     return result;
@@ -69,13 +81,15 @@ public:
         }
         if (!some_fit_) refuse();
         const Candidate chosen = best();
-        return {bake_with({chosen.profile, chosen.leaf_size, chosen.byte_price}), chosen, std::move(tried_)};
+        return {bake_with({chosen.profile, chosen.builder, chosen.leaf_size, chosen.byte_price}), chosen,
+                std::move(tried_)};
     }
 
 private:
     Baked bake_with(const Configuration& configuration) const {
         BakeOptions options = options_;
         options.profile = configuration.profile;
+        options.builder = configuration.builder;
         options.max_leaf_triangles = configuration.leaf_size;
         options.cost_model.byte_price = configuration.byte_price;
         return bake_or_throw(meshes_, options);
@@ -90,8 +104,8 @@ private:
             return;
         }
         const CountedWork work = count_work(opened(baked), rays_);
-        tried_.push_back({configuration.profile, configuration.leaf_size, configuration.byte_price, report.bits,
-                          report.bytes, report.max_error, work,
+        tried_.push_back({configuration.profile, configuration.builder, configuration.leaf_size,
+                          configuration.byte_price, report.bits, report.bytes, report.max_error, work,
                           counted_cost(work, options_.cost_model, configuration.profile)});
         some_fit_ = some_fit_ || fits(tried_.back());
     }
@@ -100,7 +114,7 @@ private:
         return !goal_.max_bytes || candidate.bytes <= *goal_.max_bytes;
     }
 
-    /// The least work; of those within a hundredth of it, which so few rays cannot tell apart, the fewest bytes.
+    /// The least work; of those that come close to it, the fewest bytes.
     [[nodiscard]] const Candidate& best() const {
         double least_cost = std::numeric_limits<double>::infinity();
         for (const Candidate& candidate : tried_) {
@@ -108,7 +122,7 @@ private:
         }
         const Candidate* best = nullptr;
         for (const Candidate& candidate : tried_) {
-            if (!fits(candidate) || candidate.cost > 1.01 * least_cost) continue;
+            if (!fits(candidate) || candidate.cost > close_enough * least_cost) continue;
             if (best == nullptr || candidate.bytes < best->bytes) best = &candidate;
         }
         return *best;
@@ -140,7 +154,8 @@ private:
 }  // namespace
 
 std::string describe(const Candidate& candidate) {
-    return text("profile ", name_in(profile_choices, candidate.profile), ", leaves of up to ",
+    return text("profile ", name_in(profile_choices, candidate.profile), ", builder ",
+                name_in(builder_choices, candidate.builder), ", leaves of up to ",
                 counted(candidate.leaf_size, "triangle"), ", byte price ", candidate.byte_price, ", ",
                 counted(candidate.bits, "bit"));
 }

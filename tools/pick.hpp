@@ -18,14 +18,16 @@ struct PickGoal {
     std::optional<std::uint64_t> max_bytes;
     bool may_coarsen = false;  ///< whether the lattice may lose bits until something fits
     std::string limit_name;    ///< "--max-bytes 64K", for messages
-    /// What stays as the user said; nothing: all there are.
+    /// What stays as the user said; nothing: all that are worth a try.
     std::optional<format::Profile> profile;
+    std::optional<Builder> builder;
     std::optional<unsigned> leaf_size;
 };
 
 /// One bake that was tried, without its bytes.
 struct Candidate {
     format::Profile profile;
+    Builder builder;
     unsigned leaf_size;
     float byte_price;  ///< of the cost model that it was baked with
     unsigned bits;
@@ -35,7 +37,7 @@ struct Candidate {
     double cost;  ///< see counted_cost
 };
 
-/// "profile fast, leaves of up to 8 triangles, byte price 5, 16 bits"
+/// "profile fast, builder sweep_sah, leaves of up to 8 triangles, byte price 5, 16 bits"
 std::string describe(const Candidate& candidate);
 
 struct Picked {

@@ -33,6 +33,7 @@ const Candidate& smallest(const Picked& picked) {
 
 Json candidate_json(const Candidate& candidate) {
     return {{"profile", name_in(profile_choices, candidate.profile)},
+            {"builder", name_in(builder_choices, candidate.builder)},
             {"leaf_size", candidate.leaf_size},
             {"byte_price", json_number(candidate.byte_price)},
             {"bits", candidate.bits},

@@ -1,10 +1,12 @@
 // What a ray costs on this machine: T = Nv Cv + Np Cp + Nu Cu + Co (Gottschalk, Lin, Manocha 1996; van den Bergen
 // 1997), with the visited nodes Nv and the tested triangles Np counted and the costs fitted to measured times. Nu, the
 // boxes that are updated or transformed, is 0 until blobs are tested against each other.
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -68,75 +70,88 @@ Options parse(int count, char** words) {
     return options;
 }
 
-/// What was measured, with triangles one by one (the classic Np) and by the groups of 8 that lanes test at once.
-struct Measurements {
-    std::vector<Observation> by_triangles;
-    std::vector<Observation> by_groups;
+/// What stands for the tested triangles: themselves (the classic Np), the groups of 8 of a leaf that lanes test at
+/// once, or the leaves they lie in.
+struct Term {
+    const char* symbol;
+    const char* name;
+    double RayGroup::*count;
 };
+constexpr Term terms[] = {{"Np", "triangle", &RayGroup::triangles},
+                          {"Ng", "group of 8 triangles", &RayGroup::groups},
+                          {"Nl", "leaf", &RayGroup::leaves}};
+using Fits = std::array<Fit, std::size(terms)>;
 
-Measurements measure(const Mesh& mesh, const Options& options, format::Profile profile) {
+Fits measure(const Mesh& mesh, const Options& options, format::Profile profile) {
     const std::vector<Ray> rays = incoherent_rays(mesh, options.rays, seed);
     const MeshView view = mesh.view();
-    Measurements result;
+    std::vector<Baked> blobs;  // the groups' blobs point into them
+    std::vector<RayGroup> groups;
     for (const unsigned leaf_size : leaf_sizes) {
         BakeOptions bake_options = options.bake;
         bake_options.profile = profile;
         bake_options.max_leaf_triangles = leaf_size;
-        const auto baked = bake({&view, 1}, bake_options);
+        auto baked = bake({&view, 1}, bake_options);
         if (!baked) throw std::runtime_error(mesh.name + ": " + baked.error().message);
+        blobs.push_back(std::move(*baked));
         Blob blob;
-        if (const Status status = open(baked->blob, blob); status != Status::ok)
+        if (const Status status = open(blobs.back().blob, blob); status != Status::ok)
             throw std::runtime_error(mesh.name + ": " + describe(status));
-        std::vector<RayGroup> groups = group_by_work(blob, rays);
-        time_groups(blob, groups, options.repetitions);
-        for (const RayGroup& group : groups) {
-            result.by_triangles.push_back({{group.nodes, group.triangles, 1.0}, group.nanoseconds});
-            result.by_groups.push_back({{group.nodes, group.groups, 1.0}, group.nanoseconds});
-        }
+        for (RayGroup& group : group_by_work(blob, rays)) groups.push_back(std::move(group));
     }
-    return result;
+    time_groups(groups, options.repetitions);
+    Fits fits;
+    for (std::size_t i = 0; i < std::size(terms); ++i) {
+        std::vector<Observation> observations;
+        for (const RayGroup& group : groups)
+            observations.push_back({{group.nodes, group.*terms[i].count, 1.0}, group.nanoseconds});
+        const auto fitted = fit(observations);
+        if (!fitted) throw std::runtime_error(mesh.name + ": all rays do the same work, so that nothing can be fitted");
+        fits[i] = *fitted;
+    }
+    return fits;
 }
 
 char sign(double value) { return value < 0.0 ? '-' : '+'; }
 
-void print_text(const std::string& mesh, const char* profile, const Fit& triangles, const Fit& groups) {
-    const auto [cv, cp, co] = triangles.coefficients;
-    std::printf("%s, %s: T = Nv * %.2f + Np * %.3f + Nu * 0 %c %.1f ns\n", mesh.c_str(), profile, cv, cp, sign(co),
-                std::abs(co));
-    std::printf("  residual %.1f ns of %.1f ns a ray, %.1f %% of the variance explained\n", triangles.residual,
-                triangles.mean, 100.0 * triangles.explained);
-    const auto [gv, gp, go] = groups.coefficients;
-    std::printf("  by groups of 8 triangles: T = Nv * %.2f + Ng * %.2f %c %.1f ns, residual %.1f ns\n", gv, gp,
-                sign(go), std::abs(go), groups.residual);
-    if (gv > 0.0 && gp >= 0.0)
-        std::printf("  for --cost-model: {\"node_visit\": 1, \"leaf_visit\": %.3f, \"triangle\": 0}\n", gp / gv);
+void print_text(const std::string& mesh, const char* profile, const Fits& fits) {
+    std::printf("%s, %s:\n", mesh.c_str(), profile);
+    for (std::size_t i = 0; i < std::size(terms); ++i) {
+        const auto [node, other, constant] = fits[i].coefficients;
+        std::printf(
+            "  T = Nv * %.2f + %s * %.2f + Nu * 0 %c %.1f ns, residual %.1f of %.1f ns a ray, %.1f %% explained\n",
+            node, terms[i].symbol, other, sign(constant), std::abs(constant), fits[i].residual, fits[i].mean,
+            100.0 * fits[i].explained);
+    }
+    const auto [node, group, constant] = fits[1].coefficients;
+    if (node > 0.0 && group >= 0.0)
+        std::printf("  for --cost-model: {\"node_visit\": 1, \"leaf_visit\": %.3f, \"triangle\": 0}\n", group / node);
     else std::printf("  no cost model: a cost came out negative; measure on a quiet machine, with more rays\n");
 }
 
-void print_json(const std::string& mesh, const char* profile, const Fit& triangles, const Fit& groups) {
-    const auto [cv, cp, co] = triangles.coefficients;
-    std::printf(
-        "{\"mesh\":\"%s\",\"profile\":\"%s\",\"node_ns\":%.4f,\"triangle_ns\":%.4f,\"update_ns\":0,\"constant_ns\":%."
-        "4f,"
-        "\"residual_ns\":%.4f,\"mean_ns\":%.4f,\"explained\":%.5f,\"by_groups\":{\"node_ns\":%.4f,\"group_ns\":%.4f,"
-        "\"constant_ns\":%.4f,\"residual_ns\":%.4f}}\n",
-        mesh.c_str(), profile, cv, cp, co, triangles.residual, triangles.mean, triangles.explained,
-        groups.coefficients[0], groups.coefficients[1], groups.coefficients[2], groups.residual);
+void print_json(const std::string& mesh, const char* profile, const Fits& fits) {
+    std::printf("{\"mesh\":\"%s\",\"profile\":\"%s\",\"mean_ns\":%.4f,\"update_ns\":0,\"fits\":[", mesh.c_str(),
+                profile, fits[0].mean);
+    for (std::size_t i = 0; i < std::size(terms); ++i) {
+        const auto [node, other, constant] = fits[i].coefficients;
+        std::printf(
+            "%s{\"term\":\"%s\",\"node_ns\":%.4f,\"term_ns\":%.4f,\"constant_ns\":%.4f,\"residual_ns\":%.4f,"
+            "\"explained\":%.5f}",
+            i == 0 ? "" : ",", terms[i].name, node, other, constant, fits[i].residual, fits[i].explained);
+    }
+    std::printf("]}\n");
 }
 
 void run(const Options& options) {
     if (!options.json)
         std::printf(
-            "Nv: nodes visited, Np: triangles tested, both counted by the scalar path; Nu: updates of boxes, 0\n"
-            "until two blobs are tested against each other. Costs in nanoseconds, fitted to incoherent rays.\n");
+            "Nv: nodes visited; Np: triangles tested; Ng: groups of 8 of them in a leaf; Nl: leaves visited; all\n"
+            "counted by the scalar path. Nu: updates of boxes, 0 until two blobs are tested against each other.\n");
     for (const std::string& path : options.meshes) {
         const Mesh mesh = tests::read_mesh(path);
         for (const auto& [name, profile] : profiles) {
-            const Measurements measurements = measure(mesh, options, profile);
-            const auto triangles = fit(measurements.by_triangles), groups = fit(measurements.by_groups);
-            if (!triangles || !groups)
-                throw std::runtime_error(mesh.name + ": all rays do the same work, so that nothing can be fitted");
-            (options.json ? print_json : print_text)(mesh.name, name, *triangles, *groups);
+            const Fits fits = measure(mesh, options, profile);
+            (options.json ? print_json : print_text)(mesh.name, name, fits);
             std::fflush(stdout);
         }
     }

@@ -1,6 +1,7 @@
 #include "ray_groups.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <numeric>
 #include <span>
@@ -20,9 +21,10 @@ std::span<Value> share_of(std::span<Value> all, std::size_t number, std::size_t 
     return all.subspan(begin, end - begin);
 }
 
-RayGroup group_of(const std::vector<Ray>& rays, const std::vector<QueryCounters>& work,
+RayGroup group_of(const Blob& blob, const std::vector<Ray>& rays, const std::vector<QueryCounters>& work,
                   std::span<const std::uint32_t> members) {
     RayGroup group;
+    group.blob = blob;
     for (const std::uint32_t ray : members) {
         group.rays.push_back(rays[ray]);
         group.nodes += static_cast<double>(work[ray].nodes);
@@ -33,6 +35,12 @@ RayGroup group_of(const std::vector<Ray>& rays, const std::vector<QueryCounters>
     for (double* sum : {&group.nodes, &group.leaves, &group.groups, &group.triangles})
         *sum /= static_cast<double>(members.size());
     return group;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 }  // namespace
@@ -57,34 +65,35 @@ std::vector<RayGroup> group_by_work(const Blob& blob, const std::vector<Ray>& ra
             const auto members = share_of(slice, j, shares_by_triangles);
             if (members.empty()) continue;
             std::sort(members.begin(), members.end());
-            groups.push_back(group_of(rays, work, members));
+            groups.push_back(group_of(blob, rays, work, members));
         }
     }
     return groups;
 }
 
-void time_groups(const Blob& blob, std::vector<RayGroup>& groups, unsigned repetitions) {
-    std::vector<std::vector<double>> times(groups.size());
+void time_groups(std::vector<RayGroup>& groups, unsigned rounds) {
+    std::vector<std::vector<double>> ratios(groups.size());
+    std::vector<double> medians;
     unsigned found = 0;
-    for (unsigned repetition = 0; repetition <= repetitions; ++repetition) {
-        for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (unsigned round = 0; round <= rounds; ++round) {
+        std::vector<double> times;
+        for (const RayGroup& group : groups) {
             const auto start = std::chrono::steady_clock::now();
-            for (const Ray& ray : groups[i].rays) {
+            for (const Ray& ray : group.rays) {
                 RayHit hit;
-                found += raycast(blob, ray, hit);
+                found += raycast(group.blob, ray, hit);
             }
             const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
-            if (repetition != 0)  // the first only warms the caches
-                times[i].push_back(taken.count() / static_cast<double>(groups[i].rays.size()));
+            times.push_back(taken.count() / static_cast<double>(group.rays.size()));
         }
+        if (round == 0) continue;  // it only warmed the caches
+        medians.push_back(median(times));
+        for (std::size_t i = 0; i < groups.size(); ++i) ratios[i].push_back(times[i] / medians.back());
     }
-    [[maybe_unused]] static volatile unsigned sink;  // so that no compiler drops the casts
+    static std::atomic<unsigned> sink;  // so that no compiler drops the casts
     sink = found;
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        const auto middle = times[i].begin() + static_cast<std::ptrdiff_t>(times[i].size() / 2);
-        std::nth_element(times[i].begin(), middle, times[i].end());
-        groups[i].nanoseconds = *middle;
-    }
+    const double typical = median(medians);
+    for (std::size_t i = 0; i < groups.size(); ++i) groups[i].nanoseconds = typical * median(ratios[i]);
 }
 
 }  // namespace espalier::bench

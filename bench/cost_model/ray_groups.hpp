@@ -11,6 +11,7 @@ namespace espalier::bench {
 
 /// Means of one ray of the group.
 struct RayGroup {
+    Blob blob;
     std::vector<Ray> rays;
     double nodes = 0.0;
     double leaves = 0.0;
@@ -23,7 +24,8 @@ struct RayGroup {
 /// order, so that incoherent ones stay incoherent.
 std::vector<RayGroup> group_by_work(const Blob& blob, const std::vector<Ray>& rays);
 
-/// Casts all groups in turn, again and again; a group's time is its median.
-void time_groups(const Blob& blob, std::vector<RayGroup>& groups, unsigned repetitions);
+/// Casts all groups in turn, again and again. A group's time is the median over the rounds of its ratio to the round's
+/// median, times the median of these: a machine that is busy elsewhere for a while slows whole rounds down.
+void time_groups(std::vector<RayGroup>& groups, unsigned rounds);
 
 }  // namespace espalier::bench

@@ -1,0 +1,129 @@
+// trade: one source baked in many ways, measured, and shown.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <span>
+
+#include <runtime/simd/select.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "cost_model_file.hpp"
+#include "import_assimp.hpp"
+#include "json_output.hpp"
+#include "lists.hpp"
+#include "numbers.hpp"
+#include "output_file.hpp"
+#include "source_options.hpp"
+#include "trade_chart.hpp"
+#include "trade_measure.hpp"
+#include "trade_table.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr float dearest_byte = 1e6f;
+
+TradeSpace trade_space(const TradeArguments& arguments) {
+    TradeSpace space;
+    space.bits = parse_whole_numbers(arguments.bits, "--bits", 1, format::max_bits);
+    space.leaf_sizes = parse_whole_numbers(arguments.leaf_sizes, "--leaf-sizes", 1, format::max_leaf_triangles);
+    space.byte_prices = parse_numbers(arguments.byte_prices, "--byte-prices", 0.0f, dearest_byte);
+    space.profiles = parse_names(arguments.profiles, "--profiles", profile_choices);
+    space.builders = parse_names(arguments.builders, "--builders", builder_choices);
+    space.rays = arguments.rays;
+    space.repetitions = arguments.repetitions;
+    return space;
+}
+
+std::string names_of(const TradeArguments& arguments) {
+    std::string names;
+    for (const std::string& input : arguments.inputs) {
+        names += (names.empty() ? "" : " + ") + std::filesystem::path(input).filename().string();
+    }
+    return names;
+}
+
+const char* instruction_set_name() {
+    switch (detail::instruction_set()) {
+        case detail::InstructionSet::scalar:
+            return "scalar";
+        case detail::InstructionSet::sse42:
+            return "SSE4.2";
+        case detail::InstructionSet::avx2:
+            return "AVX2";
+        case detail::InstructionSet::neon:
+            return "NEON";
+    }
+    return "";
+}
+
+/// How the figures came about.
+std::string conditions(const TradeArguments& arguments, std::uint64_t triangles) {
+    return text(counted(triangles, "triangle"), ", effort ", arguments.effort, ". ",
+                counted(arguments.rays, "random ray"), " and spheres, one thread, ", instruction_set_name(),
+                ", all in turn, medians of ", counted(arguments.repetitions, "repetition"), ".");
+}
+
+void write_text(const std::string& path, const std::string& words) {
+    write_output_file(path, std::as_bytes(std::span(words)));
+}
+
+}  // namespace
+
+ExitCode run_trade(const TradeArguments& arguments) {
+    const Console console(arguments.quiet);
+    for (const std::string& input : arguments.inputs) {
+        if (!arguments.output.empty()) refuse_to_overwrite_input(arguments.output, input);
+        if (!arguments.csv.empty()) refuse_to_overwrite_input(arguments.csv, input);
+    }
+    const TradeSpace space = trade_space(arguments);
+    BakeOptions options;
+    options.effort = arguments.effort;
+    options.threads = arguments.threads;
+    options.repair = arguments.repair;
+    if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
+    ImportOptions source = import_options(arguments.source);
+
+    std::vector<TradePoint> points;
+    std::uint64_t triangles = 0;
+    {
+        Progress progress(arguments.quiet);
+        const auto show = [&progress](const char* stage, double done) { progress.show(stage, done); };
+        source.progress = show;
+        const Imported imported = import_files(arguments.inputs, source);
+        for (const ImportedFile& file : imported.files) triangles += file.triangles;
+        points = measure_trade(imported, options, space, show);
+    }
+    const std::string names = names_of(arguments);
+    const std::string how = conditions(arguments, triangles);
+    const std::vector<bool> front = pareto_front(points, timed_queries[0]);
+    console.say(text(names, ": ", how));
+    console.say(text(counted(points.size(), "bake"), ", of which ", std::count(front.begin(), front.end(), true),
+                     " are on the front of bytes, time of closest hits, and error"));
+    if (!arguments.output.empty()) {
+        write_text(arguments.output, trade_chart(names, how, points));
+        console.say(text("wrote ", printable(arguments.output)));
+    }
+    if (!arguments.csv.empty()) {
+        write_text(arguments.csv, trade_csv(names, points));
+        console.say(text("wrote ", printable(arguments.csv)));
+    }
+    if (arguments.json) {
+        Json document = json_document();
+        document["mesh"] = names;
+        document["rays"] = arguments.rays;
+        document["repetitions"] = arguments.repetitions;
+        document["effort"] = arguments.effort;
+        document["instruction_set"] = instruction_set_name();
+        document["points"] = trade_json(points);
+        print_json(document);
+    } else if (arguments.csv.empty()) {
+        std::cout << trade_csv(names, points);
+        finish_standard_output();
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,52 @@
+// One way to bake a source, and all that is measured of it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "counted_cost.hpp"
+
+namespace espalier::tools {
+
+struct TradePoint {
+    // what was chosen
+    format::Profile profile = format::Profile::fast;
+    Builder builder = Builder::binned_sah;
+    unsigned bits = 0;
+    unsigned leaf_size = 0;
+    float byte_price = 0.0f;
+    // what came out
+    std::uint64_t bytes = 0;
+    std::uint32_t triangles = 0;
+    unsigned depth = 0;
+    double bake_seconds = 0.0;
+    double max_error = 0.0;   ///< the header's bound
+    double mean_error = 0.0;  ///< from points of the source's surface, spread evenly by area, to the baked surface
+    CountedWork work;         ///< of a closest-hit ray
+    double cost = 0.0;        ///< see counted_cost
+    // medians, in nanoseconds
+    double closest_ns = 0.0;
+    double any_ns = 0.0;
+    double overlap_ns = 0.0;
+
+    [[nodiscard]] double bytes_per_triangle() const {
+        return triangles == 0 ? 0.0 : static_cast<double>(bytes) / triangles;
+    }
+};
+
+/// The queries that are timed, and where a point keeps each one's time.
+struct TimedQuery {
+    const char* name;
+    double TradePoint::*nanoseconds;
+};
+inline constexpr TimedQuery timed_queries[] = {
+    {"closest", &TradePoint::closest_ns}, {"any", &TradePoint::any_ns}, {"overlap", &TradePoint::overlap_ns}};
+
+/// For each point whether it is on the Pareto front of bytes, time of the query, and largest error: no other point is
+/// as good in all three and better in one.
+std::vector<bool> pareto_front(const std::vector<TradePoint>& points, const TimedQuery& query);
+
+}  // namespace espalier::tools
