@@ -721,7 +721,7 @@ if command -v xmllint >/dev/null; then
     xmllint --noout trade.svg 2>err || fail "no XML: $(head -c 300 err)"
 else
     # every tag is closed, in itself or by the line's end, but the outermost
-    grep -v '^<?xml\|^<svg\|^</svg>$' trade.svg | grep -qv '^<[a-z]*\( [a-z-]*="[^"<]*"\)*\(/>\|>[^<]*</text>\)$' && fail "a line is no element"
+    grep -v '^<?xml\|^<svg\|^</svg>$' trade.svg | grep -qv '^<[a-z]*\( [a-zA-Z0-9-]*="[^"<]*"\)*\(/>\|>[^<]*</text>\)$' && fail "a line is no element"
     [ "$(tail -n 1 trade.svg)" = "</svg>" ] || fail "the picture is cut short"
 fi
 
