@@ -92,6 +92,11 @@ private:
         options.builder = configuration.builder;
         options.max_leaf_triangles = configuration.leaf_size;
         options.cost_model.byte_price = configuration.byte_price;
+        if (options_.progress) {
+            options.progress = [this](const char* stage, double done) {
+                options_.progress(text("bake ", tried_.size() + 1, ", ", stage).c_str(), done);
+            };
+        }
         return bake_or_throw(meshes_, options);
     }
 

@@ -1,0 +1,27 @@
+#include "arguments.hpp"
+
+namespace espalier::tools {
+
+CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& description) {
+    CLI::App* verb = app.add_subcommand(name, description);
+    verb->footer(exit_code_help);
+    return verb;
+}
+
+void add_json(CLI::App* verb, bool& json) { verb->add_flag("--json", json, "The result as one JSON object on stdout"); }
+
+void add_quiet(CLI::App* verb, bool& quiet) { verb->add_flag("-q,--quiet", quiet, "Warnings and errors only"); }
+
+void add_source(CLI::App* verb, SourceArguments& source) {
+    verb->add_option(
+            "--unit", source.unit,
+            "What one unit of the files is: m, cm, mm, in, ft, km or um. The blob is in metres. Without it, what "
+            "a file says of itself (FBX, glTF, Collada, IFC), else a metre")
+        ->type_name("UNIT");
+    verb->add_option("--scale", source.scale, "Factor on all coordinates, on top of the unit")->type_name("FACTOR");
+    add_choice(verb, "--up", source.up, axes,
+               "The axis that points up in the files; the asset is turned so that it is +Y in the blob. Without it the "
+               "axes stay as the importer gives them (Collada and IFC come with +Y up)");
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,51 @@
+// What the command lines of several verbs have in common.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "choices.hpp"
+#include "commands.hpp"
+
+namespace espalier::tools {
+
+/// The verb that was chosen, ready to run.
+using Chosen = std::function<ExitCode()>;
+
+inline const Choices<Axis> axes{{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}};
+
+/// An option that takes one of a few names; the help shows them in the order of the list.
+template <class Target, class Value>
+CLI::Option* add_choice(CLI::App* verb, const std::string& option, Target& target, const Choices<Value>& choices,
+                        const std::string& description) {
+    std::string names;
+    for (const auto& choice : choices) names += (names.empty() ? "" : "|") + choice.first;
+    const auto choose = [&target, choices, option, names](const std::string& name) {
+        for (const auto& choice : choices) {
+            if (choice.first != name) continue;
+            target = choice.second;
+            return;
+        }
+        throw CLI::ValidationError(option, "'" + name + "' is none of " + names);
+    };
+    return verb->add_option_function<std::string>(option, choose, description)->type_name(names);
+}
+
+template <class Number>
+CLI::Validator between(Number least, Number most) {
+    return CLI::Range(least, most).description("");
+}
+
+/// A verb whose help ends with the exit codes.
+CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& description);
+void add_json(CLI::App* verb, bool& json);
+void add_quiet(CLI::App* verb, bool& quiet);
+void add_source(CLI::App* verb, SourceArguments& source);
+
+// The verbs with the most options, each in arguments_<verb>.cpp; the others are in main.cpp.
+void add_bake(CLI::App& app, Chosen& chosen);
+void add_trade(CLI::App& app, Chosen& chosen);
+
+}  // namespace espalier::tools

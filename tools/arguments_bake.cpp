@@ -1,0 +1,89 @@
+// What bake takes.
+#include <memory>
+
+#include "arguments.hpp"
+#include "numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+/// The options that try several bakes and keep one. They judge by counters, so that every machine picks the same.
+void add_picking(CLI::App* verb, BakeArguments& arguments, CLI::Option* tolerance, CLI::Option* bits) {
+    CLI::Option* max_bytes =
+        verb->add_option(
+                "--max-bytes", arguments.max_bytes,
+                "Pick what fits into so many bytes (64K, 1.5M): the finest lattice up to --bits at which "
+                "anything fits, and there the profile, builder, leaf size and price of bytes with the least counted "
+                "work. With --tolerance or --max-error the lattice stays")
+            ->type_name("BYTES");
+    verb->add_option(
+            "--fastest-under", arguments.fastest_under,
+            "Pick the profile, builder, leaf size and price of bytes with the least counted work that fits into so "
+            "many bytes, at the lattice asked for")
+        ->excludes(max_bytes)
+        ->type_name("BYTES");
+    verb->add_option(
+            "--max-error", arguments.max_error,
+            "Pick the profile, builder, leaf size and price of bytes with the least counted work, on the coarsest "
+            "lattice that keeps this distance between source and blob")
+        ->excludes(tolerance)
+        ->excludes(bits)
+        ->type_name("LENGTH");
+}
+
+}  // namespace
+
+void add_bake(CLI::App& app, Chosen& chosen) {
+    auto arguments = std::make_shared<BakeArguments>();
+    CLI::App* verb = add_verb(app, "bake", "Make one blob out of mesh files");
+    verb->add_option("inputs", arguments->inputs,
+                     "Mesh files of any format that assimp reads, in the order of their file numbers. Node transforms "
+                     "are applied; animated meshes are taken in the pose that the file stores")
+        ->required()
+        ->type_name("MESH");
+    verb->add_option("-o,--output", arguments->output, "The blob to write")->required()->type_name("BLOB");
+    CLI::Option* tolerance =
+        verb->add_option("--tolerance", arguments->tolerance,
+                         "Largest distance between source and blob: 0.5mm, 2cm, 1e-3m, 1in; a bare number is in units "
+                         "of the blob")
+            ->type_name("LENGTH");
+    CLI::Option* bits = verb->add_option("--bits", arguments->bits, "Lattice bits over the largest extent")
+                            ->capture_default_str()
+                            ->check(between(1u, 24u))
+                            ->excludes(tolerance)
+                            ->type_name("1..24");
+    add_picking(verb, *arguments, tolerance, bits);
+    add_choice(verb, "--profile", arguments->profile, profile_choices, "How nodes and leaves are coded");
+    verb->add_option("--leaf-size", arguments->leaf_size,
+                     "Most triangles of a leaf; fewer are tested faster and take more bytes. 16 unless one is picked")
+        ->check(between(1u, format::max_leaf_triangles))
+        ->type_name(text("1..", format::max_leaf_triangles));
+    verb->add_option("--cost-model", arguments->cost_model,
+                     "JSON object with any of node_visit, leaf_visit, triangle and byte_price: what the tree is shaped "
+                     "by and what picks are judged by")
+        ->type_name("FILE");
+    add_choice(verb, "--builder", arguments->builder, builder_choices,
+               "How the tree is built, before --effort improves it. Without it: binned_sah");
+    add_source(verb, arguments->source);
+    verb->add_flag("--ids", arguments->original_ids, "Carry each triangle's file, mesh and number in it");
+    const Choices<unsigned> widths{{"8", 8u}, {"16", 16u}};
+    add_choice(verb, "--materials", arguments->material_bits, widths,
+               "Carry each triangle's material number, in so many bits");
+    verb->add_flag("--repair", arguments->repair,
+                   "Drop triangles with NaN, infinite or missing corners instead of refusing the mesh");
+    verb->add_option("--effort", arguments->effort,
+                     "0 bakes fastest, 9 bakes best: more candidate splits throughout; subtrees are moved to better "
+                     "places once from 4 on, twice at 6, three times from 7 on, down to 16, 8, 4 or 2 triangles")
+        ->capture_default_str()
+        ->check(between(0u, 9u))
+        ->type_name("0..9");
+    verb->add_option("--threads", arguments->threads, "0: all of the machine. The bytes do not depend on it")
+        ->capture_default_str()
+        ->type_name("COUNT");
+    add_json(verb, arguments->json);
+    add_quiet(verb, arguments->quiet);
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_bake(*arguments); }; });
+}
+
+}  // namespace espalier::tools
