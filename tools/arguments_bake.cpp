@@ -60,7 +60,8 @@ void add_bake(CLI::App& app, Chosen& chosen) {
         ->check(between(1u, format::max_leaf_triangles))
         ->type_name(text("1..", format::max_leaf_triangles));
     verb->add_option("--cost-model", arguments->cost_model,
-                     "JSON object with any of node_visit, leaf_visit, triangle and byte_price: what the tree is shaped "
+                     "JSON object with any of node_visit, leaf_visit, leaf_group, triangle and byte_price: what the "
+                     "tree is shaped "
                      "by and what picks are judged by")
         ->type_name("FILE");
     add_choice(verb, "--builder", arguments->builder, builder_choices,

@@ -102,6 +102,10 @@ const char* name_of(format::Profile profile) {
     switch (profile) {
         case format::Profile::fast:
             return "fast";
+        case format::Profile::balanced:
+            return "balanced";
+        case format::Profile::small:
+            return "small";
     }
     return "unknown";
 }

@@ -12,7 +12,8 @@ namespace espalier::tools {
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-inline const Choices<format::Profile> profile_choices{{"fast", format::Profile::fast}};
+inline const Choices<format::Profile> profile_choices{
+    {"fast", format::Profile::fast}, {"balanced", format::Profile::balanced}, {"small", format::Profile::small}};
 inline const Choices<Builder> builder_choices{{"binned_sah", Builder::binned_sah},
                                               {"sweep_sah", Builder::sweep_sah},
                                               {"agglomerative", Builder::agglomerative},

@@ -28,6 +28,7 @@ CostModel read_cost_model(const std::string& path) {
     CostModel model;
     const std::pair<const char*, float*> fields[] = {{"node_visit", &model.node_visit},
                                                      {"leaf_visit", &model.leaf_visit},
+                                                     {"leaf_group", &model.leaf_group},
                                                      {"triangle", &model.triangle},
                                                      {"byte_price", &model.byte_price}};
     for (const auto& [key, value] : document.items()) {
@@ -37,7 +38,9 @@ CostModel read_cost_model(const std::string& path) {
         }
         const std::string field = text("field '", printable(key), '\'');
         if (target == nullptr) {
-            refuse(path, field + " is not known. The fields are node_visit, leaf_visit, triangle and byte_price.");
+            refuse(
+                path,
+                field + " is not known. The fields are node_visit, leaf_visit, leaf_group, triangle and byte_price.");
         }
         const double cost = value.is_number() ? value.get<double>() : -1.0;
         if (!(cost >= 0.0 && cost <= most_expensive)) refuse(path, field + ": write a number from 0 to 1000000.");

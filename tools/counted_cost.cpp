@@ -9,6 +9,9 @@ double decoding_factor(format::Profile profile) {
     switch (profile) {
         case format::Profile::fast:
             return 1.0;
+        case format::Profile::balanced:
+        case format::Profile::small:
+            return 1.1;
     }
     return 1.0;
 }
@@ -28,8 +31,8 @@ CountedWork count_work(const Blob& blob, std::span<const Ray> rays) {
 }
 
 double counted_cost(const CountedWork& work, const CostModel& model, format::Profile profile) {
-    const double visits = work.nodes * double(model.node_visit) + work.groups * double(model.leaf_visit) +
-                          work.triangles * double(model.triangle);
+    const double visits = work.nodes * double(model.node_visit) + work.leaves * double(model.leaf_visit) +
+                          work.groups * double(model.leaf_group) + work.triangles * double(model.triangle);
     return decoding_factor(profile) * visits;
 }
 

@@ -125,7 +125,9 @@ void print_text(const std::string& mesh, const char* profile, const Fits& fits) 
     }
     const auto [node, group, constant] = fits[1].coefficients;
     if (node > 0.0 && group >= 0.0)
-        std::printf("  for --cost-model: {\"node_visit\": 1, \"leaf_visit\": %.3f, \"triangle\": 0}\n", group / node);
+        std::printf(
+            "  for --cost-model: {\"node_visit\": 1, \"leaf_visit\": 0, \"leaf_group\": %.3f, \"triangle\": 0}\n",
+            group / node);
     else std::printf("  no cost model: a cost came out negative; measure on a quiet machine, with more rays\n");
 }
 

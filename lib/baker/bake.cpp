@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "bake_with.hpp"
 #include "build.hpp"
@@ -13,9 +14,11 @@
 #include "encode.hpp"
 #include "fit_lattice.hpp"
 #include "lattice.hpp"
+#include "leaf_size.hpp"
 #include "optimise.hpp"
 #include "order.hpp"
 #include "progress.hpp"
+#include "strip.hpp"
 
 namespace espalier {
 
@@ -81,10 +84,14 @@ Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const M
     const BinaryTree tree = make_tree(mesh, settings);
 
     progress.begin(stages::collapse);
-    const CollapsePlan plan(mesh, tree, {options.cost_model, options.max_leaf_triangles});
+    std::optional<StripMaker> strips;
+    if (options.profile != format::Profile::fast) strips.emplace(mesh, tree);
+    const StripMaker* const strips_if_any = strips ? &*strips : nullptr;
+    const auto sizes = leaf_sizes(options.profile, strips_if_any);
+    const CollapsePlan plan(mesh, tree, *sizes, {options.cost_model, options.max_leaf_triangles});
 
     progress.begin(stages::order);
-    const WideTree wide = put_in_order(mesh, tree, plan);
+    const WideTree wide = put_in_order(mesh, tree, plan, strips_if_any);
 
     progress.begin(stages::encode);
     auto blob = encode(*source, mesh, tree, wide, options, properties);

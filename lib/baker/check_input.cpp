@@ -129,6 +129,7 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
 std::optional<BakeError> check_cost_model(const CostModel& model) {
     const std::pair<const char*, float> costs[] = {{"node_visit", model.node_visit},
                                                    {"leaf_visit", model.leaf_visit},
+                                                   {"leaf_group", model.leaf_group},
                                                    {"triangle", model.triangle},
                                                    {"byte_price", model.byte_price}};
     for (const auto& [name, cost] : costs) {
@@ -159,9 +160,9 @@ std::optional<BakeError> check_options(const BakeOptions& options) {
                                "; choose 1 to " + std::to_string(format::max_leaf_triangles));
     }
     if (auto error = check_cost_model(options.cost_model)) return error;
-    if (options.profile != format::Profile::fast) {
+    if (options.profile > format::Profile::small) {
         return invalid_options("profile " + std::to_string(static_cast<unsigned>(options.profile)) +
-                               " is not known; choose fast");
+                               " is not known; choose fast, balanced or small");
     }
     if (options.builder > Builder::insertion) {
         return invalid_options("builder " + std::to_string(static_cast<unsigned>(options.builder)) +

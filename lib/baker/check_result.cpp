@@ -24,7 +24,8 @@ std::optional<std::string> check_result(std::span<const std::byte> blob, const L
     if (blob.size() < header::bytes + node_bytes + leaf_bytes + format::guard_bytes)
         return "the header counts too many bytes";
     const TreeBytes tree{blob.subspan(header::bytes, node_bytes), blob.subspan(header::bytes + node_bytes, leaf_bytes),
-                         detail::load_u8(blob.data() + header::bits_at)};
+                         detail::load_u8(blob.data() + header::bits_at),
+                         static_cast<format::Profile>(detail::load_u8(blob.data() + header::profile_at))};
 
     const auto check_leaf = [&](const DecodedLeaf& leaf) -> std::optional<std::string> {
         for (unsigned i = 0; i < leaf.triangle_count; ++i) {
@@ -32,7 +33,9 @@ std::optional<std::string> check_result(std::span<const std::byte> blob, const L
             if (storage_index >= wide.triangles.size()) return "there are more triangles than were meant";
             const LatticeTriangle& meant = mesh.triangles[wide.triangles[storage_index]];
             for (std::size_t corner = 0; corner < 3; ++corner) {
-                if (is_same(leaf.vertices[leaf.corners[i][corner]], mesh.vertices[meant.corners[corner]])) continue;
+                const std::size_t meant_corner = (corner + wide.first_corners[storage_index]) % 3;
+                if (is_same(leaf.vertices[leaf.corners[i][corner]], mesh.vertices[meant.corners[meant_corner]]))
+                    continue;
                 return "triangle " + std::to_string(storage_index) + " is not the one that was meant (corner " +
                        std::to_string(corner) + ")";
             }

@@ -54,7 +54,8 @@ private:
         for (unsigned i = 0; i < node.leaves; ++i) {
             DecodedLeaf leaf;
             if (!tree_.decode_leaf(node, i, leaf)) return complain(number, "has a leaf that cannot be read");
-            if (leaf.first_triangle != counts_.triangles || (i != 0 && leaf.at != (end + 1) / 2 * 2)) {
+            if (leaf.first_triangle != counts_.triangles ||
+                (i != 0 && leaf.at != (end + tree_.leaf_unit() - 1) / tree_.leaf_unit() * tree_.leaf_unit())) {
                 return complain(number, "has a leaf out of its place");
             }
             contents[node.node_children + i] = leaf.box();

@@ -46,12 +46,13 @@ struct Subtree {
 /// their parent. What children leave behind lies on a stack no higher than the tree.
 class CollapsePlanner {
 public:
-    CollapsePlanner(const LatticeMesh& mesh, const BinaryTree& tree, const CollapseSettings& settings,
-                    CollapsePlan& plan)
+    CollapsePlanner(const LatticeMesh& mesh, const BinaryTree& tree, const LeafSizes& sizes,
+                    const CollapseSettings& settings, CollapsePlan& plan)
         : mesh_(mesh),
           tree_(tree),
           model_(settings.cost_model),
-          max_leaf_triangles_(settings.max_leaf_triangles),
+          sizes_(sizes),
+          max_leaf_triangles_(std::min(settings.max_leaf_triangles, sizes.most_triangles())),
           plan_(plan),
           relative_area_(1.0f / static_cast<float>(std::max(tree.nodes[0].half_area(), 1.0))),
           byte_cost_(settings.cost_model.byte_price / static_cast<float>(tree.triangles.size())) {
@@ -74,7 +75,7 @@ private:
     void plan_triangle(std::size_t node, Subtree& subtree) {
         subtree.vertices = list_of(mesh_.triangles[tree_.triangles[tree_.nodes[node].first]].corners);
         subtree.height = 0;
-        subtree.costs.fill(leaf_cost(tree_.nodes[node], 3));
+        subtree.costs.fill(leaf_cost(tree_.nodes[node], sizes_.of(tree_.nodes[node], 3)));
         plan_.choices_[node] = Choice::leaf_bit;
     }
 
@@ -104,7 +105,8 @@ private:
         vertices.count = VertexList::too_many;
         if (binary.count <= max_leaf_triangles_) {
             vertices = merge(left.vertices, right.vertices);
-            if (vertices.fits()) as_leaf = leaf_cost(binary, vertices.count);
+            const LeafSize size = vertices.fits() ? sizes_.of(binary, vertices.count) : LeafSize{};
+            if (size.fits) as_leaf = leaf_cost(binary, size);
         }
         const float as_node = node_cost + split_costs[most_roots];
         if (as_leaf <= as_node) packed |= Choice::leaf_bit;
@@ -129,35 +131,27 @@ private:
         return static_cast<float>(node.half_area()) * relative_area_;
     }
 
-    [[nodiscard]] float leaf_cost(const BinaryNode& node, unsigned vertices) const {
-        const auto groups = static_cast<float>((node.count + 7) / 8);
-        const float visit = model_.leaf_visit * groups + model_.triangle * static_cast<float>(node.count);
-        return area_of(node) * visit + byte_cost_ * static_cast<float>(leaf_bytes(node, vertices));
-    }
-
-    /// Close to what the leaf will take: only its box in the node, and with it a width, may turn out a bit larger.
-    [[nodiscard]] std::size_t leaf_bytes(const BinaryNode& node, unsigned vertices) const {
-        using namespace format::indexed_leaf;
-        std::size_t bytes = stream_bytes(node.count, 3 * corner_width(vertices));
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            const auto side = static_cast<std::uint32_t>(node.hi[axis] - node.lo[axis]);
-            bytes += stream_bytes(vertices, static_cast<unsigned>(std::bit_width(side)));
-        }
-        return descriptor_bytes + (bytes + 1) / 2 * 2;
+    [[nodiscard]] float leaf_cost(const BinaryNode& node, const LeafSize& size) const {
+        const auto groups = static_cast<float>((size.slots + 7) / 8);
+        const float visit =
+            model_.leaf_visit + model_.leaf_group * groups + model_.triangle * static_cast<float>(size.slots);
+        return area_of(node) * visit + byte_cost_ * static_cast<float>(size.bytes);
     }
 
     const LatticeMesh& mesh_;
     const BinaryTree& tree_;
     const CostModel& model_;
+    const LeafSizes& sizes_;
     unsigned max_leaf_triangles_;
     CollapsePlan& plan_;
     float relative_area_;
     float byte_cost_;
 };
 
-CollapsePlan::CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const CollapseSettings& settings)
+CollapsePlan::CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const LeafSizes& sizes,
+                           const CollapseSettings& settings)
     : tree_(tree) {
-    if (!tree.triangles.empty()) CollapsePlanner(mesh, tree, settings, *this);
+    if (!tree.triangles.empty()) CollapsePlanner(mesh, tree, sizes, settings, *this);
 }
 
 Child CollapsePlan::child_for(std::uint32_t binary_node) const {

@@ -11,6 +11,7 @@
 
 #include "binary_tree.hpp"
 #include "lattice_mesh.hpp"
+#include "leaf_size.hpp"
 
 namespace espalier::baker {
 
@@ -35,7 +36,8 @@ struct CollapseSettings {
 /// The cheapest choice for every subtree, found by dynamic programming.
 class CollapsePlan {
 public:
-    CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const CollapseSettings& settings);
+    CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const LeafSizes& sizes,
+                 const CollapseSettings& settings);
 
     /// The children of the wide node that stands for `binary_node`, when at most `levels` nodes, itself included, may
     /// lie on the way down. Requires height(binary_node) <= 3 * levels, and gives children that are leaves or meet the

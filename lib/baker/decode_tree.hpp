@@ -1,4 +1,4 @@
-// The baker's own reader of the profile `fast`, written from docs/format.md and shared with nothing that writes or
+// The baker's own reader of trees and leaves, written from docs/format.md and shared with nothing that writes or
 // queries, so that it can testify to both. Reads nothing outside its sections: what would lie there reads as failure.
 #pragma once
 
@@ -47,12 +47,20 @@ struct TreeBytes {
     std::span<const std::byte> nodes;
     std::span<const std::byte> leaves;
     unsigned bits = 1;
+    format::Profile profile = format::Profile::fast;
 
     /// Node `number`; false when there is none or when it has more than max_children.
     [[nodiscard]] bool decode_node(std::uint32_t number, DecodedNode& node) const;
 
     /// Leaf `index` of a node; false when any of it lies outside, or a corner is no vertex.
     [[nodiscard]] bool decode_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
+
+    /// Leaves lie one after the other at multiples of this.
+    [[nodiscard]] std::size_t leaf_unit() const { return profile == format::Profile::fast ? 2 : 1; }
+
+private:
+    [[nodiscard]] bool decode_indexed_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
+    [[nodiscard]] bool decode_strip_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
 };
 
 }  // namespace espalier::baker

@@ -8,6 +8,7 @@
 #include <espalier/format.hpp>
 
 #include "byte_writer.hpp"
+#include "encode_leaf.hpp"
 
 namespace espalier::baker {
 
@@ -51,13 +52,6 @@ Frame frame_for(std::int32_t lo, std::int32_t hi, unsigned base_unit) {
     Frame frame{lo >> base_unit << base_unit, 0};
     while (frame.shift < max_shift && frame.plane_above(hi) > 255) ++frame.shift;
     return frame;
-}
-
-/// The least code whose width holds `largest`.
-unsigned width_code(std::uint32_t largest, unsigned bits) {
-    unsigned code = 0;
-    while (largest >> format::indexed_leaf::coordinate_width(code, bits) != 0) ++code;
-    return code;
 }
 
 class TreeEncoder {
@@ -108,65 +102,27 @@ private:
     }
 
     void put_leaf_block(const WideNode& node, std::span<const Box> boxes, const std::array<Frame, 3>& frames) {
-        using namespace format::indexed_leaf;
+        using namespace format::indexed_leaf;  // blocks of both kinds begin alike
         auto& bytes = encoded_.leaves;
         const std::size_t block = bytes.size();
         put_u32(bytes, wide_.leaves[node.first_leaf].first);
         bytes.resize(bytes.size() + descriptor_bytes * node.leaves);
-        const std::size_t data = bytes.size();
-        for (std::size_t i = 0; i < node.leaves; ++i) {
-            pad_to(bytes, 2);
-            const auto offset = static_cast<std::uint32_t>((bytes.size() - data) / 2);
-            std::array<std::int32_t, 3> anchor;
+        LeafBlock written{bytes.size(), wide_.leaves[node.first_leaf].first};
+        for (std::uint32_t i = 0; i < node.leaves; ++i) {
+            LeafBox box;
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                anchor[axis] = frames[axis].coordinate(frames[axis].plane_below(boxes[i].lo[axis]));
+                const Frame& frame = frames[axis];
+                box.anchor[axis] = frame.coordinate(frame.plane_below(boxes[i].lo[axis]));
+                box.side[axis] = frame.coordinate(frame.plane_above(boxes[i].hi[axis])) - box.anchor[axis];
+                box.reach[axis] = boxes[i].hi[axis] - box.anchor[axis];
             }
-            const std::uint32_t descriptor = offset | put_leaf(wide_.leaves[node.first_leaf + i], boxes[i], anchor);
+            const std::uint32_t leaf = node.first_leaf + i;
+            const std::uint32_t descriptor = wide_.strips.empty()
+                                                 ? put_indexed_leaf(mesh_, wide_, leaf, box, written, bytes)
+                                                 : put_strip_leaf(mesh_, wide_, leaf, box, written, bytes);
             set_u32(bytes.data() + block + descriptors_at + descriptor_bytes * i, descriptor);
         }
         pad_to(bytes, 4);
-    }
-
-    /// Appends the leaf's streams; returns its descriptor without the offset.
-    std::uint32_t put_leaf(const Leaf& leaf, const Box& box, const std::array<std::int32_t, 3>& anchor) {
-        using namespace format::indexed_leaf;
-        number_vertices(leaf);
-        std::uint32_t descriptor = (leaf.count - 1) << triangles_shift | (vertex_count_ - 1) << vertices_shift;
-        BitStream stream(encoded_.leaves);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            // The leaf's vertices reach its box's high side, so that alone decides the width.
-            const unsigned code = width_code(static_cast<std::uint32_t>(box.hi[axis] - anchor[axis]), bits_);
-            descriptor |= code << (widths_shift + 4 * axis);
-            const unsigned width = coordinate_width(code, bits_);
-            for (unsigned i = 0; i < vertex_count_; ++i) {
-                const LatticePoint& point = mesh_.vertices[vertices_[i]];
-                const std::int32_t coordinate = axis == 0 ? point.x : axis == 1 ? point.y : point.z;
-                stream.put(static_cast<std::uint32_t>(coordinate - anchor[axis]), width);
-            }
-            stream.finish();
-        }
-        const unsigned width = corner_width(vertex_count_);
-        for (std::uint32_t i = 0; i < leaf.count; ++i) {
-            const auto [a, b, c] = corners_[i];
-            stream.put(std::uint32_t{a} | std::uint32_t{b} << width | std::uint32_t{c} << (2 * width), 3 * width);
-        }
-        stream.finish();
-        return descriptor;
-    }
-
-    /// Numbers the leaf's vertices by first use.
-    void number_vertices(const Leaf& leaf) {
-        vertex_count_ = 0;
-        for (std::uint32_t i = 0; i < leaf.count; ++i) {
-            const auto& triangle = mesh_.triangles[wide_.triangles[leaf.first + i]];
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const std::uint32_t vertex = triangle.corners[corner];
-                const auto end = vertices_.begin() + vertex_count_;
-                const auto found = std::find(vertices_.begin(), end, vertex);
-                corners_[i][corner] = static_cast<std::uint8_t>(found - vertices_.begin());
-                if (found == end) vertices_[vertex_count_++] = vertex;
-            }
-        }
     }
 
     const LatticeMesh& mesh_;
@@ -174,9 +130,6 @@ private:
     const WideTree& wide_;
     EncodedTree& encoded_;
     unsigned bits_;
-    unsigned vertex_count_ = 0;  // of the leaf at hand, as the next two
-    std::array<std::uint32_t, format::max_leaf_vertices> vertices_{};
-    std::array<std::array<std::uint8_t, 3>, format::max_leaf_triangles> corners_{};
 };
 
 }  // namespace

@@ -8,7 +8,8 @@ namespace {
 
 class Orderer {
 public:
-    Orderer(const BinaryTree& tree, const CollapsePlan& plan, WideTree& wide) : tree_(tree), plan_(plan), wide_(wide) {}
+    Orderer(const BinaryTree& tree, const CollapsePlan& plan, const StripMaker* strips, WideTree& wide)
+        : tree_(tree), plan_(plan), strips_(strips), wide_(wide) {}
 
     /// `depth` counts from 1; the recursion goes no deeper than format::max_depth.
     void visit(std::uint32_t binary_node, std::uint32_t number, unsigned depth) {
@@ -54,26 +55,39 @@ private:
     }
 
     void add_leaf(std::uint32_t binary_node) {
-        const auto triangles = triangles_of(binary_node);
+        const BinaryNode& node = tree_.nodes[binary_node];
         const auto first = static_cast<std::ptrdiff_t>(wide_.triangles.size());
-        wide_.leaves.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(triangles.size())});
+        wide_.leaves.push_back({static_cast<std::uint32_t>(first), node.count});
+        if (strips_ != nullptr) {
+            const Strip& strip = wide_.strips.emplace_back(strips_->make(node, writing_attempts));
+            for (unsigned i = 0; i < strip.triangle_count; ++i) {
+                wide_.triangles.push_back(tree_.triangles[strip.triangles[i].place]);
+                wide_.first_corners.push_back(strip.triangles[i].first_corner);
+            }
+            return;
+        }
+        const auto triangles = triangles_of(binary_node);
         wide_.triangles.insert(wide_.triangles.end(), triangles.begin(), triangles.end());
         std::sort(wide_.triangles.begin() + first, wide_.triangles.end());
+        wide_.first_corners.resize(wide_.triangles.size(), 0);
     }
 
     const BinaryTree& tree_;
     const CollapsePlan& plan_;
+    const StripMaker* strips_;
     WideTree& wide_;
 };
 
 }  // namespace
 
-WideTree put_in_order(const LatticeMesh& mesh, const BinaryTree& tree, const CollapsePlan& plan) {
+WideTree put_in_order(const LatticeMesh& mesh, const BinaryTree& tree, const CollapsePlan& plan,
+                      const StripMaker* strips) {
     WideTree wide;
     if (mesh.triangles.empty()) return wide;
     wide.triangles.reserve(mesh.triangles.size());
+    wide.first_corners.reserve(mesh.triangles.size());
     wide.nodes.resize(1);
-    Orderer(tree, plan, wide).visit(0, 0, 1);
+    Orderer(tree, plan, strips, wide).visit(0, 0, 1);
     return wide;
 }
 

@@ -10,6 +10,7 @@
 #include "binary_tree.hpp"
 #include "collapse.hpp"
 #include "lattice_mesh.hpp"
+#include "strip.hpp"
 
 namespace espalier::baker {
 
@@ -27,15 +28,19 @@ struct Leaf {
 };
 
 struct WideTree {
-    std::vector<WideNode> nodes;           ///< as they are stored
-    std::vector<Leaf> leaves;              ///< as they are stored
-    std::vector<std::uint32_t> triangles;  ///< by storage index: number into LatticeMesh::triangles
-    unsigned depth = 0;                    ///< nodes on the longest way down
+    std::vector<WideNode> nodes;              ///< as they are stored
+    std::vector<Leaf> leaves;                 ///< as they are stored
+    std::vector<std::uint32_t> triangles;     ///< by storage index: number into LatticeMesh::triangles
+    std::vector<Strip> strips;                ///< of each leaf, in profiles that have them
+    std::vector<std::uint8_t> first_corners;  ///< by storage index: which corner of the mesh's triangle comes first
+    unsigned depth = 0;                       ///< nodes on the longest way down
 };
 
 /// Node children stand before leaves, larger boxes before smaller ones, of equal ones the one with the lower triangle
 /// number first. The node children of a node get the next free numbers, and its leaves the next place in the leaf
-/// section, when a walk in depth-first order comes to the node. Triangles of a leaf keep the order of the source.
-[[nodiscard]] WideTree put_in_order(const LatticeMesh& mesh, const BinaryTree& tree, const CollapsePlan& plan);
+/// section, when a walk in depth-first order comes to the node. Triangles of a leaf keep the order of the source, or
+/// without `strips` being null that of their strip.
+[[nodiscard]] WideTree put_in_order(const LatticeMesh& mesh, const BinaryTree& tree, const CollapsePlan& plan,
+                                    const StripMaker* strips);
 
 }  // namespace espalier::baker

@@ -89,7 +89,7 @@ std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
     const std::size_t node_bytes = std::size_t{data.node_count} * format::node::bytes;
     const std::size_t leaves_at = format::header::bytes + node_bytes;
     const TreeBytes tree{bytes.subspan(format::header::bytes, node_bytes), bytes.subspan(leaves_at, data.leaf_bytes),
-                         data.bits};
+                         data.bits, data.profile};
 
     Gatherer gatherer(blob.triangle_count(), leaves_at);
     TreeCounts counts;

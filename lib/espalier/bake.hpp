@@ -38,7 +38,8 @@ enum class Materials : std::uint8_t { none, bits_8, bits_16 };
 /// to a machine.
 struct CostModel {
     float node_visit = 1.0f;
-    float leaf_visit = 0.7f;  ///< for each started group of 8 triangles
+    float leaf_visit = 0.0f;
+    float leaf_group = 0.7f;  ///< for each started group of 8 triangles of a visited leaf
     float triangle = 0.0f;    ///< for each triangle of a visited leaf
     float byte_price = 5.0f;  ///< of one byte a triangle
 };

@@ -2,6 +2,7 @@
 // All numbers are little-endian; nothing is aligned to more than a byte when read, so that a blob may lie anywhere.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,8 +20,8 @@ inline constexpr int max_step_exponent = 100;
 inline constexpr std::uint32_t max_nodes = 1u << 24;
 inline constexpr unsigned max_depth = 16;  ///< nodes on the longest way down; sizes every query's stack
 inline constexpr unsigned max_children = 8;
-inline constexpr unsigned max_leaf_triangles = 16;
-inline constexpr unsigned max_leaf_vertices = 32;
+inline constexpr unsigned max_leaf_triangles = 54;  ///< of any profile
+inline constexpr unsigned max_leaf_vertices = 56;
 inline constexpr std::uint32_t max_triangles = 0x7FFFFFFFu;
 
 // ---- header: 128 bytes --------------------------------------------------------------------------------------------
@@ -50,8 +51,12 @@ inline constexpr std::size_t bytes = 128;
 static_assert(reserved_at < bytes && bytes % 64 == 0);
 }  // namespace header
 
-/// How nodes and leaves are coded.
-enum class Profile : std::uint8_t { fast = 0 };
+/// How leaves are coded, and how large they may become. Nodes are the same in all profiles.
+enum class Profile : std::uint8_t {
+    fast = 0,      ///< indexed leaves
+    balanced = 1,  ///< strip leaves of at most max_balanced_entries
+    small = 2,     ///< strip leaves of at most max_small_entries
+};
 
 /// Bits of the features field. An optional section is there exactly when its bit is set; they follow in bit order.
 namespace feature {
@@ -73,7 +78,7 @@ inline constexpr std::size_t mesh_at = 8;   // u32
 inline constexpr std::size_t bytes = 12;
 }  // namespace source
 
-// ---- profile fast: a node is one cache line ------------------------------------------------------------------------
+// ---- a node is one cache line -------------------------------------------------------------------------------------
 // Children are numbered nodes first, then leaves. The node children are contiguous; blocks of siblings stand in depth-
 // first order. Child boxes are base + plane * 2^shift per axis, rounded outward.
 namespace node {
@@ -89,9 +94,12 @@ inline constexpr unsigned max_shift = 17;
 static_assert(hi_at + 3 * max_children == bytes);
 }  // namespace node
 
+// ---- profile fast: indexed leaves ----------------------------------------------------------------------------------
 // A node's leaves lie together in one block: u32 storage index of the first triangle, a u32 descriptor for each leaf,
 // then each leaf's data, at even offsets. A block is padded with zeros to 4 bytes.
 namespace indexed_leaf {
+inline constexpr unsigned max_triangles = 16;
+inline constexpr unsigned max_vertices = 32;
 inline constexpr std::size_t descriptors_at = 4;
 inline constexpr std::size_t descriptor_bytes = 4;
 inline constexpr unsigned offset_bits = 11;      // of the data, in units of 2 bytes from the end of the descriptors
@@ -111,5 +119,42 @@ constexpr unsigned coordinate_width(unsigned code, unsigned bits) {
 constexpr unsigned corner_width(unsigned vertex_count) { return vertex_count <= 8 ? 3 : vertex_count <= 16 ? 4 : 5; }
 constexpr std::size_t stream_bytes(unsigned count, unsigned width) { return (std::size_t{count} * width + 7) / 8; }
 }  // namespace indexed_leaf
+
+// ---- profiles balanced and small: strip leaves
+// ----------------------------------------------------------------------- A node's leaves lie together in one block:
+// u32 storage index of the first triangle, a u32 descriptor for each leaf, then each leaf's data. A block is padded
+// with zeros to 4 bytes. A leaf is a sequence of vertex numbers, its entries. Window w is a triangle of entry w + 1,
+// entry w + 2 and a pivot: the last entry not behind w that is marked as one. Windows marked as unused join one strip
+// to the next.
+namespace strip_leaf {
+inline constexpr unsigned max_balanced_entries = 34;
+inline constexpr unsigned max_small_entries = 56;
+inline constexpr unsigned max_balanced_vertices = 32;
+static_assert(max_small_entries <= max_leaf_vertices && max_small_entries - 2 <= max_leaf_triangles);
+inline constexpr std::size_t descriptors_at = 4;
+inline constexpr std::size_t descriptor_bytes = 4;
+inline constexpr unsigned offset_bits = 13;    // of the data, in bytes from the end of the descriptors
+inline constexpr unsigned entries_shift = 13;  // 6 bits: entries - 3
+inline constexpr unsigned first_shift = 19;  // 9 bits: first triangle, counted from the block's; 4 bits above are zero
+// Data: a stream of marks, then a stream of x, of y, of z (offsets from the low corner of the leaf's own box in its
+// node, vertex by vertex), each padded with zero bits to a byte. Marks, low bits first, where n = entries - 3:
+//   n bits: whether entry 1, 2 .. n is a pivot (entry 0 is);  n bits: whether window 1, 2 .. n is a triangle (window 0
+//   is) n bits: whether entry 3, 4 .. is a vertex's first use (entries 0 to 2 are); vertices are numbered by first use
+//   reference_width bits for each entry that is not a first use: the vertex's number
+
+/// Bits of a vertex number.
+constexpr unsigned reference_width(unsigned vertex_count) {
+    return static_cast<unsigned>(std::bit_width(vertex_count - 1));
+}
+/// Bits of the marks; their stream is padded to a byte.
+constexpr unsigned mark_bits(unsigned entries, unsigned vertex_count) {
+    return 3 * (entries - 3) + (entries - vertex_count) * reference_width(vertex_count);
+}
+/// Width of the offsets on an axis along which the leaf's box reaches over so many steps.
+constexpr unsigned coordinate_width(std::uint32_t side, unsigned bits) {
+    const auto width = static_cast<unsigned>(std::bit_width(side));
+    return width < bits ? width : bits;
+}
+}  // namespace strip_leaf
 
 }  // namespace espalier::format

@@ -13,6 +13,7 @@ static_assert(sizeof(float) == 4, "float must be IEEE binary32");
 inline std::uint32_t load_u8(const std::byte* at) { return std::to_integer<std::uint32_t>(*at); }
 inline std::uint32_t load_u16(const std::byte* at) { return load_u8(at) | load_u8(at + 1) << 8; }
 inline std::uint32_t load_u32(const std::byte* at) { return load_u16(at) | load_u16(at + 2) << 16; }
+inline std::uint64_t load_u64(const std::byte* at) { return load_u32(at) | std::uint64_t{load_u32(at + 4)} << 32; }
 inline std::int16_t load_i16(const std::byte* at) { return static_cast<std::int16_t>(load_u16(at)); }
 inline float load_f32(const std::byte* at) { return std::bit_cast<float>(load_u32(at)); }
 
@@ -21,6 +22,11 @@ inline float load_f32(const std::byte* at) { return std::bit_cast<float>(load_u3
 inline std::uint32_t load_field(const std::byte* stream, unsigned width, unsigned index) {
     const unsigned bit = width * index;
     return (load_u32(stream + bit / 8) >> (bit % 8)) & ((1u << width) - 1u);
+}
+
+/// `count` bits from bit `bit` of a stream on, low bits first; count at most 57. Reads 8 bytes, as above.
+inline std::uint64_t load_bits(const std::byte* stream, unsigned bit, unsigned count) {
+    return (load_u64(stream + bit / 8) >> (bit % 8)) & ((std::uint64_t{1} << count) - 1u);
 }
 
 }  // namespace espalier::detail

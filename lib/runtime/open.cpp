@@ -7,8 +7,9 @@
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
 #include <runtime/checksum.hpp>
-#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/leaf_kinds.hpp>
+#include <runtime/open_checks.hpp>
 
 namespace espalier {
 namespace detail {
@@ -31,17 +32,6 @@ struct Bytes {
     }
 };
 
-bool is_zero(const std::byte* bytes, std::size_t count) {
-    std::uint32_t sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum |= load_u8(bytes + i);
-    return sum == 0;
-}
-
-/// The unused high bits of the last byte of a stream.
-bool is_padded_with_zeros(const std::byte* stream, std::uint64_t bit_count) {
-    return bit_count % 8 == 0 || load_u8(stream + bit_count / 8) >> (bit_count % 8) == 0;
-}
-
 std::uint64_t round_up_to_4(std::uint64_t count) { return (count + 3) & ~std::uint64_t{3}; }
 
 Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
@@ -59,8 +49,10 @@ Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
     if (blob.checksum != checksum_of_blob(bytes)) return Status::bad_checksum;
     blob.features = load_u32(h + features_at);
     if ((blob.features & ~format::feature::known) != 0) return Status::unsupported_feature;
-    if (load_u8(h + profile_at) != static_cast<unsigned>(format::Profile::fast)) return Status::unsupported_profile;
-    blob.profile = format::Profile::fast;
+    const unsigned profile = load_u8(h + profile_at);
+    blob.profile = static_cast<format::Profile>(profile);
+    if (profile > static_cast<unsigned>(format::Profile::small) || !is_read(blob.profile))
+        return Status::unsupported_profile;
 
     blob.bytes = h;
     blob.triangle_count = load_u32(h + triangle_count_at);
@@ -102,68 +94,7 @@ Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
     return Status::ok;
 }
 
-/// What the pass over the nodes has seen so far.
-struct Progress {
-    std::uint32_t nodes = 1;  ///< the root, then every block of siblings when their parent is reached
-    std::uint32_t triangles = 0;
-    std::uint32_t leaf_words = 0;  ///< of 4 bytes
-    unsigned depth = 0;
-};
-
-/// One leaf at `at`, of which `left` bytes may be read; its size, or 0.
-std::uint32_t leaf_size(const BlobData& blob, const IndexedLeaf& leaf, std::size_t left) {
-    std::size_t size = 0;
-    for (int k = 0; k < 3; ++k) size += format::indexed_leaf::stream_bytes(leaf.vertex_count, leaf.width[k]);
-    size += format::indexed_leaf::stream_bytes(leaf.triangle_count, 3 * leaf.corner_width);
-    if (size > left) return 0;
-    for (int k = 0; k < 3; ++k) {
-        if (leaf.width[k] > blob.bits) return 0;
-        if (!is_padded_with_zeros(leaf.coordinates[k], std::uint64_t{leaf.vertex_count} * leaf.width[k])) return 0;
-    }
-    if (!is_padded_with_zeros(leaf.triangles, std::uint64_t{leaf.triangle_count} * 3 * leaf.corner_width)) return 0;
-    for (int k = 0; k < 3; ++k)
-        for (unsigned i = 0; i < leaf.vertex_count; ++i)
-            if (leaf.anchor(k) + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], i)) >
-                blob.extent[k])
-                return 0;
-    for (unsigned i = 0; i < leaf.triangle_count; ++i) {
-        std::uint32_t corners = load_field(leaf.triangles, 3 * leaf.corner_width, i);
-        for (int corner = 0; corner < 3; ++corner, corners >>= leaf.corner_width)
-            if ((corners & ((1u << leaf.corner_width) - 1u)) >= leaf.vertex_count) return 0;
-    }
-    return static_cast<std::uint32_t>(size);
-}
-
-Status check_leaves(const BlobData& blob, const Node& node, Progress& seen) {
-    using namespace format::indexed_leaf;
-    const unsigned count = node.leaf_children();
-    const std::uint32_t block_words = load_u32(node.bytes + format::node::leaf_block_at);
-    if (count == 0) return block_words == 0 ? Status::ok : Status::bad_node;
-    if (block_words != seen.leaf_words) return Status::bad_node;
-    std::size_t left = blob.leaf_bytes - std::size_t{4} * seen.leaf_words;
-    const std::size_t head = descriptors_at + descriptor_bytes * std::size_t{count};
-    if (head > left) return Status::bad_leaf;
-    left -= head;
-    const std::byte* block = node.leaf_block(blob);
-    if (load_u32(block) != seen.triangles) return Status::bad_leaf;
-    std::uint32_t used = 0;
-    for (unsigned number = 0; number < count; ++number) {
-        const std::uint32_t descriptor = load_u32(block + descriptors_at + descriptor_bytes * std::size_t{number});
-        if ((descriptor & ((1u << offset_bits) - 1u)) != used / 2) return Status::bad_leaf;
-        const IndexedLeaf leaf = indexed_leaf(blob, node, number);
-        const std::uint32_t size = leaf_size(blob, leaf, left - used);
-        if (size == 0) return Status::bad_leaf;
-        seen.triangles += leaf.triangle_count;
-        used += size;
-        const std::uint32_t padding = number + 1 == count ? (4 - (head + used) % 4) % 4 : used % 2;
-        if (padding > left - used || !is_zero(block + head + used, padding)) return Status::bad_leaf;
-        used += padding;
-    }
-    seen.leaf_words += static_cast<std::uint32_t>((head + used) / 4);
-    return Status::ok;
-}
-
-Status check_node(const BlobData& blob, const Node& node, Progress& seen) {
+Status check_node(const BlobData& blob, const Node& node, OpenProgress& seen) {
     const unsigned nodes = node.node_children();
     const unsigned children = nodes + node.leaf_children();
     if (children == 0 || children > format::max_children) return Status::bad_node;
@@ -190,7 +121,7 @@ Status check_tree(const BlobData& blob) {
         std::uint32_t end;
     };
     Siblings stack[format::max_depth + 1];
-    Progress seen;
+    OpenProgress seen;
     unsigned depth = 1;
     stack[1 - 1] = {0, 1};
     while (depth != 0) {

@@ -35,24 +35,21 @@ inline unsigned distance_test(const Node& node, const LatticePoint& point, const
 }
 
 /// The triangles of a leaf whose box is within the limit.
-template <unsigned groups>
-inline unsigned point_candidates_of(const IndexedLeaf& leaf, const LatticePoint& point, float limit) {
+template <unsigned groups, class Leaf>
+inline typename Leaf::Slots point_candidates_of(const Leaf& leaf, const LatticePoint& point, float limit) {
     Table<groups> coordinates[3];
     for (unsigned k = 0; k < 3; ++k) {
         const Floats anchor = splat(static_cast<float>(leaf.anchor(static_cast<int>(k))));
         const Floats from = splat(point.steps[k]);
-        for (unsigned group = 0; group < groups; ++group) {
-            if (group * lanes >= leaf.vertex_count) break;
+        for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
             const Floats offset = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
             coordinates[k].set(group, subtract(add(offset, anchor), from));
         }
     }
-    unsigned mask = 0;
-    for (unsigned first = 0; first < leaf.triangle_count; first += lanes) {
-        const Ints corners = unpack(leaf.triangles, 3 * leaf.corner_width, first);
-        const Ints a = corner_of(corners, 0, leaf.corner_width);
-        const Ints b = corner_of(corners, 1, leaf.corner_width);
-        const Ints c = corner_of(corners, 2, leaf.corner_width);
+    typename Leaf::Slots mask = 0;
+    auto corners = corners_of(leaf);
+    for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
+        const auto [a, b, c] = corners.next();
         Floats low[3], high[3];
         for (int k = 0; k < 3; ++k) {
             const Floats at_a = coordinates[k].look_up(a), at_b = coordinates[k].look_up(b),
@@ -60,36 +57,38 @@ inline unsigned point_candidates_of(const IndexedLeaf& leaf, const LatticePoint&
             low[k] = smaller(at_a, smaller(at_b, at_c));
             high[k] = larger(at_a, larger(at_b, at_c));
         }
-        mask |= at_most(squared_distance(low, high), splat(limit)) << first;
+        mask |= typename Leaf::Slots{at_most(squared_distance(low, high), splat(limit))} << first;
     }
-    return mask & ((1u << leaf.triangle_count) - 1u);
+    return mask & leaf.used_slots();
 }
 
-inline unsigned point_candidates(const IndexedLeaf& leaf, const LatticePoint& point, float limit) {
-    return with_table_groups(leaf.vertex_count,
-                             [&](auto groups) { return point_candidates_of<groups>(leaf, point, limit); });
+template <class Leaf>
+inline typename Leaf::Slots point_candidates(const Leaf& leaf, const LatticePoint& point, float limit) {
+    return with_table_groups<Leaf::max_vertices>(
+        leaf.vertex_count, [&](auto groups) { return point_candidates_of<groups>(leaf, point, limit); });
 }
 
 /// Overlapping triangles in storage order, handed to a callable.
-template <class OnOverlap>
+template <class Leaf, class OnOverlap>
 struct EveryOverlap {
     const LatticePoint& point;
     const BlobData& blob;
     OnOverlap on_overlap;
 
     unsigned children(const Node& node, float* keys) { return distance_test(node, point, blob, point.limit, keys); }
-    Visit leaf(const IndexedLeaf& leaf) {
-        for (unsigned candidates = point_candidates(leaf, point, point.limit); candidates != 0;
+    Visit visit_leaf(const Leaf& leaf) {
+        for (auto candidates = point_candidates(leaf, point, point.limit); candidates != 0;
              candidates &= candidates - 1) {
-            const auto number = static_cast<unsigned>(std::countr_zero(candidates));
-            if (!is_within_radius(point, distance_to(point, leaf.triangle(number)), point.radius)) continue;
-            if (on_overlap(Triangle{first_triangle_in_lanes(leaf) + number}) == stop) return stop;
+            const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
+            if (!is_within_radius(point, distance_to(point, leaf.triangle(slot)), point.radius)) continue;
+            if (on_overlap(Triangle{storage_index(leaf, slot)}) == stop) return stop;
         }
         return keep_going;
     }
 };
 
 /// The closest triangle; of equal ones the lowest index.
+template <class Leaf>
 struct ClosestTriangle {
     const LatticePoint& point;
     const BlobData& blob;
@@ -99,15 +98,15 @@ struct ClosestTriangle {
 
     [[nodiscard]] float limit() const { return limit_; }
     unsigned children(const Node& node, float* keys) { return distance_test(node, point, blob, limit_, keys); }
-    Visit leaf(const IndexedLeaf& leaf) {
-        for (unsigned candidates = point_candidates(leaf, point, limit_); candidates != 0;
+    Visit visit_leaf(const Leaf& leaf) {
+        for (auto candidates = point_candidates(leaf, point, limit_); candidates != 0;
              candidates &= candidates - 1) {
-            const auto number = static_cast<unsigned>(std::countr_zero(candidates));
-            const LatticeTriangle triangle = leaf.triangle(number);
+            const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
+            const LatticeTriangle triangle = leaf.triangle(slot);
             const PointDistance distance = distance_to(point, triangle);
             if (found && distance.squared > best.distance.squared) continue;
             if (!is_within_radius(point, distance, point.radius)) continue;
-            const std::uint32_t index = first_triangle_in_lanes(leaf) + number;
+            const std::uint32_t index = storage_index(leaf, slot);
             if (found && distance.squared == best.distance.squared && index > best.index) continue;
             best = {distance, index, triangle};
             found = true;
@@ -117,19 +116,27 @@ struct ClosestTriangle {
     }
 };
 
+/// True when the callable stopped it.
+template <class OnOverlap>
+inline bool visit_every_overlap(const BlobData& blob, const LatticePoint& point, OnOverlap on_overlap) {
+    return with_leaves_of(blob, [&]<class Leaf>() {
+        EveryOverlap<Leaf, OnOverlap> visitor = {point, blob, on_overlap};
+        return traverse_in_storage_order<Leaf>(blob, visitor) == stop;
+    });
+}
+
 bool any_overlap(const BlobData& blob, const LatticePoint& point) {
-    const auto on_overlap = [](Triangle) { return stop; };
-    EveryOverlap<decltype(on_overlap)> visitor = {point, blob, on_overlap};
-    return !traverse_in_storage_order(blob, visitor);
+    return visit_every_overlap(blob, point, [](Triangle) { return stop; });
 }
 
 bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit) {
-    EveryOverlap<decltype(visit)> visitor = {point, blob, visit};
-    return traverse_in_storage_order(blob, visitor);
+    return !visit_every_overlap(blob, point, visit);
 }
 
 bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best) {
-    ClosestTriangle visitor = {point, blob, best, point.limit};
-    traverse_nearest_first(blob, visitor);
-    return visitor.found;
+    return with_leaves_of(blob, [&]<class Leaf>() {
+        ClosestTriangle<Leaf> visitor = {point, blob, best, point.limit};
+        traverse_nearest_first<Leaf>(blob, visitor);
+        return visitor.found;
+    });
 }

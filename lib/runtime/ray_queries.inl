@@ -21,15 +21,14 @@ inline unsigned slab_test(const Node& node, const RayLanes& ray, float limit, fl
 
 /// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
 /// Shearing the ray into an axis is from Woop, Benthin and Wald (2013); docs/numerics.md bounds the errors.
-template <unsigned groups>
-inline unsigned ray_candidates_of(const IndexedLeaf& leaf, const LatticeRay& ray) {
+template <unsigned groups, class Leaf>
+inline typename Leaf::Slots ray_candidates_of(const Leaf& leaf, const LatticeRay& ray) {
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
     const Corner corner = load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray.origin_steps);
     const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]), offset_z = splat(corner.at[kz]);
     const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
     Table<groups> xs, ys;
-    for (unsigned group = 0; group < groups; ++group) {
-        if (group * lanes >= leaf.vertex_count) break;
+    for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
         const auto coordinate = [&](unsigned k, Floats from) {
             return add(to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes)), from);
         };
@@ -43,29 +42,31 @@ inline unsigned ray_candidates_of(const IndexedLeaf& leaf, const LatticeRay& ray
     const float reach = 2.0f * static_cast<float>(leaf.size) + ray.shear_error;
     const float error = reach * (4.125f * ray.shear_error + reach * 0x1.2p-21f);
     const Floats above = splat(error), below = splat(-error);
-    unsigned mask = 0;
-    for (unsigned first = 0; first < leaf.triangle_count; first += lanes) {
-        const Ints corners = unpack(leaf.triangles, 3 * leaf.corner_width, first);
-        const Ints a = corner_of(corners, 0, leaf.corner_width);
-        const Ints b = corner_of(corners, 1, leaf.corner_width);
-        const Ints c = corner_of(corners, 2, leaf.corner_width);
+    typename Leaf::Slots mask = 0;
+    auto corners = corners_of(leaf);
+    for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
+        const auto [a, b, c] = corners.next();
         const Floats ax = xs.look_up(a), ay = ys.look_up(a);
         const Floats bx = xs.look_up(b), by = ys.look_up(b);
         const Floats cx = xs.look_up(c), cy = ys.look_up(c);
         const Floats u = multiply_subtract(bx, cy, multiply(by, cx));
         const Floats v = multiply_subtract(cx, ay, multiply(cy, ax));
         const Floats w = multiply_subtract(ax, by, multiply(ay, bx));
-        mask |= (at_most(below, smaller(u, smaller(v, w))) | at_most(larger(u, larger(v, w)), above)) << first;
+        const typename Leaf::Slots hit =
+            at_most(below, smaller(u, smaller(v, w))) | at_most(larger(u, larger(v, w)), above);
+        mask |= hit << first;
     }
-    return mask & ((1u << leaf.triangle_count) - 1u);
+    return mask & leaf.used_slots();
 }
 
-inline unsigned ray_candidates(const IndexedLeaf& leaf, const LatticeRay& ray) {
-    return with_table_groups(leaf.vertex_count, [&](auto groups) { return ray_candidates_of<groups>(leaf, ray); });
+template <class Leaf>
+inline typename Leaf::Slots ray_candidates(const Leaf& leaf, const LatticeRay& ray) {
+    return with_table_groups<Leaf::max_vertices>(
+        leaf.vertex_count, [&](auto groups) { return ray_candidates_of<groups>(leaf, ray); });
 }
 
 /// The closest hit; of equal ones the lowest index.
-template <class Counters>
+template <class Leaf, class Counters>
 struct ClosestHit {
     const LatticeRay& ray;
     const RayLanes& lanes_;
@@ -80,10 +81,10 @@ struct ClosestHit {
         counters.count_node();
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit leaf(const IndexedLeaf& leaf) {
-        unsigned candidates = ray_candidates(leaf, ray);
+    Visit visit_leaf(const Leaf& leaf) {
+        auto candidates = ray_candidates(leaf, ray);
         counters.count_leaf();
-        counters.count_triangles(leaf.triangle_count);
+        counters.count_triangles(leaf.triangle_count());
         counters.count_candidates(static_cast<unsigned>(std::popcount(candidates)));
         for (; candidates != 0; candidates &= candidates - 1)
             decide(leaf, static_cast<unsigned>(std::countr_zero(candidates)));
@@ -91,10 +92,10 @@ struct ClosestHit {
     }
 
 private:
-    void decide(const IndexedLeaf& leaf, unsigned number) {
+    void decide(const Leaf& leaf, unsigned slot) {
         TriangleHit hit;
-        if (!intersect(ray, leaf.triangle(number), hit) || (found && hit.whole_tau > best.hit.whole_tau)) return;
-        const std::uint32_t index = first_triangle_in_lanes(leaf) + number;
+        if (!intersect(ray, leaf.triangle(slot), hit) || (found && hit.whole_tau > best.hit.whole_tau)) return;
+        const std::uint32_t index = storage_index(leaf, slot);
         if (found && hit.whole_tau == best.hit.whole_tau && index > best.index) return;
         if (filter != nullptr && !(*filter)(Triangle{index})) return;
         best = {hit, index};
@@ -105,7 +106,7 @@ private:
 };
 
 /// Hits in storage order, handed to a callable.
-template <class OnHit>
+template <class Leaf, class OnHit>
 struct EveryHit {
     const LatticeRay& ray;
     const RayLanes& lanes_;
@@ -114,12 +115,12 @@ struct EveryHit {
     unsigned children(const Node& node, float* keys) {
         return slab_test(node, lanes_, ray.tau_max * interval_slack, keys);
     }
-    Visit leaf(const IndexedLeaf& leaf) {
-        for (unsigned candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
-            const auto number = static_cast<unsigned>(std::countr_zero(candidates));
+    Visit visit_leaf(const Leaf& leaf) {
+        for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
+            const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
             FoundHit found;
-            if (!intersect(ray, leaf.triangle(number), found.hit)) continue;
-            found.index = first_triangle_in_lanes(leaf) + number;
+            if (!intersect(ray, leaf.triangle(slot), found.hit)) continue;
+            found.index = storage_index(leaf, slot);
             if (on_hit(found) == stop) return stop;
         }
         return keep_going;
@@ -131,10 +132,21 @@ inline bool closest_hit_counting(const BlobData& blob, const Ray& world, RayHit&
                                  Counters& counters) {
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
-    ClosestHit<Counters> visitor = {prepared.ray, prepared.lanes, filter, counters};
-    traverse_nearest_first(blob, visitor);
-    if (visitor.found) hit = to_ray_hit(prepared.ray, world, visitor.best.hit, visitor.best.index);
-    return visitor.found;
+    return with_leaves_of(blob, [&]<class Leaf>() {
+        ClosestHit<Leaf, Counters> visitor = {prepared.ray, prepared.lanes, filter, counters};
+        traverse_nearest_first<Leaf>(blob, visitor);
+        if (visitor.found) hit = to_ray_hit(prepared.ray, world, visitor.best.hit, visitor.best.index);
+        return visitor.found;
+    });
+}
+
+/// True when the callable stopped it.
+template <class OnHit>
+inline bool visit_every_hit(const BlobData& blob, const PreparedRay& prepared, OnHit on_hit) {
+    return with_leaves_of(blob, [&]<class Leaf>() {
+        EveryHit<Leaf, OnHit> visitor = {prepared.ray, prepared.lanes, on_hit};
+        return traverse_in_storage_order<Leaf>(blob, visitor) == stop;
+    });
 }
 
 bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter) {
@@ -144,20 +156,14 @@ bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const Tria
 
 bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
     PreparedRay prepared;
-    if (!prepare(blob, world, prepared)) return false;
-    const auto on_hit = [&](const FoundHit& found) {
-        return filter == nullptr || (*filter)(Triangle{found.index}) ? stop : keep_going;
-    };
-    EveryHit<decltype(on_hit)> visitor = {prepared.ray, prepared.lanes, on_hit};
-    return !traverse_in_storage_order(blob, visitor);
+    return prepare(blob, world, prepared) && visit_every_hit(blob, prepared, [&](const FoundHit& found) {
+               return filter == nullptr || (*filter)(Triangle{found.index}) ? stop : keep_going;
+           });
 }
 
 bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit) {
     PreparedRay prepared;
-    if (!prepare(blob, world, prepared)) return true;
-    const auto on_hit = [&](const FoundHit& found) {
-        return visit(to_ray_hit(prepared.ray, world, found.hit, found.index));
-    };
-    EveryHit<decltype(on_hit)> visitor = {prepared.ray, prepared.lanes, on_hit};
-    return traverse_in_storage_order(blob, visitor);
+    return !prepare(blob, world, prepared) || !visit_every_hit(blob, prepared, [&](const FoundHit& found) {
+               return visit(to_ray_hit(prepared.ray, world, found.hit, found.index));
+           });
 }

@@ -2,11 +2,20 @@
 // A visitor offers:
 //   unsigned children(const Node&, float* keys)  mask of the children worth a visit, and for each how near it is
 //   float limit() const                              children with a larger key are passed over
-//   Visit leaf(const IndexedLeaf&)                      stop ends the walk
+//   Visit visit_leaf(const Leaf&)                    stop ends the walk
+
+/// Calls the function for the kind of leaf that the blob has.
+template <class Function>
+inline bool with_leaves_of(const BlobData& blob, Function function) {
+    if constexpr (!reads_strip_leaves) return function.template operator()<IndexedLeaf>();
+    else if constexpr (!reads_indexed_leaves) return function.template operator()<StripLeaf>();
+    else if (has_indexed_leaves(blob.profile)) return function.template operator()<IndexedLeaf>();
+    else return function.template operator()<StripLeaf>();
+}
 
 /// Children with the smallest keys first: for queries whose limit shrinks as they find something. Keys are not
 /// negative, so that their bits order like integers: a waiting node is one word, its key above its index.
-template <class Visitor>
+template <class Leaf, class Visitor>
 inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
     // Every level but the last leaves at most all children but one behind.
     std::uint64_t stack[(format::max_depth - 1) * (format::max_children - 1) + 1];
@@ -21,7 +30,7 @@ inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
         for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1) {
             const auto number = static_cast<unsigned>(std::countr_zero(leaves));
             if (keys[node_children + number] <= visitor.limit())
-                if (visitor.leaf(indexed_leaf(blob, node, number)) == stop) return;
+                if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, number)) == stop) return;
         }
         unsigned nodes = mask & ((1u << node_children) - 1u);
         if (nodes != 0) {
@@ -64,10 +73,10 @@ inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
     }
 }
 
-/// Children in storage order: for queries that enumerate, or that are done at the first find. True when it saw them
-/// all.
-template <class Visitor>
-inline bool traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
+/// Children in storage order: for queries that enumerate, or that are done at the first find. `stop` when the visitor
+/// said so.
+template <class Leaf, class Visitor>
+inline Visit traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
     struct Level {
         std::uint32_t first_child;
         std::uint32_t waiting;
@@ -81,11 +90,11 @@ inline bool traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
         const unsigned mask = visitor.children(node, keys);
         const unsigned node_children = node.node_children();
         for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1)
-            if (visitor.leaf(indexed_leaf(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop)
-                return false;
+            if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop)
+                return stop;
         if (const unsigned nodes = mask & ((1u << node_children) - 1u); nodes != 0)
             stack[depth++] = {node.first_child(), nodes};
-        if (depth == 0) return true;
+        if (depth == 0) return keep_going;
         Level& level = stack[depth - 1];
         index = level.first_child + static_cast<unsigned>(std::countr_zero(level.waiting));
         level.waiting &= level.waiting - 1;

@@ -21,13 +21,14 @@ struct EveryTriangle {
     static unsigned children(const Node& node, float*) {
         return (1u << (node.node_children() + node.leaf_children())) - 1u;
     }
-    [[nodiscard]] Visit leaf(const IndexedLeaf& leaf) const {
-        const std::uint32_t first = first_triangle(leaf);
-        for (unsigned i = 0; i < leaf.triangle_count; ++i) {
-            const LatticeTriangle t = leaf.triangle(i);
+    template <class Leaf>
+    [[nodiscard]] Visit visit_leaf(const Leaf& leaf) const {
+        for (auto slots = leaf.used_slots(); slots != 0; slots &= slots - 1) {
+            const auto slot = static_cast<unsigned>(std::countr_zero(slots));
+            const LatticeTriangle t = leaf.triangle(slot);
             const Corners corners = {to_world(blob, t.corner[0]), to_world(blob, t.corner[1]),
                                      to_world(blob, t.corner[2])};
-            if (visit(Triangle{first + i}, corners) == stop) return stop;
+            if (visit(Triangle{scalar::storage_index(leaf, slot)}, corners) == stop) return stop;
         }
         return keep_going;
     }
@@ -39,7 +40,9 @@ struct EveryTriangle {
 bool for_each_triangle(const Blob& blob, FunctionRef<Visit(Triangle, const Corners&)> visit) {
     if (blob.triangle_count() == 0) return true;
     detail::EveryTriangle visitor = {blob.data(), visit};
-    return detail::scalar_walk::traverse_in_storage_order(blob.data(), visitor);
+    return detail::scalar_walk::with_leaves_of(blob.data(), [&]<class Leaf>() {
+        return detail::scalar_walk::traverse_in_storage_order<Leaf>(blob.data(), visitor) == keep_going;
+    });
 }
 
 }  // namespace espalier

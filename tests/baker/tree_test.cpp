@@ -151,8 +151,9 @@ TEST_SUITE("baker") {
         const baker::LatticeMesh mesh = nearly_equal_boxes(5000);
         const baker::BinaryTree tree = baker::build_sah(mesh, baker::build_settings(5, 1));
         const unsigned least_levels = (height_of(tree) + 2) / 3;
-        for (const CostModel& model : {CostModel{}, CostModel{0.001f, 1.0f, 1.0f, 0.0f}}) {
-            const baker::CollapsePlan plan(mesh, tree, {model});
+        for (const CostModel& model : {CostModel{}, CostModel{0.001f, 1.0f, 0.0f, 1.0f, 0.0f}}) {
+            const auto sizes = baker::leaf_sizes(format::Profile::fast, nullptr);
+            const baker::CollapsePlan plan(mesh, tree, *sizes, {model});
             for (unsigned levels = least_levels; levels <= format::max_depth; ++levels) {
                 CHECK(wide_depth(plan, 0, levels) <= levels);
             }
@@ -163,8 +164,8 @@ TEST_SUITE("baker") {
         // Free bytes and dear leaves: the dynamic program takes whatever nodes it likes.
         const Mesh mesh = as_mesh(nearly_equal_boxes(30'000));
         for (const CostModel& model :
-             {CostModel{0.001f, 1.0f, 1.0f, 0.0f}, CostModel{1.0f, 0.0f, 0.0f, 0.0f},
-              CostModel{1.0f, 1.0f, 0.0f, 1000.0f}}) {
+             {CostModel{0.001f, 1.0f, 0.0f, 1.0f, 0.0f}, CostModel{1.0f, 0.0f, 0.0f, 0.0f, 0.0f},
+              CostModel{1.0f, 0.0f, 1.0f, 0.0f, 1000.0f}}) {
             BakeOptions options = with_bits(24);
             options.cost_model = model;
             const auto result = bake_mesh(mesh, options);
@@ -176,7 +177,7 @@ TEST_SUITE("baker") {
 
     TEST_CASE("leaves hold as many triangles as the options allow and no more") {
         const Mesh mesh = make_terrain(60, 3);
-        for (unsigned most = 1; most <= format::max_leaf_triangles; ++most) {
+        for (unsigned most = 1; most <= format::indexed_leaf::max_triangles; ++most) {
             BakeOptions options;
             options.max_leaf_triangles = most;
             options.cost_model.byte_price = 20.0f;  // large leaves are wanted
@@ -202,8 +203,8 @@ TEST_SUITE("baker") {
             options.max_leaf_triangles = most;
             refused_for(options, "max_leaf_triangles");
         }
-        for (const float cost : {-1.0f, std::numeric_limits<float>::quiet_NaN(),
-                                 std::numeric_limits<float>::infinity(), 1e7f}) {
+        for (const float cost :
+             {-1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e7f}) {
             BakeOptions options;
             options.cost_model.leaf_visit = cost;
             refused_for(options, "leaf_visit");

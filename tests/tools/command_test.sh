@@ -274,11 +274,11 @@ claim "leaves are as large as --leaf-size allows"
 run 0 bake sheet.obj -o x.espl --leaf-size 1 --json -q
 out_has '"leaves": 3200'
 run 1 bake sheet.obj -o x.espl --leaf-size 0
-run 1 bake sheet.obj -o x.espl --leaf-size 17
+run 1 bake sheet.obj -o x.espl --leaf-size 55
 
 # ---- cost model -----------------------------------------------------------------------------------------------------
 claim "a cost model shapes the tree; the defaults written out change nothing"
-echo '{"node_visit": 1, "leaf_visit": 0.7, "triangle": 0, "byte_price": 5}' >default.json
+echo '{"node_visit": 1, "leaf_visit": 0, "leaf_group": 0.7, "triangle": 0, "byte_price": 5}' >default.json
 run 0 bake sheet.obj -o x.espl --cost-model default.json --ids --materials 8
 same x.espl sheet.espl
 echo '{}' >default.json

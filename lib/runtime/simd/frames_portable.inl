@@ -1,8 +1,6 @@
 // How nodes and rays become lanes, axis by axis, for instruction sets without a better way. Included inside their
 // namespaces.
 
-inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }
-
 /// The low corner of a child's box, seen from a point.
 struct Corner {
     float at[3];

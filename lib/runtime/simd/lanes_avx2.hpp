@@ -3,13 +3,15 @@
 
 #include <immintrin.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/leaf_kinds.hpp>
 #include <runtime/ray_lanes.hpp>
+#include <runtime/simd/pivot_table.hpp>
 #include <runtime/simd/target.hpp>
 #include <runtime/simd/unpack_table.hpp>
 
@@ -24,6 +26,10 @@ struct Floats {
 };
 struct Ints {
     __m256i v;
+};
+/// Vertices of one triangle in each lane.
+struct CornerNumbers {
+    Ints a, b, c;
 };
 
 inline Floats splat(float x) { return {_mm256_set1_ps(x)}; }
@@ -57,35 +63,107 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
         _mm256_srlv_epi32(spread, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.shift)));
     return {_mm256_and_si256(shifted, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.mask)))};
 }
+inline Ints load_ints(const std::uint32_t* from) {
+    return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))};
+}
 inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
 
 /// Values by vertex, in registers.
 template <unsigned groups>
 struct Table {
     __m256 group[groups];
+    static unsigned groups_of(unsigned) { return groups; }
     void set(unsigned number, Floats a) { group[number] = a.v; }
     /// By the low bits of each index; bits above those that number the vertices are ignored.
-    [[nodiscard]] Floats look_up(Ints index) const {
-        const auto pick = [&](unsigned low, unsigned high) {
-            return _mm256_blendv_ps(_mm256_permutevar8x32_ps(group[low], index.v),
-                                    _mm256_permutevar8x32_ps(group[high], index.v),
-                                    _mm256_castsi256_ps(_mm256_slli_epi32(index.v, 28)));
-        };
-        if constexpr (groups == 1) return {_mm256_permutevar8x32_ps(group[0], index.v)};
-        else if constexpr (groups == 2) return {pick(0, 1)};
-        else if constexpr (groups == 3)
-            return {_mm256_blendv_ps(pick(0, 1), _mm256_permutevar8x32_ps(group[2], index.v),
-                                     _mm256_castsi256_ps(_mm256_slli_epi32(index.v, 27)))};
-        else return {_mm256_blendv_ps(pick(0, 1), pick(2, 3), _mm256_castsi256_ps(_mm256_slli_epi32(index.v, 27)))};
+    [[nodiscard]] Floats look_up(Ints index) const { return {pick<0, groups>(index.v)}; }
+
+private:
+    template <unsigned first, unsigned count>
+    [[nodiscard]] __m256 pick(__m256i index) const {
+        if constexpr (count == 1) {
+            return _mm256_permutevar8x32_ps(group[first], index);
+        } else {
+            constexpr unsigned half = std::bit_ceil(count) / 2;
+            constexpr int bit_above = 31 - std::countr_zero(8 * half);  // moves the deciding bit to the sign
+            return _mm256_blendv_ps(pick<first, half>(index), pick<first + half, count - half>(index),
+                                    _mm256_castsi256_ps(_mm256_slli_epi32(index, bit_above)));
+        }
     }
 };
-template <class Function>
+template <unsigned max_vertices, class Function>
 inline auto with_table_groups(unsigned vertex_count, Function function) {
     if (vertex_count <= 8) return function(std::integral_constant<unsigned, 1>{});
     if (vertex_count <= 16) return function(std::integral_constant<unsigned, 2>{});
     if (vertex_count <= 24) return function(std::integral_constant<unsigned, 3>{});
-    return function(std::integral_constant<unsigned, 4>{});
+    if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 4>{});
+    if (vertex_count <= 40) return function(std::integral_constant<unsigned, 5>{});
+    if (vertex_count <= 48) return function(std::integral_constant<unsigned, 6>{});
+    return function(std::integral_constant<unsigned, 7>{});
 }
+
+#if defined(__x86_64__)
+
+/// The windows of a strip, eight at a time; numbers of entries as bytes of a word.
+class StripCorners {
+public:
+    explicit StripCorners(const StripLeaf& leaf)
+        : marks_(leaf.marks),
+          first_uses_(leaf.first_uses),
+          pivots_(leaf.pivots),
+          field_(ones * ((1u << leaf.reference_width) - 1)),
+          width_(leaf.reference_width),
+          bit_(leaf.references_at) {
+        entries_ = next_entries();
+    }
+    CornerNumbers next() {
+        const std::uint64_t following = next_entries();
+        const auto marked = static_cast<unsigned>(pivots_ & 255);
+        const auto to_lanes = [](std::uint64_t bytes) {
+            return Ints{_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(bytes)))};
+        };
+        const __m128i choices = _mm_set_epi64x(static_cast<long long>(pivot_), static_cast<long long>(entries_));
+        const __m128i chosen =
+            _mm_shuffle_epi8(choices, _mm_loadl_epi64(reinterpret_cast<const __m128i*>(pivot_table[marked].data())));
+        const CornerNumbers numbers = {{_mm256_cvtepu8_epi32(chosen)},
+                                       to_lanes(entries_ >> 8 | following << 56),
+                                       to_lanes(entries_ >> 16 | following << 48)};
+        pivot_ = marked != 0 ? entries_ >> (8 * (std::bit_width(marked) - 1)) : pivot_;
+        pivots_ >>= 8;
+        entries_ = following;
+        return numbers;
+    }
+
+private:
+    static constexpr std::uint64_t ones = 0x0101010101010101;
+
+    std::uint64_t next_entries() {
+        const std::uint64_t fresh = _pdep_u64(first_uses_, ones);
+        const std::uint64_t fresh_bytes = (fresh << 8) - fresh;
+        const std::uint64_t used = fresh * ones + used_;  // how many up to and with each entry
+        const std::uint64_t references = load_u64(marks_ + bit_ / 8) >> (bit_ % 8);
+        const std::uint64_t entries = ((used - ones) & fresh_bytes) | _pdep_u64(references, field_ & ~fresh_bytes);
+        bit_ += width_ * (8 - static_cast<unsigned>(std::popcount(first_uses_ & 255)));
+        used_ = (used >> 56) * ones;
+        first_uses_ >>= 8;
+        return entries;
+    }
+
+    const std::byte* marks_;
+    std::uint64_t first_uses_;
+    std::uint64_t pivots_;
+    std::uint64_t field_;  ///< the low bits of each byte that a reference fills
+    unsigned width_;
+    unsigned bit_;  ///< of the next reference
+    std::uint64_t used_ = 0;
+    std::uint64_t entries_;
+    std::uint64_t pivot_ = 0;  ///< in its lowest byte
+};
+
+#else
+
+#include <runtime/simd/strip_corners_portable.inl>
+
+#endif
 
 /// first_triangle, all descriptors at once.
 inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) {
@@ -116,6 +194,7 @@ inline __m128i shift_left_each(const std::byte* word) {
     return _mm_sllv_epi32(_mm_castps_si128(_mm_set1_ps(bits)), _mm_setr_epi32(x, y, z, z));
 }
 
+#include <runtime/simd/leaf_corners.inl>
 #include <runtime/simd/frames_x86.inl>
 
 }  // namespace espalier::detail::avx2

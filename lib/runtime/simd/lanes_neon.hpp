@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/leaf_kinds.hpp>
 #include <runtime/ray_lanes.hpp>
 #include <runtime/simd/unpack_table.hpp>
 
@@ -20,6 +20,10 @@ struct Floats {
 };
 struct Ints {
     uint32x4_t v;
+};
+/// Vertices of one triangle in each lane.
+struct CornerNumbers {
+    Ints a, b, c;
 };
 
 inline Floats splat(float x) { return {vdupq_n_f32(x)}; }
@@ -54,12 +58,14 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const int32x4_t shift = vreinterpretq_s32_u32(vld1q_u32(entry.shift + 4 * half));
     return {vandq_u32(vshlq_u32(spread, vnegq_s32(shift)), vld1q_u32(entry.mask))};
 }
+inline Ints load_ints(const std::uint32_t* from) { return {vld1q_u32(from)}; }
 inline void prefetch(const std::byte* at) { __builtin_prefetch(at); }
 
 /// Values by vertex, in memory.
 template <unsigned groups>
 struct Table {
     alignas(16) float value[groups * lanes] = {};
+    static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
     void set(unsigned number, Floats a) { vst1q_f32(value + lanes * number, a.v); }
     [[nodiscard]] Floats look_up(Ints index) const {
         const uint32x4_t vertex = vandq_u32(index.v, vdupq_n_u32(groups * lanes - 1));
@@ -69,13 +75,18 @@ struct Table {
     }
 };
 /// Exactly as many entries as the numbers of the vertices can name.
-template <class Function>
+template <unsigned max_vertices, class Function>
 inline auto with_table_groups(unsigned vertex_count, Function function) {
     if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
     if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
-    return function(std::integral_constant<unsigned, 8>{});
+    if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});
+    return function(std::integral_constant<unsigned, 16>{});
 }
 
+inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }
+
+#include <runtime/simd/strip_corners_portable.inl>
+#include <runtime/simd/leaf_corners.inl>
 #include <runtime/simd/frames_portable.inl>
 
 }  // namespace espalier::detail::neon

@@ -6,8 +6,8 @@
 #include <type_traits>
 
 #include <runtime/bytes.hpp>
-#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/leaf_kinds.hpp>
 #include <runtime/ray_lanes.hpp>
 
 namespace espalier::detail::scalar {
@@ -15,6 +15,10 @@ namespace espalier::detail::scalar {
 inline constexpr unsigned lanes = 1;
 using Floats = float;
 using Ints = std::uint32_t;
+/// Vertices of one triangle in each lane.
+struct CornerNumbers {
+    Ints a, b, c;
+};
 
 inline Floats splat(float x) { return x; }
 inline void store(float* to, Floats a) { *to = a; }
@@ -37,20 +41,26 @@ inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
     return (triangles >> (corner * width)) & ((1u << width) - 1u);
 }
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { return load_field(stream, width, first); }
+inline Ints load_ints(const std::uint32_t* from) { return *from; }
 inline void prefetch(const std::byte*) {}
 
 /// Values by vertex.
 template <unsigned groups>
 struct Table {
     float value[groups];
+    static unsigned groups_of(unsigned vertex_count) { return vertex_count; }
     void set(unsigned group, Floats a) { value[group] = a; }
     [[nodiscard]] Floats look_up(Ints index) const { return value[index]; }
 };
-template <class Function>
+template <unsigned max_vertices, class Function>
 inline auto with_table_groups(unsigned, Function function) {
-    return function(std::integral_constant<unsigned, format::max_leaf_vertices>{});
+    return function(std::integral_constant<unsigned, max_vertices>{});
 }
 
+inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }
+
+#include <runtime/simd/strip_corners_portable.inl>
+#include <runtime/simd/leaf_corners.inl>
 #include <runtime/simd/frames_portable.inl>
 
 }  // namespace espalier::detail::scalar

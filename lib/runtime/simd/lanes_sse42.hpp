@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/codec_indexed.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/leaf_kinds.hpp>
 #include <runtime/ray_lanes.hpp>
 #include <runtime/simd/target.hpp>
 #include <runtime/simd/unpack_table.hpp>
@@ -24,6 +24,10 @@ struct Floats {
 };
 struct Ints {
     __m128i v;
+};
+/// Vertices of one triangle in each lane.
+struct CornerNumbers {
+    Ints a, b, c;
 };
 
 inline Floats splat(float x) { return {_mm_set1_ps(x)}; }
@@ -57,12 +61,14 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const __m128i raised = _mm_mullo_epi32(spread, _mm_cvttps_epi32(_mm_castsi128_ps(power)));
     return {_mm_and_si128(_mm_srli_epi32(raised, 7), _mm_loadu_si128(reinterpret_cast<const __m128i*>(entry.mask)))};
 }
+inline Ints load_ints(const std::uint32_t* from) { return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))}; }
 inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
 
 /// Values by vertex, in memory: there is no permutation over several registers.
 template <unsigned groups>
 struct Table {
     alignas(16) float value[groups * lanes] = {};
+    static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
     void set(unsigned number, Floats a) { _mm_store_ps(value + lanes * number, a.v); }
     [[nodiscard]] Floats look_up(Ints index) const {
         const __m128i vertex = _mm_and_si128(index.v, _mm_set1_epi32(groups * lanes - 1));
@@ -72,11 +78,12 @@ struct Table {
     }
 };
 /// Exactly as many entries as the numbers of the vertices can name.
-template <class Function>
+template <unsigned max_vertices, class Function>
 inline auto with_table_groups(unsigned vertex_count, Function function) {
     if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
     if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
-    return function(std::integral_constant<unsigned, 8>{});
+    if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});
+    return function(std::integral_constant<unsigned, 16>{});
 }
 
 inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }
@@ -94,6 +101,8 @@ inline __m128i shift_left_each(const std::byte* word) {
     return _mm_mullo_epi32(_mm_set1_epi32(static_cast<int>(load_u32(word))), _mm_setr_epi32(1 << x, 1 << y, 1 << z, 0));
 }
 
+#include <runtime/simd/strip_corners_portable.inl>
+#include <runtime/simd/leaf_corners.inl>
 #include <runtime/simd/frames_x86.inl>
 
 }  // namespace espalier::detail::sse42

@@ -1,0 +1,37 @@
+// The bytes of one leaf, in a file for each kind.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lattice_mesh.hpp"
+#include "order.hpp"
+
+namespace espalier::baker {
+
+/// The leaf's box as its node has it, in lattice steps.
+struct LeafBox {
+    std::array<std::int32_t, 3> anchor;  ///< its low corner
+    std::array<std::int32_t, 3> side;
+    std::array<std::int32_t, 3> reach;  ///< of the leaf's vertices, from the anchor: at most the side
+};
+
+/// The block of a node's leaves, as far as it is written.
+struct LeafBlock {
+    std::size_t data;              ///< where the data of its first leaf begins
+    std::uint32_t first_triangle;  ///< storage index
+};
+
+/// Appends the data of leaf `number` of the wide tree; returns its descriptor.
+[[nodiscard]] std::uint32_t put_indexed_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
+                                             const LeafBox& box, const LeafBlock& block, std::vector<std::byte>& bytes);
+[[nodiscard]] std::uint32_t put_strip_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
+                                           const LeafBox& box, const LeafBlock& block, std::vector<std::byte>& bytes);
+
+[[nodiscard]] inline std::int32_t coordinate_of(const LatticePoint& point, std::size_t axis) {
+    return axis == 0 ? point.x : axis == 1 ? point.y : point.z;
+}
+
+}  // namespace espalier::baker

@@ -1,0 +1,62 @@
+#include "leaf_size.hpp"
+
+#include <bit>
+
+namespace espalier::baker {
+
+namespace {
+
+unsigned bits_of_side(const BinaryNode& node, std::size_t axis) {
+    return static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(node.hi[axis] - node.lo[axis])));
+}
+
+class IndexedLeafSizes final : public LeafSizes {
+public:
+    [[nodiscard]] LeafSize of(const BinaryNode& node, unsigned vertices) const override {
+        using namespace format::indexed_leaf;
+        if (vertices > max_vertices) return {};
+        std::size_t bytes = stream_bytes(node.count, 3 * corner_width(vertices));
+        for (std::size_t axis = 0; axis < 3; ++axis) bytes += stream_bytes(vertices, bits_of_side(node, axis));
+        return {true, node.count, descriptor_bytes + (bytes + 1) / 2 * 2};
+    }
+    [[nodiscard]] unsigned most_triangles() const override { return format::indexed_leaf::max_triangles; }
+};
+
+class StripLeafSizes final : public LeafSizes {
+public:
+    StripLeafSizes(const StripMaker& strips, unsigned most_entries, unsigned most_vertices)
+        : strips_(strips), most_entries_(most_entries), most_vertices_(most_vertices) {}
+
+    [[nodiscard]] LeafSize of(const BinaryNode& node, unsigned vertices) const override {
+        using namespace format::strip_leaf;
+        if (vertices > most_vertices_) return {};
+        const unsigned entries = strips_.entries_of(node, planning_attempts);
+        if (entries > most_entries_) return {};
+        std::size_t bytes = (mark_bits(entries, vertices) + 7) / 8;
+        for (std::size_t axis = 0; axis < 3; ++axis) bytes += (vertices * bits_of_side(node, axis) + 7) / 8;
+        return {true, entries - 2, descriptor_bytes + bytes};
+    }
+    [[nodiscard]] unsigned most_triangles() const override { return most_entries_ - 2; }
+
+private:
+    const StripMaker& strips_;
+    unsigned most_entries_;
+    unsigned most_vertices_;
+};
+
+}  // namespace
+
+std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, const StripMaker* strips) {
+    using namespace format::strip_leaf;
+    switch (profile) {
+        case format::Profile::balanced:
+            return std::make_unique<StripLeafSizes>(*strips, max_balanced_entries, max_balanced_vertices);
+        case format::Profile::small:
+            return std::make_unique<StripLeafSizes>(*strips, max_small_entries, max_small_entries);
+        case format::Profile::fast:
+            break;
+    }
+    return std::make_unique<IndexedLeafSizes>();
+}
+
+}  // namespace espalier::baker

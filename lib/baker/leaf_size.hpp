@@ -1,0 +1,35 @@
+// What a leaf would take: the collapse asks it of every small subtree.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "binary_tree.hpp"
+#include "lattice_mesh.hpp"
+#include "strip.hpp"
+
+namespace espalier::baker {
+
+struct LeafSize {
+    bool fits = false;      ///< the profile allows such a leaf
+    unsigned slots = 0;     ///< tested for each ray: triangles, and what joins strips
+    std::size_t bytes = 0;  ///< close to it: only its box in the node, and with it a width, may turn out a bit larger
+};
+
+/// Leaves of one profile.
+class LeafSizes {
+public:
+    virtual ~LeafSizes() = default;
+    /// `vertices` is how many distinct ones the node's triangles have, `node.count` at most most_triangles().
+    [[nodiscard]] virtual LeafSize of(const BinaryNode& node, unsigned vertices) const = 0;
+    [[nodiscard]] virtual unsigned most_triangles() const = 0;
+};
+
+/// `strips` is null for profile fast alone.
+[[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, const StripMaker* strips);
+
+/// How often a strip is tried when a leaf is planned, and when it is written: never more entries than planned.
+inline constexpr unsigned planning_attempts = 1;
+inline constexpr unsigned writing_attempts = 8;
+
+}  // namespace espalier::baker

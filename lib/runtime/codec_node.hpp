@@ -1,0 +1,49 @@
+// A node, decoded: one cache line. The layout is in format.hpp. What comes out is integers on the lattice: boxes as
+// base + plane * 2^shift.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/bytes.hpp>
+
+namespace espalier::detail {
+
+/// Where the pieces of a node are.
+struct Node {
+    const std::byte* bytes;
+
+    [[nodiscard]] std::uint32_t first_child() const { return load_u32(bytes + format::node::children_at) & 0xFFFFFFu; }
+    [[nodiscard]] unsigned node_children() const { return load_u8(bytes + format::node::children_at + 3) & 15u; }
+    [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + format::node::children_at + 3) >> 4; }
+    [[nodiscard]] unsigned shift(int axis) const {
+        return (load_u16(bytes + format::node::shifts_at) >> (5 * axis)) & 31u;
+    }
+    [[nodiscard]] std::int32_t base(int axis, unsigned bits) const {
+        const unsigned unit = bits > 16 ? bits - 16 : 0;
+        return static_cast<std::int32_t>(load_u16(bytes + format::node::base_at + 2 * static_cast<std::size_t>(axis))
+                                         << unit);
+    }
+    [[nodiscard]] const std::byte* low_planes(int axis) const {
+        return bytes + format::node::lo_at + 8 * static_cast<std::size_t>(axis);
+    }
+    [[nodiscard]] const std::byte* high_planes(int axis) const {
+        return bytes + format::node::hi_at + 8 * static_cast<std::size_t>(axis);
+    }
+    [[nodiscard]] std::int32_t low(int axis, unsigned child, unsigned bits) const {
+        return base(axis, bits) + static_cast<std::int32_t>(load_u8(low_planes(axis) + child) << shift(axis));
+    }
+    [[nodiscard]] std::int32_t high(int axis, unsigned child, unsigned bits) const {
+        return base(axis, bits) + static_cast<std::int32_t>(load_u8(high_planes(axis) + child) << shift(axis));
+    }
+    [[nodiscard]] const std::byte* leaf_block(const BlobData& blob) const {
+        return blob.leaves + 4 * std::size_t{load_u32(bytes + format::node::leaf_block_at)};
+    }
+};
+
+inline Node node_at(const BlobData& blob, std::uint32_t index) {
+    return {blob.nodes + std::size_t{index} * format::node::bytes};
+}
+
+}  // namespace espalier::detail

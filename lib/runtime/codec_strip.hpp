@@ -1,0 +1,90 @@
+// The leaves of profiles `balanced` and `small`, decoded: strips of triangles, each vertex stored once. The layout is
+// in format.hpp. Strips that turn either way by a bit go back to Deering (1995); that the pivot is the last one marked
+// is what lets all windows be decoded at once.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/bytes.hpp>
+#include <runtime/leaf_vertices.hpp>
+
+namespace espalier::detail {
+
+/// One leaf: where its streams are and how wide their fields. Its slots are its windows.
+struct StripLeaf : LeafVertices {
+    using Slots = std::uint64_t;  ///< a bit for each slot
+    static constexpr unsigned max_vertices = format::strip_leaf::max_small_entries;
+
+    const std::byte* marks;
+    unsigned slot_count;
+    unsigned references_at;  ///< in bits, in the marks
+    unsigned reference_width;
+    std::uint32_t first;  ///< storage index of its first triangle
+    // A bit for each entry or window.
+    std::uint64_t pivots;
+    std::uint64_t windows;
+    std::uint64_t first_uses;
+
+    [[nodiscard]] Slots used_slots() const { return windows; }
+    [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(std::popcount(windows)); }
+    [[nodiscard]] unsigned entry_count() const { return slot_count + 2; }
+    /// The vertex that an entry names.
+    [[nodiscard]] unsigned entry(unsigned place) const {
+        const std::uint64_t before = (std::uint64_t{1} << place) - 1;
+        const auto fresh = static_cast<unsigned>(std::popcount(first_uses & before));
+        if ((first_uses >> place & 1) != 0) return fresh;
+        const unsigned reference = place - fresh;
+        return static_cast<unsigned>(load_bits(marks, references_at + reference * reference_width, reference_width));
+    }
+    [[nodiscard]] LatticeTriangle triangle(unsigned slot) const {
+        const std::uint64_t behind = pivots & ((std::uint64_t{2} << slot) - 1);
+        const unsigned a = entry(static_cast<unsigned>(std::bit_width(behind)) - 1);
+        const unsigned b = entry(slot + 1), c = entry(slot + 2);
+        // Each turn of a strip changes the order in which its entries go round the triangle.
+        return std::popcount(behind) % 2 != 0 ? triangle_of(a, b, c) : triangle_of(a, c, b);
+    }
+};
+
+/// The leaf that is child `node.node_children() + number` of the node.
+inline StripLeaf strip_leaf(const BlobData& blob, const Node& node, unsigned number) {
+    using namespace format::strip_leaf;
+    StripLeaf leaf;
+    leaf.node = node;
+    leaf.block = node.leaf_block(blob);
+    leaf.number = number;
+    leaf.blob = &blob;
+    const std::uint32_t descriptor = load_u32(leaf.block + descriptors_at + descriptor_bytes * std::size_t{number});
+    leaf.marks = leaf.block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
+                 (descriptor & ((1u << offset_bits) - 1u));
+    leaf.first = load_u32(leaf.block) + (descriptor >> first_shift & 511u);
+    const unsigned marked = descriptor >> entries_shift & 63u;
+    leaf.slot_count = marked + 1;
+    leaf.pivots = load_bits(leaf.marks, 0, marked) << 1 | 1u;
+    leaf.windows = load_bits(leaf.marks, marked, marked) << 1 | 1u;
+    leaf.first_uses = load_bits(leaf.marks, 2 * marked, marked) << 3 | 7u;
+    leaf.vertex_count = static_cast<unsigned>(std::popcount(leaf.first_uses));
+    leaf.references_at = 3 * marked;
+    leaf.reference_width = reference_width(leaf.vertex_count);
+    const std::byte* at = leaf.marks + (mark_bits(marked + 3, leaf.vertex_count) + 7) / 8;
+    std::uint32_t longest = 0;
+    for (int k = 0; k < 3; ++k) {
+        const std::uint32_t planes =
+            load_u8(node.high_planes(k) + leaf.child()) - load_u8(node.low_planes(k) + leaf.child());
+        leaf.width[k] = coordinate_width(planes << node.shift(k), blob.bits);
+        leaf.coordinates[k] = at;
+        at += (leaf.vertex_count * leaf.width[k] + 7) / 8;
+        longest = leaf.width[k] > longest ? leaf.width[k] : longest;
+    }
+    leaf.size = 1u << longest;
+    return leaf;
+}
+
+template <>
+inline StripLeaf leaf_at(const BlobData& blob, const Node& node, unsigned number) {
+    return strip_leaf(blob, node, number);
+}
+
+}  // namespace espalier::detail

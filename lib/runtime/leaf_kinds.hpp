@@ -1,0 +1,27 @@
+// Which kinds of leaves this build of the runtime reads: a firmware links no more than its blobs need (the CMake option
+// ESPALIER_PROFILES). `open` refuses the others.
+#pragma once
+
+#include <espalier/format.hpp>
+#include <runtime/codec_indexed.hpp>
+#include <runtime/codec_strip.hpp>
+
+#ifndef ESPALIER_INDEXED_LEAVES
+#define ESPALIER_INDEXED_LEAVES 1
+#endif
+#ifndef ESPALIER_STRIP_LEAVES
+#define ESPALIER_STRIP_LEAVES 1
+#endif
+
+namespace espalier::detail {
+
+inline constexpr bool reads_indexed_leaves = ESPALIER_INDEXED_LEAVES != 0;
+inline constexpr bool reads_strip_leaves = ESPALIER_STRIP_LEAVES != 0;
+static_assert(reads_indexed_leaves || reads_strip_leaves, "a runtime that reads no profile is of no use");
+
+constexpr bool has_indexed_leaves(format::Profile profile) { return profile == format::Profile::fast; }
+constexpr bool is_read(format::Profile profile) {
+    return has_indexed_leaves(profile) ? reads_indexed_leaves : reads_strip_leaves;
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,45 @@
+// What all kinds of leaves share: vertices as bit-packed streams, one for each axis.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/bytes.hpp>
+#include <runtime/codec_node.hpp>
+#include <runtime/ray_triangle.hpp>
+
+namespace espalier::detail {
+
+/// The leaf of a kind that is child `node.node_children() + number` of the node.
+template <class Leaf>
+Leaf leaf_at(const BlobData& blob, const Node& node, unsigned number);
+
+struct LeafVertices {
+    Node node;               ///< whose child the leaf is
+    const std::byte* block;  ///< of the node's leaves
+    const BlobData* blob;
+    const std::byte* coordinates[3];
+    unsigned width[3];
+    unsigned vertex_count;
+    unsigned number;     ///< among the node's leaves
+    std::uint32_t size;  ///< more than the distance of any two vertices along an axis
+
+    /// Among the children of its node.
+    [[nodiscard]] unsigned child() const { return node.node_children() + number; }
+    /// The low corner of its box, which the coordinates count from.
+    [[nodiscard]] std::int32_t anchor(int axis) const { return node.low(axis, child(), blob->bits); }
+    [[nodiscard]] LatticeTriangle triangle_of(unsigned a, unsigned b, unsigned c) const {
+        const unsigned vertices[3] = {a, b, c};
+        LatticeTriangle triangle;
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t from = anchor(k);
+            for (int corner = 0; corner < 3; ++corner)
+                triangle.corner[corner][k] =
+                    from + static_cast<std::int32_t>(load_field(coordinates[k], width[k], vertices[corner]));
+        }
+        return triangle;
+    }
+};
+
+}  // namespace espalier::detail

@@ -1,0 +1,35 @@
+// What the parts of `open` share: the checks of padding, and what the pass over the nodes has seen so far.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <espalier/status.hpp>
+#include <runtime/bytes.hpp>
+#include <runtime/codec_node.hpp>
+
+namespace espalier::detail {
+
+inline bool is_zero(const std::byte* bytes, std::size_t count) {
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum |= load_u8(bytes + i);
+    return sum == 0;
+}
+
+/// The unused high bits of the last byte of a stream.
+inline bool is_padded_with_zeros(const std::byte* stream, std::uint64_t bit_count) {
+    return bit_count % 8 == 0 || load_u8(stream + bit_count / 8) >> (bit_count % 8) == 0;
+}
+
+struct OpenProgress {
+    std::uint32_t nodes = 1;  ///< the root, then every block of siblings when their parent is reached
+    std::uint32_t triangles = 0;
+    std::uint32_t leaf_words = 0;  ///< of 4 bytes
+    unsigned depth = 0;
+};
+
+/// The leaves of a node: in their place, inside the section, every vertex inside the asset, every corner a vertex.
+Status check_leaves(const BlobData& blob, const Node& node, OpenProgress& seen);
+
+}  // namespace espalier::detail

@@ -1,0 +1,41 @@
+// The windows of a strip one after the other, for instruction sets without a better way. Included inside their
+// namespaces.
+
+class StripCorners {
+public:
+    explicit StripCorners(const StripLeaf& leaf)
+        : leaf_(leaf), pivots_(leaf.pivots), first_uses_(leaf.first_uses), bit_(leaf.references_at) {
+        before_ = next_entry();
+        middle_ = next_entry();
+    }
+    CornerNumbers next() {
+        std::uint32_t a[lanes], b[lanes], c[lanes];
+        for (unsigned lane = 0; lane < lanes; ++lane) {
+            pivot_ = (pivots_ & 1) != 0 ? before_ : pivot_;
+            pivots_ >>= 1;
+            before_ = middle_;
+            middle_ = next_entry();
+            a[lane] = pivot_;
+            b[lane] = before_;
+            c[lane] = middle_;
+        }
+        return {load_ints(a), load_ints(b), load_ints(c)};
+    }
+
+private:
+    std::uint32_t next_entry() {
+        const bool fresh = (first_uses_ & 1) != 0;
+        first_uses_ >>= 1;
+        if (fresh) return used_++;
+        const auto number = static_cast<std::uint32_t>(load_bits(leaf_.marks, bit_, leaf_.reference_width));
+        bit_ += leaf_.reference_width;
+        return number;
+    }
+
+    const StripLeaf& leaf_;
+    std::uint64_t pivots_;
+    std::uint64_t first_uses_;
+    unsigned bit_;
+    std::uint32_t used_ = 0;
+    std::uint32_t before_ = 0, middle_ = 0, pivot_ = 0;
+};
