@@ -61,8 +61,7 @@ void add_bake(CLI::App& app, Chosen& chosen) {
         ->type_name(text("1..", format::max_leaf_triangles));
     verb->add_option("--cost-model", arguments->cost_model,
                      "JSON object with any of node_visit, leaf_visit, leaf_group, triangle and byte_price: what the "
-                     "tree is shaped "
-                     "by and what picks are judged by")
+                     "tree is shaped by")
         ->type_name("FILE");
     add_choice(verb, "--builder", arguments->builder, builder_choices,
                "How the tree is built, before --effort improves it. Without it: binned_sah");

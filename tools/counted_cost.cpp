@@ -4,6 +4,10 @@ namespace espalier::tools {
 
 namespace {
 
+// Fitted by bench/cost_model to three meshes (docs/trade.md): the triangles of a leaf cost little beside the way to it.
+constexpr double leaf_visit = 1.4;
+constexpr double triangle_test = 0.045;
+
 /// How much dearer a visit is than one of the fast profile.
 double decoding_factor(format::Profile profile) {
     switch (profile) {
@@ -26,14 +30,11 @@ CountedWork count_work(const Blob& blob, std::span<const Ray> rays) {
     }
     if (rays.empty()) return {};
     const auto mean = [&](std::uint64_t sum) { return static_cast<double>(sum) / static_cast<double>(rays.size()); };
-    return {mean(counters.nodes), mean(counters.leaves), mean(counters.groups), mean(counters.triangles),
-            mean(counters.candidates)};
+    return {mean(counters.nodes), mean(counters.leaves), mean(counters.triangles), mean(counters.candidates)};
 }
 
-double counted_cost(const CountedWork& work, const CostModel& model, format::Profile profile) {
-    const double visits = work.nodes * double(model.node_visit) + work.leaves * double(model.leaf_visit) +
-                          work.groups * double(model.leaf_group) + work.triangles * double(model.triangle);
-    return decoding_factor(profile) * visits;
+double counted_cost(const CountedWork& work, format::Profile profile) {
+    return decoding_factor(profile) * (work.nodes + leaf_visit * work.leaves + triangle_test * work.triangles);
 }
 
 }  // namespace espalier::tools

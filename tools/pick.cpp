@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <tuple>
 #include <utility>
 
 #include "baking.hpp"
@@ -21,9 +21,6 @@ constexpr std::array<unsigned, 2> leaf_sizes = {16, 8};
 constexpr std::array<Builder, 3> builders = {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative};
 /// The dearer a byte, the smaller the blob and the more visits. The first gives the smallest.
 constexpr std::array<float, 4> byte_price_factors = {16.0f, 1.0f, 0.2f, 0.0f};
-
-/// Counted work predicts time no better than this (docs/trade.md): whoever comes so close may win by its bytes.
-constexpr double close_enough = 1.05;
 
 struct Configuration {
     format::Profile profile;
@@ -111,7 +108,7 @@ private:
         const CountedWork work = count_work(opened(baked), rays_);
         tried_.push_back({configuration.profile, configuration.builder, configuration.leaf_size,
                           configuration.byte_price, report.bits, report.bytes, report.max_error, work,
-                          counted_cost(work, options_.cost_model, configuration.profile)});
+                          counted_cost(work, configuration.profile)});
         some_fit_ = some_fit_ || fits(tried_.back());
     }
 
@@ -119,16 +116,13 @@ private:
         return !goal_.max_bytes || candidate.bytes <= *goal_.max_bytes;
     }
 
-    /// The least work; of those that come close to it, the fewest bytes.
+    /// The least work; of equal ones the fewest bytes.
     [[nodiscard]] const Candidate& best() const {
-        double least_cost = std::numeric_limits<double>::infinity();
-        for (const Candidate& candidate : tried_) {
-            if (fits(candidate)) least_cost = std::min(least_cost, candidate.cost);
-        }
         const Candidate* best = nullptr;
         for (const Candidate& candidate : tried_) {
-            if (!fits(candidate) || candidate.cost > close_enough * least_cost) continue;
-            if (best == nullptr || candidate.bytes < best->bytes) best = &candidate;
+            if (!fits(candidate)) continue;
+            const auto order = [](const Candidate& c) { return std::tuple(c.cost, c.bytes); };
+            if (best == nullptr || order(candidate) < order(*best)) best = &candidate;
         }
         return *best;
     }

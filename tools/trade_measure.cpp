@@ -129,7 +129,7 @@ Contestant bake_point(std::span<const MeshView> meshes, BakeOptions options, con
     point.max_error = report.max_error;
     point.mean_error = mean_error(contestant.blob, queries.surface_points);
     point.work = count_work(contestant.blob, queries.rays);
-    point.cost = counted_cost(point.work, options.cost_model, point.profile);
+    point.cost = counted_cost(point.work, point.profile);
     return contestant;
 }
 
