@@ -56,7 +56,7 @@ void add_bake(CLI::App& app, Chosen& chosen) {
     add_picking(verb, *arguments, tolerance, bits);
     add_choice(verb, "--profile", arguments->profile, profile_choices, "How nodes and leaves are coded");
     verb->add_option("--leaf-size", arguments->leaf_size,
-                     "Most triangles of a leaf; fewer are tested faster and take more bytes. 16 unless one is picked")
+                     "Most triangles of a leaf; without it, what the profile holds or what is picked")
         ->check(between(1u, format::max_leaf_triangles))
         ->type_name(text("1..", format::max_leaf_triangles));
     verb->add_option("--cost-model", arguments->cost_model,

@@ -17,7 +17,8 @@ void add_trade(CLI::App& app, Chosen& chosen) {
         verb->add_option(option, list, description)->capture_default_str()->type_name("LIST");
     };
     add_list("--bits", arguments->bits, "Lattices, 1 to 24 bits");
-    add_list("--leaf-sizes", arguments->leaf_sizes, "Most triangles of a leaf, 1 to 16");
+    add_list("--leaf-sizes", arguments->leaf_sizes,
+             "Most triangles of a leaf; a profile whose leaves hold fewer takes its most");
     add_list("--byte-prices", arguments->byte_prices,
              "Prices of a byte in the cost model: dearer bytes, smaller blobs");
     add_list("--profiles", arguments->profiles, "Profiles by name, or all");

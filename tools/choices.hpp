@@ -20,6 +20,19 @@ inline const Choices<Builder> builder_choices{{"binned_sah", Builder::binned_sah
                                               {"linear", Builder::linear},
                                               {"insertion", Builder::insertion}};
 
+/// Largest leaf that a profile can hold; larger limits mean the same.
+constexpr unsigned most_leaf_triangles(format::Profile profile) {
+    switch (profile) {
+        case format::Profile::fast:
+            return format::indexed_leaf::max_triangles;
+        case format::Profile::balanced:
+            return format::strip_leaf::max_balanced_entries - 2;
+        case format::Profile::small:
+            return format::strip_leaf::max_small_entries - 2;
+    }
+    return format::max_leaf_triangles;
+}
+
 /// The name that stands for the value; it is in the list.
 template <class Value>
 const std::string& name_in(const Choices<Value>& choices, Value value) {

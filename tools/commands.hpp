@@ -51,8 +51,8 @@ struct TradeArguments {
     std::string csv;     ///< empty: to stdout
     SourceArguments source;
     std::string bits = "12,14,16,20";
-    std::string leaf_sizes = "4,8,16";
-    std::string byte_prices = "0,1,5";
+    std::string leaf_sizes = "16,32,54";
+    std::string byte_prices = "1,5";
     std::string profiles = "all";
     std::string builders = "binned_sah";
     std::string cost_model;  ///< a JSON file; empty: the committed constants

@@ -16,9 +16,9 @@ namespace espalier::tools {
 namespace {
 
 constexpr std::size_t counted_rays = 20'000;
-constexpr std::array<unsigned, 2> leaf_sizes = {16, 8};
-/// The others never measured best. None of these repeats triangles: what is picked answers every query.
-constexpr std::array<Builder, 3> builders = {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative};
+/// The others hardly ever count best (bench/results/builders.md). Neither repeats triangles: what is picked answers
+/// every query.
+constexpr std::array<Builder, 2> builders = {Builder::binned_sah, Builder::sweep_sah};
 /// The dearer a byte, the smaller the blob and the more visits. The first gives the smallest.
 constexpr std::array<float, 4> byte_price_factors = {16.0f, 1.0f, 0.2f, 0.0f};
 
@@ -37,12 +37,14 @@ struct Configurations {
 Configurations configurations(const PickGoal& goal, const CostModel& model) {
     Configurations result;
     const auto add_sizes = [&](format::Profile profile, Builder builder) {
-        for (const unsigned size : leaf_sizes) {
-            if (goal.leaf_size && size != leaf_sizes.front()) continue;
+        const unsigned most =
+            std::min(goal.leaf_size.value_or(format::max_leaf_triangles), most_leaf_triangles(profile));
+        for (const unsigned size : {most, most / 2}) {
+            if (goal.leaf_size && size != most) continue;
             for (const float factor : byte_price_factors) {
-                const bool is_smallest = size == leaf_sizes.front() && factor == byte_price_factors.front();
+                const bool is_smallest = size == most && factor == byte_price_factors.front();
                 (is_smallest ? result.smallest : result.others)
-                    .push_back({profile, builder, goal.leaf_size.value_or(size), factor * model.byte_price});
+                    .push_back({profile, builder, size, factor * model.byte_price});
             }
         }
     };

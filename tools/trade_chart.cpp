@@ -41,7 +41,7 @@ public:
     std::string draw(const std::string& mesh, const std::string& conditions) {
         const std::vector<std::size_t> rows = table_rows();
         const std::size_t shown = std::min(rows.size(), most_rows);
-        const double table = panels_end + 60.0 + row_height * static_cast<double>(lattices_.size() + 1);
+        const double table = panels_end + 50.0 + row_height * static_cast<double>(lattices_.size() + 2);
         Svg svg(width, table + row_height * (static_cast<double>(shown) + 5.0));
         svg.words({24.0, 34.0}, text(mesh, ": bytes, time and error"), {.size = 20.0, .bold = true});
         svg.words({24.0, 56.0}, conditions, {.colour = "#555555"});
@@ -131,6 +131,8 @@ private:
             svg.words({x + 12.0, y}, text("profile ", choice.first));
             x += 130.0;
         }
+        x = 80.0;
+        y += row_height;
         svg.shape(Shape::circle, {x, y - 4.0}, 3.5, "#555555", false);
         svg.words({x + 12.0, y},
                   text("hollow: another is as good in bytes, time and error, and better in one. Numbers: "

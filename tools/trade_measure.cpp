@@ -14,6 +14,7 @@
 #include <espalier/ray.hpp>
 
 #include "baking.hpp"
+#include "choices.hpp"
 #include "exit_code.hpp"
 #include "sample_queries.hpp"
 
@@ -90,6 +91,16 @@ std::vector<double> typical_times(const Rounds& rounds) {
     return result;
 }
 
+/// What a profile can hold of the largest leaves that were asked for, each once.
+std::vector<unsigned> leaf_sizes_of(format::Profile profile, const std::vector<unsigned>& asked) {
+    std::vector<unsigned> sizes;
+    for (const unsigned size : asked) {
+        const unsigned held = std::min(size, most_leaf_triangles(profile));
+        if (std::find(sizes.begin(), sizes.end(), held) == sizes.end()) sizes.push_back(held);
+    }
+    return sizes;
+}
+
 std::vector<TradePoint> combinations(const TradeSpace& space) {
     std::vector<TradePoint> points;
     TradePoint point;
@@ -99,7 +110,7 @@ std::vector<TradePoint> combinations(const TradeSpace& space) {
             point.builder = builder;
             for (const unsigned bits : space.bits) {
                 point.bits = bits;
-                for (const unsigned leaf_size : space.leaf_sizes) {
+                for (const unsigned leaf_size : leaf_sizes_of(profile, space.leaf_sizes)) {
                     point.leaf_size = leaf_size;
                     for (const float byte_price : space.byte_prices) {
                         point.byte_price = byte_price;

@@ -12,7 +12,7 @@ namespace espalier::tools {
 /// Every combination is baked.
 struct TradeSpace {
     std::vector<unsigned> bits;
-    std::vector<unsigned> leaf_sizes;
+    std::vector<unsigned> leaf_sizes;  ///< a profile whose leaves are smaller takes its largest, once
     std::vector<float> byte_prices;
     std::vector<format::Profile> profiles;
     std::vector<Builder> builders;

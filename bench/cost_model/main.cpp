@@ -25,9 +25,16 @@ namespace {
 using namespace espalier;
 using namespace espalier::bench;
 
-constexpr std::pair<const char*, format::Profile> profiles[] = {{"fast", format::Profile::fast}};
+struct Profile {
+    const char* name;
+    format::Profile profile;
+    unsigned largest_leaf;
+};
+constexpr Profile profiles[] = {{"fast", format::Profile::fast, format::indexed_leaf::max_triangles},
+                                {"balanced", format::Profile::balanced, format::strip_leaf::max_balanced_entries - 2},
+                                {"small", format::Profile::small, format::strip_leaf::max_small_entries - 2}};
 /// Leaves of several sizes in one fit: else nodes and triangles grow together, and their costs cannot be told apart.
-constexpr unsigned leaf_sizes[] = {4, 8, 16};
+constexpr unsigned leaf_divisors[] = {4, 2, 1};
 constexpr std::uint64_t seed = 2026;
 
 constexpr const char* usage =
@@ -82,15 +89,15 @@ constexpr Term terms[] = {{"Np", "triangle", &RayGroup::triangles},
                           {"Nl", "leaf", &RayGroup::leaves}};
 using Fits = std::array<Fit, std::size(terms)>;
 
-Fits measure(const Mesh& mesh, const Options& options, format::Profile profile) {
+Fits measure(const Mesh& mesh, const Options& options, const Profile& profile) {
     const std::vector<Ray> rays = incoherent_rays(mesh, options.rays, seed);
     const MeshView view = mesh.view();
     std::vector<Baked> blobs;  // the groups' blobs point into them
     std::vector<RayGroup> groups;
-    for (const unsigned leaf_size : leaf_sizes) {
+    for (const unsigned divisor : leaf_divisors) {
         BakeOptions bake_options = options.bake;
-        bake_options.profile = profile;
-        bake_options.max_leaf_triangles = leaf_size;
+        bake_options.profile = profile.profile;
+        bake_options.max_leaf_triangles = profile.largest_leaf / divisor;
         auto baked = bake({&view, 1}, bake_options);
         if (!baked) throw std::runtime_error(mesh.name + ": " + baked.error().message);
         blobs.push_back(std::move(*baked));
@@ -151,9 +158,9 @@ void run(const Options& options) {
             "counted by the scalar path. Nu: updates of boxes, 0 until two blobs are tested against each other.\n");
     for (const std::string& path : options.meshes) {
         const Mesh mesh = tests::read_mesh(path);
-        for (const auto& [name, profile] : profiles) {
+        for (const Profile& profile : profiles) {
             const Fits fits = measure(mesh, options, profile);
-            (options.json ? print_json : print_text)(mesh.name, name, fits);
+            (options.json ? print_json : print_text)(mesh.name, profile.name, fits);
             std::fflush(stdout);
         }
     }

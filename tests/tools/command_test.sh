@@ -681,7 +681,7 @@ cmp -s a.png heat.png && fail "the heat map looks like the shaded picture"
 claim "trade writes a row for each combination, with what was chosen and what came out"
 quick="--rays 300 --repetitions 1"
 # shellcheck disable=SC2086
-run 0 trade sheet.obj --bits 10,16 --leaf-sizes 4,16 --byte-prices 5 --builders binned_sah,linear $quick
+run 0 trade sheet.obj --bits 10,16 --leaf-sizes 4,16,20 --byte-prices 5 --builders binned_sah,linear --profiles fast $quick
 [ "$(wc -l <out)" = 9 ] || fail "$(wc -l <out) lines for 8 combinations"
 for column in mesh profile builder bits leaf_size byte_price triangles bytes bytes_per_triangle max_error mean_error closest_ns \
     any_ns overlap_ns nodes_per_ray leaves_per_ray triangles_per_ray counted_cost bake_seconds pareto_closest; do
@@ -713,7 +713,7 @@ cp sheet.obj "$(printf 'a<b>&"\377c.obj')"
 # shellcheck disable=SC2086
 run 0 trade "$(printf 'a<b>&"\377c.obj')" -o trade.svg --csv trade.csv $quick
 grep -q "a&lt;b&gt;&amp;&quot;?c.obj" trade.svg || fail "the name is not escaped"
-for word in "closest hit" "any hit" "sphere overlap" "bytes a triangle" "lattice of 16 bits: error at most" "profile fast" "<polygon\|<circle" \
+for word in "closest hit" "any hit" "sphere overlap" "bytes a triangle" "lattice of 16 bits: error at most" "profile fast" "profile small" "<polygon\|<circle" \
     "The front of closest hits"; do
     grep -q "$word" trade.svg || fail "the picture lacks '$word'"
 done
@@ -726,7 +726,7 @@ else
 fi
 
 claim "trade refuses lists that make no sense, and what cannot be measured"
-for list in "--bits 0" "--bits 12,25" "--bits 12.5" "--bits many" "--bits 12,," "--leaf-sizes 17" "--byte-prices -1" "--profiles huge" \
+for list in "--bits 0" "--bits 12,25" "--bits 12.5" "--bits many" "--bits 12,," "--leaf-sizes 55" "--byte-prices -1" "--profiles huge" \
     "--builders quick" "--rays 5" "--repetitions 0"; do
     # shellcheck disable=SC2086
     run 1 trade box.obj $list -o refused.svg
