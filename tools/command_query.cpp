@@ -30,7 +30,10 @@ Json triangle_json(const Blob& blob, Triangle triangle) {
     Json result;
     result["triangle"] = triangle.index;
     if (OriginalTriangle original; original_triangle(blob, triangle, original)) {
-        result["original"] = {{"file", original.file}, {"mesh", original.mesh}, {"triangle", original.triangle}};
+        result["original"] = {{"file", original.file},
+                              {"mesh", original.mesh},
+                              {"triangle", original.triangle},
+                              {"first_corner", original.first_corner}};
     }
     if (blob.has_materials()) result["material"] = material(blob, triangle);
     return result;
@@ -39,7 +42,8 @@ Json triangle_json(const Blob& blob, Triangle triangle) {
 std::string triangle_text(const Blob& blob, Triangle triangle) {
     std::string result = text("triangle ", triangle.index);
     if (OriginalTriangle original; original_triangle(blob, triangle, original)) {
-        result += text(" (file ", original.file, ", mesh ", original.mesh, ", triangle ", original.triangle, ")");
+        result += text(" (file ", original.file, ", mesh ", original.mesh, ", triangle ", original.triangle,
+                       original.first_corner == 0 ? "" : text(", from its corner ", original.first_corner), ")");
     }
     if (blob.has_materials()) result += text(", material ", material(blob, triangle));
     return result;

@@ -39,10 +39,14 @@ void put_source_table(std::vector<std::byte>& blob, const Source& source) {
     }
 }
 
-void put_ids(std::vector<std::byte>& blob, const Source& source, const LatticeMesh& mesh, const WideTree& wide) {
+void put_ids(std::vector<std::byte>& blob, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
+             format::Profile profile) {
     const unsigned width = id_bits_of(source.triangle_count);
     BitStream stream(blob);
-    for (std::size_t i = 0; i < wide.triangles.size(); ++i) stream.put(original_id(mesh, wide, i), width);
+    for (std::size_t i = 0; i < wide.triangles.size(); ++i) {
+        stream.put(wide.first_corners[i], format::first_corner_bits(profile));
+        stream.put(original_id(mesh, wide, i), width);
+    }
     stream.finish();
     pad_to(blob, 4);
 }
@@ -117,7 +121,7 @@ Result<std::vector<std::byte>, BakeError> encode(const Source& source, const Lat
     blob.resize(blob.size() + format::guard_bytes);
     if (options.original_ids) {
         put_source_table(blob, source);
-        put_ids(blob, source, mesh, wide);
+        put_ids(blob, source, mesh, wide, options.profile);
     }
     if (options.materials != Materials::none) put_materials(blob, source, mesh, wide, options.materials);
     if (auto error = check_limits(wide, blob.size())) return *error;

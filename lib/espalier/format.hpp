@@ -58,6 +58,10 @@ enum class Profile : std::uint8_t {
     small = 2,     ///< strip leaves of at most max_small_entries
 };
 
+/// A strip begins a triangle where it needs to: in profiles that have them each original id has this many bits before
+/// it, which of the original triangle's corners is stored first (0, 1 or 2; the others follow in its order).
+constexpr unsigned first_corner_bits(Profile profile) { return profile == Profile::fast ? 0 : 2; }
+
 /// Bits of the features field. An optional section is there exactly when its bit is set; they follow in bit order.
 namespace feature {
 inline constexpr std::uint32_t original_ids = 1u << 0;

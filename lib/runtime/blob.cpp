@@ -2,6 +2,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/id_field.hpp>
 #include <runtime/lattice_world.hpp>
 
 namespace espalier {
@@ -19,11 +20,9 @@ Vec3 Blob::bounds_max() const noexcept { return data_.triangle_count == 0 ? Vec3
 bool original_triangle(const Blob& blob, Triangle triangle, OriginalTriangle& original) noexcept {
     const BlobData& data = blob.data();
     if (data.ids == nullptr || triangle.index >= data.triangle_count) return false;
-    const std::uint64_t bit = std::uint64_t{triangle.index} * data.id_bits;
-    std::uint64_t window = 0;  // the field may begin in any bit of a byte: up to five bytes
-    for (unsigned i = 0; i < (bit % 8 + data.id_bits + 7) / 8; ++i)
-        window |= std::uint64_t{load_u8(data.ids + bit / 8 + i)} << (8 * i);
-    const std::uint64_t id = (window >> (bit % 8)) & ((std::uint64_t{1} << data.id_bits) - 1);
+    const std::uint64_t field = id_field(data, triangle.index);
+    const unsigned corner_bits = format::first_corner_bits(data.profile);
+    const std::uint64_t id = field >> corner_bits;
 
     std::uint32_t low = 0;  // the last source that begins at or before the id
     std::uint32_t high = data.source_count;
@@ -35,6 +34,7 @@ bool original_triangle(const Blob& blob, Triangle triangle, OriginalTriangle& or
     original.file = load_u32(source + format::source::file_at);
     original.mesh = load_u32(source + format::source::mesh_at);
     original.triangle = static_cast<std::uint32_t>(id) - load_u32(source + format::source::first_at);
+    original.first_corner = static_cast<std::uint32_t>(field & ((1u << corner_bits) - 1u));
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include <runtime/bytes.hpp>
 #include <runtime/checksum.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/id_field.hpp>
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/open_checks.hpp>
 
@@ -154,12 +155,16 @@ Status check_original_ids(BlobData& blob, Bytes& rest) {
     }
     if (previous > blob.source_triangles || (blob.source_count == 0 && blob.triangle_count != 0))
         return Status::bad_section;
-    const std::uint64_t bit_count = std::uint64_t{blob.triangle_count} * blob.id_bits;
+    const unsigned corner_bits = format::first_corner_bits(blob.profile);
+    const std::uint64_t bit_count = std::uint64_t{blob.triangle_count} * (corner_bits + blob.id_bits);
     const std::uint64_t used = (bit_count + 7) / 8;
     blob.ids = rest.take(round_up_to_4(used));
     if (blob.ids == nullptr || !is_padded_with_zeros(blob.ids, bit_count)) return Status::bad_section;
-    return is_zero(blob.ids + used, static_cast<std::size_t>(round_up_to_4(used) - used)) ? Status::ok
-                                                                                          : Status::bad_section;
+    if (!is_zero(blob.ids + used, static_cast<std::size_t>(round_up_to_4(used) - used))) return Status::bad_section;
+    if (corner_bits != 0)
+        for (std::uint32_t i = 0; i < blob.triangle_count; ++i)
+            if ((id_field(blob, i) & 3u) == 3) return Status::bad_section;
+    return Status::ok;
 }
 
 Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {

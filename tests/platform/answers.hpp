@@ -28,6 +28,7 @@ inline void add_triangle(Fingerprint& fingerprint, const Blob& blob, Triangle tr
     fingerprint.add(original.file);
     fingerprint.add(original.mesh);
     fingerprint.add(original.triangle);
+    fingerprint.add(original.first_corner);
     fingerprint.add(std::uint32_t{material(blob, triangle)});
 }
 

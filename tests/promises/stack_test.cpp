@@ -79,12 +79,12 @@ TEST_SUITE("promises") {
             {"for_each_hit", 2304, ray_row([](const Blob& blob, const Ray& ray) {
                  for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
              })},
-            {"overlaps", 2304,
+            {"overlaps", 3072,
              sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
-            {"for_each_overlap", 2304, sphere_row([](const Blob& blob, const Sphere& sphere) {
+            {"for_each_overlap", 3072, sphere_row([](const Blob& blob, const Sphere& sphere) {
                  for_each_overlap(blob, sphere, [](Triangle) { return keep_going; });
              })},
-            {"closest_point", 3072, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+            {"closest_point", 3840, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_point(blob, sphere.center, sphere.radius, nearest);
              })},
         };

@@ -13,6 +13,7 @@
 #include "../support/exercise.hpp"
 #include "../support/hostile_values.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
 #include "../support/test_blobs.hpp"
 #include "../support/test_scale.hpp"
 
@@ -198,7 +199,7 @@ TEST_SUITE("hostile") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             Random random(6);
-            REQUIRE_NOTHROW(exercise(blob.opened.blob, random, static_cast<unsigned>(scaled(3'000))));
+            REQUIRE_NOTHROW(exercise(blob.opened.blob, random, static_cast<unsigned>(scaled_share(3'000))));
         }
     }
 }

@@ -1,15 +1,19 @@
 // Claims about where a triangle came from and what it is made of.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
 #include <utility>
 
 #include <espalier/blob.hpp>
+#include <espalier/ray.hpp>
 #include <espalier/walk.hpp>
 
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
+#include "../support/query_maker.hpp"
 #include "../support/test_blobs.hpp"
 
 using namespace espalier;
@@ -24,7 +28,7 @@ struct Scene {
 };
 
 /// Several meshes of two files, an empty one among them, with a degenerate triangle so that ids and indices differ.
-Scene make_scene(bool ids, Materials materials) {
+Scene make_scene(format::Profile profile, bool ids, Materials materials) {
     std::vector<Mesh> meshes = {make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), Mesh{}, make_torus(16, 8, 4.0, 0.5),
                                 make_cube(5.0f, 6.0f)};
     meshes[0].triangles.insert(meshes[0].triangles.begin(), {3, 3, 3});
@@ -40,7 +44,7 @@ Scene make_scene(bool ids, Materials materials) {
         views.back().file = places[i].first;
         views.back().mesh = places[i].second;
     }
-    BakeOptions options;
+    BakeOptions options = with_profile(profile);
     options.original_ids = ids;
     options.materials = materials;
     auto baked = bake(views, options);
@@ -73,57 +77,133 @@ bool is_near(Vec3 a, Vec3 b, float distance) {
 
 TEST_SUITE("identity") {
     TEST_CASE("every triangle leads back to the source triangle with the same corners and material") {
-        for (const Materials materials : {Materials::bits_8, Materials::bits_16}) {
-            const Scene scene = make_scene(true, materials);
-            const Blob& blob = scene.opened.blob;
-            REQUIRE(blob.has_original_ids());
-            REQUIRE(blob.has_materials());
-            std::set<std::pair<std::size_t, std::uint32_t>> seen;
-            const std::vector<Corners> triangles = every_triangle(blob);
-            for (std::uint32_t index = 0; index < triangles.size(); ++index) {
-                const Triangle triangle{index};
-                const Corners& corners = triangles[index];
-                OriginalTriangle original;
-                REQUIRE(original_triangle(blob, triangle, original));
-                const std::size_t number = mesh_of(original);
-                const Mesh& mesh = scene.meshes[number];
-                REQUIRE(original.triangle < mesh.triangles.size());
-                const TriangleVertices& vertices = mesh.triangles[original.triangle];
-                REQUIRE(is_near(corners.a, mesh.positions[vertices[0]], blob.max_error()));
-                REQUIRE(is_near(corners.b, mesh.positions[vertices[1]], blob.max_error()));
-                REQUIRE(is_near(corners.c, mesh.positions[vertices[2]], blob.max_error()));
-                REQUIRE(material(blob, triangle) == mesh.materials[original.triangle]);
-                REQUIRE(seen.emplace(number, original.triangle).second);
+        for_each_profile([](format::Profile profile) {
+            for (const Materials materials : {Materials::bits_8, Materials::bits_16}) {
+                const Scene scene = make_scene(profile, true, materials);
+                const Blob& blob = scene.opened.blob;
+                REQUIRE(blob.has_original_ids());
+                REQUIRE(blob.has_materials());
+                std::set<std::pair<std::size_t, std::uint32_t>> seen;
+                std::size_t turned = 0;
+                const std::vector<Corners> triangles = every_triangle(blob);
+                for (std::uint32_t index = 0; index < triangles.size(); ++index) {
+                    const Triangle triangle{index};
+                    const Corners& corners = triangles[index];
+                    OriginalTriangle original;
+                    REQUIRE(original_triangle(blob, triangle, original));
+                    const std::size_t number = mesh_of(original);
+                    const Mesh& mesh = scene.meshes[number];
+                    REQUIRE(original.triangle < mesh.triangles.size());
+                    REQUIRE(original.first_corner < 3);
+                    turned += original.first_corner != 0 ? 1 : 0;
+                    const TriangleVertices& vertices = mesh.triangles[original.triangle];
+                    const auto source = [&](std::uint32_t corner) {
+                        return mesh.positions[vertices[(original.first_corner + corner) % 3]];
+                    };
+                    REQUIRE(is_near(corners.a, source(0), blob.max_error()));
+                    REQUIRE(is_near(corners.b, source(1), blob.max_error()));
+                    REQUIRE(is_near(corners.c, source(2), blob.max_error()));
+                    REQUIRE(material(blob, triangle) == mesh.materials[original.triangle]);
+                    REQUIRE(seen.emplace(number, original.triangle).second);
+                }
+                CHECK(seen.size() == blob.triangle_count());
+                CHECK(blob.triangle_count() == 320 + 256 + 12);
+                CHECK((turned > 0) == (profile != format::Profile::fast));
             }
-            CHECK(seen.size() == blob.triangle_count());
-            CHECK(blob.triangle_count() == 320 + 256 + 12);
-        }
+        });
+    }
+
+    TEST_CASE("u and v turn into the weights of the source's corners by first_corner") {
+        for_each_profile([](format::Profile profile) {
+            const Mesh mesh = make_terrain(12, 3);
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            const OpenedBlob opened(mesh, options);
+            const DecodedBlob decoded = decode(opened.bytes);
+            QueryMaker maker(decoded, 77);
+            std::array<int, 3> seen{};
+            for (int i = 0; i < 500; ++i) {
+                const Ray ray = maker.ray(RayKind::incoherent);
+                RayHit hit;
+                OriginalTriangle original;
+                if (!raycast(opened.blob, ray, hit) || !original_triangle(opened.blob, hit.triangle, original))
+                    continue;
+                ++seen[original.first_corner];
+                float u = hit.u, v = hit.v;
+                if (original.first_corner == 1) {
+                    u = 1.0f - hit.u - hit.v;
+                    v = hit.u;
+                } else if (original.first_corner == 2) {
+                    u = hit.v;
+                    v = 1.0f - hit.u - hit.v;
+                }
+                const TriangleVertices& vertices = mesh.triangles[original.triangle];
+                const Vec3 a = mesh.positions[vertices[0]], b = mesh.positions[vertices[1]],
+                           c = mesh.positions[vertices[2]];
+                const auto weighed = [&](float from, float second, float third) {
+                    return from + u * (second - from) + v * (third - from);
+                };
+                const Vec3 on_source{weighed(a.x, b.x, c.x), weighed(a.y, b.y, c.y), weighed(a.z, b.z, c.z)};
+                const Vec3 on_ray{ray.origin.x + hit.t * ray.direction.x, ray.origin.y + hit.t * ray.direction.y,
+                                  ray.origin.z + hit.t * ray.direction.z};
+                REQUIRE(is_near(on_source, on_ray, 0.01f));
+            }
+            CHECK(seen[0] > 0);
+            CHECK((seen[1] > 0) == (profile != format::Profile::fast));
+            CHECK((seen[2] > 0) == (profile != format::Profile::fast));
+        });
+    }
+
+    TEST_CASE("ids of every width lead back, with and without a first corner before them") {
+        for_each_profile([](format::Profile profile) {
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            for (const unsigned side : {1u, 2u, 3u, 5u, 9u, 17u, 40u}) {
+                Mesh mesh = make_plane_grid(side);
+                if (side == 1) mesh.triangles.pop_back();  // ids of no bits
+                const OpenedBlob opened(mesh, options);
+                const DecodedBlob decoded = decode(opened.bytes);
+                std::set<std::uint32_t> seen;
+                for (std::uint32_t i = 0; i < opened.blob.triangle_count(); ++i) {
+                    OriginalTriangle original;
+                    REQUIRE(original_triangle(opened.blob, Triangle{i}, original));
+                    REQUIRE(original == OriginalTriangle{0, 0, decoded.original_ids[i], decoded.first_corners[i]});
+                    seen.insert(original.triangle);
+                }
+                CHECK(seen.size() == mesh.triangles.size());
+            }
+        });
     }
 
     TEST_CASE("a blob without ids or materials, and a triangle that does not exist, have none") {
-        const Scene scene = make_scene(false, Materials::none);
-        OriginalTriangle original{7, 8, 9};
-        CHECK_FALSE(original_triangle(scene.opened.blob, Triangle{0}, original));
-        CHECK(original == OriginalTriangle{7, 8, 9});
-        CHECK(material(scene.opened.blob, Triangle{0}) == 0);
-        CHECK_FALSE(scene.opened.blob.has_original_ids());
-        CHECK_FALSE(scene.opened.blob.has_materials());
+        for_each_profile([](format::Profile profile) {
+            const Scene scene = make_scene(profile, false, Materials::none);
+            const OriginalTriangle before{7, 8, 9, 10};
+            OriginalTriangle original = before;
+            CHECK_FALSE(original_triangle(scene.opened.blob, Triangle{0}, original));
+            CHECK(original == before);
+            CHECK(material(scene.opened.blob, Triangle{0}) == 0);
+            CHECK_FALSE(scene.opened.blob.has_original_ids());
+            CHECK_FALSE(scene.opened.blob.has_materials());
 
-        const Scene with_ids = make_scene(true, Materials::bits_16);
-        const std::uint32_t count = with_ids.opened.blob.triangle_count();
-        CHECK_FALSE(original_triangle(with_ids.opened.blob, Triangle{count}, original));
-        CHECK_FALSE(original_triangle(with_ids.opened.blob, Triangle{0xFFFFFFFFu}, original));
-        CHECK(original == OriginalTriangle{7, 8, 9});
-        CHECK(material(with_ids.opened.blob, Triangle{count}) == 0);
-        CHECK_FALSE(original_triangle(Blob(), Triangle{0}, original));
-        CHECK(material(Blob(), Triangle{0}) == 0);
+            const Scene with_ids = make_scene(profile, true, Materials::bits_16);
+            const std::uint32_t count = with_ids.opened.blob.triangle_count();
+            CHECK_FALSE(original_triangle(with_ids.opened.blob, Triangle{count}, original));
+            CHECK_FALSE(original_triangle(with_ids.opened.blob, Triangle{0xFFFFFFFFu}, original));
+            CHECK(original == before);
+            CHECK(material(with_ids.opened.blob, Triangle{count}) == 0);
+            CHECK_FALSE(original_triangle(Blob(), Triangle{0}, original));
+            CHECK(material(Blob(), Triangle{0}) == 0);
+        });
     }
 
     TEST_CASE("optional sections change nothing but themselves: the same triangles in the same order") {
-        const Scene plain = make_scene(false, Materials::none);
-        const Scene full = make_scene(true, Materials::bits_8);
-        CHECK(plain.decoded.triangles == full.decoded.triangles);
-        CHECK(plain.opened.bytes.size() < full.opened.bytes.size());
+        for_each_profile([](format::Profile profile) {
+            const Scene plain = make_scene(profile, false, Materials::none);
+            const Scene full = make_scene(profile, true, Materials::bits_8);
+            CHECK(plain.decoded.triangles == full.decoded.triangles);
+            CHECK(plain.opened.bytes.size() < full.opened.bytes.size());
+        });
     }
 }
 

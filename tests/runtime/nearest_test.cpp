@@ -10,10 +10,10 @@
 #include <espalier/overlap.hpp>
 
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/same_bits.hpp"
 #include "../support/test_blobs.hpp"
-#include "../support/test_scale.hpp"
 #include "exact_query.hpp"
 
 using namespace espalier;
@@ -45,7 +45,7 @@ Rational coordinate_ulp(const Blob& blob) {
 TEST_SUITE("queries against the oracle") {
     TEST_CASE(
         "closest points: whether there is one is exact, distance within 4 ulp, point within 4 ulp of the bounds") {
-        const std::uint64_t count = scaled(30);
+        const std::uint64_t count = scaled_share(30);
         std::uint64_t found_count = 0;
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
@@ -144,7 +144,7 @@ TEST_SUITE("closest points") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 900);
-            for (std::uint64_t i = 0; i < scaled(300); ++i) {
+            for (std::uint64_t i = 0; i < scaled_share(300); ++i) {
                 const Sphere sphere = maker.sphere();
                 CAPTURE(describe(sphere));
                 Nearest nearest;
@@ -160,7 +160,7 @@ TEST_SUITE("closest points") {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 950);
             const Rational ulp = coordinate_ulp(blob.opened.blob);
-            for (std::uint64_t i = 0; i < scaled(50); ++i) {
+            for (std::uint64_t i = 0; i < scaled_share(50); ++i) {
                 Nearest nearest;
                 if (!closest_point(blob.opened.blob, maker.sphere().center, infinity, nearest)) continue;
                 const oracle::Triangle triangle = exact_triangle(blob.decoded.triangles.at(nearest.triangle.index));

@@ -7,9 +7,9 @@
 #include <espalier/overlap.hpp>
 
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/test_blobs.hpp"
-#include "../support/test_scale.hpp"
 #include "exact_query.hpp"
 
 using namespace espalier;
@@ -28,7 +28,7 @@ std::uint32_t count_overlaps(const Blob& blob, const Sphere& sphere) {
 
 TEST_SUITE("queries against the oracle") {
     TEST_CASE("spheres: every overlapping triangle and no other, touching counts") {
-        const std::uint64_t count = scaled(30);
+        const std::uint64_t count = scaled_share(30);
         std::uint64_t overlapping = 0;
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);

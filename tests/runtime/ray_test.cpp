@@ -11,6 +11,7 @@
 #include <espalier/ray.hpp>
 
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/same_bits.hpp"
 #include "../support/test_blobs.hpp"
@@ -63,7 +64,7 @@ Rational exact_t(const detail::LatticeRay& rounded, const Rational& tau) {
 TEST_SUITE("queries against the oracle") {
     TEST_CASE("rays: every hit and no other, t, u and v within 4 ulp, on meshes of up to 1000 triangles") {
         // Times a scale of 100 these are more than 10^5 rays.
-        const std::uint64_t count = scaled(100);
+        const std::uint64_t count = scaled_share(100);
         Rational worst_t = 0;
         Rational worst_weight = 0;
         std::uint64_t hits = 0;
@@ -169,7 +170,7 @@ TEST_SUITE("rays") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 475);
-            for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
+            for (std::uint64_t i = 0; i < scaled_share(1'000); ++i) {
                 Ray ray = maker.any_ray();
                 RayHit hit;
                 if (!raycast(blob.opened.blob, ray, hit)) continue;
@@ -231,7 +232,7 @@ TEST_SUITE("rays") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 450);
-            for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+            for (std::uint64_t i = 0; i < scaled_share(2'000); ++i) {
                 const Ray ray = maker.any_ray();
                 CAPTURE(describe(ray));
                 std::optional<RayHit> first;
@@ -272,7 +273,7 @@ TEST_SUITE("rays") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 500);
-            for (std::uint64_t i = 0; i < scaled(200); ++i) {
+            for (std::uint64_t i = 0; i < scaled_share(200); ++i) {
                 const Ray ray = maker.ray(RayKind::incoherent);
                 Ray longer = ray;
                 longer.direction = {ray.direction.x * 8.0f, ray.direction.y * 8.0f, ray.direction.z * 8.0f};

@@ -37,37 +37,102 @@ private:
 
 std::size_t padded(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
-/// One leaf, whose data begin at `at`.
+/// One leaf, whose data begin at `at`, and its box in its node.
 struct Leaf {
     std::uint32_t descriptor;
     std::size_t at;
-    GridPoint anchor;
+    GridBox box;
 };
 
-void append_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits, std::vector<GridTriangle>& triangles) {
+/// `width` bits for each vertex, counted from the low corner of the leaf's box; returns where the stream ends.
+std::size_t read_axis(const Bytes& bytes, const Leaf& leaf, std::size_t at, unsigned axis, unsigned width,
+                      std::vector<GridPoint>& vertices) {
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        vertices[i][axis] = leaf.box.low[axis] + static_cast<std::int32_t>(bytes.field(at, i * width, width));
+    }
+    return at + (vertices.size() * width + 7) / 8;
+}
+
+std::vector<GridTriangle> read_indexed_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits) {
     namespace layout = format::indexed_leaf;
     const unsigned triangle_count = (leaf.descriptor >> layout::triangles_shift & 15u) + 1;
-    const unsigned vertex_count = (leaf.descriptor >> layout::vertices_shift & 31u) + 1;
+    std::vector<GridPoint> vertices((leaf.descriptor >> layout::vertices_shift & 31u) + 1);
     std::size_t at = leaf.at;
-    std::vector<GridPoint> vertices(vertex_count);
     for (unsigned axis = 0; axis < 3; ++axis) {
         const unsigned code = leaf.descriptor >> (layout::widths_shift + 4 * axis) & 15u;
-        const unsigned width = layout::coordinate_width(code, bits);
-        for (unsigned i = 0; i < vertex_count; ++i) {
-            vertices[i][axis] =
-                leaf.anchor[axis] + static_cast<std::int32_t>(bytes.field(at, std::size_t{i} * width, width));
-        }
-        at += layout::stream_bytes(vertex_count, width);
+        at = read_axis(bytes, leaf, at, axis, layout::coordinate_width(code, bits), vertices);
     }
-    const unsigned corner = layout::corner_width(vertex_count);
+    const unsigned corner = layout::corner_width(static_cast<unsigned>(vertices.size()));
+    std::vector<GridTriangle> triangles;
     for (unsigned i = 0; i < triangle_count; ++i) {
         const auto vertex = [&](unsigned k) {
             const std::uint32_t number = bytes.field(at, std::size_t{3 * i + k} * corner, corner);
-            if (number >= vertex_count) throw std::runtime_error("decoder: a triangle names no vertex of its leaf");
+            if (number >= vertices.size()) throw std::runtime_error("decoder: a triangle names no vertex of its leaf");
             return vertices[number];
         };
         triangles.push_back({vertex(0), vertex(1), vertex(2)});
     }
+    return triangles;
+}
+
+/// How many bits a number takes: 0 for 0.
+unsigned bits_of(std::uint32_t number) {
+    unsigned count = 0;
+    for (; number != 0; number /= 2) ++count;
+    return count;
+}
+
+std::vector<GridTriangle> read_strip_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits) {
+    const unsigned entry_count = (leaf.descriptor >> format::strip_leaf::entries_shift & 63u) + 3;
+    std::size_t bit = 0;
+    const auto take = [&](unsigned width) {
+        const std::uint32_t value = bytes.field(leaf.at, bit, width);
+        bit += width;
+        return value;
+    };
+    std::vector<bool> is_pivot(entry_count, false);
+    std::vector<bool> is_triangle(entry_count - 2, true);
+    std::vector<bool> is_first_use(entry_count, true);
+    is_pivot[0] = true;
+    for (unsigned entry = 1; entry <= entry_count - 3; ++entry) is_pivot[entry] = take(1) != 0;
+    for (unsigned window = 1; window <= entry_count - 3; ++window) is_triangle[window] = take(1) != 0;
+    for (unsigned entry = 3; entry < entry_count; ++entry) is_first_use[entry] = take(1) != 0;
+
+    std::uint32_t vertex_count = 0;
+    for (const bool is_new : is_first_use) vertex_count += is_new ? 1 : 0;
+    std::vector<std::uint32_t> numbers;
+    std::uint32_t used = 0;
+    for (unsigned entry = 0; entry < entry_count; ++entry) {
+        numbers.push_back(is_first_use[entry] ? used++ : take(bits_of(vertex_count - 1)));
+        if (numbers.back() >= used) throw std::runtime_error("decoder: an entry names a vertex before its first use");
+    }
+
+    std::vector<GridPoint> vertices(vertex_count);
+    std::size_t at = leaf.at + (bit + 7) / 8;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const auto side = static_cast<std::uint32_t>(leaf.box.high[axis] - leaf.box.low[axis]);
+        at = read_axis(bytes, leaf, at, axis, std::min(bits_of(side), bits), vertices);
+    }
+
+    std::vector<GridTriangle> triangles;
+    unsigned pivot = 0;
+    unsigned pivots_so_far = 0;
+    for (unsigned window = 0; window < entry_count - 2; ++window) {
+        if (is_pivot[window]) {
+            pivot = window;
+            ++pivots_so_far;
+        }
+        if (!is_triangle[window]) continue;
+        const GridPoint& first = vertices[numbers[pivot]];
+        const GridPoint& before = vertices[numbers[window + 1]];
+        const GridPoint& last = vertices[numbers[window + 2]];
+        if (pivots_so_far % 2 == 1) {
+            triangles.push_back({first, before, last});
+        } else {
+            triangles.push_back({first, last, before});
+        }
+    }
+    return triangles;
 }
 
 class Decoder {
@@ -88,6 +153,8 @@ private:
     void read_header() {
         namespace at = format::header;
         decoded_.features = bytes_.u32(at::features_at);
+        decoded_.profile = static_cast<format::Profile>(bytes_.u8(at::profile_at));
+        is_indexed_ = decoded_.profile == format::Profile::fast;
         decoded_.bits = bytes_.u8(at::bits_at);
         decoded_.step_exponent = static_cast<std::int16_t>(bytes_.u16(at::step_exponent_at));
         decoded_.triangle_count = bytes_.u32(at::triangle_count_at);
@@ -152,13 +219,21 @@ private:
                 if (out.node >= node_count_) throw std::runtime_error("decoder: a child node is out of range");
                 decoded_.nodes[out.node].depth = decoded_.nodes[node].depth + 1;
             } else {
-                namespace leaf = format::indexed_leaf;
-                const std::size_t data = block + leaf::descriptors_at + leaf::descriptor_bytes * std::size_t{leaves};
+                // Both kinds of block begin alike.
+                namespace layout = format::strip_leaf;
+                const std::size_t descriptors = block + layout::descriptors_at;
+                const std::size_t data = descriptors + layout::descriptor_bytes * std::size_t{leaves};
                 const std::uint32_t descriptor =
-                    bytes_.u32(block + leaf::descriptors_at + leaf::descriptor_bytes * std::size_t{child - nodes});
-                const std::size_t offset = std::size_t{2} * (descriptor & ((1u << leaf::offset_bits) - 1));
-                std::vector<GridTriangle> triangles;
-                append_leaf(bytes_, {descriptor, data + offset, out.box.low}, decoded_.bits, triangles);
+                    bytes_.u32(descriptors + layout::descriptor_bytes * std::size_t{child - nodes});
+                const std::vector<GridTriangle> triangles =
+                    is_indexed_
+                        ? read_indexed_leaf(bytes_, {descriptor, data + 2 * (descriptor & 0x7FFu), out.box},
+                                            decoded_.bits)
+                        : read_strip_leaf(bytes_, {descriptor, data + (descriptor & 0x1FFFu), out.box}, decoded_.bits);
+                if (!is_indexed_ && bytes_.u32(block) + (descriptor >> layout::first_shift) != triangle) {
+                    throw std::runtime_error(
+                        "decoder: a leaf's first triangle is another one than its descriptor says");
+                }
                 out.first_triangle = triangle;
                 out.triangle_count = static_cast<std::uint32_t>(triangles.size());
                 if (std::size_t{triangle} + triangles.size() > decoded_.triangles.size()) {
@@ -182,10 +257,13 @@ private:
                                             bytes_.u32(at + format::source::file_at),
                                             bytes_.u32(at + format::source::mesh_at)});
             }
+            const unsigned corner_bits = is_indexed_ ? 0 : 2;
+            const std::size_t width = corner_bits + id_bits_;
             for (std::size_t i = 0; i < triangles; ++i) {
-                decoded_.original_ids.push_back(bytes_.field(at, i * id_bits_, id_bits_));
+                decoded_.first_corners.push_back(static_cast<std::uint8_t>(bytes_.field(at, i * width, corner_bits)));
+                decoded_.original_ids.push_back(bytes_.field(at, i * width + corner_bits, id_bits_));
             }
-            at += padded((triangles * id_bits_ + 7) / 8);
+            at += padded((triangles * width + 7) / 8);
         }
         if ((decoded_.features & format::feature::materials_8) != 0) {
             for (std::size_t i = 0; i < triangles; ++i) {
@@ -206,6 +284,7 @@ private:
 
     Bytes bytes_;
     DecodedBlob decoded_;
+    bool is_indexed_ = true;
     std::uint32_t node_count_ = 0;
     std::uint32_t leaf_bytes_ = 0;
     std::uint32_t source_count_ = 0;

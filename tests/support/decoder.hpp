@@ -1,5 +1,5 @@
-// A decoder of blobs that was written from format.hpp alone and shares no code with the runtime or the baker: slow,
-// plain, and the tests' second opinion on what the bytes mean.
+// A decoder of blobs that was written from docs/format.md and format.hpp alone and shares no code with the runtime or
+// the baker: slow, plain, and the tests' second opinion on what the bytes mean.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include <espalier/format.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier::tests {
@@ -49,6 +50,7 @@ struct DecodedSource {
 
 struct DecodedBlob {
     std::uint32_t features = 0;
+    format::Profile profile = format::Profile::fast;
     unsigned bits = 0;
     int step_exponent = 0;
     std::array<float, 3> origin{};
@@ -62,6 +64,7 @@ struct DecodedBlob {
     std::vector<GridTriangle> triangles;          // in storage order
     std::vector<DecodedSource> sources;           // empty without original ids
     std::vector<std::uint32_t> original_ids;      // one for each triangle, or none
+    std::vector<std::uint8_t> first_corners;      // as many: which corner of the original triangle comes first
     std::vector<std::uint16_t> materials;         // one for each triangle, or none
     std::vector<std::uint8_t> triangles_in_leaf;  // of each leaf, in storage order
 };

@@ -188,6 +188,8 @@ void exercise_lookups(Exercise& run) {
             hash.add(original.file);
             hash.add(original.mesh);
             hash.add(original.triangle);
+            hash.add(original.first_corner);
+            verdict.require(original.first_corner < 3, "a triangle begins with a corner that it does not have");
         }
         hash.add(std::uint32_t{material(blob, {index})});
     }

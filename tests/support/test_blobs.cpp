@@ -3,17 +3,21 @@
 #include <utility>
 
 #include "mesh_makers.hpp"
+#include "profiles.hpp"
 
 namespace espalier::tests {
 
 namespace {
 
 void add(std::vector<TestBlob>& blobs, const Mesh& mesh, unsigned bits) {
-    BakeOptions options;
-    options.bits = bits;
-    OpenedBlob opened(mesh, options);
-    DecodedBlob decoded = decode(opened.bytes);
-    blobs.push_back({mesh.name + ", " + std::to_string(bits) + " bits", std::move(opened), std::move(decoded)});
+    for (const format::Profile profile : every_profile) {
+        BakeOptions options = with_profile(profile);
+        options.bits = bits;
+        OpenedBlob opened(mesh, options);
+        DecodedBlob decoded = decode(opened.bytes);
+        blobs.push_back({mesh.name + ", " + std::to_string(bits) + " bits, profile " + name_of(profile),
+                         std::move(opened), std::move(decoded)});
+    }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The blobs that most claims about queries are tried on: every mesh maker, several lattices, several places in the
-// world.
+// world, each in every profile. Claims share their scale among the profiles: profiles.hpp.
 #pragma once
 
 #include <vector>

@@ -1,0 +1,49 @@
+// Claims that hold in every profile, tried in every profile.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include <espalier/bake.hpp>
+
+#include "test_scale.hpp"
+
+namespace espalier::tests {
+
+inline constexpr std::array every_profile = {format::Profile::fast, format::Profile::balanced, format::Profile::small};
+
+inline std::string name_of(format::Profile profile) {
+    switch (profile) {
+        case format::Profile::fast:
+            return "fast";
+        case format::Profile::balanced:
+            return "balanced";
+        case format::Profile::small:
+            return "small";
+    }
+    return "unknown";
+}
+
+inline BakeOptions with_profile(format::Profile profile, BakeOptions options = {}) {
+    options.profile = profile;
+    return options;
+}
+
+/// What a failure says besides is which profile it was.
+template <class Call>
+void for_each_profile(Call call) {
+    for (const format::Profile profile : every_profile) {
+        const std::string name = name_of(profile);
+        CAPTURE(name);
+        call(profile);
+    }
+}
+
+/// `scaled`, shared among the profiles: a claim that is tried in each of them takes no longer than it would in one.
+inline std::uint64_t scaled_share(std::uint64_t count) {
+    return (scaled(count) + every_profile.size() - 1) / every_profile.size();
+}
+
+}  // namespace espalier::tests
