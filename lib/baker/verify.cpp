@@ -1,6 +1,7 @@
 #include "verify.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include <espalier/blob.hpp>
 
@@ -17,20 +18,26 @@ namespace {
 /// Gathers the leaves' triangles into one welded mesh, with a look at each.
 class Gatherer {
 public:
-    Gatherer(std::uint32_t triangle_count, std::size_t leaves_at)
-        : leaves_at_(leaves_at), points_(std::size_t{triangle_count} * 3), triangles_(triangle_count) {}
+    Gatherer(std::uint32_t triangle_count, std::size_t leaves_at, format::Profile profile)
+        : leaves_at_(leaves_at),
+          profile_(profile),
+          points_(std::size_t{triangle_count} * 3),
+          triangles_(triangle_count) {}
 
     std::optional<std::string> add(const DecodedLeaf& leaf) {
         std::array<std::uint32_t, format::max_leaf_vertices> numbers{};
         for (unsigned i = 0; i < leaf.vertex_count; ++i) numbers[i] = weld(leaf.vertices[i]);
-        unsigned used = 0;
+        std::uint64_t used = 0;  // a bit for each vertex
+        static_assert(format::max_leaf_vertices < 64);
         for (unsigned i = 0; i < leaf.triangle_count; ++i) {
             const std::uint32_t index = leaf.first_triangle + i;
             std::array<std::uint32_t, 3> corners{};
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const std::uint32_t vertex = leaf.corners[i][corner];
-                if (vertex > used) return about(index, leaf, "uses a vertex before the ones that are numbered lower");
-                used += vertex == used ? 1 : 0;
+                // Of a strip it is the entries whose first uses number the vertices; a window may turn them round.
+                if (profile_ == format::Profile::fast && vertex > static_cast<unsigned>(std::popcount(used)))
+                    return about(index, leaf, "uses a vertex before the ones that are numbered lower");
+                used |= std::uint64_t{1} << vertex;
                 corners[corner] = numbers[vertex];
             }
             const auto [a, b, c] = corners;
@@ -41,7 +48,7 @@ public:
             if (same != index) return about(index, leaf, "is the same as triangle " + std::to_string(same));
             mesh.triangles.push_back({corners, index});
         }
-        if (used != leaf.vertex_count)
+        if (static_cast<unsigned>(std::popcount(used)) != leaf.vertex_count)
             return about(leaf.first_triangle, leaf, "is in a leaf with vertices that none uses");
         return std::nullopt;
     }
@@ -62,6 +69,7 @@ private:
     }
 
     std::size_t leaves_at_;
+    format::Profile profile_;
     InsertionTable points_;
     TriangleSet triangles_;
 };
@@ -91,7 +99,7 @@ std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
     const TreeBytes tree{bytes.subspan(format::header::bytes, node_bytes), bytes.subspan(leaves_at, data.leaf_bytes),
                          data.bits, data.profile};
 
-    Gatherer gatherer(blob.triangle_count(), leaves_at);
+    Gatherer gatherer(blob.triangle_count(), leaves_at, data.profile);
     TreeCounts counts;
     const auto gather = [&](const DecodedLeaf& leaf) { return gatherer.add(leaf); };
     if (auto complaint = check_tree(tree, gather, counts)) return complaint;
