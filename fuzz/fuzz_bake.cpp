@@ -57,9 +57,10 @@ Question read_question(Input& input) {
     Question question;
     BakeOptions& options = question.options;
     options.bits = 1 + input.byte() % 24;
-    const unsigned effort_and_builder = input.byte();
-    options.effort = effort_and_builder % 10;
-    options.builder = static_cast<Builder>(effort_and_builder / 10 % 5);
+    const unsigned choices = input.byte();
+    options.effort = choices % 10;
+    options.builder = static_cast<Builder>(choices / 10 % 5);
+    options.profile = static_cast<format::Profile>(choices / 50 % 3);
     const std::uint8_t flags = input.byte();
     options.original_ids = (flags & 1) != 0;
     options.materials = static_cast<Materials>((flags >> 1 & 3u) % 3u);

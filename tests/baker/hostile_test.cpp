@@ -7,6 +7,7 @@
 #include <baker/verify.hpp>
 
 #include "../support/hostile_values.hpp"
+#include "../support/profiles.hpp"
 #include "../support/random.hpp"
 #include "../support/test_scale.hpp"
 #include "baking_support.hpp"
@@ -70,6 +71,7 @@ TEST_SUITE("baker") {
             options.materials = static_cast<Materials>(random.below(3));
             options.effort = random.below(10);
             options.builder = static_cast<Builder>(random.below(5));
+            options.profile = every_profile[random.below(every_profile.size())];
             const auto result = random.coin() ? bake_mesh(first, options) : bake_meshes({&first, &second}, options);
             if (!result) {
                 ++refused;

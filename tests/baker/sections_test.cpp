@@ -3,6 +3,7 @@
 
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
 #include "baking_support.hpp"
 
 using namespace espalier;
@@ -10,91 +11,100 @@ using namespace espalier::tests;
 
 TEST_SUITE("baker") {
     TEST_CASE("original ids lead back to file, mesh and triangle, whatever was dropped before") {
-        Mesh first = make_cube(0.0f, 1.0f);
-        first.triangles.insert(first.triangles.begin(), {0, 0, 1});
-        const Mesh empty;
-        Mesh second = make_icosphere(2, 0.25, {3, 0, 0});
-        second.triangles[5] = second.triangles[4];
-        std::vector<MeshView> views = {first.view(), empty.view(), second.view()};
-        views[0].file = 7;
-        views[0].mesh = 1;
-        views[2].file = 9;
-        views[2].mesh = 2;
-        BakeOptions options;
-        options.original_ids = true;
-        const auto result = bake(views, options);
-        REQUIRE(result);
-        const OpenedBlob opened(result->blob);
-        CHECK(opened.blob.has_original_ids());
-        const DecodedBlob decoded = decode(result->blob);
-        REQUIRE(decoded.sources.size() == 3);
-        CHECK(decoded.sources[1].first == 13);
-        CHECK(decoded.sources[2].first == 13);
-        CHECK(decoded.source_triangles == 13 + second.triangles.size());
-        for (std::uint32_t i = 0; i < opened.blob.triangle_count(); ++i) {
-            OriginalTriangle original;
-            REQUIRE(original_triangle(opened.blob, Triangle{i}, original));
-            const Mesh& mesh = original.file == 7 ? first : second;
-            CHECK(original.mesh == (original.file == 7 ? 1 : 2));
-            REQUIRE(original.triangle < mesh.triangles.size());
-            const auto corners = world_corners(decoded, decoded.triangles[i]);
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const Vec3& meant = mesh.positions[mesh.triangles[original.triangle][corner]];
-                CHECK(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
-                CHECK(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
-                CHECK(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
+        for_each_profile([](format::Profile profile) {
+            Mesh first = make_cube(0.0f, 1.0f);
+            first.triangles.insert(first.triangles.begin(), {0, 0, 1});
+            const Mesh empty;
+            Mesh second = make_icosphere(2, 0.25, {3, 0, 0});
+            second.triangles[5] = second.triangles[4];
+            std::vector<MeshView> views = {first.view(), empty.view(), second.view()};
+            views[0].file = 7;
+            views[0].mesh = 1;
+            views[2].file = 9;
+            views[2].mesh = 2;
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            const auto result = bake(views, options);
+            REQUIRE(result);
+            const OpenedBlob opened(result->blob);
+            CHECK(opened.blob.has_original_ids());
+            const DecodedBlob decoded = decode(result->blob);
+            REQUIRE(decoded.sources.size() == 3);
+            CHECK(decoded.sources[1].first == 13);
+            CHECK(decoded.sources[2].first == 13);
+            CHECK(decoded.source_triangles == 13 + second.triangles.size());
+            for (std::uint32_t i = 0; i < opened.blob.triangle_count(); ++i) {
+                OriginalTriangle original;
+                REQUIRE(original_triangle(opened.blob, Triangle{i}, original));
+                const Mesh& mesh = original.file == 7 ? first : second;
+                CHECK(original.mesh == (original.file == 7 ? 1 : 2));
+                REQUIRE(original.triangle < mesh.triangles.size());
+                const auto corners = world_corners(decoded, decoded.triangles[i]);
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    const Vec3& meant =
+                        mesh.positions[mesh.triangles[original.triangle][(original.first_corner + corner) % 3]];
+                    CHECK(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
+                    CHECK(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
+                    CHECK(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
+                }
             }
-        }
+        });
     }
 
     TEST_CASE("without the option there are no ids, and the tree is the same") {
-        const Mesh mesh = make_terrain(10, 1);
-        BakeOptions options;
-        const auto without = bake_mesh(mesh, options);
-        options.original_ids = true;
-        options.materials = Materials::bits_8;
-        const auto with = bake_mesh(mesh, options);
-        REQUIRE(without);
-        REQUIRE(with);
-        CHECK(!OpenedBlob(without->blob).blob.has_original_ids());
-        const std::size_t tree_end = without->blob.size();
-        CHECK(with->blob.size() > tree_end);
-        CHECK(std::equal(without->blob.begin() + format::header::bytes, without->blob.end(),
-                         with->blob.begin() + format::header::bytes));
+        for_each_profile([](format::Profile profile) {
+            const Mesh mesh = make_terrain(10, 1);
+            BakeOptions options = with_profile(profile);
+            const auto without = bake_mesh(mesh, options);
+            options.original_ids = true;
+            options.materials = Materials::bits_8;
+            const auto with = bake_mesh(mesh, options);
+            REQUIRE(without);
+            REQUIRE(with);
+            CHECK(!OpenedBlob(without->blob).blob.has_original_ids());
+            const std::size_t tree_end = without->blob.size();
+            CHECK(with->blob.size() > tree_end);
+            CHECK(std::equal(without->blob.begin() + format::header::bytes, without->blob.end(),
+                             with->blob.begin() + format::header::bytes));
+        });
     }
 
     TEST_CASE("materials go with their triangles, in 8 and in 16 bits, and are 0 where none were given") {
-        Mesh mesh = make_icosphere(3, 1.0, {0, 0, 0});
-        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i * 7 % 256);
-        const Mesh plain = make_cube(3.0f, 4.0f);
-        for (const Materials width : {Materials::bits_8, Materials::bits_16}) {
-            if (width == Materials::bits_16) mesh.materials[3] = 65535;
-            BakeOptions options;
-            options.original_ids = true;
-            options.materials = width;
-            const auto result = bake_meshes({&mesh, &plain}, options);
-            REQUIRE(result);
-            const OpenedBlob opened(result->blob);
-            CHECK(opened.blob.has_materials());
-            const DecodedBlob decoded = decode(result->blob);
-            for (std::uint32_t i = 0; i < opened.blob.triangle_count(); ++i) {
-                const std::uint32_t id = decoded.original_ids[i];
-                CHECK(material(opened.blob, Triangle{i}) == (id < mesh.materials.size() ? mesh.materials[id] : 0));
+        for_each_profile([](format::Profile profile) {
+            Mesh mesh = make_icosphere(3, 1.0, {0, 0, 0});
+            for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i * 7 % 256);
+            const Mesh plain = make_cube(3.0f, 4.0f);
+            for (const Materials width : {Materials::bits_8, Materials::bits_16}) {
+                if (width == Materials::bits_16) mesh.materials[3] = 65535;
+                BakeOptions options = with_profile(profile);
+                options.original_ids = true;
+                options.materials = width;
+                const auto result = bake_meshes({&mesh, &plain}, options);
+                REQUIRE(result);
+                const OpenedBlob opened(result->blob);
+                CHECK(opened.blob.has_materials());
+                const DecodedBlob decoded = decode(result->blob);
+                for (std::uint32_t i = 0; i < opened.blob.triangle_count(); ++i) {
+                    const std::uint32_t id = decoded.original_ids[i];
+                    CHECK(material(opened.blob, Triangle{i}) == (id < mesh.materials.size() ? mesh.materials[id] : 0));
+                }
             }
-        }
+        });
     }
 
     TEST_CASE("ids and materials of one triangle and of none are legal") {
-        BakeOptions options;
-        options.original_ids = true;
-        options.materials = Materials::bits_16;
-        for (const std::size_t count : {0u, 1u, 2u, 3u}) {
-            const auto result = bake_mesh(first_triangles(make_cube(0.0f, 1.0f), count), options);
-            REQUIRE(result);
-            const OpenedBlob opened(result->blob);
-            CHECK(opened.blob.triangle_count() == count);
-        }
-        CHECK(OpenedBlob(bake({}, options)->blob).blob.triangle_count() == 0);
+        for_each_profile([](format::Profile profile) {
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            options.materials = Materials::bits_16;
+            for (const std::size_t count : {0u, 1u, 2u, 3u}) {
+                const auto result = bake_mesh(first_triangles(make_cube(0.0f, 1.0f), count), options);
+                REQUIRE(result);
+                const OpenedBlob opened(result->blob);
+                CHECK(opened.blob.triangle_count() == count);
+            }
+            CHECK(OpenedBlob(bake({}, options)->blob).blob.triangle_count() == 0);
+        });
     }
 
     TEST_CASE("closed meshes are called closed and with a triangle less, more or turned round they are not") {

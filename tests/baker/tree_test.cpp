@@ -11,6 +11,7 @@
 
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
 #include "baking_support.hpp"
 #include "tree_support.hpp"
 
@@ -48,10 +49,10 @@ unsigned wide_depth(const baker::CollapsePlan& plan, std::uint32_t binary_node, 
     return below + 1;
 }
 
-void check_soundness(const Mesh& mesh, const BakeOptions& options = {}) {
+void check_soundness(const Mesh& mesh, format::Profile profile, const BakeOptions& options) {
     CAPTURE(mesh.name);
     CAPTURE(mesh.triangles.size());
-    const auto result = bake_mesh(mesh, options);
+    const auto result = bake_mesh(mesh, with_profile(profile, options));
     REQUIRE(result);
     const auto complaint = baker::verify_deep(result->blob);
     if (complaint) FAIL_CHECK(*complaint);
@@ -65,13 +66,18 @@ void check_soundness(const Mesh& mesh, const BakeOptions& options = {}) {
     CHECK(blob.depth() <= format::max_depth);
 }
 
+void check_soundness(const Mesh& mesh, const BakeOptions& options = {}) {
+    for_each_profile([&](format::Profile profile) { check_soundness(mesh, profile, options); });
+}
+
 }  // namespace
 
 TEST_SUITE("baker") {
     TEST_CASE("the same bytes at any number of threads") {
         for (const Mesh& mesh : {make_terrain(60, 1), make_soup(6000, 2), make_torus(120, 50, 3.0, 1.0)}) {
             for (const unsigned effort : {0u, 5u, 9u}) {
-                BakeOptions options;
+                // Effort 0 with indexed leaves, 5 and 9 with strips.
+                BakeOptions options = with_profile(static_cast<format::Profile>((effort + 4) / 5));
                 options.effort = effort;
                 const auto one = bake_mesh(mesh, options);
                 REQUIRE(one);

@@ -9,6 +9,7 @@
 
 #include "../support/hostile_values.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/same_bits.hpp"
 #include "../support/test_blobs.hpp"
@@ -91,6 +92,10 @@ TEST_SUITE("promises") {
         BakeOptions finest;
         finest.bits = 24;
         blobs.emplace_back(scaled_by(make_terrain(20, 7), 0x1p-80f), finest);  // points of the surface next to 0
+        blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), 0x1p-85f),
+                           with_profile(format::Profile::balanced));
+        blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p80f), with_profile(format::Profile::small));
+        blobs.emplace_back(scaled_by(make_terrain(20, 7), 0x1p-80f), with_profile(format::Profile::small, finest));
         for (const OpenedBlob& opened : blobs) {
             const DecodedBlob decoded = decode(opened.bytes);
             CAPTURE(decoded.step_exponent);
@@ -100,7 +105,7 @@ TEST_SUITE("promises") {
             const auto subnormal = [&] {
                 return std::bit_cast<float>((static_cast<std::uint32_t>(random.next()) & 0x807FFFFFu));
             };
-            for (std::uint64_t i = 0; i < scaled(3'000); ++i) {
+            for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
                 Ray ray = maker.any_ray();
                 Sphere sphere = maker.sphere();
                 switch (random.below(8)) {

@@ -8,6 +8,7 @@
 
 #include "../support/baking.hpp"
 #include "../support/mesh.hpp"
+#include "../support/profiles.hpp"
 
 using namespace espalier;
 using tests::Mesh;
@@ -37,18 +38,20 @@ bool is_not_the_first(Triangle triangle) { return triangle.index != 0; }
 
 TEST_SUITE("far queries") {
     TEST_CASE("of hits that round to the same t from far away the lowest index wins") {
-        const OpenedBlob stack(stacked_triangles(40));
-        const Ray ray{{8.0f, 8.0f, 0x1p34f}, {0.0f, 0.0f, -1.0f}};
-        RayHit hit;
-        REQUIRE(raycast(stack.blob, ray, hit));
-        CHECK(hit.t == 0x1p34f);
-        CHECK(hit.triangle.index == 0);
-        unsigned hits = 0;
-        for_each_hit(stack.blob, ray, [&](const RayHit& each) {
-            CHECK(each.t == 0x1p34f);
-            return ++hits, keep_going;
+        tests::for_each_profile([](format::Profile profile) {
+            const OpenedBlob stack(stacked_triangles(40), tests::with_profile(profile));
+            const Ray ray{{8.0f, 8.0f, 0x1p34f}, {0.0f, 0.0f, -1.0f}};
+            RayHit hit;
+            REQUIRE(raycast(stack.blob, ray, hit));
+            CHECK(hit.t == 0x1p34f);
+            CHECK(hit.triangle.index == 0);
+            unsigned hits = 0;
+            for_each_hit(stack.blob, ray, [&](const RayHit& each) {
+                CHECK(each.t == 0x1p34f);
+                return ++hits, keep_going;
+            });
+            CHECK(hits == 40);
         });
-        CHECK(hits == 40);
     }
 
     TEST_CASE("a plain function may be a filter") {

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <string>
+#include <vector>
 
 #include <espalier/espalier.hpp>
 
@@ -24,9 +25,9 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-Bytes small_blob(bool sections) {
+Bytes small_blob(format::Profile profile, bool sections) {
     Mesh mesh = make_icosphere(1, 1.0, {0.25f, 0.0f, -1.0f});
-    BakeOptions options;
+    BakeOptions options = with_profile(profile);
     if (sections) {
         mesh.materials.assign(mesh.triangles.size(), 3);
         options.original_ids = true;
@@ -51,48 +52,57 @@ bool open_and_exercise(std::span<const std::byte> bytes, std::uint64_t seed, uns
 
 TEST_SUITE("hostile") {
     TEST_CASE("every single-bit flip is refused by the checksum") {
-        for (const bool sections : {false, true}) {
-            ExactBuffer buffer(small_blob(sections));
-            for (std::size_t bit = 0; bit < 8 * buffer.bytes().size(); ++bit) {
-                const auto mask = static_cast<std::byte>(1u << (bit % 8));
-                buffer.bytes()[bit / 8] ^= mask;
+        for_each_profile([](format::Profile profile) {
+            for (const bool sections : {false, true}) {
+                ExactBuffer buffer(small_blob(profile, sections));
+                for (std::size_t bit = 0; bit < 8 * buffer.bytes().size(); ++bit) {
+                    const auto mask = static_cast<std::byte>(1u << (bit % 8));
+                    buffer.bytes()[bit / 8] ^= mask;
+                    Blob blob;
+                    REQUIRE(open(buffer.bytes(), blob) != Status::ok);
+                    buffer.bytes()[bit / 8] ^= mask;
+                }
                 Blob blob;
-                REQUIRE(open(buffer.bytes(), blob) != Status::ok);
-                buffer.bytes()[bit / 8] ^= mask;
+                REQUIRE(open(buffer.bytes(), blob) == Status::ok);
             }
-            Blob blob;
-            REQUIRE(open(buffer.bytes(), blob) == Status::ok);
-        }
+        });
     }
 
     TEST_CASE("every single-bit flip with the checksum repaired is refused or leaves every query safe") {
-        for (const bool sections : {false, true}) {
-            ExactBuffer buffer(small_blob(sections));
-            std::size_t opened = 0;
-            const std::size_t bits = 8 * buffer.bytes().size();
-            for (std::size_t bit = 0; bit < bits; ++bit) {
-                const auto mask = static_cast<std::byte>(1u << (bit % 8));
-                buffer.bytes()[bit / 8] ^= mask;
+        for_each_profile([](format::Profile profile) {
+            for (const bool sections : {false, true}) {
+                ExactBuffer buffer(small_blob(profile, sections));
+                std::size_t opened = 0;
+                const std::size_t bits = 8 * buffer.bytes().size();
+                for (std::size_t bit = 0; bit < bits; ++bit) {
+                    const auto mask = static_cast<std::byte>(1u << (bit % 8));
+                    buffer.bytes()[bit / 8] ^= mask;
+                    repair_checksum(buffer.bytes());
+                    if (open_and_exercise(buffer.bytes(), bit, 12)) ++opened;
+                    buffer.bytes()[bit / 8] ^= mask;
+                }
                 repair_checksum(buffer.bytes());
-                if (open_and_exercise(buffer.bytes(), bit, 12)) ++opened;
-                buffer.bytes()[bit / 8] ^= mask;
+                REQUIRE(open_and_exercise(buffer.bytes(), 0, 12));
+                // Coordinates and planes may change and stay legal; structure may not.
+                MESSAGE(opened, " of ", bits, " flips opened");
+                CHECK(opened < bits);
             }
-            repair_checksum(buffer.bytes());
-            REQUIRE(open_and_exercise(buffer.bytes(), 0, 12));
-            // Coordinates and planes may change and stay legal; structure may not.
-            MESSAGE(opened, " of ", bits, " flips opened");
-            CHECK(opened < bits);
-        }
+        });
     }
 
     TEST_CASE("bursts of changed bytes with the checksum repaired are refused or leave every query safe") {
         std::uint64_t opened = 0;
         const std::uint64_t count = scaled(20'000);
         Random random(5);
-        const Bytes originals[] = {small_blob(false), small_blob(true), bake_or_throw(make_cube(0.0f, 1.0f)),
-                                   bake_or_throw(make_soup(60, 1))};
+        std::vector<Bytes> originals;
+        for_each_profile([&](format::Profile profile) {
+            originals.push_back(small_blob(profile, false));
+            originals.push_back(small_blob(profile, true));
+            originals.push_back(bake_or_throw(make_cube(0.0f, 1.0f), with_profile(profile)));
+            originals.push_back(bake_or_throw(make_soup(60, 1), with_profile(profile)));
+        });
         for (std::uint64_t i = 0; i < count; ++i) {
-            ExactBuffer buffer(originals[i % std::size(originals)]);
+            ExactBuffer buffer(originals[i % originals.size()]);
             const auto size = static_cast<std::uint32_t>(buffer.bytes().size());
             for (std::uint32_t change = 0; change <= random.below(4); ++change) {
                 // The beginning decides the most.
@@ -108,91 +118,98 @@ TEST_SUITE("hostile") {
     }
 
     TEST_CASE("every hostile value in every slot of every query is safe") {
-        const OpenedBlob far(make_far_sphere());
-        const OpenedBlob flat(make_plane_grid(6));
-        const OpenedBlob tiny(scaled_by(make_cube(-1.0f, 1.0f), 0x1p-85f));
-        const OpenedBlob huge(scaled_by(make_cube(-1.0f, 1.0f), 0x1p100f));
-        for (const Blob& blob : {Blob(), far.blob, flat.blob, tiny.blob, huge.blob}) {
-            const Vec3 low = blob.bounds_min();
-            const Vec3 high = blob.bounds_max();
-            const Vec3 middle{low.x + (high.x - low.x) * 0.4f, low.y + (high.y - low.y) * 0.5f,
-                              low.z + (high.z - low.z) * 0.6f};
-            for (int slot = 0; slot < 8; ++slot) {
-                for (const float value : hostile_values) {
-                    for (const float other : {0.0f, value, 1.0f}) {
-                        Ray ray{middle, {other, 0.25f, 0.5f}};
-                        float* const slots[8] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
-                                                 &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
-                        *slots[slot] = value;
-                        RayHit hit;
-                        const bool found = raycast(blob, ray, hit);
-                        CHECK(occluded(blob, ray) == found);
-                        const float arguments[8] = {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
-                                                    ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
-                        for (int i = 0; i < 8; ++i) {
-                            const bool infinite_end = i >= 6;
-                            if (arguments[i] != arguments[i]) CHECK_FALSE(found);
-                            if (!infinite_end && arguments[i] - arguments[i] != 0.0f) CHECK_FALSE(found);
-                        }
-                        if (ray.t_max < 0.0f || ray.t_min > ray.t_max) CHECK_FALSE(found);
-                        if (found) {
-                            CHECK(hit.t >= ray.t_min);
-                            CHECK(hit.t <= ray.t_max);
+        for_each_profile([](format::Profile profile) {
+            const BakeOptions options = with_profile(profile);
+            const OpenedBlob far(make_far_sphere(), options);
+            const OpenedBlob flat(make_plane_grid(6), options);
+            const OpenedBlob tiny(scaled_by(make_cube(-1.0f, 1.0f), 0x1p-85f), options);
+            const OpenedBlob huge(scaled_by(make_cube(-1.0f, 1.0f), 0x1p100f), options);
+            for (const Blob& blob : {Blob(), far.blob, flat.blob, tiny.blob, huge.blob}) {
+                const Vec3 low = blob.bounds_min();
+                const Vec3 high = blob.bounds_max();
+                const Vec3 middle{low.x + (high.x - low.x) * 0.4f, low.y + (high.y - low.y) * 0.5f,
+                                  low.z + (high.z - low.z) * 0.6f};
+                for (int slot = 0; slot < 8; ++slot) {
+                    for (const float value : hostile_values) {
+                        for (const float other : {0.0f, value, 1.0f}) {
+                            Ray ray{middle, {other, 0.25f, 0.5f}};
+                            float* const slots[8] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z,
+                                                     &ray.direction.x, &ray.direction.y, &ray.direction.z,
+                                                     &ray.t_min,       &ray.t_max};
+                            *slots[slot] = value;
+                            RayHit hit;
+                            const bool found = raycast(blob, ray, hit);
+                            CHECK(occluded(blob, ray) == found);
+                            const float arguments[8] = {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
+                                                        ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
+                            for (int i = 0; i < 8; ++i) {
+                                const bool infinite_end = i >= 6;
+                                if (arguments[i] != arguments[i]) CHECK_FALSE(found);
+                                if (!infinite_end && arguments[i] - arguments[i] != 0.0f) CHECK_FALSE(found);
+                            }
+                            if (ray.t_max < 0.0f || ray.t_min > ray.t_max) CHECK_FALSE(found);
+                            if (found) {
+                                CHECK(hit.t >= ray.t_min);
+                                CHECK(hit.t <= ray.t_max);
+                            }
                         }
                     }
                 }
-            }
-            for (int slot = 0; slot < 4; ++slot) {
-                for (const float value : hostile_values) {
-                    Sphere sphere{middle, high.x - low.x};
-                    float* const slots[4] = {&sphere.center.x, &sphere.center.y, &sphere.center.z, &sphere.radius};
-                    *slots[slot] = value;
-                    Nearest nearest;
-                    const bool found = closest_point(blob, sphere.center, sphere.radius, nearest);
-                    CHECK(overlaps(blob, sphere) == found);
-                    if (value != value || value == -__builtin_inff() || (slot < 3 && value == __builtin_inff()))
-                        CHECK_FALSE(found);
-                    if (slot == 3 && value < 0.0f) CHECK_FALSE(found);
-                    if (slot == 3 && value == __builtin_inff()) CHECK(found == (blob.triangle_count() != 0));
-                    if (found) CHECK(nearest.distance <= sphere.radius);
+                for (int slot = 0; slot < 4; ++slot) {
+                    for (const float value : hostile_values) {
+                        Sphere sphere{middle, high.x - low.x};
+                        float* const slots[4] = {&sphere.center.x, &sphere.center.y, &sphere.center.z, &sphere.radius};
+                        *slots[slot] = value;
+                        Nearest nearest;
+                        const bool found = closest_point(blob, sphere.center, sphere.radius, nearest);
+                        CHECK(overlaps(blob, sphere) == found);
+                        if (value != value || value == -__builtin_inff() || (slot < 3 && value == __builtin_inff()))
+                            CHECK_FALSE(found);
+                        if (slot == 3 && value < 0.0f) CHECK_FALSE(found);
+                        if (slot == 3 && value == __builtin_inff()) CHECK(found == (blob.triangle_count() != 0));
+                        if (found) CHECK(nearest.distance <= sphere.radius);
+                    }
                 }
             }
-        }
+        });
     }
 
     TEST_CASE("random bit patterns as arguments give the same answers on every instruction set") {
-        const OpenedBlob tiny(scaled_by(make_cube(-1.0f, 1.0f), 0x1p-85f));
-        const OpenedBlob huge(scaled_by(make_cube(-1.0f, 1.0f), 0x1p100f));
-        const OpenedBlob unit(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
-        const OpenedBlob far(make_far_sphere());
-        Random random(7);
-        for (const Blob& blob : {tiny.blob, huge.blob, unit.blob, far.blob}) {
-            const Vec3 low = blob.bounds_min();
-            const Vec3 high = blob.bounds_max();
-            const auto any = [&](float from, float to) {
-                switch (random.below(4)) {
-                    case 0:
-                        return hostile_values[random.below(hostile_values.size())];
-                    case 1:
-                        return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
-                    default:
-                        return from + (to - from) * (random.unit() * 3.0f - 1.0f);
+        for_each_profile([](format::Profile profile) {
+            const BakeOptions options = with_profile(profile);
+            const OpenedBlob tiny(scaled_by(make_cube(-1.0f, 1.0f), 0x1p-85f), options);
+            const OpenedBlob huge(scaled_by(make_cube(-1.0f, 1.0f), 0x1p100f), options);
+            const OpenedBlob unit(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), options);
+            const OpenedBlob far(make_far_sphere(), options);
+            Random random(7);
+            for (const Blob& blob : {tiny.blob, huge.blob, unit.blob, far.blob}) {
+                const Vec3 low = blob.bounds_min();
+                const Vec3 high = blob.bounds_max();
+                const auto any = [&](float from, float to) {
+                    switch (random.below(4)) {
+                        case 0:
+                            return hostile_values[random.below(hostile_values.size())];
+                        case 1:
+                            return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+                        default:
+                            return from + (to - from) * (random.unit() * 3.0f - 1.0f);
+                    }
+                };
+                for (std::uint64_t i = 0; i < scaled_share(30'000); ++i) {
+                    const Vec3 origin{any(low.x, high.x), any(low.y, high.y), any(low.z, high.z)};
+                    const Vec3 target{any(low.x, high.x), any(low.y, high.y), any(low.z, high.z)};
+                    Ray ray{origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z}};
+                    if (random.below(4) == 0) ray.direction = target;
+                    if (random.below(4) == 0) ray.t_min = any(0.0f, 1.0f);
+                    if (random.below(4) == 0) ray.t_max = any(0.0f, 1.0f);
+                    ray.faces = static_cast<Faces>(random.below(3));
+                    const auto ray_difference = path_difference(blob, ray);
+                    REQUIRE_MESSAGE(!ray_difference, *ray_difference);
+                    const auto sphere_difference = path_difference(blob, Sphere{origin, any(0.0f, high.x - low.x)});
+                    REQUIRE_MESSAGE(!sphere_difference, *sphere_difference);
                 }
-            };
-            for (std::uint64_t i = 0; i < scaled(30'000); ++i) {
-                const Vec3 origin{any(low.x, high.x), any(low.y, high.y), any(low.z, high.z)};
-                const Vec3 target{any(low.x, high.x), any(low.y, high.y), any(low.z, high.z)};
-                Ray ray{origin, {target.x - origin.x, target.y - origin.y, target.z - origin.z}};
-                if (random.below(4) == 0) ray.direction = target;
-                if (random.below(4) == 0) ray.t_min = any(0.0f, 1.0f);
-                if (random.below(4) == 0) ray.t_max = any(0.0f, 1.0f);
-                ray.faces = static_cast<Faces>(random.below(3));
-                const auto ray_difference = path_difference(blob, ray);
-                REQUIRE_MESSAGE(!ray_difference, *ray_difference);
-                const auto sphere_difference = path_difference(blob, Sphere{origin, any(0.0f, high.x - low.x)});
-                REQUIRE_MESSAGE(!sphere_difference, *sphere_difference);
             }
-        }
+        });
     }
 
     TEST_CASE("random bit patterns as arguments are safe on every test blob") {

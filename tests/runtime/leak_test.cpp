@@ -8,8 +8,8 @@
 
 #include "../support/closed_shapes.hpp"
 #include "../support/instruction_paths.hpp"
+#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
-#include "../support/test_scale.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -46,7 +46,7 @@ GridPoint on_float_grid(const DecodedBlob& decoded, GridPoint point) {
 TEST_SUITE("traversal against the loop") {
     TEST_CASE("no ray from inside a closed mesh leaks through a vertex or a side") {
         // Times a scale of 1,000 these are ten million rays.
-        const std::uint64_t count = scaled(2'500);
+        const std::uint64_t count = scaled_share(2'500);
         for (const ClosedShape& shape : make_closed_shapes()) {
             CAPTURE(shape.name);
             REQUIRE(shape.opened.blob.closed());

@@ -13,6 +13,8 @@
 #include "../support/exercise.hpp"
 #include "../support/guarded_pages.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
+#include "../support/strip_shapes.hpp"
 #include "../support/test_blobs.hpp"
 
 using namespace espalier;
@@ -50,10 +52,10 @@ bool is_empty(const Blob& blob) {
            !raycast(blob, {{0.0f, 0.0f, 9.0f}, {0.0f, 0.0f, -1.0f}}, hit);
 }
 
-Bytes full_blob() {
+Bytes full_blob(format::Profile profile) {
     Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i);
-    BakeOptions options;
+    BakeOptions options = with_profile(profile);
     options.original_ids = true;
     options.materials = Materials::bits_16;
     return bake_or_throw(mesh, options);
@@ -97,18 +99,20 @@ constexpr std::array header_fields = {
 
 TEST_SUITE("open") {
     TEST_CASE("what the baker writes opens at every misalignment with the same answers") {
-        const Bytes bytes = full_blob();
-        std::uint64_t expected = 0;
-        for (std::size_t misalignment = 0; misalignment < 16; ++misalignment) {
-            CAPTURE(misalignment);
-            const ExactBuffer buffer(bytes, misalignment);
-            Blob blob;
-            REQUIRE(open(buffer.bytes(), blob) == Status::ok);
-            Random random(1);
-            const std::uint64_t answers = exercise(blob, random, 200);
-            if (misalignment == 0) expected = answers;
-            REQUIRE(answers == expected);
-        }
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = full_blob(profile);
+            std::uint64_t expected = 0;
+            for (std::size_t misalignment = 0; misalignment < 16; ++misalignment) {
+                CAPTURE(misalignment);
+                const ExactBuffer buffer(bytes, misalignment);
+                Blob blob;
+                REQUIRE(open(buffer.bytes(), blob) == Status::ok);
+                Random random(1);
+                const std::uint64_t answers = exercise(blob, random, 200);
+                if (misalignment == 0) expected = answers;
+                REQUIRE(answers == expected);
+            }
+        });
     }
 
     TEST_CASE("a blob in read-only memory between unreadable pages opens and answers") {
@@ -126,37 +130,43 @@ TEST_SUITE("open") {
     }
 
     TEST_CASE("every truncation is refused as too short and leaves the blob empty") {
-        const Bytes bytes = full_blob();
-        for (std::size_t size = 0; size < bytes.size(); ++size) {
-            const ExactBuffer shorter(std::span<const std::byte>(bytes).first(size));
-            Blob blob;
-            REQUIRE(open(shorter.bytes(), blob) == Status::too_short);
-            REQUIRE(is_empty(blob));
-        }
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = full_blob(profile);
+            for (std::size_t size = 0; size < bytes.size(); ++size) {
+                const ExactBuffer shorter(std::span<const std::byte>(bytes).first(size));
+                Blob blob;
+                REQUIRE(open(shorter.bytes(), blob) == Status::too_short);
+                REQUIRE(is_empty(blob));
+            }
+        });
     }
 
     TEST_CASE("every truncation is refused even when size and checksum are repaired") {
-        const Bytes bytes = full_blob();
-        for (std::size_t size = format::header::bytes; size < bytes.size(); ++size) {
-            ExactBuffer shorter(std::span<const std::byte>(bytes).first(size));
-            for (unsigned i = 0; i < 4; ++i) {
-                shorter.bytes()[format::header::total_bytes_at + i] = static_cast<std::byte>(size >> (8 * i));
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = full_blob(profile);
+            for (std::size_t size = format::header::bytes; size < bytes.size(); ++size) {
+                ExactBuffer shorter(std::span<const std::byte>(bytes).first(size));
+                for (unsigned i = 0; i < 4; ++i) {
+                    shorter.bytes()[format::header::total_bytes_at + i] = static_cast<std::byte>(size >> (8 * i));
+                }
+                repair_checksum(shorter.bytes());
+                Blob blob;
+                REQUIRE(open(shorter.bytes(), blob) != Status::ok);
+                REQUIRE(is_empty(blob));
             }
-            repair_checksum(shorter.bytes());
-            Blob blob;
-            REQUIRE(open(shorter.bytes(), blob) != Status::ok);
-            REQUIRE(is_empty(blob));
-        }
+        });
     }
 
     TEST_CASE("trailing bytes are refused, also when the size is made to fit") {
-        Bytes bytes = full_blob();
-        for (const std::size_t more : {1u, 3u, 4u, 64u, 1000u}) {
-            Bytes longer = bytes;
-            longer.resize(bytes.size() + more);
-            CHECK(status_of(longer) == Status::trailing_bytes);
-            CHECK(status_with(longer, format::header::total_bytes_at, longer.size(), 4) == Status::bad_section);
-        }
+        for_each_profile([](format::Profile profile) {
+            Bytes bytes = full_blob(profile);
+            for (const std::size_t more : {1u, 3u, 4u, 64u, 1000u}) {
+                Bytes longer = bytes;
+                longer.resize(bytes.size() + more);
+                CHECK(status_of(longer) == Status::trailing_bytes);
+                CHECK(status_with(longer, format::header::total_bytes_at, longer.size(), 4) == Status::bad_section);
+            }
+        });
     }
 
     TEST_CASE("bytes that were never a blob are refused") {
@@ -175,46 +185,50 @@ TEST_SUITE("open") {
     }
 
     TEST_CASE("each status has its cause") {
-        const Bytes bytes = full_blob();
-        REQUIRE(status_of(bytes) == Status::ok);
-        namespace at = format::header;
-        Bytes changed = bytes;
-        changed.back() ^= std::byte{1};
-        CHECK(status_of(changed) == Status::bad_checksum);
-        CHECK(status_with(bytes, at::magic_at, 0x4C505346u, 4) == Status::not_a_blob);
-        CHECK(status_with(bytes, at::version_major_at, format::version_major + 1, 2) == Status::unsupported_version);
-        CHECK(status_with(bytes, at::version_minor_at, format::version_minor + 1, 2) == Status::unsupported_version);
-        CHECK(status_with(bytes, at::profile_at, 3, 1) == Status::unsupported_profile);
-        CHECK(status_with(bytes, at::features_at, 1u << 31 | get(bytes, at::features_at, 4), 4) ==
-              Status::unsupported_feature);
-        CHECK(status_with(bytes, at::bits_at, 0, 1) == Status::bad_header);
-        CHECK(status_with(bytes, at::bits_at, 25, 1) == Status::bad_header);
-        CHECK(status_with(bytes, at::step_exponent_at, 101, 2) == Status::bad_header);
-        CHECK(status_with(bytes, at::step_exponent_at, 0xFFFF - 100, 2) == Status::bad_header);
-        CHECK(status_with(bytes, at::origin_at, 0x7F800000u, 4) == Status::bad_header);
-        CHECK(status_with(bytes, at::origin_at + 8, 0x7FC00000u, 4) == Status::bad_header);
-        CHECK(status_with(bytes, at::max_error_at, 0x7FC00000u, 4) == Status::bad_header);
-        CHECK(status_with(bytes, at::max_error_at, 0xBF800000u, 4) == Status::bad_header);
-        CHECK(status_with(bytes, at::reserved_at, 1, 4) == Status::bad_header);
-        CHECK(status_with(bytes, at::bytes - 4, 1u << 31, 4) == Status::bad_header);
-        CHECK(status_with(bytes, at::depth_at, format::max_depth + 1, 1) == Status::bad_header);
-        CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) + 1, 1) == Status::bad_node);
-        CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) - 1, 1) == Status::bad_node);
-        CHECK(status_with(bytes, at::triangle_count_at, get(bytes, at::triangle_count_at, 4) + 1, 4) ==
-              Status::bad_leaf);
-        // A child plane above its box, a leaf whose first triangle is another one, a bit in the guard, an unsorted
-        // source.
-        const std::size_t nodes_at = at::bytes;
-        CHECK(status_with(bytes, nodes_at + format::node::lo_at, 255, 1) == Status::bad_node);
-        CHECK(status_with(bytes, nodes_at + format::node::shifts_at + 1, 0x80, 1) == Status::bad_node);
-        const std::size_t leaves_at = nodes_at + get(bytes, at::node_count_at, 4) * format::node::bytes;
-        CHECK(status_with(bytes, leaves_at, 1, 4) == Status::bad_leaf);
-        const std::size_t guard_at = leaves_at + get(bytes, at::leaf_bytes_at, 4);
-        CHECK(status_with(bytes, guard_at + 63, 1, 1) == Status::bad_section);
-        CHECK(status_with(bytes, guard_at + format::guard_bytes, 1, 4) == Status::bad_section);
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = full_blob(profile);
+            REQUIRE(status_of(bytes) == Status::ok);
+            namespace at = format::header;
+            Bytes changed = bytes;
+            changed.back() ^= std::byte{1};
+            CHECK(status_of(changed) == Status::bad_checksum);
+            CHECK(status_with(bytes, at::magic_at, 0x4C505346u, 4) == Status::not_a_blob);
+            CHECK(status_with(bytes, at::version_major_at, format::version_major + 1, 2) ==
+                  Status::unsupported_version);
+            CHECK(status_with(bytes, at::version_minor_at, format::version_minor + 1, 2) ==
+                  Status::unsupported_version);
+            CHECK(status_with(bytes, at::profile_at, 3, 1) == Status::unsupported_profile);
+            CHECK(status_with(bytes, at::features_at, 1u << 31 | get(bytes, at::features_at, 4), 4) ==
+                  Status::unsupported_feature);
+            CHECK(status_with(bytes, at::bits_at, 0, 1) == Status::bad_header);
+            CHECK(status_with(bytes, at::bits_at, 25, 1) == Status::bad_header);
+            CHECK(status_with(bytes, at::step_exponent_at, 101, 2) == Status::bad_header);
+            CHECK(status_with(bytes, at::step_exponent_at, 0xFFFF - 100, 2) == Status::bad_header);
+            CHECK(status_with(bytes, at::origin_at, 0x7F800000u, 4) == Status::bad_header);
+            CHECK(status_with(bytes, at::origin_at + 8, 0x7FC00000u, 4) == Status::bad_header);
+            CHECK(status_with(bytes, at::max_error_at, 0x7FC00000u, 4) == Status::bad_header);
+            CHECK(status_with(bytes, at::max_error_at, 0xBF800000u, 4) == Status::bad_header);
+            CHECK(status_with(bytes, at::reserved_at, 1, 4) == Status::bad_header);
+            CHECK(status_with(bytes, at::bytes - 4, 1u << 31, 4) == Status::bad_header);
+            CHECK(status_with(bytes, at::depth_at, format::max_depth + 1, 1) == Status::bad_header);
+            CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) + 1, 1) == Status::bad_node);
+            CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) - 1, 1) == Status::bad_node);
+            CHECK(status_with(bytes, at::triangle_count_at, get(bytes, at::triangle_count_at, 4) + 1, 4) ==
+                  Status::bad_leaf);
+            // A child plane above its box, a leaf whose first triangle is another one, a bit in the guard, an unsorted
+            // source.
+            const std::size_t nodes_at = at::bytes;
+            CHECK(status_with(bytes, nodes_at + format::node::lo_at, 255, 1) == Status::bad_node);
+            CHECK(status_with(bytes, nodes_at + format::node::shifts_at + 1, 0x80, 1) == Status::bad_node);
+            const std::size_t leaves_at = nodes_at + get(bytes, at::node_count_at, 4) * format::node::bytes;
+            CHECK(status_with(bytes, leaves_at, 1, 4) == Status::bad_leaf);
+            const std::size_t guard_at = leaves_at + get(bytes, at::leaf_bytes_at, 4);
+            CHECK(status_with(bytes, guard_at + 63, 1, 1) == Status::bad_section);
+            CHECK(status_with(bytes, guard_at + format::guard_bytes, 1, 4) == Status::bad_section);
+        });
     }
 
-    TEST_CASE("each rule of nodes and leaves is enforced where it is broken") {
+    TEST_CASE("each rule of nodes and indexed leaves is enforced where it is broken") {
         // Two triangles over four vertices: one node with one leaf.
         const Bytes bytes = bake_or_throw(make_plane_grid(1));
         REQUIRE(status_of(bytes) == Status::ok);
@@ -258,37 +272,149 @@ TEST_SUITE("open") {
         CHECK(status_with(bytes, format::header::extent_at, extent - 1, 4) == Status::bad_leaf);  // a vertex beyond it
     }
 
-    TEST_CASE("each header field at its extremes is refused or leaves every query safe") {
-        const Bytes bytes = full_blob();
-        for (const Field& field : header_fields) {
-            CAPTURE(std::string(field.name));
-            const std::uint64_t was = get(bytes, field.at, field.size);
-            for (const std::uint64_t value :
-                 {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}, was - 1, was + 1, std::uint64_t{1} << 31,
-                  std::uint64_t{1} << 30, std::uint64_t{0x7FFFFFFF}}) {
-                Bytes changed = bytes;
-                put(changed, field.at, value, field.size);
-                for (const bool repaired : {false, true}) {
-                    if (repaired) repair_checksum(changed);
-                    ExactBuffer buffer(changed);
-                    Blob blob;
-                    if (open(buffer.bytes(), blob) != Status::ok) {
-                        REQUIRE(is_empty(blob));
-                        continue;
-                    }
-                    Random random(3);
-                    REQUIRE_NOTHROW(exercise(blob, random, 20));
-                }
+    TEST_CASE("each rule of strip leaves is enforced where it is broken") {
+        namespace leaf = format::strip_leaf;
+        constexpr std::size_t block = format::header::bytes + format::node::bytes;
+        constexpr std::size_t descriptor_at = block + leaf::descriptors_at;
+        constexpr std::size_t marks_at = descriptor_at + leaf::descriptor_bytes;
+        // Two tetrahedra, each a path of 4 triangles over 4 vertices: one node with one leaf of 12 entries.
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}, {50, 0, 0}, {59, 0, 0}, {50, 9, 0}, {50, 0, 9}};
+        mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {4, 6, 5}, {4, 5, 7}, {4, 7, 6}, {5, 6, 7}};
+        for (const format::Profile profile : {format::Profile::balanced, format::Profile::small}) {
+            CAPTURE(name_of(profile));
+            BakeOptions options = with_profile(profile);
+            options.cost_model.byte_price = 1000.0f;
+            const Bytes bytes = bake_or_throw(mesh, options);
+            REQUIRE(status_of(bytes) == Status::ok);
+            REQUIRE(get(bytes, format::header::node_count_at, 4) == 1);
+            REQUIRE(get(bytes, format::node::children_at + format::header::bytes, 4) == 1u << 28);
+            const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
+            REQUIRE((descriptor >> leaf::entries_shift & 63u) == 12 - 3);
+            const auto with_descriptor = [&](std::uint32_t changed) {
+                return status_with(bytes, descriptor_at, changed, 4);
+            };
+            CHECK(with_descriptor(descriptor) == Status::ok);
+            CHECK(with_descriptor(descriptor + 1) == Status::bad_leaf);  // data somewhere else
+            CHECK(with_descriptor(descriptor | 1u << (leaf::offset_bits - 1)) == Status::bad_leaf);
+            CHECK(with_descriptor(descriptor + (1u << leaf::first_shift)) ==
+                  Status::bad_leaf);  // another first triangle
+            for (unsigned bit = leaf::first_shift + 9; bit < 32; ++bit)
+                CHECK(with_descriptor(descriptor | 1u << bit) == Status::bad_leaf);
+            for (std::uint32_t entries = 3; entries < 3 + 64; ++entries) {
+                const std::uint32_t others = descriptor & ~(63u << leaf::entries_shift);
+                const Status status = with_descriptor(others | (entries - 3) << leaf::entries_shift);
+                CHECK(status == (entries == 12 ? Status::ok : Status::bad_leaf));
             }
+
+            // 9 marks of pivots, 9 of windows, 9 of first uses, and 4 references of 3 bits: 39 bits.
+            const std::uint64_t marks = get(bytes, marks_at, 8);
+            const auto with_marks = [&](std::uint64_t changed) { return status_with(bytes, marks_at, changed, 8); };
+            const auto bit = [](unsigned place) { return std::uint64_t{1} << place; };
+            const std::uint64_t first_uses = marks >> 18 & 511u;
+            REQUIRE(first_uses == 0b001111001);  // entries 4 and 5 are references, and the last two
+            CHECK(with_marks(marks) == Status::ok);
+            CHECK(with_marks(marks | bit(39)) == Status::bad_leaf);     // padding
+            CHECK(with_marks(marks ^ bit(9)) == Status::bad_leaf);      // a triangle less
+            CHECK(with_marks(marks ^ bit(9 + 3)) == Status::bad_leaf);  // a triangle more: the joint's
+            CHECK(with_marks(marks ^ bit(18)) == Status::bad_leaf);     // a vertex less
+            CHECK(with_marks(marks ^ bit(19)) == Status::bad_leaf);     // a vertex more
+            CHECK(with_marks(marks ^ bit(0)) == Status::ok);            // another pivot: another mesh, no harm
+            const auto with_reference = [&](unsigned number, std::uint64_t vertex) {
+                return with_marks((marks & ~(std::uint64_t{7} << (27 + 3 * number))) | vertex << (27 + 3 * number));
+            };
+            for (std::uint64_t vertex = 0; vertex < 8; ++vertex) {
+                CHECK(with_reference(0, vertex) == (vertex < 4 ? Status::ok : Status::bad_leaf));  // 4 vertices so far
+                CHECK(with_reference(1, vertex) == (vertex < 4 ? Status::ok : Status::bad_leaf));
+                CHECK(with_reference(2, vertex) == Status::ok);
+                CHECK(with_reference(3, vertex) == Status::ok);
+            }
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                const std::size_t extent_at = format::header::extent_at + 4 * axis;
+                CHECK(status_with(bytes, extent_at, get(bytes, extent_at, 4) - 1, 4) == Status::bad_leaf);
+            }
+            // The leaf section is cut short below its data, whatever the header makes of it.
+            const std::uint64_t leaf_bytes = get(bytes, format::header::leaf_bytes_at, 4);
+            for (std::uint64_t fewer = 4; fewer <= leaf_bytes; fewer += 4) {
+                Bytes shorter = bytes;
+                const auto end = shorter.begin() + static_cast<std::ptrdiff_t>(block + leaf_bytes);
+                shorter.erase(end - static_cast<std::ptrdiff_t>(fewer), end);
+                put(shorter, format::header::leaf_bytes_at, leaf_bytes - fewer, 4);
+                CHECK(status_with(shorter, format::header::total_bytes_at, shorter.size(), 4) != Status::ok);
+            }
+            const std::uint64_t other = profile == format::Profile::small ? 1 : 2;
+            CHECK(status_with(bytes, format::header::profile_at, other, 1) == Status::ok);
+            CHECK(status_with(bytes, format::header::profile_at, 0, 1) == Status::bad_leaf);
         }
     }
 
+    TEST_CASE("a strip leaf may be as long as its profile allows and no longer") {
+        BakeOptions options = with_profile(format::Profile::small);
+        options.cost_model.byte_price = 1000.0f;
+        const Bytes fits = bake_or_throw(make_fan(format::strip_leaf::max_balanced_entries - 2, false), options);
+        const Bytes too_long = bake_or_throw(make_fan(format::strip_leaf::max_balanced_entries - 1, false), options);
+        for (const Bytes* bytes : {&fits, &too_long}) {
+            REQUIRE(status_of(*bytes) == Status::ok);
+            REQUIRE(get(*bytes, format::header::bytes + format::node::children_at, 4) == 1u << 28);  // one leaf
+            CHECK(status_with(*bytes, format::header::profile_at, 1, 1) ==
+                  (bytes == &fits ? Status::ok : Status::bad_leaf));
+        }
+    }
+
+    TEST_CASE("a triangle has three corners to begin with") {
+        BakeOptions options = with_profile(format::Profile::balanced);
+        options.original_ids = true;
+        const Bytes bytes = bake_or_throw(make_plane_grid(2), options);  // 8 triangles: fields of 2 + 3 bits
+        const std::size_t ids_at =
+            format::header::bytes + get(bytes, format::header::node_count_at, 4) * format::node::bytes +
+            get(bytes, format::header::leaf_bytes_at, 4) + format::guard_bytes + format::source::bytes;
+        REQUIRE(bytes.size() == ids_at + 8);
+        const std::uint64_t ids = get(bytes, ids_at, 8);
+        for (unsigned triangle = 0; triangle < 8; ++triangle) {
+            for (std::uint64_t corner = 0; corner < 4; ++corner) {
+                const std::uint64_t cleared = ids & ~(std::uint64_t{3} << (5 * triangle));
+                CHECK(status_with(bytes, ids_at, cleared | corner << (5 * triangle), 8) ==
+                      (corner < 3 ? Status::ok : Status::bad_section));
+            }
+        }
+        CHECK(status_with(bytes, ids_at, ids | std::uint64_t{1} << 40, 8) == Status::bad_section);  // padding
+    }
+
+    TEST_CASE("each header field at its extremes is refused or leaves every query safe") {
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = full_blob(profile);
+            for (const Field& field : header_fields) {
+                CAPTURE(std::string(field.name));
+                const std::uint64_t was = get(bytes, field.at, field.size);
+                for (const std::uint64_t value :
+                     {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}, was - 1, was + 1, std::uint64_t{1} << 31,
+                      std::uint64_t{1} << 30, std::uint64_t{0x7FFFFFFF}}) {
+                    Bytes changed = bytes;
+                    put(changed, field.at, value, field.size);
+                    for (const bool repaired : {false, true}) {
+                        if (repaired) repair_checksum(changed);
+                        ExactBuffer buffer(changed);
+                        Blob blob;
+                        if (open(buffer.bytes(), blob) != Status::ok) {
+                            REQUIRE(is_empty(blob));
+                            continue;
+                        }
+                        Random random(3);
+                        REQUIRE_NOTHROW(exercise(blob, random, 20));
+                    }
+                }
+            }
+        });
+    }
+
     TEST_CASE("a refused blob empties the view that was open before") {
-        const Bytes bytes = full_blob();
-        Blob blob;
-        REQUIRE(open(bytes, blob) == Status::ok);
-        CHECK(open(std::span<const std::byte>(bytes).first(100), blob) == Status::too_short);
-        CHECK(is_empty(blob));
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = full_blob(profile);
+            Blob blob;
+            REQUIRE(open(bytes, blob) == Status::ok);
+            CHECK(open(std::span<const std::byte>(bytes).first(100), blob) == Status::too_short);
+            CHECK(is_empty(blob));
+        });
     }
 
     TEST_CASE("an empty mesh is a legal blob on which every query finds nothing") {

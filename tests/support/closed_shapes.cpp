@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh_makers.hpp"
+#include "profiles.hpp"
 
 namespace espalier::tests {
 
@@ -35,22 +36,25 @@ GridPoint in_tube(const DecodedBlob& decoded, Random& random) {
     return {x, y, z};
 }
 
-ClosedShape shape(const Mesh& mesh, unsigned bits, GridPoint (*inside)(const DecodedBlob&, Random&)) {
-    BakeOptions options;
-    options.bits = bits;
-    OpenedBlob opened(mesh, options);
-    DecodedBlob decoded = decode(opened.bytes);
-    return {mesh.name, std::move(opened), std::move(decoded), inside};
+void add(std::vector<ClosedShape>& shapes, const Mesh& mesh, unsigned bits,
+         GridPoint (*inside)(const DecodedBlob&, Random&)) {
+    for (const format::Profile profile : every_profile) {
+        BakeOptions options = with_profile(profile);
+        options.bits = bits;
+        OpenedBlob opened(mesh, options);
+        DecodedBlob decoded = decode(opened.bytes);
+        shapes.push_back({mesh.name + ", profile " + name_of(profile), std::move(opened), std::move(decoded), inside});
+    }
 }
 
 }  // namespace
 
 std::vector<ClosedShape> make_closed_shapes() {
     std::vector<ClosedShape> shapes;
-    shapes.push_back(shape(make_far_sphere(), 16, near_middle));
-    shapes.push_back(shape(make_torus(48, 24, 2.0, 0.7), 16, in_tube));
-    shapes.push_back(shape(make_uv_sphere(30, 48, 1.0, {0.1f, 0.2f, 0.3f}), 20, near_middle));
-    shapes.push_back(shape(make_cube(-3.0f, 5.0f), 16, near_middle));
+    add(shapes, make_far_sphere(), 16, near_middle);
+    add(shapes, make_torus(48, 24, 2.0, 0.7), 16, in_tube);
+    add(shapes, make_uv_sphere(30, 48, 1.0, {0.1f, 0.2f, 0.3f}), 20, near_middle);
+    add(shapes, make_cube(-3.0f, 5.0f), 16, near_middle);
     return shapes;
 }
 
