@@ -8,14 +8,14 @@ namespace {
 constexpr double leaf_visit = 1.4;
 constexpr double triangle_test = 0.045;
 
-/// How much dearer a visit is than one of the fast profile.
+/// How much dearer a visit is than one of the fast profile (docs/trade.md).
 double decoding_factor(format::Profile profile) {
     switch (profile) {
         case format::Profile::fast:
             return 1.0;
         case format::Profile::balanced:
         case format::Profile::small:
-            return 1.1;
+            return 1.06;
     }
     return 1.0;
 }

@@ -19,8 +19,9 @@ constexpr std::size_t counted_rays = 20'000;
 /// The others hardly ever count best (bench/results/builders.md). Neither repeats triangles: what is picked answers
 /// every query.
 constexpr std::array<Builder, 2> builders = {Builder::binned_sah, Builder::sweep_sah};
-/// The dearer a byte, the smaller the blob and the more visits. The first gives the smallest.
-constexpr std::array<float, 4> byte_price_factors = {16.0f, 1.0f, 0.2f, 0.0f};
+/// The dearer a byte, the smaller the blob and the more visits.
+constexpr float dear_bytes = 16.0f;
+constexpr std::array<float, 3> byte_price_factors = {1.0f, 0.2f, 0.0f};
 
 struct Configuration {
     format::Profile profile;
@@ -29,22 +30,25 @@ struct Configuration {
     float byte_price;
 };
 
-struct Configurations {
-    std::vector<Configuration> smallest;  ///< one for each profile and builder
-    std::vector<Configuration> others;
-};
+unsigned largest_leaf(const PickGoal& goal, format::Profile profile) {
+    return std::min(goal.leaf_size.value_or(format::max_leaf_triangles), most_leaf_triangles(profile));
+}
 
-Configurations configurations(const PickGoal& goal, const CostModel& model) {
-    Configurations result;
+/// The smallest blob that is tried: the last profile of the list is the most compact one.
+Configuration smallest_configuration(const PickGoal& goal, const CostModel& model) {
+    const format::Profile profile = goal.profile.value_or(profile_choices.back().second);
+    return {profile, goal.builder.value_or(builders.front()), largest_leaf(goal, profile),
+            dear_bytes * model.byte_price};
+}
+
+std::vector<Configuration> other_configurations(const PickGoal& goal, const CostModel& model) {
+    std::vector<Configuration> result;
     const auto add_sizes = [&](format::Profile profile, Builder builder) {
-        const unsigned most =
-            std::min(goal.leaf_size.value_or(format::max_leaf_triangles), most_leaf_triangles(profile));
+        const unsigned most = largest_leaf(goal, profile);
         for (const unsigned size : {most, most / 2}) {
             if (goal.leaf_size && size != most) continue;
             for (const float factor : byte_price_factors) {
-                const bool is_smallest = size == most && factor == byte_price_factors.front();
-                (is_smallest ? result.smallest : result.others)
-                    .push_back({profile, builder, size, factor * model.byte_price});
+                result.push_back({profile, builder, size, factor * model.byte_price});
             }
         }
     };
@@ -68,15 +72,13 @@ public:
           goal_(goal) {}
 
     Picked run() {
-        const auto [smallest, others] = configurations(goal_, options_.cost_model);
-        // Large leaves and dear bytes give the smallest blob: where not even that fits, the lattice is too fine.
-        for (unsigned bits = options_.bits; bits >= 1; --bits) {
+        for (unsigned bits = options_.bits; bits >= 1; --bits) {  // while not even the smallest fits, it is too fine
             options_.bits = bits;
-            for (const Configuration& configuration : smallest) try_one(configuration);
+            try_one(smallest_configuration(goal_, options_.cost_model));
             if (some_fit_ || vanished_ || !goal_.may_coarsen) break;
         }
         if (some_fit_ || !goal_.may_coarsen) {
-            for (const Configuration& configuration : others) try_one(configuration);
+            for (const Configuration& other : other_configurations(goal_, options_.cost_model)) try_one(other);
         }
         if (!some_fit_) refuse();
         const Candidate chosen = best();
