@@ -53,6 +53,8 @@ const char* instruction_set_name() {
             return "SSE4.2";
         case detail::InstructionSet::avx2:
             return "AVX2";
+        case detail::InstructionSet::avx512:
+            return "AVX-512";
         case detail::InstructionSet::neon:
             return "NEON";
     }

@@ -20,6 +20,8 @@ const char* instruction_set_name() {
             return "sse4.2";
         case detail::InstructionSet::avx2:
             return "avx2";
+        case detail::InstructionSet::avx512:
+            return "avx512";
         case detail::InstructionSet::neon:
             return "neon";
     }

@@ -1,38 +1,5 @@
-// Spheres and closest points: the tests of boxes in lanes, and the queries as visitors. Included once per instruction
+// Spheres and closest points: the test of triangles' boxes in lanes, and the queries as visitors. Included once per instruction
 // set, inside its namespace. Lanes only ever reject; what they let through is decided by point_triangle.hpp.
-
-/// Squared distance from the origin to boxes, given by planes relative to it.
-inline Floats squared_distance(const Floats* low, const Floats* high) {
-    Floats sum = splat(0.0f);
-    for (int k = 0; k < 3; ++k) {
-        const Floats gap = larger(larger(low[k], negate(high[k])), splat(0.0f));
-        sum = add(multiply(gap, gap), sum);
-    }
-    return sum;
-}
-
-/// The children whose box is within the limit, and the squared distance of each. Planes are exact; the difference to
-/// the point, which may be far away, rounds once.
-inline unsigned distance_test(const Node& node, const LatticePoint& point, const BlobData& blob, float limit,
-                              float* distances) {
-    const Frame frame = load_frame(node, blob);
-    unsigned mask = 0;
-    for (unsigned first = 0; first < format::max_children; first += lanes) {
-        Floats low[3], high[3];
-        for (int k = 0; k < 3; ++k) {
-            const auto from_point = [&](const std::byte* planes) {
-                const Floats plane = multiply_add(bytes_to_floats(planes + first), frame.scale[k], frame.base[k]);
-                return subtract(plane, splat(point.steps[k]));
-            };
-            low[k] = from_point(node.low_planes(k));
-            high[k] = from_point(node.high_planes(k));
-        }
-        const Floats distance = squared_distance(low, high);
-        mask |= at_most(distance, splat(limit)) << first;
-        store(distances + first, distance);
-    }
-    return mask & ((1u << (node.node_children() + node.leaf_children())) - 1u);
-}
 
 /// The triangles of a leaf whose box is within the limit.
 template <unsigned groups, class Leaf>

@@ -20,11 +20,20 @@ struct Int128 {
     [[nodiscard]] constexpr bool is_zero() const { return (low | static_cast<std::uint64_t>(high)) == 0; }
 
     friend constexpr Int128 operator+(Int128 a, Int128 b) {
+#if defined(__SIZEOF_INT128__)
+        __extension__ using Native = unsigned __int128;
+        const auto native = [](Int128 x) {
+            return static_cast<Native>(static_cast<std::uint64_t>(x.high)) << 64 | x.low;
+        };
+        const Native sum = native(a) + native(b);
+        return {static_cast<std::int64_t>(sum >> 64), static_cast<std::uint64_t>(sum)};
+#else
         const std::uint64_t sum = a.low + b.low;
         const std::uint64_t carry = sum < a.low ? 1 : 0;
         return {
             static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) + static_cast<std::uint64_t>(b.high) + carry),
             sum};
+#endif
     }
     friend constexpr Int128 operator-(Int128 a) {
         const std::uint64_t word = ~a.low + 1;
@@ -58,12 +67,18 @@ constexpr void multiply_words(std::uint64_t a, std::uint64_t b, std::uint64_t& h
 }
 
 constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
+#if defined(__SIZEOF_INT128__)
+    __extension__ using Native = __int128;
+    const Native product = static_cast<Native>(a) * b;
+    return {static_cast<std::int64_t>(product >> 64), static_cast<std::uint64_t>(product)};
+#else
     std::uint64_t high = 0;
     std::uint64_t low = 0;
     multiply_words(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b), high, low);
     if (a < 0) high -= static_cast<std::uint64_t>(b);
     if (b < 0) high -= static_cast<std::uint64_t>(a);
     return {static_cast<std::int64_t>(high), low};
+#endif
 }
 
 constexpr bool is_negative(std::int64_t a) { return a < 0; }

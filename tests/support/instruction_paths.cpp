@@ -15,10 +15,12 @@ const std::vector<InstructionPath>& instruction_paths() {
         std::vector<InstructionPath> found = {ESPALIER_PATH(scalar)};
 #if ESPALIER_X86
         const detail::InstructionSet best = detail::detect_instruction_set();
-        if (best == detail::InstructionSet::sse42 || best == detail::InstructionSet::avx2) {
-            found.push_back(ESPALIER_PATH(sse42));
-        }
-        if (best == detail::InstructionSet::avx2) found.push_back(ESPALIER_PATH(avx2));
+        using detail::InstructionSet;  // each has all of those before it
+        if (best >= InstructionSet::sse42) found.push_back(ESPALIER_PATH(sse42));
+        if (best >= InstructionSet::avx2) found.push_back(ESPALIER_PATH(avx2));
+#if defined(__x86_64__)
+        if (best >= InstructionSet::avx512) found.push_back(ESPALIER_PATH(avx512));
+#endif
 #elif ESPALIER_NEON
         found.push_back(ESPALIER_PATH(neon));
 #endif

@@ -3,7 +3,13 @@
 
 #include <runtime/simd/select.hpp>
 
-#if ESPALIER_X86
+#if defined(__x86_64__)
+#define ESPALIER_DISPATCH(query, ...)                                                              \
+    (::espalier::detail::instruction_set() == InstructionSet::avx512  ? avx512::query(__VA_ARGS__) \
+     : ::espalier::detail::instruction_set() == InstructionSet::avx2  ? avx2::query(__VA_ARGS__)   \
+     : ::espalier::detail::instruction_set() == InstructionSet::sse42 ? sse42::query(__VA_ARGS__)  \
+                                                                      : scalar::query(__VA_ARGS__))
+#elif ESPALIER_X86
 #define ESPALIER_DISPATCH(query, ...)                                                             \
     (::espalier::detail::instruction_set() == InstructionSet::avx2    ? avx2::query(__VA_ARGS__)  \
      : ::espalier::detail::instruction_set() == InstructionSet::sse42 ? sse42::query(__VA_ARGS__) \

@@ -8,6 +8,8 @@
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace espalier::detail::avx2 {
 #include <runtime/traverse.inl>
+#include <runtime/squared_distance.inl>
+#include <runtime/point_nodes.inl>
 #include <runtime/point_queries.inl>
 }  // namespace espalier::detail::avx2
 ESPALIER_END_TARGET

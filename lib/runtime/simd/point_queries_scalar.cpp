@@ -6,5 +6,7 @@
 
 namespace espalier::detail::scalar {
 #include <runtime/traverse.inl>
+#include <runtime/squared_distance.inl>
+#include <runtime/point_nodes.inl>
 #include <runtime/point_queries.inl>
 }  // namespace espalier::detail::scalar

@@ -8,6 +8,8 @@
 ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
 namespace espalier::detail::sse42 {
 #include <runtime/traverse.inl>
+#include <runtime/squared_distance.inl>
+#include <runtime/point_nodes.inl>
 #include <runtime/point_queries.inl>
 }  // namespace espalier::detail::sse42
 ESPALIER_END_TARGET

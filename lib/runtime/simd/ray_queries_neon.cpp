@@ -10,6 +10,7 @@ inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepare
     return prepare_ray(blob, world, prepared);
 }
 #include <runtime/traverse.inl>
+#include <runtime/ray_nodes.inl>
 #include <runtime/ray_queries.inl>
 }  // namespace espalier::detail::neon
 #endif

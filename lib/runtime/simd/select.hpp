@@ -17,7 +17,7 @@
 
 namespace espalier::detail {
 
-enum class InstructionSet : std::uint8_t { scalar, sse42, avx2, neon };
+enum class InstructionSet : std::uint8_t { scalar, sse42, avx2, avx512, neon };
 
 #if ESPALIER_X86
 
@@ -35,6 +35,15 @@ inline InstructionSet detect_instruction_set() {
     constexpr unsigned bmi1 = 1u << 3, avx2 = 1u << 5, bmi2 = 1u << 8;
     if ((b & (bmi1 | avx2 | bmi2)) != (bmi1 | avx2 | bmi2)) return InstructionSet::sse42;
     if (__get_cpuid(0x80000001u, &a, &b, &c, &d) == 0 || (c & (1u << 5)) == 0) return InstructionSet::sse42;  // lzcnt
+#if defined(__x86_64__)
+    // Ice Lake, Zen 4 and later: registers of 512 bits, and within them bytes that are moved and expanded.
+    constexpr unsigned high_state = 0xE0,
+                       all_of_7 = 1u << 16 | 1u << 17 | 1u << 28 | 1u << 30 | 1u << 31;  // F DQ CD BW VL
+    constexpr unsigned vbmi = 1u << 1, vbmi2 = 1u << 6;
+    __get_cpuid_count(7, 0, &a, &b, &c, &d);
+    if ((saved & high_state) == high_state && (b & all_of_7) == all_of_7 && (c & (vbmi | vbmi2)) == (vbmi | vbmi2))
+        return InstructionSet::avx512;
+#endif
     return InstructionSet::avx2;
 }
 

@@ -1,0 +1,11 @@
+// Included inside the namespace of each instruction set.
+
+/// Squared distance from the origin to boxes, given by planes relative to it.
+inline Floats squared_distance(const Floats* low, const Floats* high) {
+    Floats sum = splat(0.0f);
+    for (int k = 0; k < 3; ++k) {
+        const Floats gap = larger(larger(low[k], negate(high[k])), splat(0.0f));
+        sum = add(multiply(gap, gap), sum);
+    }
+    return sum;
+}
