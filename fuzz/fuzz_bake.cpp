@@ -57,10 +57,16 @@ Question read_question(Input& input) {
     Question question;
     BakeOptions& options = question.options;
     options.bits = 1 + input.byte() % 24;
+    constexpr Builder builders[] = {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear,
+                                    Builder::insertion};
     const unsigned choices = input.byte();
     options.effort = choices % 10;
-    options.builder = static_cast<Builder>(choices / 10 % 5);
+    options.builder = builders[choices / 10 % 5];
     options.profile = static_cast<format::Profile>(choices / 50 % 3);
+    if (choices >= 250) {  // which go together
+        options.builder = Builder::spatial_splits;
+        options.profile = format::Profile::fast;
+    }
     const std::uint8_t flags = input.byte();
     options.original_ids = (flags & 1) != 0;
     options.materials = static_cast<Materials>((flags >> 1 & 3u) % 3u);

@@ -65,6 +65,12 @@ void add_bake(CLI::App& app, Chosen& chosen) {
         ->type_name("FILE");
     add_choice(verb, "--builder", arguments->builder, builder_choices,
                "How the tree is built, before --effort improves it. Without it: binned_sah");
+    verb->add_option("--duplicates", arguments->duplicates,
+                     "With spatial_splits, at most so many copies of triangles, as a share of them. A blob with copies "
+                     "does not enumerate what a ray or sphere meets")
+        ->capture_default_str()
+        ->check(between(0.0, 1.0))
+        ->type_name("0..1");
     add_source(verb, arguments->source);
     verb->add_flag("--ids", arguments->original_ids, "Carry each triangle's file, mesh and number in it");
     const Choices<unsigned> widths{{"8", 8u}, {"16", 16u}};

@@ -51,6 +51,10 @@ std::vector<Section> sections_of(const Blob& blob) {
     if ((data.features & format::feature::materials_16) != 0) {
         add("materials", padded_to_4(std::size_t{data.triangle_count} * 2));
     }
+    if (data.copies != nullptr) {
+        add("copies", format::copies::blocks_at + format::copies::blocks_bytes(data.triangle_count) +
+                          format::copies::owner_bytes * std::size_t{data.copy_count});
+    }
     if (at != data.size) {
         throw CommandError(ExitCode::internal, "the sections do not add up to the blob: please report this blob.");
     }
@@ -125,6 +129,7 @@ std::vector<std::string> feature_names(std::uint32_t features) {
     if ((features & format::feature::materials_8) != 0) names.emplace_back("materials_8");
     if ((features & format::feature::materials_16) != 0) names.emplace_back("materials_16");
     if ((features & format::feature::closed) != 0) names.emplace_back("closed");
+    if ((features & format::feature::split_references) != 0) names.emplace_back("split_references");
     return names;
 }
 

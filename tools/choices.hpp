@@ -16,6 +16,7 @@ inline const Choices<format::Profile> profile_choices{
     {"fast", format::Profile::fast}, {"balanced", format::Profile::balanced}, {"small", format::Profile::small}};
 inline const Choices<Builder> builder_choices{{"binned_sah", Builder::binned_sah},
                                               {"sweep_sah", Builder::sweep_sah},
+                                              {"spatial_splits", Builder::spatial_splits},
                                               {"agglomerative", Builder::agglomerative},
                                               {"linear", Builder::linear},
                                               {"insertion", Builder::insertion}};
@@ -31,6 +32,11 @@ constexpr unsigned most_leaf_triangles(format::Profile profile) {
             return format::strip_leaf::max_small_entries - 2;
     }
     return format::max_leaf_triangles;
+}
+
+/// Whether `bake` takes the two together.
+constexpr bool go_together(format::Profile profile, Builder builder) {
+    return builder != Builder::spatial_splits || profile == format::Profile::fast;
 }
 
 /// The name that stands for the value; it is in the list.

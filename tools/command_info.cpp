@@ -15,8 +15,11 @@ namespace espalier::tools {
 
 namespace {
 
+/// Copies left out.
+std::uint32_t triangles_of(const Blob& blob) { return blob.triangle_count() - blob.copy_count(); }
+
 double bytes_per_triangle(std::size_t bytes, const Blob& blob) {
-    return blob.triangle_count() == 0 ? 0.0 : static_cast<double>(bytes) / blob.triangle_count();
+    return blob.triangle_count() == 0 ? 0.0 : static_cast<double>(bytes) / triangles_of(blob);
 }
 
 double extent_of(const Blob& blob) {
@@ -42,7 +45,8 @@ void print_json_info(const InfoArguments& arguments, const BlobFile& file) {
     document["file"] = arguments.blob;
     document["format_version"] = format_version(file);
     document["profile"] = name_of(blob.profile());
-    document["triangles"] = blob.triangle_count();
+    document["triangles"] = triangles_of(blob);
+    document["copies"] = blob.copy_count();
     document["vertices"] = blob.vertex_count();
     document["bytes"] = blob.size_bytes();
     document["bytes_per_triangle"] = bytes_per_triangle(blob.size_bytes(), blob);
@@ -72,7 +76,9 @@ void print_table(const InfoArguments& arguments, const BlobFile& file) {
     };
     std::cout << printable(arguments.blob) << '\n';
     line("format", text(format_version(file), ", profile ", name_of(blob.profile())));
-    line("triangles", text(blob.triangle_count()));
+    line("triangles", text(triangles_of(blob)));
+    if (blob.copy_count() != 0)
+        line("copies", text(blob.copy_count(), ", in further leaves: answers rays, enumerates nothing"));
     line("vertices", text(blob.vertex_count()));
     line("bounds", text(shortest(blob.bounds_min()), " to ", shortest(blob.bounds_max())));
     line("extent", rounded(extent_of(blob)));

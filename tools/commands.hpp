@@ -33,6 +33,7 @@ struct BakeArguments {
     std::optional<format::Profile> profile;    ///< without one: the library's, or what the picking options pick
     std::optional<unsigned> leaf_size;         ///< likewise
     std::string cost_model;                    ///< a JSON file; empty: the committed constants
+    double duplicates = 0.3;
     std::optional<Builder> builder;            ///< without one: the library's
     bool original_ids = false;
     unsigned material_bits = 0;  ///< 0, 8 or 16

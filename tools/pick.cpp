@@ -56,6 +56,8 @@ std::vector<Configuration> other_configurations(const PickGoal& goal, const Cost
         if (goal.profile && *goal.profile != choice.second) continue;
         for (const Builder builder : builders) {
             if (goal.builder && builder != builders.front()) continue;
+            // Asked for both, the user is told why not.
+            if (!goal.profile && !go_together(choice.second, goal.builder.value_or(builder))) continue;
             add_sizes(choice.second, goal.builder.value_or(builder));
         }
     }

@@ -107,6 +107,7 @@ std::vector<TradePoint> combinations(const TradeSpace& space) {
     for (const format::Profile profile : space.profiles) {
         point.profile = profile;
         for (const Builder builder : space.builders) {
+            if (space.profiles.size() > 1 && !go_together(profile, builder)) continue;
             point.builder = builder;
             for (const unsigned bits : space.bits) {
                 point.bits = bits;

@@ -43,6 +43,7 @@ std::vector<NamedBuilder> all_builders(bool with_textbook) {
     };
     shipped("binned_sah", Builder::binned_sah);
     shipped("sweep_sah", Builder::sweep_sah);
+    shipped("spatial_splits", Builder::spatial_splits);
     shipped("agglomerative", Builder::agglomerative);
     shipped("linear", Builder::linear);
     shipped("insertion", Builder::insertion);

@@ -35,6 +35,7 @@ void fill_in(BakeReport& report, const SourceBounds& bounds, const LatticeMesh& 
     const Lattice& lattice = mesh.lattice;
     const double step = lattice.step();
     report.triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+    report.copies = wide.copies;
     report.vertices = mesh.used_vertices;
     report.bounds_min = lattice.origin;
     report.bounds_max = {to_world(lattice.origin.x, mesh.extent.x, step),
@@ -80,6 +81,7 @@ Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const M
 
     progress.begin(stages::build);
     BuildSettings settings = build_settings(options.effort, options.threads);
+    settings.duplicates = options.duplicates;
     settings.progress = progress.within(stages::build);
     const BinaryTree tree = make_tree(mesh, settings);
 
@@ -98,7 +100,7 @@ Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const M
     if (!blob) return blob.error();
 
     progress.begin(stages::verify);
-    if (auto complaint = check_result(*blob, mesh, wide)) return internal_error(*complaint);
+    if (auto complaint = check_result(*blob, mesh, tree, wide)) return internal_error(*complaint);
     progress.finish();
 
     baked.blob = std::move(*blob);

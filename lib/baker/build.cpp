@@ -8,6 +8,7 @@
 #include "build_insertion.hpp"
 #include "build_linear.hpp"
 #include "build_sah.hpp"
+#include "build_spatial.hpp"
 #include "build_sweep.hpp"
 
 namespace espalier::baker {
@@ -33,6 +34,7 @@ BinaryTree build(const LatticeMesh& mesh, Builder builder, const BuildSettings& 
             return build_sah(mesh, settings);
         case Builder::sweep_sah:
             return build_sweep(mesh, settings);
+        case Builder::spatial_splits: return build_spatial(mesh, settings);
         case Builder::agglomerative:
             return build_agglomerative(mesh, settings);
         case Builder::linear:

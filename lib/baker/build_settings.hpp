@@ -12,6 +12,7 @@ struct BuildSettings {
     unsigned exact_below = 8;           ///< nodes with at most this many triangles try every split
     unsigned clusters_from = 20;        ///< agglomeration starts with this many triangles
     unsigned most_insert_places = 256;  ///< looked at for one inserted triangle
+    double duplicates = 0.3;            ///< spatial splits may make this share of the triangles again as copies
     unsigned threads = 1;
     unsigned most_height = max_binary_height;  ///< the heuristic yields to balance where it would build higher
     std::function<void(double)> progress;      ///< share of triangles placed, 0..1; called from the calling thread

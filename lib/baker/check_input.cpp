@@ -168,6 +168,15 @@ std::optional<BakeError> check_options(const BakeOptions& options) {
         return invalid_options("builder " + std::to_string(static_cast<unsigned>(options.builder)) +
                                " is not known; choose one of Builder in bake.hpp");
     }
+    if (options.builder == Builder::spatial_splits && options.profile != format::Profile::fast) {
+        return invalid_options(
+            "spatial splits need the profile fast: the strips of other profiles turn triangles, and copies of one must be "
+            "alike; choose profile fast or another builder");
+    }
+    if (!(options.duplicates >= 0.0 && options.duplicates <= 1.0)) {
+        return invalid_options("duplicates is " + number_text(options.duplicates) +
+                               "; choose a share of the triangles, 0 to 1");
+    }
     if (options.materials > Materials::bits_16) {
         return invalid_options("materials is " + std::to_string(static_cast<unsigned>(options.materials)) +
                                "; choose none, 8 bits or 16 bits");

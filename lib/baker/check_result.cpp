@@ -15,7 +15,7 @@ bool is_same(const Coordinates& decoded, const LatticePoint& meant) {
 }  // namespace
 
 std::optional<std::string> check_result(std::span<const std::byte> blob, const LatticeMesh& mesh,
-                                        const WideTree& wide) {
+                                        const BinaryTree& binary, const WideTree& wide) {
     namespace header = format::header;
     const std::uint32_t node_count = detail::load_u32(blob.data() + header::node_count_at);
     const std::uint32_t leaf_bytes = detail::load_u32(blob.data() + header::leaf_bytes_at);
@@ -25,9 +25,18 @@ std::optional<std::string> check_result(std::span<const std::byte> blob, const L
         return "the header counts too many bytes";
     const TreeBytes tree{blob.subspan(header::bytes, node_bytes), blob.subspan(header::bytes + node_bytes, leaf_bytes),
                          detail::load_u8(blob.data() + header::bits_at),
-                         static_cast<format::Profile>(detail::load_u8(blob.data() + header::profile_at))};
+                         static_cast<format::Profile>(detail::load_u8(blob.data() + header::profile_at)),
+                         wide.copies != 0};
 
-    const auto check_leaf = [&](const DecodedLeaf& leaf) -> std::optional<std::string> {
+    std::size_t leaf_number = 0;
+    const auto check_leaf = [&](const DecodedLeaf& leaf, const DecodedBox& region) -> std::optional<std::string> {
+        if (leaf_number >= wide.leaves.size()) return "there are more leaves than were meant";
+        // The boxes of the tree hold every point of every triangle, so boxes around them do.
+        const BinaryNode& meant_box = binary.nodes[wide.leaves[leaf_number++].binary_node];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (double(meant_box.lo[axis]) < region.lo[axis] || double(meant_box.hi[axis]) > region.hi[axis])
+                return "a part that was meant sticks out of the boxes on the way";
+        }
         for (unsigned i = 0; i < leaf.triangle_count; ++i) {
             const std::size_t storage_index = std::size_t{leaf.first_triangle} + i;
             if (storage_index >= wide.triangles.size()) return "there are more triangles than were meant";
@@ -44,9 +53,9 @@ std::optional<std::string> check_result(std::span<const std::byte> blob, const L
     };
     TreeCounts counts;
     if (auto complaint = check_tree(tree, check_leaf, counts)) return complaint;
-    if (counts.triangles != mesh.triangles.size() || counts.triangles != triangle_count) {
+    if (counts.triangles != wide.triangles.size() || counts.triangles != triangle_count) {
         return "there are " + std::to_string(counts.triangles) + " triangles instead of " +
-               std::to_string(mesh.triangles.size());
+               std::to_string(wide.triangles.size());
     }
     if (counts.depth != wide.depth || counts.depth != detail::load_u8(blob.data() + header::depth_at)) {
         return "the tree is " + std::to_string(counts.depth) + " nodes deep instead of " + std::to_string(wide.depth);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "binary_tree.hpp"
 #include "lattice_mesh.hpp"
 #include "order.hpp"
 
@@ -14,6 +15,6 @@ namespace espalier::baker {
 /// Nothing, or what is wrong: every box holds all that is below it, every triangle is the intended one, corner by
 /// corner, and the header's counts are right.
 [[nodiscard]] std::optional<std::string> check_result(std::span<const std::byte> blob, const LatticeMesh& mesh,
-                                                      const WideTree& wide);
+                                                      const BinaryTree& binary, const WideTree& wide);
 
 }  // namespace espalier::baker

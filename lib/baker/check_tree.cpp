@@ -14,7 +14,7 @@ public:
         : tree_(tree), check_leaf_(check_leaf), counts_(counts) {}
 
     /// False after a complaint. `content` becomes the box of all vertices below. No deeper than format::max_depth.
-    bool visit(std::uint32_t number, unsigned depth, DecodedBox& content) {
+    bool visit(std::uint32_t number, unsigned depth, const DecodedBox& region, DecodedBox& content) {
         if (depth > format::max_depth)
             return complain(number, "lies deeper than " + std::to_string(format::max_depth) + " nodes");
         DecodedNode node;
@@ -27,13 +27,14 @@ public:
         counts_.nodes += node.node_children;
         counts_.depth = std::max(counts_.depth, depth);
         std::array<DecodedBox, format::max_children> contents;
-        if (!visit_leaves(number, node, contents)) return false;
+        if (!visit_leaves(number, node, region, contents)) return false;
         for (unsigned child = 0; child < node.node_children; ++child) {
-            if (!visit(node.first_child + child, depth + 1, contents[child])) return false;
+            const DecodedBox inner = region.intersection(node.boxes[child]);
+            if (!visit(node.first_child + child, depth + 1, inner, contents[child])) return false;
         }
         content = contents[0];
         for (unsigned child = 0; child < node.children(); ++child) {
-            if (!node.boxes[child].contains(contents[child]))
+            if (!tree_.has_copies && !node.boxes[child].contains(contents[child]))
                 return complain_about_box(number, child, node, contents[child]);
             content.add(contents[child]);
         }
@@ -43,7 +44,7 @@ public:
     std::optional<std::string> complaint;
 
 private:
-    bool visit_leaves(std::uint32_t number, const DecodedNode& node,
+    bool visit_leaves(std::uint32_t number, const DecodedNode& node, const DecodedBox& region,
                       std::array<DecodedBox, format::max_children>& contents) {
         if (node.leaf_block != (node.leaves == 0 ? 0 : counts_.leaf_bytes)) {
             return complain(number,
@@ -59,7 +60,8 @@ private:
                 return complain(number, "has a leaf out of its place");
             }
             contents[node.node_children + i] = leaf.box();
-            if (auto problem = check_leaf_(leaf)) return complain(number, "has a leaf in which " + *problem);
+            const DecodedBox inner = region.intersection(node.boxes[node.node_children + i]);
+            if (auto problem = check_leaf_(leaf, inner)) return complain(number, "has a leaf in which " + *problem);
             counts_.triangles += leaf.triangle_count;
             end = leaf.at + leaf.bytes;
         }
@@ -96,9 +98,11 @@ std::optional<std::string> check_tree(const TreeBytes& tree, LeafCheck check_lea
     counts = {};
     if (!tree.nodes.empty()) {
         counts.nodes = 1;
+        constexpr std::int32_t beyond = 1 << 30;
+        const DecodedBox everywhere{{-beyond, -beyond, -beyond}, {beyond, beyond, beyond}};
         DecodedBox all;
         TreeWalk walk(tree, check_leaf, counts);
-        if (!walk.visit(0, 1, all)) return walk.complaint;
+        if (!walk.visit(0, 1, everywhere, all)) return walk.complaint;
     }
     if (counts.nodes * format::node::bytes != tree.nodes.size()) {
         return "the tree has " + std::to_string(counts.nodes) + " nodes, the node section " +

@@ -36,8 +36,9 @@ bool TreeBytes::decode_indexed_leaf(const DecodedNode& node, unsigned index, Dec
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t size = layout::stream_bytes(leaf.vertex_count, widths[axis]);
         FieldReader fields(leaves.subspan(at, size));
+        const std::int32_t start = has_copies && widths[axis] == bits ? 0 : anchor[axis];
         for (unsigned i = 0; i < leaf.vertex_count; ++i) {
-            leaf.vertices[i][axis] = anchor[axis] + static_cast<std::int32_t>(fields.next(widths[axis]));
+            leaf.vertices[i][axis] = start + static_cast<std::int32_t>(fields.next(widths[axis]));
         }
         at += size;
     }

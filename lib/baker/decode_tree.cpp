@@ -19,6 +19,15 @@ void DecodedBox::add(const DecodedBox& other) {
     }
 }
 
+DecodedBox DecodedBox::intersection(const DecodedBox& other) const {
+    DecodedBox both;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        both.lo[axis] = std::max(lo[axis], other.lo[axis]);
+        both.hi[axis] = std::min(hi[axis], other.hi[axis]);
+    }
+    return both;
+}
+
 DecodedBox DecodedLeaf::box() const {
     DecodedBox box{vertices[0], vertices[0]};
     for (unsigned i = 1; i < vertex_count; ++i) box.add({vertices[i], vertices[i]});

@@ -18,6 +18,7 @@ struct DecodedBox {
     Coordinates hi{};
     [[nodiscard]] bool contains(const DecodedBox& other) const;
     void add(const DecodedBox& other);
+    [[nodiscard]] DecodedBox intersection(const DecodedBox& other) const;  ///< lo above hi where there is none
 };
 
 struct DecodedNode {
@@ -48,6 +49,7 @@ struct TreeBytes {
     std::span<const std::byte> leaves;
     unsigned bits = 1;
     format::Profile profile = format::Profile::fast;
+    bool has_copies = false;  ///< the blob has split references
 
     /// Node `number`; false when there is none or when it has more than max_children.
     [[nodiscard]] bool decode_node(std::uint32_t number, DecodedNode& node) const;

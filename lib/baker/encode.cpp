@@ -14,12 +14,13 @@ namespace espalier::baker {
 
 namespace {
 
-std::uint32_t features_of(const BakeOptions& options, const Properties& properties) {
+std::uint32_t features_of(const BakeOptions& options, const Properties& properties, const WideTree& wide) {
     std::uint32_t features = 0;
     if (options.original_ids) features |= format::feature::original_ids;
     if (options.materials == Materials::bits_8) features |= format::feature::materials_8;
     if (options.materials == Materials::bits_16) features |= format::feature::materials_16;
     if (properties.closed) features |= format::feature::closed;
+    if (wide.copies != 0) features |= format::feature::split_references;
     return features;
 }
 
@@ -64,13 +65,37 @@ void put_materials(std::vector<std::byte>& blob, const Source& source, const Lat
     pad_to(blob, 4);
 }
 
+void put_copies(std::vector<std::byte>& blob, const LatticeMesh& mesh, const WideTree& wide) {
+    using namespace format::copies;
+    constexpr std::uint32_t none = 0xFFFFFFFFu;
+    std::vector<std::uint32_t> owners(mesh.triangles.size(), none);
+    std::vector<std::uint32_t> owners_of_copies;
+    put_u32(blob, wide.copies);
+    for (std::size_t first = 0; first < wide.triangles.size(); first += block_indices) {
+        put_u32(blob, static_cast<std::uint32_t>(owners_of_copies.size()));
+        BitStream bits(blob);
+        for (std::size_t i = first; i < first + block_indices; ++i) {
+            bool is_copy = false;
+            if (i < wide.triangles.size()) {
+                std::uint32_t& owner = owners[wide.triangles[i]];
+                is_copy = owner != none;
+                if (is_copy) owners_of_copies.push_back(owner);
+                else owner = static_cast<std::uint32_t>(i);
+            }
+            bits.put(is_copy ? 1 : 0, 1);
+        }
+        bits.finish();
+    }
+    for (const std::uint32_t owner : owners_of_copies) put_u32(blob, owner);
+}
+
 void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
                 const BakeOptions& options, const Properties& properties) {
     using namespace format::header;
     set_u32(header + magic_at, format::magic);
     set_u16(header + version_major_at, format::version_major);
     set_u16(header + version_minor_at, format::version_minor);
-    set_u32(header + features_at, features_of(options, properties));
+    set_u32(header + features_at, features_of(options, properties, wide));
     set_u8(header + profile_at, static_cast<std::uint32_t>(options.profile));
     set_u8(header + bits_at, mesh.lattice.bits);
     set_u16(header + step_exponent_at, static_cast<std::uint32_t>(mesh.lattice.step_exponent) & 0xFFFF);
@@ -99,6 +124,11 @@ std::optional<BakeError> check_limits(const WideTree& wide, std::uint64_t total_
                                                          " nodes; a blob holds at most " +
                                                          std::to_string(format::max_nodes) + advice};
     }
+    if (wide.triangles.size() > format::max_triangles) {
+        return BakeError{BakeError::Kind::too_large, "with copies there are " + std::to_string(wide.triangles.size()) +
+                                                         " triangles; a blob holds at most " +
+                                                         std::to_string(format::max_triangles) + advice};
+    }
     if (total_bytes > std::numeric_limits<std::uint32_t>::max()) {
         return BakeError{BakeError::Kind::too_large, "the blob would have " + std::to_string(total_bytes) +
                                                          " bytes; it can have at most 4294967295" + advice};
@@ -124,6 +154,7 @@ Result<std::vector<std::byte>, BakeError> encode(const Source& source, const Lat
         put_ids(blob, source, mesh, wide, options.profile);
     }
     if (options.materials != Materials::none) put_materials(blob, source, mesh, wide, options.materials);
+    if (wide.copies != 0) put_copies(blob, mesh, wide);
     if (auto error = check_limits(wide, blob.size())) return *error;
 
     put_header(blob.data(), source, mesh, wide, options, properties);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include <espalier/format.hpp>
 
@@ -36,6 +37,18 @@ struct NumberedVertices {
             }
         }
     }
+
+    /// The least and the largest coordinate.
+    [[nodiscard]] std::pair<std::int32_t, std::int32_t> extremes(const LatticeMesh& mesh, std::size_t axis) const {
+        std::int32_t least = coordinate_of(mesh.vertices[vertices[0]], axis);
+        std::int32_t largest = least;
+        for (unsigned i = 1; i < count; ++i) {
+            const std::int32_t coordinate = coordinate_of(mesh.vertices[vertices[i]], axis);
+            least = std::min(least, coordinate);
+            largest = std::max(largest, coordinate);
+        }
+        return {least, largest};
+    }
 };
 
 }  // namespace
@@ -49,13 +62,18 @@ std::uint32_t put_indexed_leaf(const LatticeMesh& mesh, const WideTree& wide, st
     descriptor |= (leaf.count - 1) << triangles_shift | (numbered.count - 1) << vertices_shift;
     BitStream stream(bytes);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // The leaf's vertices reach its box's high side, so that alone decides the width.
-        const unsigned code = width_code(static_cast<std::uint32_t>(box.reach[axis]), mesh.lattice.bits);
+        const auto [least, largest] = numbered.extremes(mesh, axis);
+        const unsigned bits = mesh.lattice.bits;
+        // Vertices below the box, which parts of triangles have, count from 0, in the lattice's own width.
+        const unsigned code = least < box.anchor[axis]
+                                  ? width_code((1u << bits) - 1u, bits)
+                                  : width_code(static_cast<std::uint32_t>(largest - box.anchor[axis]), bits);
         descriptor |= code << (widths_shift + 4 * axis);
-        const unsigned width = coordinate_width(code, mesh.lattice.bits);
+        const unsigned width = coordinate_width(code, bits);
+        const std::int32_t start = wide.copies != 0 && width == bits ? 0 : box.anchor[axis];
         for (unsigned i = 0; i < numbered.count; ++i) {
             const std::int32_t coordinate = coordinate_of(mesh.vertices[numbered.vertices[i]], axis);
-            stream.put(static_cast<std::uint32_t>(coordinate - box.anchor[axis]), width);
+            stream.put(static_cast<std::uint32_t>(coordinate - start), width);
         }
         stream.finish();
     }

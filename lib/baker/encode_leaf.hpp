@@ -15,7 +15,6 @@ namespace espalier::baker {
 struct LeafBox {
     std::array<std::int32_t, 3> anchor;  ///< its low corner
     std::array<std::int32_t, 3> side;
-    std::array<std::int32_t, 3> reach;  ///< of the leaf's vertices, from the anchor: at most the side
 };
 
 /// The block of a node's leaves, as far as it is written.

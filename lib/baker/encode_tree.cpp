@@ -114,7 +114,6 @@ private:
                 const Frame& frame = frames[axis];
                 box.anchor[axis] = frame.coordinate(frame.plane_below(boxes[i].lo[axis]));
                 box.side[axis] = frame.coordinate(frame.plane_above(boxes[i].hi[axis])) - box.anchor[axis];
-                box.reach[axis] = boxes[i].hi[axis] - box.anchor[axis];
             }
             const std::uint32_t leaf = node.first_leaf + i;
             const std::uint32_t descriptor = wide_.strips.empty()

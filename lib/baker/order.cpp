@@ -51,13 +51,15 @@ private:
         const double area_a = tree_.nodes[a.binary_node].half_area();
         const double area_b = tree_.nodes[b.binary_node].half_area();
         if (area_a != area_b) return area_a > area_b;
-        return a.binary_node != b.binary_node && lowest_triangle(a.binary_node) < lowest_triangle(b.binary_node);
+        const std::uint32_t lowest_a = lowest_triangle(a.binary_node);
+        const std::uint32_t lowest_b = lowest_triangle(b.binary_node);
+        return lowest_a != lowest_b ? lowest_a < lowest_b : a.binary_node < b.binary_node;  // the same only by copies
     }
 
     void add_leaf(std::uint32_t binary_node) {
         const BinaryNode& node = tree_.nodes[binary_node];
         const auto first = static_cast<std::ptrdiff_t>(wide_.triangles.size());
-        wide_.leaves.push_back({static_cast<std::uint32_t>(first), node.count});
+        wide_.leaves.push_back({static_cast<std::uint32_t>(first), node.count, binary_node});
         if (strips_ != nullptr) {
             const Strip& strip = wide_.strips.emplace_back(strips_->make(node, writing_attempts));
             for (unsigned i = 0; i < strip.triangle_count; ++i) {
@@ -69,6 +71,10 @@ private:
         const auto triangles = triangles_of(binary_node);
         wide_.triangles.insert(wide_.triangles.end(), triangles.begin(), triangles.end());
         std::sort(wide_.triangles.begin() + first, wide_.triangles.end());
+        // Two parts of one triangle that meet again in a leaf are one.
+        wide_.triangles.erase(std::unique(wide_.triangles.begin() + first, wide_.triangles.end()),
+                              wide_.triangles.end());
+        wide_.leaves.back().count = static_cast<std::uint32_t>(wide_.triangles.end() - wide_.triangles.begin() - first);
         wide_.first_corners.resize(wide_.triangles.size(), 0);
     }
 
@@ -88,6 +94,7 @@ WideTree put_in_order(const LatticeMesh& mesh, const BinaryTree& tree, const Col
     wide.first_corners.reserve(mesh.triangles.size());
     wide.nodes.resize(1);
     Orderer(tree, plan, strips, wide).visit(0, 0, 1);
+    wide.copies = static_cast<std::uint32_t>(wide.triangles.size() - mesh.triangles.size());
     return wide;
 }
 

@@ -25,6 +25,7 @@ struct WideNode {
 struct Leaf {
     std::uint32_t first = 0;  ///< storage index of its first triangle
     std::uint32_t count = 0;
+    std::uint32_t binary_node = 0;  ///< its box
 };
 
 struct WideTree {
@@ -33,6 +34,7 @@ struct WideTree {
     std::vector<std::uint32_t> triangles;     ///< by storage index: number into LatticeMesh::triangles
     std::vector<Strip> strips;                ///< of each leaf, in profiles that have them
     std::vector<std::uint8_t> first_corners;  ///< by storage index: which corner of the mesh's triangle comes first
+    std::uint32_t copies = 0;                 ///< storage indices whose triangle has a lower one
     unsigned depth = 0;                       ///< nodes on the longest way down
 };
 

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include <espalier/blob.hpp>
+#include <runtime/copies.hpp>
 
 #include "check_tree.hpp"
 #include "closed.hpp"
@@ -18,13 +19,13 @@ namespace {
 /// Gathers the leaves' triangles into one welded mesh, with a look at each.
 class Gatherer {
 public:
-    Gatherer(std::uint32_t triangle_count, std::size_t leaves_at, format::Profile profile)
-        : leaves_at_(leaves_at),
-          profile_(profile),
-          points_(std::size_t{triangle_count} * 3),
-          triangles_(triangle_count) {}
+    Gatherer(const detail::BlobData& data, std::size_t leaves_at)
+        : data_(data),
+          leaves_at_(leaves_at),
+          points_(std::size_t{data.triangle_count} * 3),
+          triangles_(data.triangle_count) {}
 
-    std::optional<std::string> add(const DecodedLeaf& leaf) {
+    std::optional<std::string> add(const DecodedLeaf& leaf, const DecodedBox& region) {
         std::array<std::uint32_t, format::max_leaf_vertices> numbers{};
         for (unsigned i = 0; i < leaf.vertex_count; ++i) numbers[i] = weld(leaf.vertices[i]);
         std::uint64_t used = 0;  // a bit for each vertex
@@ -35,7 +36,7 @@ public:
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const std::uint32_t vertex = leaf.corners[i][corner];
                 // Of a strip it is the entries whose first uses number the vertices; a window may turn them round.
-                if (profile_ == format::Profile::fast && vertex > static_cast<unsigned>(std::popcount(used)))
+                if (data_.profile == format::Profile::fast && vertex > static_cast<unsigned>(std::popcount(used)))
                     return about(index, leaf, "uses a vertex before the ones that are numbered lower");
                 used |= std::uint64_t{1} << vertex;
                 corners[corner] = numbers[vertex];
@@ -45,15 +46,38 @@ public:
                 return about(index, leaf, "has no area");
             }
             const std::uint32_t same = triangles_.find_or_insert(corners);
-            if (same != index) return about(index, leaf, "is the same as triangle " + std::to_string(same));
-            mesh.triangles.push_back({corners, index});
+            const bool is_new = same == mesh.triangles.size();
+            const std::uint32_t owner = detail::owner_of(data_, index);
+            if (is_new && owner != index) return about(index, leaf, "is a copy of another triangle");
+            if (!is_new && mesh.triangles[same].original_id != owner) {
+                return about(index, leaf,
+                             "is the same as triangle " + std::to_string(mesh.triangles[same].original_id));
+            }
+            if (is_new) {
+                mesh.triangles.push_back({corners, index});
+                corners_found_.push_back(0);
+            }
+            for (unsigned corner = 0; corner < 3; ++corner) {
+                const Coordinates& at = leaf.vertices[leaf.corners[i][corner]];
+                if (region.contains({at, at})) corners_found_[same] |= static_cast<std::uint8_t>(1u << corner);
+            }
         }
         if (static_cast<unsigned>(std::popcount(used)) != leaf.vertex_count)
             return about(leaf.first_triangle, leaf, "is in a leaf with vertices that none uses");
         return std::nullopt;
     }
 
-    LatticeMesh mesh;
+    /// Every corner of every triangle must lie where a query that looks for it comes to one of its leaves.
+    [[nodiscard]] std::optional<std::string> check_corners() const {
+        for (std::size_t i = 0; i < corners_found_.size(); ++i) {
+            if (corners_found_[i] == 7) continue;
+            return "triangle " + std::to_string(mesh.triangles[i].original_id) +
+                   " has a corner that lies in none of the boxes of its leaves";
+        }
+        return std::nullopt;
+    }
+
+    LatticeMesh mesh;  ///< copies left out; original ids are storage indices
 
 private:
     std::uint32_t weld(const Coordinates& at) {
@@ -68,8 +92,9 @@ private:
                ") " + what;
     }
 
+    const detail::BlobData& data_;
     std::size_t leaves_at_;
-    format::Profile profile_;
+    std::vector<std::uint8_t> corners_found_;  // of each triangle of the mesh, a bit for each corner
     InsertionTable points_;
     TriangleSet triangles_;
 };
@@ -97,12 +122,13 @@ std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
     const std::size_t node_bytes = std::size_t{data.node_count} * format::node::bytes;
     const std::size_t leaves_at = format::header::bytes + node_bytes;
     const TreeBytes tree{bytes.subspan(format::header::bytes, node_bytes), bytes.subspan(leaves_at, data.leaf_bytes),
-                         data.bits, data.profile};
+                         data.bits, data.profile, data.copies != nullptr};
 
-    Gatherer gatherer(blob.triangle_count(), leaves_at, data.profile);
+    Gatherer gatherer(data, leaves_at);
     TreeCounts counts;
-    const auto gather = [&](const DecodedLeaf& leaf) { return gatherer.add(leaf); };
+    const auto gather = [&](const DecodedLeaf& leaf, const DecodedBox& region) { return gatherer.add(leaf, region); };
     if (auto complaint = check_tree(tree, gather, counts)) return complaint;
+    if (auto complaint = gatherer.check_corners()) return complaint;
     const LatticeMesh& mesh = gatherer.mesh;
     if (auto complaint = check_extent(blob, mesh)) return complaint;
     if (mesh.vertices.size() != blob.vertex_count()) {

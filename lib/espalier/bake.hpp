@@ -47,11 +47,12 @@ struct CostModel {
 /// How the tree is built, before subtrees are moved (from effort 4 on) and nodes are made wide. All obey the format's
 /// depth.
 enum class Builder : std::uint8_t {
-    binned_sah,     ///< surface area heuristic over planes between bins (Wald 2007)
-    sweep_sah,      ///< surface area heuristic over every split along every axis (MacDonald, Booth 1990)
-    agglomerative,  ///< pairs of near clusters, bottom up (Gu, He, Fatahalian, Blelloch 2013)
-    linear,         ///< along a space-filling curve (Lauterbach et al. 2009): fastest to build, most visits
-    insertion,      ///< one triangle after the other, with rotations (Goldsmith, Salmon 1987)
+    binned_sah,      ///< surface area heuristic over planes between bins (Wald 2007)
+    sweep_sah,       ///< surface area heuristic over every split along every axis (MacDonald, Booth 1990)
+    spatial_splits,  ///< as binned_sah, but large triangles may be in several leaves, clipped (Stich et al. 2009)
+    agglomerative,   ///< pairs of near clusters, bottom up (Gu, He, Fatahalian, Blelloch 2013)
+    linear,          ///< along a space-filling curve (Lauterbach et al. 2009): fastest to build, most visits
+    insertion,       ///< one triangle after the other, with rotations (Goldsmith, Salmon 1987)
 };
 
 struct BakeOptions {
@@ -62,6 +63,9 @@ struct BakeOptions {
     unsigned bits = 16;
     format::Profile profile = format::Profile::fast;
     Builder builder = Builder::binned_sah;
+    /// With Builder::spatial_splits: copies are at most this share of the triangles, 0..1. A blob with copies refuses
+    /// for_each_hit and for_each_overlap.
+    double duplicates = 0.3;
     bool original_ids = false;
     Materials materials = Materials::none;
     /// Drop triangles with NaN or infinite corners and with indices out of range, instead of refusing the mesh.
@@ -87,6 +91,7 @@ struct BakeReport {
     std::uint64_t source_triangles = 0;
     std::uint64_t source_vertices = 0;
     std::uint32_t triangles = 0;  ///< kept
+    std::uint32_t copies = 0;     ///< further storage indices of kept triangles, by Builder::spatial_splits
     std::uint32_t vertices = 0;   ///< distinct lattice points of the kept ones
     Finding not_finite;           ///< dropped under repair: a corner is NaN or infinite
     Finding index_out_of_range;   ///< dropped under repair

@@ -21,6 +21,7 @@ struct BlobData {
     const std::byte* sources = nullptr;  // null without original ids
     const std::byte* ids = nullptr;
     const std::byte* materials = nullptr;
+    const std::byte* copies = nullptr;  // null without split references
     std::uint32_t size = 0;
     std::uint32_t features = 0;
     std::uint32_t triangle_count = 0;
@@ -29,6 +30,7 @@ struct BlobData {
     std::uint32_t leaf_bytes = 0;
     std::uint32_t source_count = 0;
     std::uint32_t source_triangles = 0;
+    std::uint32_t copy_count = 0;
     std::uint32_t checksum = 0;
     // Vectors have a fourth element, which is zero.
     alignas(16) float origin[4] = {};
@@ -55,7 +57,12 @@ class Blob {
 public:
     constexpr Blob() noexcept = default;
 
+    /// Storage indices: every Triangle that a query answers with has an index below this. Copies are counted in.
     [[nodiscard]] constexpr std::uint32_t triangle_count() const noexcept { return data_.triangle_count; }
+    /// How many storage indices are copies of another triangle, which has a lower one: above zero only when the blob was
+    /// baked with Builder::spatial_splits. No query answers with a copy. for_each_hit and for_each_overlap refuse a blob
+    /// with copies: they would have to remember what they have reported. They answer false at once and visit nothing.
+    [[nodiscard]] constexpr std::uint32_t copy_count() const noexcept { return data_.copy_count; }
     [[nodiscard]] constexpr std::uint32_t vertex_count() const noexcept { return data_.vertex_count; }
     [[nodiscard]] constexpr std::uint32_t size_bytes() const noexcept { return data_.size; }
     [[nodiscard]] constexpr std::uint32_t checksum() const noexcept { return data_.checksum; }

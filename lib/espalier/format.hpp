@@ -68,7 +68,8 @@ inline constexpr std::uint32_t original_ids = 1u << 0;
 inline constexpr std::uint32_t materials_8 = 1u << 1;
 inline constexpr std::uint32_t materials_16 = 1u << 2;  // never together with materials_8
 inline constexpr std::uint32_t closed = 1u << 3;  // no bytes: every edge is shared by two triangles, oppositely wound
-inline constexpr std::uint32_t known = original_ids | materials_8 | materials_16 | closed;
+inline constexpr std::uint32_t split_references = 1u << 4;  // some triangles have copies in several leaves, see `copies`
+inline constexpr std::uint32_t known = original_ids | materials_8 | materials_16 | closed | split_references;
 }  // namespace feature
 
 // ---- sections, in this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4
@@ -81,6 +82,23 @@ inline constexpr std::size_t file_at = 4;   // u32
 inline constexpr std::size_t mesh_at = 8;   // u32
 inline constexpr std::size_t bytes = 12;
 }  // namespace source
+
+// The section of split references: which storage indices are copies, and of which triangle. The lowest storage index of
+// a triangle is its owner; copies have the same corners in the same order, and stand in leaves whose boxes hold other
+// parts of it. u32 number of copies; a block for each started 256 storage indices: u32 copies before it, then a bit for
+// each index, low bits first, set for copies; then u32 owner for each copy, in storage order. Profile fast only.
+namespace copies {
+inline constexpr std::size_t count_at = 0;
+inline constexpr std::size_t blocks_at = 4;
+inline constexpr std::uint32_t block_indices = 256;
+inline constexpr std::size_t bits_at = 4;  // in a block
+inline constexpr std::size_t block_bytes = 36;
+inline constexpr std::size_t owner_bytes = 4;
+static_assert(bits_at + block_indices / 8 == block_bytes);
+constexpr std::uint64_t blocks_bytes(std::uint32_t triangle_count) {
+    return (std::uint64_t{triangle_count} + block_indices - 1) / block_indices * block_bytes;
+}
+}  // namespace copies
 
 // ---- a node is one cache line -------------------------------------------------------------------------------------
 // Children are numbered nodes first, then leaves. The node children are contiguous; blocks of siblings stand in depth-
@@ -110,6 +128,8 @@ inline constexpr unsigned offset_bits = 11;      // of the data, in units of 2 b
 inline constexpr unsigned triangles_shift = 11;  // 4 bits: triangles - 1
 inline constexpr unsigned vertices_shift = 15;   // 5 bits: vertices - 1
 inline constexpr unsigned widths_shift = 20;     // 3 x 4 bits: width codes of x, y, z
+// In a blob with split references an axis of the lattice's own width counts from 0 instead: there, vertices may lie
+// outside of their leaf's box.
 // Data: a stream of x, of y, of z (offsets from the low corner of the leaf's own box in its node, vertex by vertex) and
 // a stream of triangles (three vertex numbers, the first in the low bits). Each stream is fields of one width, low bits
 // first, padded with zero bits to a byte.

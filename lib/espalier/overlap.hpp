@@ -21,7 +21,7 @@ struct Sphere {
 [[nodiscard]] bool overlaps(const Blob& blob, const Sphere& sphere) noexcept;
 
 /// Every overlapping triangle, in storage order, until the visitor answers stop. True when it saw them all.
-/// The visitor must not throw.
+/// The visitor must not throw. False at once, and nothing is visited, when blob.copy_count() is not 0.
 bool for_each_overlap(const Blob& blob, const Sphere& sphere, FunctionRef<Visit(Triangle)> visit);
 
 }  // namespace espalier

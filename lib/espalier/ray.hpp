@@ -51,7 +51,7 @@ bool raycast(const Blob& blob, const Ray& ray, RayHit& hit, TriangleFilter filte
 [[nodiscard]] bool occluded(const Blob& blob, const Ray& ray, TriangleFilter filter);
 
 /// Every hit, in storage order (not sorted by t), until the visitor answers stop. True when it saw them all. The
-/// visitor must not throw.
+/// visitor must not throw. False at once, and nothing is visited, when blob.copy_count() is not 0.
 bool for_each_hit(const Blob& blob, const Ray& ray, FunctionRef<Visit(const RayHit&)> visit);
 
 }  // namespace espalier

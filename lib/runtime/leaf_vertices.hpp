@@ -27,8 +27,14 @@ struct LeafVertices {
 
     /// Among the children of its node.
     [[nodiscard]] unsigned child() const { return node.node_children() + number; }
-    /// The low corner of its box, which the coordinates count from.
-    [[nodiscard]] std::int32_t anchor(int axis) const { return node.low(axis, child(), blob->bits); }
+    /// Whether an axis counts from 0: vertices outside of the leaf's box, as copies have them.
+    [[nodiscard]] bool counts_from_zero(int axis) const {
+        return (blob->features & format::feature::split_references) != 0 && width[axis] == blob->bits;
+    }
+    /// What the coordinates count from: the low corner of its box, most often.
+    [[nodiscard]] std::int32_t anchor(int axis) const {
+        return counts_from_zero(axis) ? 0 : node.low(axis, child(), blob->bits);
+    }
     [[nodiscard]] LatticeTriangle triangle_of(unsigned a, unsigned b, unsigned c) const {
         const unsigned vertices[3] = {a, b, c};
         LatticeTriangle triangle;

@@ -7,6 +7,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
 #include <runtime/checksum.hpp>
+#include <runtime/copies.hpp>
 #include <runtime/float_bits.hpp>
 #include <runtime/id_field.hpp>
 #include <runtime/leaf_kinds.hpp>
@@ -78,6 +79,8 @@ Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
     good &= is_finite(blob.max_error) && !is_negative(blob.max_error);
     good &= (blob.features & (materials_8 | materials_16)) != (materials_8 | materials_16);
     good &= !(empty && (blob.features & format::feature::closed) != 0);
+    // Strips turn their triangles' corners, so that copies of one would not give the same weights.
+    good &= has_indexed_leaves(blob.profile) || (blob.features & format::feature::split_references) == 0;
     good &= ids ? id_bits <= 32 : id_bits == 0 && blob.source_count == 0;
     good &= is_zero(h + id_bits_at + 1, 2) && is_zero(h + reserved_at, format::header::bytes - reserved_at);
     if (!good) return Status::bad_header;
@@ -167,6 +170,32 @@ Status check_original_ids(BlobData& blob, Bytes& rest) {
     return Status::ok;
 }
 
+/// The map of copies: ranks add up, and every copy is of a triangle with a lower storage index that is none. The
+/// section is the last one. Not inlined: its variables must not lie on the stack under check_tree.
+[[gnu::noinline]] Status check_copies(BlobData& blob, Bytes rest) {
+    using namespace format::copies;
+    const std::byte* count = rest.take(blocks_at);
+    if (count == nullptr) return Status::bad_section;
+    const std::uint32_t copy_count = load_u32(count);
+    const std::byte* blocks = rest.take(blocks_bytes(blob.triangle_count));
+    const std::byte* owners = blocks == nullptr ? nullptr : rest.take(std::uint64_t{copy_count} * owner_bytes);
+    if (owners == nullptr || copy_count == 0 || rest.left != 0) return Status::bad_section;
+    blob.copies = count;
+    std::uint32_t seen = 0;
+    const std::uint64_t bits = blocks_bytes(blob.triangle_count) / block_bytes * block_indices;
+    for (std::uint64_t i = 0; i < bits; ++i) {
+        const auto index = static_cast<std::uint32_t>(i);
+        if (index % block_indices == 0 && load_u32(copy_block(blob, index)) != seen) return Status::bad_section;
+        if (!is_copy(blob, index)) continue;
+        if (index >= blob.triangle_count || seen == copy_count) return Status::bad_section;
+        const std::uint32_t owner = load_u32(owners + owner_bytes * std::size_t{seen});
+        if (owner >= index || is_copy(blob, owner)) return Status::bad_section;
+        ++seen;
+    }
+    blob.copy_count = copy_count;
+    return seen == copy_count ? Status::ok : Status::bad_section;
+}
+
 Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
     Bytes rest = {bytes.data(), bytes.size()};
     rest.take(format::header::bytes);
@@ -185,6 +214,7 @@ Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
         if (!is_zero(blob.materials + used, static_cast<std::size_t>(round_up_to_4(used) - used)))
             return Status::bad_section;
     }
+    if ((blob.features & format::feature::split_references) != 0) return check_copies(blob, rest);
     return rest.left == 0 ? Status::ok : Status::bad_section;
 }
 

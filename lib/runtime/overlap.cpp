@@ -15,6 +15,7 @@ bool overlaps(const Blob& blob, const Sphere& sphere) noexcept {
 
 bool for_each_overlap(const Blob& blob, const Sphere& sphere, FunctionRef<Visit(Triangle)> visit) {
     LatticePoint rounded;
+    if (blob.copy_count() != 0) return false;
     if (blob.triangle_count() == 0 || !round_point(blob.data(), sphere.center, sphere.radius, rounded)) return true;
     return ESPALIER_DISPATCH(every_overlap, blob.data(), rounded, visit);
 }

@@ -25,6 +25,7 @@ bool occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) {
 }
 
 bool for_each_hit(const Blob& blob, const Ray& ray, FunctionRef<Visit(const RayHit&)> visit) {
+    if (blob.copy_count() != 0) return false;
     return blob.triangle_count() == 0 || ESPALIER_DISPATCH(every_hit, blob.data(), ray, visit);
 }
 

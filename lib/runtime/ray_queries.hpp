@@ -3,6 +3,7 @@
 #pragma once
 
 #include <espalier/function_ref.hpp>
+#include <runtime/copies.hpp>
 #include <runtime/found.hpp>
 #include <runtime/simd/select.hpp>
 

@@ -6,7 +6,11 @@
 template <unsigned groups, class Leaf>
 inline typename Leaf::Slots ray_candidates_of(const Leaf& leaf, const LatticeRay& ray) {
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
-    const Corner corner = load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray.origin_steps);
+    Corner corner = load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray.origin_steps);
+    if (leaf.blob->copies != nullptr) {
+        for (int k = 0; k < 3; ++k)
+            if (leaf.counts_from_zero(k)) corner.at[k] = -ray.origin_steps[k];
+    }
     const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]), offset_z = splat(corner.at[kz]);
     const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
     Table<groups> xs, ys;
@@ -77,8 +81,8 @@ private:
     void decide(const Leaf& leaf, unsigned slot) {
         TriangleHit hit;
         if (!intersect(ray, leaf.triangle(slot), hit) || (found && hit.whole_tau > best.hit.whole_tau)) return;
-        const std::uint32_t index = storage_index(leaf, slot);
-        if (found && hit.whole_tau == best.hit.whole_tau && index > best.index) return;
+        const std::uint32_t index = owner_of(*leaf.blob, storage_index(leaf, slot));
+        if (found && hit.whole_tau == best.hit.whole_tau && index >= best.index) return;
         if (filter != nullptr && !(*filter)(Triangle{index})) return;
         best = {hit, index};
         found = true;
@@ -102,7 +106,7 @@ struct EveryHit {
             const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
             FoundHit found;
             if (!intersect(ray, leaf.triangle(slot), found.hit)) continue;
-            found.index = storage_index(leaf, slot);
+            found.index = owner_of(*leaf.blob, storage_index(leaf, slot));
             if (on_hit(found) == stop) return stop;
         }
         return keep_going;

@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <espalier/walk.hpp>
+#include <runtime/copies.hpp>
 #include <runtime/lattice_world.hpp>
 #include <runtime/simd/lanes_scalar.hpp>
 
@@ -25,10 +26,12 @@ struct EveryTriangle {
     [[nodiscard]] Visit visit_leaf(const Leaf& leaf) const {
         for (auto slots = leaf.used_slots(); slots != 0; slots &= slots - 1) {
             const auto slot = static_cast<unsigned>(std::countr_zero(slots));
+            const std::uint32_t index = scalar::storage_index(leaf, slot);
+            if (is_copy(blob, index)) continue;
             const LatticeTriangle t = leaf.triangle(slot);
             const Corners corners = {to_world(blob, t.corner[0]), to_world(blob, t.corner[1]),
                                      to_world(blob, t.corner[2])};
-            if (visit(Triangle{scalar::storage_index(leaf, slot)}, corners) == stop) return stop;
+            if (visit(Triangle{index}, corners) == stop) return stop;
         }
         return keep_going;
     }

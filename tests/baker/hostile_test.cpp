@@ -70,8 +70,9 @@ TEST_SUITE("baker") {
             options.original_ids = random.coin();
             options.materials = static_cast<Materials>(random.below(3));
             options.effort = random.below(10);
-            options.builder = static_cast<Builder>(random.below(5));
+            options.builder = static_cast<Builder>(random.below(6));
             options.profile = every_profile[random.below(every_profile.size())];
+            if (options.builder == Builder::spatial_splits) options.profile = format::Profile::fast;
             const auto result = random.coin() ? bake_mesh(first, options) : bake_meshes({&first, &second}, options);
             if (!result) {
                 ++refused;

@@ -206,6 +206,11 @@ TEST_SUITE("baker") {
         options = {};
         options.builder = static_cast<Builder>(99);
         refused(options, "builder 99");
+        options = {};
+        options.duplicates = 1.5;
+        refused(options, "0 to 1");
+        options.duplicates = std::numeric_limits<double>::quiet_NaN();
+        refused(options, "0 to 1");
     }
 
     TEST_CASE("progress goes from 0 to 1 and never back, in the calling thread") {

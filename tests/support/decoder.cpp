@@ -44,23 +44,25 @@ struct Leaf {
     GridBox box;
 };
 
-/// `width` bits for each vertex, counted from the low corner of the leaf's box; returns where the stream ends.
+/// `width` bits for each vertex, counted from the low corner of the leaf's box or from 0; returns where the stream ends.
 std::size_t read_axis(const Bytes& bytes, const Leaf& leaf, std::size_t at, unsigned axis, unsigned width,
-                      std::vector<GridPoint>& vertices) {
+                      bool from_zero, std::vector<GridPoint>& vertices) {
+    const std::int32_t start = from_zero ? 0 : leaf.box.low[axis];
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        vertices[i][axis] = leaf.box.low[axis] + static_cast<std::int32_t>(bytes.field(at, i * width, width));
+        vertices[i][axis] = start + static_cast<std::int32_t>(bytes.field(at, i * width, width));
     }
     return at + (vertices.size() * width + 7) / 8;
 }
 
-std::vector<GridTriangle> read_indexed_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits) {
+std::vector<GridTriangle> read_indexed_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits, bool has_copies) {
     namespace layout = format::indexed_leaf;
     const unsigned triangle_count = (leaf.descriptor >> layout::triangles_shift & 15u) + 1;
     std::vector<GridPoint> vertices((leaf.descriptor >> layout::vertices_shift & 31u) + 1);
     std::size_t at = leaf.at;
     for (unsigned axis = 0; axis < 3; ++axis) {
         const unsigned code = leaf.descriptor >> (layout::widths_shift + 4 * axis) & 15u;
-        at = read_axis(bytes, leaf, at, axis, layout::coordinate_width(code, bits), vertices);
+        const unsigned width = layout::coordinate_width(code, bits);
+        at = read_axis(bytes, leaf, at, axis, width, has_copies && width == bits, vertices);
     }
     const unsigned corner = layout::corner_width(static_cast<unsigned>(vertices.size()));
     std::vector<GridTriangle> triangles;
@@ -111,7 +113,7 @@ std::vector<GridTriangle> read_strip_leaf(const Bytes& bytes, const Leaf& leaf, 
     std::size_t at = leaf.at + (bit + 7) / 8;
     for (unsigned axis = 0; axis < 3; ++axis) {
         const auto side = static_cast<std::uint32_t>(leaf.box.high[axis] - leaf.box.low[axis]);
-        at = read_axis(bytes, leaf, at, axis, std::min(bits_of(side), bits), vertices);
+        at = read_axis(bytes, leaf, at, axis, std::min(bits_of(side), bits), false, vertices);
     }
 
     std::vector<GridTriangle> triangles;
@@ -150,6 +152,8 @@ public:
     }
 
 private:
+    [[nodiscard]] bool has_copies() const { return (decoded_.features & format::feature::split_references) != 0; }
+
     void read_header() {
         namespace at = format::header;
         decoded_.features = bytes_.u32(at::features_at);
@@ -228,7 +232,7 @@ private:
                 const std::vector<GridTriangle> triangles =
                     is_indexed_
                         ? read_indexed_leaf(bytes_, {descriptor, data + 2 * (descriptor & 0x7FFu), out.box},
-                                            decoded_.bits)
+                                            decoded_.bits, has_copies())
                         : read_strip_leaf(bytes_, {descriptor, data + (descriptor & 0x1FFFu), out.box}, decoded_.bits);
                 if (!is_indexed_ && bytes_.u32(block) + (descriptor >> layout::first_shift) != triangle) {
                     throw std::runtime_error(
@@ -276,6 +280,23 @@ private:
                 decoded_.materials.push_back(static_cast<std::uint16_t>(bytes_.u16(at + 2 * i)));
             }
             at += padded(2 * triangles);
+        }
+        for (std::size_t i = 0; i < triangles; ++i) decoded_.owners.push_back(static_cast<std::uint32_t>(i));
+        if (has_copies()) {
+            namespace layout = format::copies;
+            const std::size_t owners_at =
+                at + layout::blocks_at + static_cast<std::size_t>(layout::blocks_bytes(decoded_.triangle_count));
+            std::size_t seen = 0;
+            for (std::size_t i = 0; i < triangles; ++i) {
+                const std::size_t block =
+                    at + layout::blocks_at + i / layout::block_indices * layout::block_bytes + layout::bits_at;
+                if (bytes_.field(block, i % layout::block_indices, 1) == 0) continue;
+                decoded_.owners[i] = bytes_.u32(owners_at + layout::owner_bytes * seen++);
+                if (decoded_.triangles[i] != decoded_.triangles[decoded_.owners[i]])
+                    throw std::runtime_error("decoder: a copy is not the triangle that it copies");
+            }
+            if (seen != bytes_.u32(at)) throw std::runtime_error("decoder: there is another number of copies");
+            at = owners_at + layout::owner_bytes * seen;
         }
         if (at != bytes_.u32(format::header::total_bytes_at)) {
             throw std::runtime_error("decoder: the sections do not fill the blob");

@@ -66,6 +66,7 @@ struct DecodedBlob {
     std::vector<std::uint32_t> original_ids;      // one for each triangle, or none
     std::vector<std::uint8_t> first_corners;      // as many: which corner of the original triangle comes first
     std::vector<std::uint16_t> materials;         // one for each triangle, or none
+    std::vector<std::uint32_t> owners;            // of each triangle: its own number, or of the one that it is a copy of
     std::vector<std::uint8_t> triangles_in_leaf;  // of each leaf, in storage order
 };
 

@@ -2,7 +2,7 @@
 
 namespace espalier::tests {
 
-TriangleLoop::TriangleLoop(const DecodedBlob& decoded) {
+TriangleLoop::TriangleLoop(const DecodedBlob& decoded) : owners_(decoded.owners) {
     triangles_.reserve(decoded.triangles.size());
     for (const GridTriangle& t : decoded.triangles) {
         triangles_.push_back({{{t.a[0], t.a[1], t.a[2]}, {t.b[0], t.b[1], t.b[2]}, {t.c[0], t.c[1], t.c[2]}}});
@@ -12,6 +12,7 @@ TriangleLoop::TriangleLoop(const DecodedBlob& decoded) {
 std::vector<detail::FoundHit> TriangleLoop::every_hit(const detail::LatticeRay& ray) const {
     std::vector<detail::FoundHit> hits;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        if (owners_[i] != i) continue;
         detail::TriangleHit hit{};
         if (detail::intersect(ray, triangles_[i], hit)) hits.push_back({hit, i});
     }
@@ -21,6 +22,7 @@ std::vector<detail::FoundHit> TriangleLoop::every_hit(const detail::LatticeRay& 
 std::vector<std::uint32_t> TriangleLoop::every_overlap(const detail::LatticePoint& point) const {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        if (owners_[i] != i) continue;
         if (detail::is_within_radius(point, detail::distance_to(point, triangles_[i]), point.radius))
             found.push_back(i);
     }
@@ -30,6 +32,7 @@ std::vector<std::uint32_t> TriangleLoop::every_overlap(const detail::LatticePoin
 std::optional<detail::FoundNearest> TriangleLoop::closest_triangle(const detail::LatticePoint& point) const {
     std::optional<detail::FoundNearest> best;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        if (owners_[i] != i) continue;
         const detail::PointDistance distance = detail::distance_to(point, triangles_[i]);
         if (!detail::is_within_radius(point, distance, point.radius)) continue;
         if (!best || distance.squared < best->distance.squared) best = {distance, i, triangles_[i]};

@@ -24,6 +24,7 @@ public:
 
 private:
     std::vector<detail::LatticeTriangle> triangles_;
+    std::vector<std::uint32_t> owners_;  // copies are no triangles of their own
 };
 
 }  // namespace espalier::tests

@@ -1,0 +1,39 @@
+// Triangles with copies in several leaves: which of them all is meant.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/bytes.hpp>
+
+namespace espalier::detail {
+
+inline const std::byte* copy_block(const BlobData& blob, std::uint32_t index) {
+    return blob.copies + format::copies::blocks_at +
+           std::size_t{index / format::copies::block_indices} * format::copies::block_bytes;
+}
+
+inline bool is_copy(const BlobData& blob, std::uint32_t index) {
+    if (blob.copies == nullptr) return false;
+    const std::uint32_t bit = index % format::copies::block_indices;
+    return (load_u8(copy_block(blob, index) + format::copies::bits_at + bit / 8) >> (bit % 8) & 1u) != 0;
+}
+
+/// The storage index that stands for the triangle: the lowest one it has. O(1).
+inline std::uint32_t owner_of(const BlobData& blob, std::uint32_t index) {
+    if (!is_copy(blob, index)) return index;
+    const std::byte* block = copy_block(blob, index);
+    const std::uint32_t bit = index % format::copies::block_indices;
+    std::uint32_t copies_before = load_u32(block);
+    for (std::uint32_t word = 0; word < bit / 32; ++word)
+        copies_before +=
+            static_cast<std::uint32_t>(std::popcount(load_u32(block + format::copies::bits_at + 4 * word)));
+    const std::uint32_t last = load_u32(block + format::copies::bits_at + std::size_t{4} * (bit / 32));
+    copies_before += static_cast<std::uint32_t>(std::popcount(last & ((1u << bit % 32) - 1u)));
+    const std::byte* owners = blob.copies + format::copies::blocks_at +
+                              static_cast<std::size_t>(format::copies::blocks_bytes(blob.triangle_count));
+    return load_u32(owners + format::copies::owner_bytes * std::size_t{copies_before});
+}
+
+}  // namespace espalier::detail
