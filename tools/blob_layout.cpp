@@ -84,6 +84,14 @@ NodeFields read_node(std::span<const std::byte> bytes, std::size_t at) {
     return node;
 }
 
+std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t node, unsigned child, unsigned axis) {
+    const std::size_t at = format::header::bytes + node * format::node::bytes;
+    const std::size_t plane = format::max_children * axis + child;
+    const std::uint32_t planes =
+        read_u8(bytes, at + format::node::hi_at + plane) - read_u8(bytes, at + format::node::lo_at + plane);
+    return planes << read_node(bytes, at).shifts[axis];
+}
+
 LeafFields read_leaf(std::uint32_t descriptor, unsigned bits) {
     namespace field = format::indexed_leaf;
     LeafFields leaf{};
@@ -94,6 +102,35 @@ LeafFields read_leaf(std::uint32_t descriptor, unsigned bits) {
         leaf.widths[axis] = field::coordinate_width((descriptor >> (field::widths_shift + 4 * axis)) & 15u, bits);
     }
     return leaf;
+}
+
+StripFields read_strip(std::uint32_t descriptor) {
+    namespace field = format::strip_leaf;
+    return {descriptor & ((1u << field::offset_bits) - 1), (descriptor >> field::entries_shift & 63u) + 3,
+            descriptor >> field::first_shift};
+}
+
+StripMarks read_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries) {
+    std::size_t bit = at * 8;
+    const auto take = [&](unsigned width) {
+        bit += width;
+        return read_bits(bytes, bit - width, width);
+    };
+    StripMarks marks{};
+    std::vector<bool> first_uses(entries, true);
+    marks.pivots.resize(entries, false);
+    marks.triangles.resize(entries - 2, true);
+    marks.pivots[0] = true;
+    for (unsigned i = 1; i + 2 < entries; ++i) marks.pivots[i] = take(1) != 0;
+    for (unsigned i = 1; i + 2 < entries; ++i) marks.triangles[i] = take(1) != 0;
+    for (unsigned i = 3; i < entries; ++i) first_uses[i] = take(1) != 0;
+    for (const bool first_use : first_uses) marks.vertices += first_use ? 1 : 0;
+    std::uint32_t used = 0;
+    for (unsigned i = 0; i < entries; ++i) {
+        marks.entries.push_back(first_uses[i] ? used++ : take(format::strip_leaf::reference_width(marks.vertices)));
+    }
+    marks.bits = bit - at * 8;
+    return marks;
 }
 
 std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob) {

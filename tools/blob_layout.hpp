@@ -45,8 +45,10 @@ struct NodeFields {
 
 /// The node whose bytes start at `at`.
 NodeFields read_node(std::span<const std::byte> bytes, std::size_t at);
+/// How many lattice steps the box of a child of a node reaches over.
+std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t node, unsigned child, unsigned axis);
 
-/// One leaf's descriptor, taken apart.
+/// The descriptor of an indexed leaf, taken apart.
 struct LeafFields {
     std::size_t data_offset;  ///< from the end of the block's descriptors
     unsigned triangles;
@@ -55,6 +57,26 @@ struct LeafFields {
 };
 
 LeafFields read_leaf(std::uint32_t descriptor, unsigned bits);
+
+/// The descriptor of a strip leaf, taken apart.
+struct StripFields {
+    std::size_t data_offset;  ///< from the end of the block's descriptors
+    unsigned entries;
+    std::uint32_t first;  ///< its first triangle, counted from the block's
+};
+
+StripFields read_strip(std::uint32_t descriptor);
+
+struct StripMarks {
+    std::vector<std::uint32_t> entries;  ///< vertex numbers
+    std::vector<bool> pivots;            ///< of each entry
+    std::vector<bool> triangles;         ///< of each window
+    unsigned vertices;
+    std::size_t bits;
+};
+
+/// The marks that start at byte `at`, of a leaf with so many entries.
+StripMarks read_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries);
 
 std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob);
 

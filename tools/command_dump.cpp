@@ -1,5 +1,6 @@
 // dump: every byte of a blob, with its meaning.
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "blob_layout.hpp"
 #include "byte_listing.hpp"
 #include "commands.hpp"
+#include "leaf_listing.hpp"
 #include "numbers.hpp"
 
 namespace espalier::tools {
@@ -111,80 +113,52 @@ void list_node(Bytes bytes, std::size_t number, ByteListing& listing) {
     }
 }
 
-void list_coordinates(Bytes bytes, char axis, unsigned count, unsigned width, ByteListing& listing) {
-    if (width == 0) return;
-    std::string values;
-    for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
-    listing.field(format::indexed_leaf::stream_bytes(count, width), text("  ", axis, ", ", width, " bits:", values));
-}
-
-void list_corners(Bytes bytes, const LeafFields& leaf, ByteListing& listing) {
-    const unsigned width = format::indexed_leaf::corner_width(leaf.vertices);
-    std::string values;
-    for (unsigned corner = 0; corner < 3 * leaf.triangles; ++corner) {
-        values += text(corner % 3 == 0 ? ' ' : '-', read_bits(bytes, listing.at() * 8 + corner * width, width));
-    }
-    listing.field(format::indexed_leaf::stream_bytes(leaf.triangles, 3 * width),
-                  text("  corners, ", width, " bits:", values));
-}
-
-void list_leaf_block(Bytes bytes, unsigned leaves, unsigned bits, std::size_t node, ByteListing& listing) {
-    std::uint32_t triangle = read_u32(bytes, listing.at());
-    listing.field(4, text("leaves of node ", node, ": first triangle ", triangle));
-    std::vector<LeafFields> fields;
-    for (unsigned i = 0; i < leaves; ++i) {
-        fields.push_back(read_leaf(read_u32(bytes, listing.at()), bits));
-        const LeafFields& leaf = fields.back();
-        listing.field(format::indexed_leaf::descriptor_bytes,
-                      text("leaf ", i, ": data at ", leaf.data_offset, ", ", counted(leaf.triangles, "triangle"), ", ",
-                           counted(leaf.vertices, "vertex"), ", widths ", leaf.widths[0], ' ', leaf.widths[1], ' ',
-                           leaf.widths[2]));
-    }
-    const std::size_t data = listing.at();
-    for (unsigned i = 0; i < leaves && !listing.full(); ++i) {
-        const LeafFields& leaf = fields[i];
-        listing.field_up_to(data + leaf.data_offset, "padding");
-        listing.heading(text("leaf ", i, " of node ", node, ", triangles from ", triangle));
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            list_coordinates(bytes, "xyz"[axis], leaf.vertices, leaf.widths[axis], listing);
-        }
-        list_corners(bytes, leaf, listing);
-        triangle += leaf.triangles;
-    }
-}
-
-void list_leaves(Bytes bytes, const Section& nodes, const Section& leaves, unsigned bits, ByteListing& listing) {
+void list_leaves(Bytes bytes, const Blob& blob, const Section& nodes, const Section& leaves, ByteListing& listing) {
     struct Block {
         std::size_t at;
         std::size_t node;
-        unsigned leaves;
     };
     std::vector<Block> blocks;
     for (std::size_t node = 0; node < nodes.bytes / format::node::bytes; ++node) {
         const NodeFields fields = read_node(bytes, nodes.at + node * format::node::bytes);
-        if (fields.leaves > 0) blocks.push_back({leaves.at + std::size_t{4} * fields.leaf_block, node, fields.leaves});
+        if (fields.leaves > 0) blocks.push_back({leaves.at + std::size_t{4} * fields.leaf_block, node});
     }
     std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.at < b.at; });
     for (const Block& block : blocks) {
         if (listing.full()) return;
         listing.field_up_to(block.at, "padding");
-        list_leaf_block(bytes, block.leaves, bits, block.node, listing);
+        list_leaf_block(bytes, blob, block.node, listing);
     }
     listing.field_up_to(leaves.at + leaves.bytes, "padding");
 }
 
-/// Fields of one width, eight to a line: they end on a byte.
-void list_numbers(Bytes bytes, const Section& section, std::uint32_t count, unsigned width, const char* name,
-                  ByteListing& listing) {
+/// Fields of one width, eight to a line: they end on a byte. `value` is the text of the one that begins at a bit.
+void list_numbers(const Section& section, std::uint32_t count, unsigned width, const char* name,
+                  const std::function<std::string(std::size_t)>& value, ByteListing& listing) {
     for (std::uint32_t first = 0; first < count && !listing.full(); first += 8) {
         const std::uint32_t here = std::min(count - first, 8u);
         std::string values;
-        for (std::uint32_t i = 0; i < here; ++i) {
-            values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
-        }
+        for (std::uint32_t i = 0; i < here; ++i) values += text(' ', value(listing.at() * 8 + i * width));
         listing.field((std::size_t{here} * width + 7) / 8, text(name, " of triangles from ", first, ':', values));
     }
     listing.field_up_to(section.at + section.bytes, "padding");
+}
+
+void list_ids(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
+    const unsigned corner_bits = format::first_corner_bits(data.profile);
+    const unsigned width = corner_bits + data.id_bits;
+    const auto value = [&](std::size_t bit) {
+        const std::uint32_t id = read_bits(bytes, bit + corner_bits, data.id_bits);
+        return corner_bits == 0 ? text(id) : text(id, '.', read_bits(bytes, bit, corner_bits));
+    };
+    list_numbers(section, width == 0 ? 0 : data.triangle_count, width, corner_bits == 0 ? "ids" : "ids.first corners",
+                 value, listing);
+}
+
+void list_materials(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
+    const unsigned width = (data.features & format::feature::materials_16) != 0 ? 16 : 8;
+    const auto value = [&](std::size_t bit) { return text(read_bits(bytes, bit, width)); };
+    list_numbers(section, data.triangle_count, width, "materials", value, listing);
 }
 
 void list_sources(Bytes bytes, std::uint32_t count, ByteListing& listing) {
@@ -206,16 +180,15 @@ void list_section(Bytes bytes, const Blob& blob, const std::vector<Section>& sec
     if (name == "nodes") {
         for (std::size_t node = 0; node < data.node_count && !listing.full(); ++node) list_node(bytes, node, listing);
     } else if (name == "leaves") {
-        list_leaves(bytes, section_named(sections, "nodes"), section, blob.bits(), listing);
+        list_leaves(bytes, blob, section_named(sections, "nodes"), section, listing);
     } else if (name == "guard") {
         listing.field(section.bytes, "zeros, so that wide loads stay inside");
     } else if (name == "sources") {
         list_sources(bytes, data.source_count, listing);
     } else if (name == "original_ids") {
-        list_numbers(bytes, section, data.id_bits == 0 ? 0 : data.triangle_count, data.id_bits, "ids", listing);
+        list_ids(bytes, section, data, listing);
     } else if (name == "materials") {
-        const bool wide = (data.features & format::feature::materials_16) != 0;
-        list_numbers(bytes, section, data.triangle_count, wide ? 16 : 8, "materials", listing);
+        list_materials(bytes, section, data, listing);
     }
 }
 

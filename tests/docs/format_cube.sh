@@ -9,7 +9,15 @@ mkdir -p "$folder"
 cd "$folder"
 block obj >cube.obj
 block dump >documented.txt
-[[ -s cube.obj && -s documented.txt ]] || { echo "failed: $document has no obj block or no dump block"; exit 1; }
-"$espalier" bake cube.obj -o cube.espl --bits 8 --ids -q
+block strips >documented_strips.txt
+for file in cube.obj documented.txt documented_strips.txt; do
+    [[ -s $file ]] || { echo "failed: $document has no obj block, no dump block or no strips block"; exit 1; }
+done
+"$espalier" bake cube.obj -o cube.espl --bits 8 --ids --profile fast -q
 "$espalier" dump cube.espl >dumped.txt
-diff documented.txt dumped.txt || { echo "failed: $document shows other bytes (<) than the command makes (>)"; exit 1; }
+"$espalier" bake cube.obj -o strips.espl --bits 8 --ids --profile balanced -q
+"$espalier" dump strips.espl | sed -n '/^-- leaves/,$p' >dumped_strips.txt
+for kind in "" _strips; do
+    diff "documented$kind.txt" "dumped$kind.txt" ||
+        { echo "failed: $document shows other bytes (<) than the command makes (>)"; exit 1; }
+done

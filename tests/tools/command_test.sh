@@ -637,7 +637,8 @@ out_has '"distance": 2.0'
 
 # ---- dump, render ---------------------------------------------------------------------------------------------------
 claim "dump shows every byte once and in order"
-for blob in box sheet two empty; do
+"$espalier" bake sheet.obj -o strips.espl -q --ids --materials 16 --profile balanced || fail "no strips"
+for blob in box sheet two empty strips; do
     "$espalier" dump $blob.espl | grep -v '^--' | cut -c 11-57 | tr -d ' \n' >dumped
     od -A n -v -t x1 $blob.espl | tr -d ' \n' >expected
     same dumped expected
@@ -647,6 +648,11 @@ for word in 'magic "ESPL"' "lattice bits 16" "node 0: base 0" "leaf block at" "f
     "ids of triangles from 0:" "materials of triangles from 0:"; do
     out_has "$word"
 done
+run 0 dump strips.espl
+for word in "profile 1" "entries, triangles from 0 + 0" "entries (* pivot): 0* " "; triangles: 0-1-2" "ids.first corners of triangles from 0:"; do
+    out_has "$word"
+done
+run 0 verify strips.espl --deep
 
 claim "a limited dump says what it leaves out; a refused blob shows its header"
 run 0 dump sheet.espl --limit 10

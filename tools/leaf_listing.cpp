@@ -1,0 +1,114 @@
+#include "leaf_listing.hpp"
+
+#include <string>
+#include <vector>
+
+#include "blob_layout.hpp"
+#include "numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+void list_coordinates(Bytes bytes, char axis, unsigned count, unsigned width, ByteListing& listing) {
+    if (width == 0) return;
+    std::string values;
+    for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
+    listing.field((std::size_t{count} * width + 7) / 8, text("  ", axis, ", ", width, " bits:", values));
+}
+
+void list_indexed_leaf(Bytes bytes, const LeafFields& leaf, ByteListing& listing) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        list_coordinates(bytes, "xyz"[axis], leaf.vertices, leaf.widths[axis], listing);
+    }
+    const unsigned width = format::indexed_leaf::corner_width(leaf.vertices);
+    std::string values;
+    for (unsigned corner = 0; corner < 3 * leaf.triangles; ++corner) {
+        values += text(corner % 3 == 0 ? ' ' : '-', read_bits(bytes, listing.at() * 8 + corner * width, width));
+    }
+    listing.field(format::indexed_leaf::stream_bytes(leaf.triangles, 3 * width),
+                  text("  corners, ", width, " bits:", values));
+}
+
+void list_indexed_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, std::size_t number,
+                         std::uint32_t triangle, ByteListing& listing) {
+    std::vector<LeafFields> fields;
+    for (unsigned i = 0; i < node.leaves; ++i) {
+        fields.push_back(read_leaf(read_u32(bytes, listing.at()), blob.bits()));
+        const LeafFields& leaf = fields.back();
+        listing.field(format::indexed_leaf::descriptor_bytes,
+                      text("leaf ", i, ": data at ", leaf.data_offset, ", ", counted(leaf.triangles, "triangle"), ", ",
+                           counted(leaf.vertices, "vertex"), ", widths ", leaf.widths[0], ' ', leaf.widths[1], ' ',
+                           leaf.widths[2]));
+    }
+    const std::size_t data = listing.at();
+    for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
+        listing.field_up_to(data + fields[i].data_offset, "padding");
+        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle));
+        list_indexed_leaf(bytes, fields[i], listing);
+        triangle += fields[i].triangles;
+    }
+}
+
+/// Entries with a star at each pivot, and what triangles they make.
+std::string marks_text(const StripMarks& marks) {
+    std::string result = "  entries (* pivot)";
+    for (std::size_t i = 0; i < marks.entries.size(); ++i) {
+        result += text(i == 0 ? ": " : " ", marks.entries[i], marks.pivots[i] ? "*" : "");
+    }
+    result += "; triangles";
+    std::size_t pivot = 0;
+    bool keeps_order = false;
+    for (std::size_t window = 0; window + 2 < marks.entries.size(); ++window) {
+        if (marks.pivots[window]) {
+            pivot = window;
+            keeps_order = !keeps_order;
+        }
+        if (!marks.triangles[window]) continue;
+        const std::uint32_t one = marks.entries[window + 1], other = marks.entries[window + 2];
+        result += text(window == 0 ? ": " : " ", marks.entries[pivot], '-', keeps_order ? one : other, '-',
+                       keeps_order ? other : one);
+    }
+    return result;
+}
+
+void list_strip_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, std::size_t number,
+                       std::uint32_t triangle, ByteListing& listing) {
+    std::vector<StripFields> fields;
+    for (unsigned i = 0; i < node.leaves; ++i) {
+        fields.push_back(read_strip(read_u32(bytes, listing.at())));
+        const StripFields& leaf = fields.back();
+        listing.field(format::strip_leaf::descriptor_bytes,
+                      text("leaf ", i, ": data at ", leaf.data_offset, ", ", leaf.entries, " entries, triangles from ",
+                           triangle, " + ", leaf.first));
+    }
+    const std::size_t data = listing.at();
+    for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
+        listing.field_up_to(data + fields[i].data_offset, "padding");
+        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle + fields[i].first));
+        const StripMarks marks = read_marks(bytes, listing.at(), fields[i].entries);
+        listing.field((marks.bits + 7) / 8, marks_text(marks));
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const unsigned width = format::strip_leaf::coordinate_width(
+                side_of_child(bytes, number, node.node_children + i, axis), blob.bits());
+            list_coordinates(bytes, "xyz"[axis], marks.vertices, width, listing);
+        }
+    }
+}
+
+}  // namespace
+
+void list_leaf_block(std::span<const std::byte> bytes, const Blob& blob, std::size_t node, ByteListing& listing) {
+    const NodeFields fields = read_node(bytes, format::header::bytes + node * format::node::bytes);
+    const std::uint32_t triangle = read_u32(bytes, listing.at());
+    listing.field(4, text("leaves of node ", node, ": first triangle ", triangle));
+    if (blob.profile() == format::Profile::fast) {
+        list_indexed_leaves(bytes, blob, fields, node, triangle, listing);
+    } else {
+        list_strip_leaves(bytes, blob, fields, node, triangle, listing);
+    }
+}
+
+}  // namespace espalier::tools
