@@ -26,7 +26,7 @@ constexpr std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73",
 
 class TradeChart {
 public:
-    TradeChart(const std::vector<TradePoint>& points)
+    explicit TradeChart(const std::vector<TradePoint>& points)
         : points_(points), closest_front_(pareto_front(points, timed_queries[0])) {
         for (const TradePoint& point : points) {
             if (std::find(lattices_.begin(), lattices_.end(), point.bits) == lattices_.end()) {
