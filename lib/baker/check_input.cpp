@@ -170,8 +170,8 @@ std::optional<BakeError> check_options(const BakeOptions& options) {
     }
     if (options.builder == Builder::spatial_splits && options.profile != format::Profile::fast) {
         return invalid_options(
-            "spatial splits need the profile fast: the strips of other profiles turn triangles, and copies of one must be "
-            "alike; choose profile fast or another builder");
+            "spatial splits need the profile fast: the strips of other profiles turn triangles, and copies of one must "
+            "be alike; choose profile fast or another builder");
     }
     if (!(options.duplicates >= 0.0 && options.duplicates <= 1.0)) {
         return invalid_options("duplicates is " + number_text(options.duplicates) +

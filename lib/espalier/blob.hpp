@@ -59,9 +59,10 @@ public:
 
     /// Storage indices: every Triangle that a query answers with has an index below this. Copies are counted in.
     [[nodiscard]] constexpr std::uint32_t triangle_count() const noexcept { return data_.triangle_count; }
-    /// How many storage indices are copies of another triangle, which has a lower one: above zero only when the blob was
-    /// baked with Builder::spatial_splits. No query answers with a copy. for_each_hit and for_each_overlap refuse a blob
-    /// with copies: they would have to remember what they have reported. They answer false at once and visit nothing.
+    /// How many storage indices are copies of another triangle, which has a lower one: above zero only when the blob
+    /// was baked with Builder::spatial_splits. No query answers with a copy. for_each_hit and for_each_overlap refuse a
+    /// blob with copies: they would have to remember what they have reported. They answer false at once and visit
+    /// nothing.
     [[nodiscard]] constexpr std::uint32_t copy_count() const noexcept { return data_.copy_count; }
     [[nodiscard]] constexpr std::uint32_t vertex_count() const noexcept { return data_.vertex_count; }
     [[nodiscard]] constexpr std::uint32_t size_bytes() const noexcept { return data_.size; }

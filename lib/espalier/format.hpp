@@ -68,7 +68,7 @@ inline constexpr std::uint32_t original_ids = 1u << 0;
 inline constexpr std::uint32_t materials_8 = 1u << 1;
 inline constexpr std::uint32_t materials_16 = 1u << 2;  // never together with materials_8
 inline constexpr std::uint32_t closed = 1u << 3;  // no bytes: every edge is shared by two triangles, oppositely wound
-inline constexpr std::uint32_t split_references = 1u << 4;  // some triangles have copies in several leaves, see `copies`
+inline constexpr std::uint32_t split_references = 1u << 4;  // triangles have copies in several leaves, see `copies`
 inline constexpr std::uint32_t known = original_ids | materials_8 | materials_16 | closed | split_references;
 }  // namespace feature
 

@@ -7,7 +7,8 @@
 
 namespace espalier {
 
-/// Every triangle but copies in storage order, its corners rounded to float, until the visitor answers stop. True when it saw all.
+/// Every triangle but copies in storage order, its corners rounded to float, until the visitor answers stop. True when
+/// it saw all.
 bool for_each_triangle(const Blob& blob, FunctionRef<Visit(Triangle, const Corners&)> visit);
 
 }  // namespace espalier

@@ -207,6 +207,10 @@ TEST_SUITE("baker") {
         options.builder = static_cast<Builder>(99);
         refused(options, "builder 99");
         options = {};
+        options.builder = Builder::spatial_splits;
+        options.profile = format::Profile::balanced;
+        refused(options, "profile fast");
+        options = {};
         options.duplicates = 1.5;
         refused(options, "0 to 1");
         options.duplicates = std::numeric_limits<double>::quiet_NaN();
