@@ -171,6 +171,20 @@ void list_sources(Bytes bytes, std::uint32_t count, ByteListing& listing) {
     }
 }
 
+void list_copies(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
+    namespace field = format::copies;
+    listing.field(field::blocks_at, text("copies ", data.copy_count));
+    const std::size_t owners_at =
+        section.at + field::blocks_at + static_cast<std::size_t>(field::blocks_bytes(data.triangle_count));
+    for (std::uint32_t first = 0; listing.at() < owners_at && !listing.full(); first += field::block_indices) {
+        const std::uint32_t before = read_u32(bytes, listing.at());
+        listing.field(field::block_bytes, text("copies among triangles from ", first, ", ", before, " before them"));
+    }
+    for (std::uint32_t i = 0; i < data.copy_count && !listing.full(); ++i) {
+        listing.field(field::owner_bytes, text("copy ", i, " is of triangle ", read_u32(bytes, listing.at())));
+    }
+}
+
 void list_section(Bytes bytes, const Blob& blob, const std::vector<Section>& sections, const Section& section,
                   ByteListing& listing) {
     const std::string_view name = section.name;
@@ -189,6 +203,8 @@ void list_section(Bytes bytes, const Blob& blob, const std::vector<Section>& sec
         list_ids(bytes, section, data, listing);
     } else if (name == "materials") {
         list_materials(bytes, section, data, listing);
+    } else if (name == "copies") {
+        list_copies(bytes, section, data, listing);
     }
 }
 

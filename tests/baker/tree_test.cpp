@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <baker/build_sah.hpp>
 #include <baker/collapse.hpp>
@@ -183,8 +185,17 @@ TEST_SUITE("baker") {
 
     TEST_CASE("leaves hold as many triangles as the options allow and no more") {
         const Mesh mesh = make_terrain(60, 3);
+        using Case = std::pair<format::Profile, unsigned>;
+        std::vector<Case> cases;
         for (unsigned most = 1; most <= format::indexed_leaf::max_triangles; ++most) {
-            BakeOptions options;
+            cases.push_back({format::Profile::fast, most});
+            cases.push_back({format::Profile::balanced, most});
+            cases.push_back({format::Profile::small, most});
+        }
+        for (const auto& [profile, most] : cases) {
+            CAPTURE(name_of(profile));
+            CAPTURE(most);
+            BakeOptions options = with_profile(profile);
             options.max_leaf_triangles = most;
             options.cost_model.byte_price = 20.0f;  // large leaves are wanted
             const auto result = bake_mesh(mesh, options);

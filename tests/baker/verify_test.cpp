@@ -6,6 +6,7 @@
 #include "../support/baking.hpp"
 #include "../support/checksum.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
 #include "baking_support.hpp"
 
 using namespace espalier;
@@ -26,8 +27,11 @@ void add_to(std::vector<std::byte>& blob, std::size_t at, int by) {
 
 TEST_SUITE("baker") {
     TEST_CASE("verify finds nothing wrong with a baked blob, an empty one included") {
-        CHECK(verdict(bake_or_throw(make_terrain(20, 1))) == "");
-        CHECK(verdict(bake({}, {})->blob) == "");
+        for_each_profile([](format::Profile profile) {
+            CHECK(verdict(bake_or_throw(make_terrain(20, 1), with_profile(profile))) == "");
+            CHECK(verdict(bake_or_throw(make_soup(200, 2), with_profile(profile))) == "");
+            CHECK(verdict(bake({}, with_profile(profile))->blob) == "");
+        });
     }
 
     TEST_CASE("verify says why bytes are no blob") {
@@ -38,40 +42,47 @@ TEST_SUITE("baker") {
     }
 
     TEST_CASE("verify finds a box that is too small, and names node and byte") {
-        const auto good = bake_or_throw(make_terrain(30, 1));
-        const DecodedBlob decoded = decode(good);
-        unsigned found = 0;
-        for (std::size_t node = 0; node < decoded.nodes.size(); ++node) {
-            for (std::size_t plane = 0; plane < 3 * format::max_children; plane += 5) {
-                const std::size_t at = format::header::bytes + node * format::node::bytes + format::node::hi_at + plane;
-                if (plane % 8 >= decoded.nodes[node].children.size() || std::to_integer<int>(good[at]) < 2) continue;
-                auto bad = good;
-                add_to(bad, at, -2);  // two planes lower: below what outward rounding may have left
-                const std::string message = verdict(bad);
-                if (!contains(message, "does not hold what is below")) continue;
-                ++found;
-                CHECK(contains(message, "node " + std::to_string(node) + " (byte " +
-                                            std::to_string(format::header::bytes + node * format::node::bytes) + ")"));
+        for_each_profile([](format::Profile profile) {
+            const auto good = bake_or_throw(make_terrain(30, 1), with_profile(profile));
+            const DecodedBlob decoded = decode(good);
+            unsigned found = 0;
+            for (std::size_t node = 0; node < decoded.nodes.size(); ++node) {
+                for (std::size_t plane = 0; plane < 3 * format::max_children; plane += 5) {
+                    const std::size_t at =
+                        format::header::bytes + node * format::node::bytes + format::node::hi_at + plane;
+                    if (plane % 8 >= decoded.nodes[node].children.size() || std::to_integer<int>(good[at]) < 2)
+                        continue;
+                    auto bad = good;
+                    add_to(bad, at, -2);  // two planes lower: below what outward rounding may have left
+                    const std::string message = verdict(bad);
+                    if (!contains(message, "does not hold what is below")) continue;
+                    ++found;
+                    CHECK(contains(message, "node " + std::to_string(node) + " (byte " +
+                                                std::to_string(format::header::bytes + node * format::node::bytes) +
+                                                ")"));
+                }
             }
-        }
-        CHECK(found > decoded.nodes.size());
+            CHECK(found > decoded.nodes.size());
+        });
     }
 
     TEST_CASE("verify finds a wrong vertex count, extent and closed flag") {
-        namespace header = format::header;
-        const auto good = bake_or_throw(make_icosphere(2, 1.0, {0, 0, 0}));
-        auto bad = good;
-        add_to(bad, header::vertex_count_at, 1);
-        CHECK(contains(verdict(bad), "counts"));
-        bad = good;
-        add_to(bad, header::features_at, -static_cast<int>(format::feature::closed));
-        CHECK(contains(verdict(bad), "it is closed"));
-        bad = bake_or_throw(make_terrain(4, 1));
-        add_to(bad, header::features_at, static_cast<int>(format::feature::closed));
-        CHECK(contains(verdict(bad), "it is not"));
-        bad = bake_or_throw(make_cube(0.0f, 200.0f), with_bits(8));
-        add_to(bad, header::extent_at, 1);
-        CHECK(contains(verdict(bad), "axis 0"));
+        for_each_profile([](format::Profile profile) {
+            namespace header = format::header;
+            const auto good = bake_or_throw(make_icosphere(2, 1.0, {0, 0, 0}), with_profile(profile));
+            auto bad = good;
+            add_to(bad, header::vertex_count_at, 1);
+            CHECK(contains(verdict(bad), "counts"));
+            bad = good;
+            add_to(bad, header::features_at, -static_cast<int>(format::feature::closed));
+            CHECK(contains(verdict(bad), "it is closed"));
+            bad = bake_or_throw(make_terrain(4, 1), with_profile(profile));
+            add_to(bad, header::features_at, static_cast<int>(format::feature::closed));
+            CHECK(contains(verdict(bad), "it is not"));
+            bad = bake_or_throw(make_cube(0.0f, 200.0f), with_profile(profile, with_bits(8)));
+            add_to(bad, header::extent_at, 1);
+            CHECK(contains(verdict(bad), "axis 0"));
+        });
     }
 
     TEST_CASE("verify finds a triangle without area and a triangle that is there twice") {
@@ -99,5 +110,41 @@ TEST_SUITE("baker") {
         CHECK(contains(verdict(with_corners(corners(0, 1, 2), corners(1, 2, 0))), "is the same as triangle 0"));
         CHECK(contains(verdict(with_corners(corners(0, 2, 1), corners(0, 2, 3))), "numbered lower"));
         CHECK(contains(verdict(with_corners(corners(0, 1, 2), corners(0, 2, 1))), "none uses"));
+    }
+
+    TEST_CASE("verify finds a strip's vertex that none uses and its triangle without area") {
+        const std::size_t marks_at = format::header::bytes + format::node::bytes + format::strip_leaf::descriptors_at +
+                                     format::strip_leaf::descriptor_bytes;
+        // Three triangles over five vertices: the marks are two bits each of pivots, windows and first uses.
+        Mesh fan;
+        fan.positions = {{0, 0, 0}, {4, 0, 0}, {3, 3, 0}, {0, 4, 0}, {-3, 3, 0}};
+        fan.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+        const auto good = bake_or_throw(fan, with_profile(format::Profile::balanced, with_bits(3)));
+        const DecodedBlob decoded = decode(good);
+        REQUIRE(decoded.triangles.size() == 3);
+        REQUIRE((std::to_integer<unsigned>(good[marks_at]) & ~15u) == 0b110000);  // five first uses
+        const auto with_marks = [&](unsigned marks, unsigned triangles) {
+            auto bad = good;
+            bad[marks_at] = static_cast<std::byte>(marks);
+            bad[format::header::triangle_count_at] = static_cast<std::byte>(triangles);
+            return verdict(bad);
+        };
+        const auto marks = std::to_integer<unsigned>(good[marks_at]);
+        CHECK(with_marks(marks, 3) == "");
+        CHECK(contains(with_marks(marks & ~0b1000u, 2), "vertices that none uses"));  // the last window is none
+
+        // A path around a tetrahedron: three bits each, then the last two entries' vertices in two bits each.
+        Mesh tetrahedron;
+        tetrahedron.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+        tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+        auto bad = bake_or_throw(tetrahedron, with_profile(format::Profile::balanced, with_bits(3)));
+        CHECK(verdict(bad) == "");
+        const unsigned high = std::to_integer<unsigned>(bad[marks_at + 1]);
+        const unsigned fourth = high >> 1 & 3u;
+        const unsigned fifth = high >> 3 & 3u;
+        REQUIRE(fifth != fourth);
+        bad[marks_at + 1] = static_cast<std::byte>((high & ~(3u << 3)) | fourth << 3);
+        CHECK(contains(verdict(bad), "triangle 3 (leaf data at byte "));
+        CHECK(contains(verdict(bad), "has no area"));
     }
 }

@@ -1,6 +1,6 @@
-// make_blobs FOLDER: bakes the blobs that the emulated machines are asked about, as .espl files, and the smallest one as
-// a list of numbers that a firmware image can include. The meshes are made here, from integers: a landscape and a lumpy
-// closed body above it, so that ids, materials and several inputs have something to say.
+// make_blobs FOLDER: bakes the blobs that the emulated machines are asked about, as .espl files, and the smallest one
+// as a list of numbers that a firmware image can include. The meshes are made here, from integers: a landscape and a
+// lumpy closed body above it, so that ids, materials and several inputs have something to say.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -60,7 +60,8 @@ Mesh make_body(std::int32_t cells, float radius, const espalier::Vec3& center) {
         const auto y = static_cast<float>(grid[1]);
         const auto z = static_cast<float>(grid[2]);
         const std::uint32_t lump = scramble(static_cast<std::uint32_t>(grid[0] * 10007 + grid[1] * 101 + grid[2]));
-        const float reach = radius * (1.0f + static_cast<float>(lump >> 8) * 0x1p-27f) / std::sqrt(x * x + y * y + z * z);
+        const float reach =
+            radius * (1.0f + static_cast<float>(lump >> 8) * 0x1p-27f) / std::sqrt(x * x + y * y + z * z);
         mesh.positions.push_back({center.x + x * reach, center.y + y * reach, center.z + z * reach});
     };
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -114,8 +115,8 @@ bool write_number_list(const std::string& path, const std::vector<std::byte>& bl
     return write_file(path, text.data(), text.size());
 }
 
-bool bake_to(const std::string& path, const std::vector<espalier::MeshView>& meshes, const espalier::BakeOptions& options,
-             const std::string& number_list_path = {}) {
+bool bake_to(const std::string& path, const std::vector<espalier::MeshView>& meshes,
+             const espalier::BakeOptions& options, const std::string& number_list_path = {}) {
     const auto baked = espalier::bake(meshes, options);
     if (!baked) {
         std::fprintf(stderr, "make_blobs: %s: %s\n", path.c_str(), baked.error().message.c_str());
@@ -145,9 +146,18 @@ int main(int argument_count, char** arguments) {
                                folder + "small.inc");
     options.bits = 24;
     options.materials = espalier::Materials::bits_16;
-    const bool fine = bake_to(folder + "fine.espl", {view(far_body, 0, "far body"), view(far_body, 1, "twin")}, options);
+    const bool fine =
+        bake_to(folder + "fine.espl", {view(far_body, 0, "far body"), view(far_body, 1, "twin")}, options);
     espalier::BakeOptions plain;
     plain.bits = 5;
     const bool coarse = bake_to(folder + "coarse.espl", {view(landscape, 0, "landscape")}, plain);
-    return small && fine && coarse ? 0 : 2;
+    options.profile = espalier::format::Profile::balanced;
+    options.bits = 16;
+    const bool strips =
+        bake_to(folder + "strips.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")}, options);
+    options.profile = espalier::format::Profile::small;
+    options.bits = 22;
+    const bool dense =
+        bake_to(folder + "dense.espl", {view(body, 0, "body"), view(landscape, 1, "landscape")}, options);
+    return small && fine && coarse && strips && dense ? 0 : 2;
 }

@@ -23,12 +23,13 @@ mkdir -p "$build"
 
 mkdir -p "$build/blobs"
 "qemu-$machine" "$build/make_blobs" "$build/blobs" 2>/dev/null
-for blob in small fine coarse; do
+blob_files=()
+for blob in small fine coarse strips dense; do
+    blob_files+=("$blobs/$blob.espl")
     cmp "$blobs/$blob.espl" "$build/blobs/$blob.espl" ||
         { echo "failed: $machine bakes other bytes than this machine"; exit 1; }
 done
 
-blob_files=("$blobs/small.espl" "$blobs/fine.espl" "$blobs/coarse.espl")
 "$host_program" "$questions" "${blob_files[@]}" >"$build/host.txt"
 "qemu-$machine" "$build/query_answers" "$questions" "${blob_files[@]}" >"$build/$machine.txt"
 

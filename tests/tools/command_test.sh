@@ -638,7 +638,8 @@ out_has '"distance": 2.0'
 # ---- dump, render ---------------------------------------------------------------------------------------------------
 claim "dump shows every byte once and in order"
 "$espalier" bake sheet.obj -o strips.espl -q --ids --materials 16 --profile balanced || fail "no strips"
-for blob in box sheet two empty strips; do
+"$espalier" bake sheet.obj -o split.espl -q --ids --builder spatial_splits || fail "no splits"
+for blob in box sheet two empty strips split; do
     "$espalier" dump $blob.espl | grep -v '^--' | cut -c 11-57 | tr -d ' \n' >dumped
     od -A n -v -t x1 $blob.espl | tr -d ' \n' >expected
     same dumped expected
