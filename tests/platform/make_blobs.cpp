@@ -1,5 +1,5 @@
-// make_blobs FOLDER: bakes the blobs that the emulated machines are asked about, as .espl files, and the smallest one
-// as a list of numbers that a firmware image can include. The meshes are made here, from integers: a landscape and a
+// make_blobs FOLDER: bakes the blobs that the emulated machines are asked about, as .espl files, and two small ones
+// also as lists of numbers that a firmware image can include. The meshes are made here, from integers: a landscape and a
 // lumpy closed body above it, so that ids, materials and several inputs have something to say.
 #include <array>
 #include <cmath>
@@ -153,8 +153,8 @@ int main(int argument_count, char** arguments) {
     const bool coarse = bake_to(folder + "coarse.espl", {view(landscape, 0, "landscape")}, plain);
     options.profile = espalier::format::Profile::balanced;
     options.bits = 16;
-    const bool strips =
-        bake_to(folder + "strips.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")}, options);
+    const bool strips = bake_to(folder + "strips.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")},
+                                options, folder + "strips.inc");
     options.profile = espalier::format::Profile::small;
     options.bits = 22;
     const bool dense =

@@ -8,7 +8,7 @@ namespace espalier::firmware {
 
 alignas(4) inline constexpr unsigned char odd_then_blob[] = {
     0,
-#include "small.inc"
+#include ESPALIER_BLOB
 };
 
 inline std::span<const std::byte> blob_in_flash() { return std::as_bytes(std::span(odd_then_blob)).subspan(1); }
