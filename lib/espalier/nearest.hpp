@@ -13,6 +13,7 @@
 
 namespace espalier {
 
+/// Corners are those of the blob (walk.hpp); which of the source's they are, OriginalTriangle says.
 struct Nearest {
     Vec3 point;
     float distance = 0.0f;

@@ -29,6 +29,7 @@ struct Ray {
     Faces faces = Faces::both;
 };
 
+/// Corners are those of the blob (walk.hpp); which of the source's they are, OriginalTriangle says.
 struct RayHit {
     float t = 0.0f;  ///< the point is origin + t * direction
     float u = 0.0f;  ///< barycentric weight of corner b

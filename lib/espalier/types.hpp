@@ -21,7 +21,7 @@ struct Triangle {
     friend constexpr auto operator<=>(const Triangle&, const Triangle&) = default;
 };
 
-/// The three corners of a triangle, in the winding of its source.
+/// The three corners of a triangle, in the winding of its source; which comes first, OriginalTriangle says.
 struct Corners {
     Vec3 a;
     Vec3 b;
