@@ -124,7 +124,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("what can be one path is one: fans, bands, twisted bands; what touches nowhere is a path for each") {
+    TEST_CASE("what can be one path is one: fans, bands, twisted bands, and what touches nowhere is a path for each") {
         CHECK(check_strips_of(make_fan(50, false)) == 50 + 2);
         CHECK(check_strips_of(make_fan(50, true)) == 50 + 2);
         CHECK(check_strips_of(make_band(50, false)) == 50 + 2);
