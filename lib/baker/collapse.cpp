@@ -55,7 +55,7 @@ public:
           max_leaf_triangles_(std::min(settings.max_leaf_triangles, sizes.most_triangles())),
           plan_(plan),
           relative_area_(1.0f / static_cast<float>(std::max(tree.nodes[0].half_area(), 1.0))),
-          byte_cost_(settings.cost_model.byte_price / static_cast<float>(tree.triangles.size())) {
+          byte_cost_(settings.cost_model.byte_price * sizes.byte_weight() / static_cast<float>(tree.triangles.size())) {
         plan.choices_.resize(tree.node_count());
         std::vector<Subtree> stack(max_binary_height + 2);
         std::size_t top = 0;

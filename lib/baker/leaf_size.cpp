@@ -20,12 +20,13 @@ public:
         return {true, node.count, descriptor_bytes + (bytes + 1) / 2 * 2};
     }
     [[nodiscard]] unsigned most_triangles() const override { return format::indexed_leaf::max_triangles; }
+    [[nodiscard]] float byte_weight() const override { return 1.0f; }
 };
 
 class StripLeafSizes final : public LeafSizes {
 public:
-    StripLeafSizes(const StripMaker& strips, unsigned most_entries, unsigned most_vertices)
-        : strips_(strips), most_entries_(most_entries), most_vertices_(most_vertices) {}
+    StripLeafSizes(const StripMaker& strips, unsigned most_entries, unsigned most_vertices, float byte_weight)
+        : strips_(strips), most_entries_(most_entries), most_vertices_(most_vertices), byte_weight_(byte_weight) {}
 
     [[nodiscard]] LeafSize of(const BinaryNode& node, unsigned vertices) const override {
         using namespace format::strip_leaf;
@@ -37,11 +38,13 @@ public:
         return {true, entries - 2, descriptor_bytes + bytes};
     }
     [[nodiscard]] unsigned most_triangles() const override { return most_entries_ - 2; }
+    [[nodiscard]] float byte_weight() const override { return byte_weight_; }
 
 private:
     const StripMaker& strips_;
     unsigned most_entries_;
     unsigned most_vertices_;
+    float byte_weight_;
 };
 
 }  // namespace
@@ -50,9 +53,9 @@ std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, const StripMaker*
     using namespace format::strip_leaf;
     switch (profile) {
         case format::Profile::balanced:
-            return std::make_unique<StripLeafSizes>(*strips, max_balanced_entries, max_balanced_vertices);
+            return std::make_unique<StripLeafSizes>(*strips, max_balanced_entries, max_balanced_vertices, 1.0f);
         case format::Profile::small:
-            return std::make_unique<StripLeafSizes>(*strips, max_small_entries, max_small_entries);
+            return std::make_unique<StripLeafSizes>(*strips, max_small_entries, max_small_entries, 6.0f);
         case format::Profile::fast:
             break;
     }

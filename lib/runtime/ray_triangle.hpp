@@ -63,13 +63,10 @@ inline OriginRelative relative_to(const Query& query, const LatticeTriangle& tri
 
 namespace ray_triangle {
 
-/// Edges below 2^12 steps keep every determinant, and the sum of two that is formed of them, below 2^63
-/// (docs/numerics.md).
-inline bool is_small(const OriginRelative& t) {
-    const auto shifted = [](std::int64_t e) { return static_cast<std::uint64_t>(e + 4096); };
-    const std::uint64_t any =
-        shifted(t.ab.x) | shifted(t.ab.y) | shifted(t.ab.z) | shifted(t.ac.x) | shifted(t.ac.y) | shifted(t.ac.z);
-    return any < 8192;
+/// A power of two above the length of every edge along every axis.
+inline std::uint64_t edge_bound(const OriginRelative& t) {
+    const auto length = [](std::int64_t e) { return static_cast<std::uint64_t>(e < 0 ? ~e : e); };
+    return length(t.ab.x) | length(t.ab.y) | length(t.ab.z) | length(t.ac.x) | length(t.ac.y) | length(t.ac.z);
 }
 
 /// Sign of numerator / denominator - bound, exactly; numerator >= 0, denominator > 0, 0 < bound < infinity.
@@ -92,25 +89,27 @@ inline bool is_within(Int128 numerator, Int128 denominator, float quotient, floa
     return true;
 }
 
-template <class Sum>
+/// `Volume` holds the sums of the normal with the direction and with corner a, `Sum` those with the moment of the ray,
+/// which are larger.
+template <class Volume, class Sum>
 inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hit) {
     const Integer3 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
     const Integer3 normal = cross(t.ab, t.ac);
-    Sum denominator = dot<Sum>(direction, normal);
-    const bool front = is_negative(denominator);
-    if (is_zero(denominator) || (ray.faces == Faces::front && !front) || (ray.faces == Faces::back && front))
-        return false;
-    Sum b = dot<Sum>(direction, cross(t.ac, t.a));
-    Sum c = dot<Sum>(direction, cross(t.a, t.ab));
-    Sum numerator = dot<Sum>(normal, t.a);
-    denominator = negate_if(denominator, front);
+    Volume volume = dot<Volume>(direction, normal);
+    const bool front = is_negative(volume);
+    if (is_zero(volume) || (ray.faces == Faces::front && !front) || (ray.faces == Faces::back && front)) return false;
+    const Integer3 moment = cross(t.a, direction);
+    Sum b = dot<Sum>(moment, t.ac);
+    Sum c = dot<Sum>(moment, t.ab);
+    Volume numerator = dot<Volume>(normal, t.a);
+    volume = negate_if(volume, front);
     b = negate_if(b, front);
-    c = negate_if(c, front);
+    c = negate_if(c, !front);
     numerator = negate_if(numerator, front);
     if (is_negative(b) || is_negative(c) || is_negative(numerator)) return false;
-    denominator = denominator << ray.fraction_bits;
+    const Sum denominator = Sum(volume) << ray.fraction_bits;
     if (denominator < b + c) return false;
-    hit.volume = to_float(denominator);
+    hit.volume = to_float(volume) * power_of_two(ray.fraction_bits);
     hit.tau = to_float(numerator) / hit.volume;
     hit.whole_tau = ray.tau_offset + hit.tau;
     hit.b = to_float(b);
@@ -124,8 +123,12 @@ inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hi
 /// Whether the ray hits the triangle with ray.tau_min <= tau <= ray.tau_max, exactly.
 inline bool intersect(const LatticeRay& ray, const LatticeTriangle& triangle, TriangleHit& hit) {
     const OriginRelative t = relative_to(ray, triangle);
-    return ray_triangle::is_small(t) ? ray_triangle::hits<std::int64_t>(ray, t, hit)
-                                     : ray_triangle::hits<Int128>(ray, t, hit);
+    // Edges below 2^12 steps keep every determinant, and the sum of two that is formed of them, below 2^63; edges below
+    // 2^18 still those with the normal (docs/numerics.md).
+    const std::uint64_t longest = ray_triangle::edge_bound(t);
+    if (longest < 1u << 12) return ray_triangle::hits<std::int64_t, std::int64_t>(ray, t, hit);
+    if (longest < 1u << 18) return ray_triangle::hits<std::int64_t, Int128>(ray, t, hit);
+    return ray_triangle::hits<Int128, Int128>(ray, t, hit);
 }
 
 /// What the caller sees of a hit: t within 4 ulp and in the window that he asked for, weights within 3 ulp, the unit

@@ -90,7 +90,7 @@ TEST_SUITE("baker") {
         Mesh quad;
         quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
         quad.triangles = {{0, 1, 2}, {0, 2, 3}};
-        const auto good = bake_or_throw(quad, with_bits(1));
+        const auto good = bake_or_throw(quad, with_profile(format::Profile::fast, with_bits(1)));
         const DecodedBlob decoded = decode(good);
         REQUIRE(decoded.triangles.size() == 2);
         const std::size_t leaves_at = format::header::bytes + format::node::bytes;

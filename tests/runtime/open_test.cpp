@@ -230,7 +230,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("each rule of nodes and indexed leaves is enforced where it is broken") {
         // Two triangles over four vertices: one node with one leaf.
-        const Bytes bytes = bake_or_throw(make_plane_grid(1));
+        const Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(format::Profile::fast));
         REQUIRE(status_of(bytes) == Status::ok);
         namespace node = format::node;
         namespace leaf = format::indexed_leaf;

@@ -128,6 +128,7 @@ TEST_SUITE("ray kernel against the oracle") {
         std::uint64_t hits = 0;
         std::uint64_t touches = 0;
         std::uint64_t wide = 0;
+        std::uint64_t widest = 0;
         Rational worst_tau = 0;
         Rational worst_weight = 0;
         const std::uint64_t count = scaled(30'000);
@@ -146,7 +147,8 @@ TEST_SUITE("ray kernel against the oracle") {
             ++hits;
             if (crossing->u.sign() == 0 || crossing->v.sign() == 0 || crossing->u + crossing->v == Rational(1))
                 ++touches;
-            if (!detail::ray_triangle::is_small(detail::relative_to(ray, lattice))) ++wide;
+            const std::uint64_t edges = detail::ray_triangle::edge_bound(detail::relative_to(ray, lattice));
+            if (edges >= 1u << 12) ++(edges < 1u << 18 ? wide : widest);
             worst_tau = std::max(worst_tau, oracle::error_in_ulp(hit.tau, crossing->t));
             const RayHit surface = detail::to_ray_hit(ray, world, hit, 0);
             worst_weight = std::max({worst_weight, oracle::error_in_ulp(surface.u, crossing->u),
@@ -157,6 +159,7 @@ TEST_SUITE("ray kernel against the oracle") {
         CHECK(hits > count / 10);
         CHECK(touches > count / 50);
         CHECK(wide > count / 50);
+        CHECK(widest > count / 50);
         MESSAGE(count, " rays, ", hits, " hits, ", touches, " of them on a corner or side");
     }
 

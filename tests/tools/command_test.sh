@@ -155,7 +155,7 @@ run 0 bake box.obj -o x.espl -q
 claim "bake --json tells the same as one object on stdout"
 run 0 bake box.obj -o x.espl -q --json
 for key in '"schema": 1' '"triangles": 12' '"vertices": 8' '"source_triangles": 12' '"bits": 16' '"step": ' '"max_error": ' \
-    '"extent": 3.0' '"bytes": ' '"bytes_per_triangle": ' '"depth": 1' '"nodes": 1' '"closed": true' '"profile": "fast"' \
+    '"extent": 3.0' '"bytes": ' '"bytes_per_triangle": ' '"depth": 1' '"nodes": 1' '"closed": true' '"profile": "balanced"' \
     '"checksum": "' '"zero_area"' '"collapsed"' '"duplicate"' '"not_finite"' '"index_out_of_range"' '"unit_origin": '; do
     out_has "$key"
 done
@@ -278,7 +278,7 @@ run 1 bake sheet.obj -o x.espl --leaf-size 55
 
 # ---- cost model -----------------------------------------------------------------------------------------------------
 claim "a cost model shapes the tree; the defaults written out change nothing"
-echo '{"node_visit": 1, "leaf_visit": 0, "leaf_group": 0.7, "triangle": 0, "byte_price": 5}' >default.json
+echo '{"node_visit": 1, "leaf_visit": 0.4, "leaf_group": 0.3, "triangle": 0, "byte_price": 5}' >default.json
 run 0 bake sheet.obj -o x.espl --cost-model default.json --ids --materials 8
 same x.espl sheet.espl
 echo '{}' >default.json
@@ -638,7 +638,7 @@ out_has '"distance": 2.0'
 # ---- dump, render ---------------------------------------------------------------------------------------------------
 claim "dump shows every byte once and in order"
 "$espalier" bake sheet.obj -o strips.espl -q --ids --materials 16 --profile balanced || fail "no strips"
-"$espalier" bake sheet.obj -o split.espl -q --ids --builder spatial_splits || fail "no splits"
+"$espalier" bake sheet.obj -o split.espl -q --ids --profile fast --builder spatial_splits || fail "no splits"
 for blob in box sheet two empty strips split; do
     "$espalier" dump $blob.espl | grep -v '^--' | cut -c 11-57 | tr -d ' \n' >dumped
     od -A n -v -t x1 $blob.espl | tr -d ' \n' >expected
