@@ -63,9 +63,12 @@ inline OriginRelative relative_to(const Query& query, const LatticeTriangle& tri
 
 namespace ray_triangle {
 
-/// A power of two above the length of every edge along every axis.
-inline std::uint64_t edge_bound(const OriginRelative& t) {
-    const auto length = [](std::int64_t e) { return static_cast<std::uint64_t>(e < 0 ? ~e : e); };
+/// Below a power of two exactly when every edge is, along every axis (-2^k counts as below 2^k).
+inline std::uint32_t edge_bound(const OriginRelative& t) {
+    const auto length = [](std::int64_t edge) {
+        const auto e = static_cast<std::int32_t>(edge);  // below 2^25
+        return static_cast<std::uint32_t>(e < 0 ? ~e : e);
+    };
     return length(t.ab.x) | length(t.ab.y) | length(t.ab.z) | length(t.ac.x) | length(t.ac.y) | length(t.ac.z);
 }
 
@@ -125,9 +128,10 @@ inline bool intersect(const LatticeRay& ray, const LatticeTriangle& triangle, Tr
     const OriginRelative t = relative_to(ray, triangle);
     // Edges below 2^12 steps keep every determinant, and the sum of two that is formed of them, below 2^63; edges below
     // 2^18 still those with the normal (docs/numerics.md).
-    const std::uint64_t longest = ray_triangle::edge_bound(t);
+    const std::uint32_t longest = ray_triangle::edge_bound(t);
     if (longest < 1u << 12) return ray_triangle::hits<std::int64_t, std::int64_t>(ray, t, hit);
-    if (longest < 1u << 18) return ray_triangle::hits<std::int64_t, Int128>(ray, t, hit);
+    if constexpr (has_native_int128)  // elsewhere code is dearer than time
+        if (longest < 1u << 18) return ray_triangle::hits<std::int64_t, Int128>(ray, t, hit);
     return ray_triangle::hits<Int128, Int128>(ray, t, hit);
 }
 

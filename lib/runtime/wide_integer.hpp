@@ -6,6 +6,12 @@
 
 namespace espalier::detail {
 
+#if defined(__SIZEOF_INT128__)
+inline constexpr bool has_native_int128 = true;
+#else
+inline constexpr bool has_native_int128 = false;
+#endif
+
 /// Signed 128 bits in two's complement. Only what the kernels need.
 struct Int128 {
     std::uint64_t low = 0;

@@ -140,6 +140,7 @@ int main(int argument_count, char** arguments) {
     const Mesh far_body = make_body(32, 2.0f, {148376.0f, 1234.0f, -223423.0f});
 
     espalier::BakeOptions options;
+    options.profile = espalier::format::Profile::fast;
     options.original_ids = true;
     options.materials = espalier::Materials::bits_8;
     const bool small = bake_to(folder + "small.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")}, options,
@@ -149,6 +150,7 @@ int main(int argument_count, char** arguments) {
     const bool fine =
         bake_to(folder + "fine.espl", {view(far_body, 0, "far body"), view(far_body, 1, "twin")}, options);
     espalier::BakeOptions plain;
+    plain.profile = espalier::format::Profile::fast;
     plain.bits = 5;
     const bool coarse = bake_to(folder + "coarse.espl", {view(landscape, 0, "landscape")}, plain);
     options.profile = espalier::format::Profile::balanced;

@@ -147,7 +147,7 @@ TEST_SUITE("ray kernel against the oracle") {
             ++hits;
             if (crossing->u.sign() == 0 || crossing->v.sign() == 0 || crossing->u + crossing->v == Rational(1))
                 ++touches;
-            const std::uint64_t edges = detail::ray_triangle::edge_bound(detail::relative_to(ray, lattice));
+            const std::uint32_t edges = detail::ray_triangle::edge_bound(detail::relative_to(ray, lattice));
             if (edges >= 1u << 12) ++(edges < 1u << 18 ? wide : widest);
             worst_tau = std::max(worst_tau, oracle::error_in_ulp(hit.tau, crossing->t));
             const RayHit surface = detail::to_ray_hit(ray, world, hit, 0);
