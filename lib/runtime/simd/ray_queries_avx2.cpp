@@ -10,6 +10,7 @@ namespace espalier::detail::avx2 {
 #include <runtime/simd/prepare_ray_x86.inl>
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
+#include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
 }  // namespace espalier::detail::avx2
 ESPALIER_END_TARGET

@@ -17,6 +17,7 @@ namespace espalier::detail::avx512 {
 using avx2::prepare;
 using avx2::slab_test;
 #include <runtime/traverse.inl>
+#include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
 }  // namespace espalier::detail::avx512
 ESPALIER_END_TARGET

@@ -10,6 +10,7 @@ inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepare
 }
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
+#include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
 
 bool closest_hit_counted(const BlobData& blob, const Ray& world, RayHit& hit, QueryCounters& counters) {
