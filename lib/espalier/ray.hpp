@@ -1,4 +1,4 @@
-// Rays against a blob: closest hit, any hit, all hits.
+// Rays against a blob: closest hit, any hit, all hits, many rays in one call.
 //
 // Numbers. The ray is rounded once onto a grid finer than the asset's lattice (from beyond 2^23 lattice steps, as
 // finely as float32 resolves its origin: docs/numerics.md), and that ray is answered exactly: whether a triangle is
@@ -10,7 +10,9 @@
 // zero counts as zero; t_min > t_max hits nothing.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <espalier/blob.hpp>
 #include <espalier/function_ref.hpp>
@@ -50,6 +52,19 @@ bool raycast(const Blob& blob, const Ray& ray, RayHit& hit, TriangleFilter filte
 /// Whether the ray hits anything. Cheaper than the closest hit.
 [[nodiscard]] bool occluded(const Blob& blob, const Ray& ray) noexcept;
 [[nodiscard]] bool occluded(const Blob& blob, const Ray& ray, TriangleFilter filter);
+
+/// What a batch answers for a ray without a hit: no blob has as many triangles.
+inline constexpr Triangle no_triangle = {0xFFFFFFFFu};
+
+/// The closest hit of each ray, the same to the bit as one call for each, in less time: rays next to each other that
+/// have about the same origin and direction share their way through the tree (groups of 16), others are interleaved.
+/// Answers as many rays as both spans have, and leaves the rest of `hits` untouched. hits[i] belongs to rays[i]; a ray
+/// without a hit gets no_triangle, an infinite t and zeros. The spans must not overlap. How many rays hit. Takes more
+/// stack than a single ray, up to 12 KB; on cores without lanes hardly more.
+std::size_t raycast(const Blob& blob, std::span<const Ray> rays, std::span<RayHit> hits) noexcept;
+
+/// Whether each ray hits anything: answers[i] is 1 or 0. Otherwise like the batch of closest hits.
+std::size_t occluded(const Blob& blob, std::span<const Ray> rays, std::span<std::uint8_t> answers) noexcept;
 
 /// Every hit, in storage order (not sorted by t), until the visitor answers stop. True when it saw them all. The
 /// visitor must not throw. False at once, and nothing is visited, when blob.copy_count() is not 0.

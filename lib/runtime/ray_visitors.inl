@@ -80,7 +80,7 @@ struct ClosestHit {
     FoundHit best = {};
 
     [[nodiscard]] float limit() const { return limit_; }
-    unsigned children(const Node& node, float* keys) {
+    [[gnu::always_inline]] unsigned children(const Node& node, float* keys) {
         counters.count_node();
         return slab_test(node, lanes_, limit_, keys);
     }
@@ -114,7 +114,7 @@ struct EveryHit {
     const RayLanes& lanes_;
     OnHit on_hit;
 
-    unsigned children(const Node& node, float* keys) {
+    [[gnu::always_inline]] unsigned children(const Node& node, float* keys) {
         return slab_test(node, lanes_, ray.tau_max * interval_slack, keys);
     }
     Visit visit_leaf(const Leaf& leaf) {

@@ -1,6 +1,7 @@
 // The runtime never touches the heap: not to open, not to answer, not when it is asked nonsense.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <memory>
 
 #include <espalier/espalier.hpp>
@@ -43,6 +44,10 @@ TEST_SUITE("promises") {
                 found += occluded(blob, ray) ? 1u : 0u;
                 found += overlaps(blob, sphere) ? 1u : 0u;
                 found += closest_point(blob, sphere.center, sphere.radius, nearest) ? 1u : 0u;
+                const std::array<Ray, 20> rays = {ray, ray, maker.any_ray()};
+                std::array<RayHit, 20> hits;
+                std::array<std::uint8_t, 20> answers;
+                found += raycast(blob, rays, hits) + occluded(blob, rays, answers) != 0 ? 1u : 0u;
                 for_each_hit(blob, ray, [&](const RayHit&) { return ++found, keep_going; });
                 for_each_overlap(blob, sphere, [&](Triangle) { return ++found, keep_going; });
                 for_each_triangle(blob, [&](Triangle, const Corners&) { return ++found, keep_going; });

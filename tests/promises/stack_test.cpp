@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include <espalier/espalier.hpp>
@@ -61,6 +62,17 @@ TEST_SUITE("promises") {
                 return stack_use([&] { query(blob.opened.blob, ray); });
             });
         };
+        using Rays = std::array<Ray, 64>;
+        std::array<RayHit, 64> hits;
+        std::array<std::uint8_t, 64> answers;
+        const auto batch_row = [&](auto query) {
+            return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
+                Rays rays;
+                rays.fill(maker.any_ray());  // a group, and then strangers
+                for (std::size_t i = 32; i < rays.size(); ++i) rays[i] = maker.any_ray();
+                return stack_use([&] { query(blob.opened.blob, rays); });
+            });
+        };
         const auto sphere_row = [&](auto query) {
             return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
                 const Sphere sphere = maker.sphere();
@@ -76,6 +88,10 @@ TEST_SUITE("promises") {
              })},
             {"raycast", 3072, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
             {"occluded", 2304, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
+            {"raycast, a batch", 12288,
+             batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},
+            {"occluded, a batch", 12288,
+             batch_row([&](const Blob& blob, const Rays& rays) { occluded(blob, rays, answers); })},
             {"for_each_hit", 2304, ray_row([](const Blob& blob, const Ray& ray) {
                  for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
              })},

@@ -1,5 +1,6 @@
 #include "exercise.hpp"
 
+#include <array>
 #include <bit>
 #include <stdexcept>
 
@@ -128,6 +129,18 @@ void exercise_rays(Exercise& run) {
     const bool found = raycast(blob, ray, hit);
     if (found) check_hit(run, hit);
     verdict.require(occluded(blob, ray) == found, "occluded and raycast disagree");
+    if (parity != 0) {
+        std::array<Ray, 20> rays;  // a group, and strangers
+        rays.fill(ray);
+        rays.back().direction = ray.origin;
+        std::array<RayHit, 20> hits;
+        std::array<std::uint8_t, 20> answers;
+        const std::size_t count = raycast(blob, rays, hits);
+        verdict.require(occluded(blob, rays, answers) == count, "occluded and raycast disagree about a batch");
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            verdict.require((hits[i].triangle != no_triangle) == (answers[i] != 0), "answers of a batch disagree");
+        verdict.require(!found || hits[0].triangle == hit.triangle, "a ray alone and a batch disagree");
+    }
     RayHit filtered;
     const bool found_filtered = raycast(blob, ray, filtered, filter);
     if (found_filtered) check_hit(run, filtered);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <runtime/point_queries.hpp>
+#include <runtime/ray_batch.hpp>
 #include <runtime/ray_queries.hpp>
 
 namespace espalier::tests {
@@ -13,6 +14,8 @@ struct InstructionPath {
     decltype(&detail::scalar::closest_hit) closest_hit;
     decltype(&detail::scalar::any_hit) any_hit;
     decltype(&detail::scalar::every_hit) every_hit;
+    decltype(&detail::scalar::closest_hits) closest_hits;
+    decltype(&detail::scalar::any_hits) any_hits;
     decltype(&detail::scalar::any_overlap) any_overlap;
     decltype(&detail::scalar::every_overlap) every_overlap;
     decltype(&detail::scalar::closest_triangle) closest_triangle;

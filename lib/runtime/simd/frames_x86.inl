@@ -20,7 +20,8 @@ inline __m128 load_bases(const Node& node) {
 struct Corner {
     alignas(16) float at[4];
 };
-inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& blob, const float* origin) {
+[[gnu::always_inline]] inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& blob,
+                                                     const float* origin) {
     const std::uint32_t bytes = load_u8(node.low_planes(0) + child) | load_u8(node.low_planes(1) + child) << 8 |
                                 load_u8(node.low_planes(2) + child) << 16;
     const __m128 planes = _mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(bytes))));

@@ -115,7 +115,7 @@ public:
           bit_(leaf.references_at) {
         entries_ = next_entries();
     }
-    CornerNumbers next() {
+    [[gnu::always_inline]] CornerNumbers next() {
         const std::uint64_t following = next_entries();
         const auto marked = static_cast<unsigned>(pivots_ & 255);
         const auto to_lanes = [](std::uint64_t bytes) {

@@ -102,7 +102,7 @@ inline auto with_table_groups(unsigned vertex_count, Function function) {
 /// The windows of a strip, sixteen at a time; all entries are decoded at once, as the bytes of one register.
 class StripCorners {
 public:
-    explicit StripCorners(const StripLeaf& leaf) : pivots_(leaf.pivots) {
+    [[gnu::always_inline]] explicit StripCorners(const StripLeaf& leaf) : pivots_(leaf.pivots) {
         alignas(64) static constexpr std::array<std::uint8_t, 64> counting = [] {
             std::array<std::uint8_t, 64> numbers{};
             for (unsigned i = 0; i < 64; ++i) numbers[i] = static_cast<std::uint8_t>(i);
@@ -126,7 +126,7 @@ public:
             _mm512_mask_expand_epi8(_mm512_maskz_expand_epi8(leaf.first_uses, number), ~leaf.first_uses, references);
         number_ = number;
     }
-    CornerNumbers next() {
+    [[gnu::always_inline]] CornerNumbers next() {
         // The last marked entry of this group that is not behind the window, or the last one of the groups before.
         const __m512i up_to_lane =
             _mm512_setr_epi32(1, 3, 7, 15, 31, 63, 127, 255, 511, 1023, 2047, 4095, 8191, 16383, 32767, 65535);

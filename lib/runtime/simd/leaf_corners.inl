@@ -4,7 +4,7 @@
 class IndexedCorners {
 public:
     explicit IndexedCorners(const IndexedLeaf& leaf) : leaf_(leaf) {}
-    CornerNumbers next() {
+    [[gnu::always_inline]] CornerNumbers next() {
         const Ints corners = unpack(leaf_.triangles, 3 * leaf_.corner_width, first_);
         first_ += lanes;
         return {corner_of(corners, 0, leaf_.corner_width), corner_of(corners, 1, leaf_.corner_width),

@@ -1,0 +1,36 @@
+// Batches of rays, once for each instruction set; the answers are those of one call for each ray. The blob is not
+// empty.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/ray.hpp>
+#include <runtime/found.hpp>
+#include <runtime/simd/select.hpp>
+
+#define ESPALIER_DECLARE_RAY_BATCHES(instruction_set)                                                       \
+    namespace instruction_set {                                                                             \
+    std::size_t closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count);       \
+    std::size_t any_hits(const BlobData& blob, const Ray* rays, std::uint8_t* occluded, std::size_t count); \
+    }
+
+namespace espalier::detail {
+
+/// What a batch says of a ray without a hit.
+inline constexpr RayHit no_hit = {__builtin_inff(), 0.0f, 0.0f, {}, no_triangle};
+
+ESPALIER_DECLARE_RAY_BATCHES(scalar)
+#if ESPALIER_X86
+ESPALIER_DECLARE_RAY_BATCHES(sse42)
+ESPALIER_DECLARE_RAY_BATCHES(avx2)
+#if defined(__x86_64__)
+ESPALIER_DECLARE_RAY_BATCHES(avx512)
+#endif
+#elif ESPALIER_NEON
+ESPALIER_DECLARE_RAY_BATCHES(neon)
+#endif
+
+}  // namespace espalier::detail
+
+#undef ESPALIER_DECLARE_RAY_BATCHES

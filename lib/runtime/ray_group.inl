@@ -1,0 +1,175 @@
+// Rays that are alike walk the tree together: a node is fetched once for all of them, a leaf is decoded once. Included
+// once per instruction set with lanes, inside its namespace, after ray_in_batch.inl. The idea of one walk with a list
+// of its rays goes back to Wald, Slusallek, Benthin and Wagner (2001).
+
+inline constexpr unsigned rays_in_group = 16;
+using GroupMask = std::uint32_t;  ///< a bit for each ray
+
+/// Calls the function with the number of each set bit.
+template <class Mask, class Function>
+inline void for_each_bit(Mask mask, Function function) {
+    for (; mask != 0; mask &= mask - 1) function(static_cast<unsigned>(std::countr_zero(mask)));
+}
+
+/// Children by ray, a byte each, become rays by child (Warren, Hacker's Delight, 7-3).
+inline std::uint64_t transpose_8_by_8(std::uint64_t bits) {
+    const auto swap = [&](unsigned distance, std::uint64_t mask) {
+        const std::uint64_t changed = (bits ^ (bits >> distance)) & mask;
+        bits ^= changed ^ (changed << distance);
+    };
+    swap(7, 0x00AA00AA00AA00AAu);
+    swap(14, 0x0000CCCC0000CCCCu);
+    swap(28, 0x00000000F0F0F0F0u);
+    return bits;
+}
+
+template <class Leaf>
+class RayGroup {
+public:
+    /// How many of up to rays_in_group rays hit something.
+    std::size_t answer(const BlobData& blob, const Ray* worlds, const BatchAnswers& answers, unsigned count) {
+        GroupMask begun = 0;
+        for (unsigned number = 0; number < count; ++number) {
+            if (rays_[number].begin(blob, worlds[number], answers.any_will_do())) begun |= GroupMask{1} << number;
+            else answers.miss(number);
+        }
+        if (begun != 0) walk(blob, begun);
+        std::size_t hits = 0;
+        for_each_bit(begun, [&](unsigned number) { hits += rays_[number].answer(worlds[number], answers, number); });
+        return hits;
+    }
+
+private:
+    struct Waiting {
+        std::uint64_t entry;  ///< the smallest key of its rays above the index, as in NearestFirst
+        GroupMask rays;
+    };
+
+    void walk(const BlobData& blob, GroupMask rays) {
+        size_ = 0;
+        std::uint32_t index = 0;
+        for (;;) {
+            if ((rays & (rays - 1)) == 0)  // alone: the rest of its way is walked without the others
+                traverse_nearest_first<Leaf>(blob, rays_[std::countr_zero(rays)].visitor, index);
+            else visit(blob, node_at(blob, index), rays);
+            do {
+                if (size_ == 0) return;
+                const Waiting& next = stack_[--size_];
+                rays = still_interested(next.rays, [&](unsigned) {
+                    return std::bit_cast<float>(static_cast<std::uint32_t>(next.entry >> 32));
+                });
+                index = static_cast<std::uint32_t>(next.entry);
+            } while (rays == 0);
+        }
+    }
+
+    /// Those of the rays whose limit is not below their key.
+    template <class KeyOf>
+    GroupMask still_interested(GroupMask rays, KeyOf key_of) const {
+        GroupMask result = 0;
+        for_each_bit(rays, [&](unsigned number) {
+            result |= static_cast<GroupMask>(key_of(number) <= rays_[number].visitor.limit()) << number;
+        });
+        return result;
+    }
+
+    void visit(const BlobData& blob, const Node& node, GroupMask rays) {
+        std::uint64_t by_ray[rays_in_group / 8] = {};
+        for_each_bit(rays, [&](unsigned number) {
+            by_ray[number / 8] |= std::uint64_t{rays_[number].visitor.children(node, keys_[number])} << number % 8 * 8;
+        });
+        static_assert(rays_in_group == 16);
+        const std::uint64_t low = transpose_8_by_8(by_ray[0]), high = transpose_8_by_8(by_ray[1]);
+        const auto rays_of = [&](unsigned child) {
+            const auto wanted = static_cast<GroupMask>((low >> 8 * child & 255u) | (high >> 8 * child & 255u) << 8);
+            return still_interested(wanted, [&](unsigned number) { return keys_[number][child]; });
+        };
+        const unsigned node_children = node.node_children();
+        for (unsigned number = 0; number < node.leaf_children(); ++number)
+            if (const GroupMask those = rays_of(node_children + number); those != 0)
+                visit_leaf(leaf_at<Leaf>(blob, node, number), those);
+        const unsigned bottom = size_;
+        for (unsigned child = 0; child < node_children; ++child)
+            if (const GroupMask those = rays_of(child); those != 0) put_aside(blob, node, child, those, bottom);
+    }
+
+    /// On the stack, the nearer ones on top.
+    void put_aside(const BlobData& blob, const Node& node, unsigned child, GroupMask rays, unsigned bottom) {
+        std::uint32_t key = infinity_bits;
+        for_each_bit(rays, [&](unsigned number) {
+            const auto own = std::bit_cast<std::uint32_t>(keys_[number][child]);
+            key = own < key ? own : key;
+        });
+        const std::uint32_t index = node.first_child() + child;
+        prefetch(node_at(blob, index).bytes);
+        const Waiting waits = {std::uint64_t{key} << 32 | index, rays};
+        unsigned place = size_++;
+        for (; place > bottom && stack_[place - 1].entry < waits.entry; --place) stack_[place] = stack_[place - 1];
+        stack_[place] = waits;
+    }
+
+    /// First what lanes can reject, for all rays, then the rest in integers: so the branches come together.
+    void visit_leaf(const Leaf& leaf, GroupMask rays) {
+        typename Leaf::Slots candidates[rays_in_group];
+        const GroupMask with_candidates = with_table_groups<Leaf::max_vertices>(
+            leaf.vertex_count, [&](auto groups) { return reject<groups>(leaf, rays, candidates); });
+        for_each_bit(with_candidates, [&](unsigned number) {
+            for_each_bit(candidates[number], [&](unsigned slot) { rays_[number].visitor.decide(leaf, slot); });
+        });
+    }
+
+    /// ray_candidates, for several rays. Those who have any.
+    template <unsigned groups>
+    GroupMask reject(const Leaf& leaf, GroupMask rays, typename Leaf::Slots* candidates) const {
+        constexpr unsigned slots = 8 * sizeof(typename Leaf::Slots);
+        Floats decoded[3][(Leaf::max_vertices + lanes - 1) / lanes];
+        CornerNumbers numbers[(slots + lanes - 1) / lanes];
+        const unsigned used = Table<groups>::groups_of(leaf.vertex_count);
+        for (unsigned k = 0; k < 3; ++k)
+            for (unsigned group = 0; group < used; ++group)
+                decoded[k][group] = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
+        auto corners = corners_of(leaf);
+        for (unsigned first = 0; first < leaf.slot_count; first += lanes) numbers[first / lanes] = corners.next();
+        GroupMask result = 0;
+        for_each_bit(rays, [&](unsigned number) {
+            const LatticeRay& ray = rays_[number].prepared.ray;
+            const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
+            const Corner corner = corner_from_origin(leaf, ray);
+            const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]);
+            const Floats offset_z = splat(corner.at[kz]);
+            const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
+            Table<groups> xs, ys;
+            for (unsigned group = 0; group < used; ++group) {
+                const Floats z = add(decoded[kz][group], offset_z);
+                xs.set(group, multiply_add(z, shear_x, add(decoded[kx][group], offset_x)));
+                ys.set(group, multiply_add(z, shear_y, add(decoded[ky][group], offset_y)));
+            }
+            const float error = edge_error(leaf, ray);
+            const Floats above = splat(error), below = splat(-error);
+            typename Leaf::Slots mask = 0;
+            for (unsigned first = 0; first < leaf.slot_count; first += lanes)
+                mask |= typename Leaf::Slots{edges_allow(xs, ys, numbers[first / lanes], above, below)} << first;
+            candidates[number] = mask & leaf.used_slots();
+            result |= static_cast<GroupMask>(candidates[number] != 0) << number;
+        });
+        return result;
+    }
+
+    RayInBatch<Leaf> rays_[rays_in_group];
+    Waiting stack_[(format::max_depth - 1) * (format::max_children - 1) + 1];  ///< enough as in NearestFirst
+    unsigned size_ = 0;
+    alignas(32) float keys_[rays_in_group][format::max_children];  ///< of the node at hand, by ray
+};
+
+template <class Leaf>
+[[gnu::noinline]] inline std::size_t answer_in_groups(const BlobData& blob, const Ray* rays,
+                                                      const BatchAnswers& answers, std::size_t count) {
+    RayGroup<Leaf> group;
+    std::size_t hits = 0;
+    for (std::size_t first = 0; first < count; first += rays_in_group) {
+        const std::size_t rest = count - first;
+        hits += group.answer(blob, rays + first, answers.from(first),
+                             static_cast<unsigned>(rest < rays_in_group ? rest : rays_in_group));
+    }
+    return hits;
+}

@@ -1,0 +1,60 @@
+// A ray of a batch: what it needs while others are on their way too. Included once per instruction set with lanes,
+// inside its namespace, after ray_visitors.inl.
+
+/// Where the answers go: closest hits, or whether there is any.
+struct BatchAnswers {
+    RayHit* hits;            ///< null when only asked whether there is any
+    std::uint8_t* occluded;  ///< else null
+
+    [[nodiscard]] bool any_will_do() const { return hits == nullptr; }
+    [[nodiscard]] BatchAnswers from(std::size_t first) const {
+        return any_will_do() ? BatchAnswers{nullptr, occluded + first} : BatchAnswers{hits + first, nullptr};
+    }
+    void miss(std::size_t number) const {
+        if (any_will_do()) occluded[number] = 0;
+        else hits[number] = no_hit;
+    }
+};
+
+/// The closest hit, or the first that is found: one visitor for both, since twice as much code would be slower than a
+/// branch that is always the same.
+template <class Leaf>
+struct BatchHit : ClosestHit<Leaf, NoCounters> {
+    bool any_will_do = false;
+
+    Visit visit_leaf(const Leaf& leaf) {
+        for (auto candidates = ray_candidates(leaf, this->ray); candidates != 0; candidates &= candidates - 1) {
+            decide(leaf, static_cast<unsigned>(std::countr_zero(candidates)));
+            if (is_over()) return stop;
+        }
+        return keep_going;
+    }
+    void decide(const Leaf& leaf, unsigned slot) {
+        ClosestHit<Leaf, NoCounters>::decide(leaf, slot);
+        if (is_over()) this->limit_ = -1.0f;  // no key is as small
+    }
+    [[nodiscard]] bool is_over() const { return any_will_do && this->found; }
+};
+
+template <class Leaf>
+struct RayInBatch {
+    PreparedRay prepared = {};
+    NoCounters counters;
+    BatchHit<Leaf> visitor = {{prepared.ray, prepared.lanes, nullptr, counters}};
+
+    /// Readies the ray for its walk. False when it can hit nothing.
+    bool begin(const BlobData& blob, const Ray& world, bool any_will_do) {
+        if (!prepare(blob, world, prepared)) return false;
+        visitor.limit_ = prepared.ray.tau_max * interval_slack;
+        visitor.found = false;
+        visitor.any_will_do = any_will_do;
+        return true;
+    }
+    /// 1 for a hit, else 0.
+    unsigned answer(const Ray& world, const BatchAnswers& answers, std::size_t number) const {
+        if (!visitor.found) answers.miss(number);
+        else if (answers.any_will_do()) answers.occluded[number] = 1;
+        else answers.hits[number] = to_ray_hit(prepared.ray, world, visitor.best.hit, visitor.best.index);
+        return visitor.found ? 1 : 0;
+    }
+};

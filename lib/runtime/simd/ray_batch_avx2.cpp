@@ -1,0 +1,20 @@
+// Batches of rays, avx2.
+#include <bit>
+
+#include <runtime/copies.hpp>
+#include <runtime/ray_batch.hpp>
+#if ESPALIER_X86
+#include <runtime/simd/lanes_avx2.hpp>
+
+ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
+namespace espalier::detail::avx2 {
+#include <runtime/simd/prepare_ray_x86.inl>
+#include <runtime/traverse.inl>
+#include <runtime/ray_nodes.inl>
+#include <runtime/ray_visitors.inl>
+#include <runtime/ray_in_batch.inl>
+#include <runtime/ray_group.inl>
+#include <runtime/ray_batch.inl>
+}  // namespace espalier::detail::avx2
+ESPALIER_END_TARGET
+#endif

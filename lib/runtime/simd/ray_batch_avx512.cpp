@@ -1,0 +1,27 @@
+// Batches of rays, AVX-512: leaves sixteen lanes at a time, nodes and the ray itself as with AVX2.
+#include <bit>
+
+#include <runtime/copies.hpp>
+#include <runtime/ray_batch.hpp>
+#if defined(__x86_64__)
+#include <runtime/simd/lanes_avx512.hpp>
+
+ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
+namespace espalier::detail::avx2 {
+#include <runtime/simd/prepare_ray_x86.inl>
+#include <runtime/ray_nodes.inl>
+}  // namespace espalier::detail::avx2
+ESPALIER_END_TARGET
+
+ESPALIER_BEGIN_TARGET(ESPALIER_AVX512)
+namespace espalier::detail::avx512 {
+using avx2::prepare;
+using avx2::slab_test;
+#include <runtime/traverse.inl>
+#include <runtime/ray_visitors.inl>
+#include <runtime/ray_in_batch.inl>
+#include <runtime/ray_group.inl>
+#include <runtime/ray_batch.inl>
+}  // namespace espalier::detail::avx512
+ESPALIER_END_TARGET
+#endif

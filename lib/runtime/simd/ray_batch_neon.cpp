@@ -1,0 +1,20 @@
+// Batches of rays, neon.
+#include <bit>
+
+#include <runtime/copies.hpp>
+#include <runtime/ray_batch.hpp>
+#if ESPALIER_NEON
+#include <runtime/simd/lanes_neon.hpp>
+
+namespace espalier::detail::neon {
+inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+    return prepare_ray(blob, world, prepared);
+}
+#include <runtime/traverse.inl>
+#include <runtime/ray_nodes.inl>
+#include <runtime/ray_visitors.inl>
+#include <runtime/ray_in_batch.inl>
+#include <runtime/ray_group.inl>
+#include <runtime/ray_batch.inl>
+}  // namespace espalier::detail::neon
+#endif
