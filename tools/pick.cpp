@@ -22,6 +22,8 @@ constexpr std::array<Builder, 2> builders = {Builder::binned_sah, Builder::sweep
 /// The dearer a byte, the smaller the blob and the more visits.
 constexpr float dear_bytes = 16.0f;
 constexpr std::array<float, 3> byte_price_factors = {1.0f, 0.2f, 0.0f};
+/// Bytes are planned by estimates, so that another configuration may turn out a little smaller than the smallest one.
+constexpr double near_miss = 1.1;
 
 struct Configuration {
     format::Profile profile;
@@ -74,13 +76,14 @@ public:
           goal_(goal) {}
 
     Picked run() {
-        for (unsigned bits = options_.bits; bits >= 1; --bits) {  // while not even the smallest fits, it is too fine
+        for (unsigned bits = options_.bits; bits >= 1; --bits) {  // while nothing fits, it is too fine
             options_.bits = bits;
             try_one(smallest_configuration(goal_, options_.cost_model));
-            if (some_fit_ || vanished_ || !goal_.may_coarsen) break;
-        }
-        if (some_fit_ || !goal_.may_coarsen) {
-            for (const Configuration& other : other_configurations(goal_, options_.cost_model)) try_one(other);
+            if (vanished_) break;
+            if (some_fit_ || nearly_fits(tried_.back()) || !goal_.may_coarsen) {
+                for (const Configuration& other : other_configurations(goal_, options_.cost_model)) try_one(other);
+            }
+            if (some_fit_ || !goal_.may_coarsen) break;
         }
         if (!some_fit_) refuse();
         const Candidate chosen = best();
@@ -122,6 +125,10 @@ private:
         return !goal_.max_bytes || candidate.bytes <= *goal_.max_bytes;
     }
 
+    [[nodiscard]] bool nearly_fits(const Candidate& candidate) const {
+        return !goal_.max_bytes || double(candidate.bytes) <= near_miss * double(*goal_.max_bytes);
+    }
+
     /// The least work; of equal ones the fewest bytes.
     [[nodiscard]] const Candidate& best() const {
         const Candidate* best = nullptr;
@@ -141,8 +148,9 @@ private:
             text(goal_.limit_name, ": nothing fits. The smallest of ", counted(tried_.size(), "bake"), " has ",
                  counted(smallest.bytes, "byte"), ", with ", describe(smallest), ", max error ",
                  rounded(smallest.max_error),
-                 goal_.may_coarsen
-                     ? ". A coarser lattice leaves no triangle: allow more bytes, or bake a simpler mesh."
+                 vanished_ ? ". A coarser lattice leaves no triangle: allow more bytes, or bake a simpler mesh."
+                 : goal_.may_coarsen
+                     ? ". There is no coarser lattice: allow more bytes, or bake a simpler mesh."
                      : ". Allow more bytes, a larger error or fewer bits, or bake a simpler mesh; --max-bytes "
                        "without a tolerance gives up bits until it fits."));
     }

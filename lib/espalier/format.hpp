@@ -72,8 +72,8 @@ inline constexpr std::uint32_t split_references = 1u << 4;  // triangles have co
 inline constexpr std::uint32_t known = original_ids | materials_8 | materials_16 | closed | split_references;
 }  // namespace feature
 
-// ---- sections, in this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4
-// bytes
+// ---- sections ------------------------------------------------------------------------------------------------------
+// In this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4 bytes.
 inline constexpr std::size_t guard_bytes = 64;  ///< zeros after the leaves, so that wide loads stay inside the blob
 
 namespace source {                          // one entry of the source table
@@ -144,16 +144,16 @@ constexpr unsigned corner_width(unsigned vertex_count) { return vertex_count <= 
 constexpr std::size_t stream_bytes(unsigned count, unsigned width) { return (std::size_t{count} * width + 7) / 8; }
 }  // namespace indexed_leaf
 
-// ---- profiles balanced and small: strip leaves
-// ----------------------------------------------------------------------- A node's leaves lie together in one block:
-// u32 storage index of the first triangle, a u32 descriptor for each leaf, then each leaf's data. A block is padded
-// with zeros to 4 bytes. A leaf is a sequence of vertex numbers, its entries. Window w is a triangle of entry w + 1,
-// entry w + 2 and a pivot: the last entry not behind w that is marked as one. Windows marked as unused join one strip
-// to the next.
+// ---- profiles balanced and small: strip leaves ---------------------------------------------------------------------
+// A node's leaves lie together in one block: u32 storage index of the first triangle, a u32 descriptor for each leaf,
+// then each leaf's data. A block is padded with zeros to 4 bytes.
+//
+// A leaf is a sequence of vertex numbers, its entries. Window w is a triangle of entry w + 1, entry w + 2 and a pivot:
+// the last entry not behind w that is marked as one. Windows marked as unused join one strip to the next.
 namespace strip_leaf {
 inline constexpr unsigned max_balanced_entries = 34;
 inline constexpr unsigned max_small_entries = 56;
-inline constexpr unsigned max_balanced_vertices = 32;
+inline constexpr unsigned max_balanced_vertices = 32;  ///< as baked; a reader takes as many as there are entries
 static_assert(max_small_entries <= max_leaf_vertices && max_small_entries - 2 <= max_leaf_triangles);
 inline constexpr std::size_t descriptors_at = 4;
 inline constexpr std::size_t descriptor_bytes = 4;
@@ -162,9 +162,14 @@ inline constexpr unsigned entries_shift = 13;  // 6 bits: entries - 3
 inline constexpr unsigned first_shift = 19;  // 9 bits: first triangle, counted from the block's; 4 bits above are zero
 // Data: a stream of marks, then a stream of x, of y, of z (offsets from the low corner of the leaf's own box in its
 // node, vertex by vertex), each padded with zero bits to a byte. Marks, low bits first, where n = entries - 3:
-//   n bits: whether entry 1, 2 .. n is a pivot (entry 0 is);  n bits: whether window 1, 2 .. n is a triangle (window 0
-//   is) n bits: whether entry 3, 4 .. is a vertex's first use (entries 0 to 2 are); vertices are numbered by first use
-//   reference_width bits for each entry that is not a first use: the vertex's number
+//
+// * n bits: whether entry 1, 2 .. n is a pivot (entry 0 is);
+//
+// * n bits: whether window 1, 2 .. n is a triangle (window 0 is);
+//
+// * n bits: whether entry 3, 4 .. is a vertex's first use (entries 0 to 2 are); vertices are numbered by first use;
+//
+// * reference_width bits for each entry that is not a first use: the vertex's number.
 
 /// Bits of a vertex number.
 constexpr unsigned reference_width(unsigned vertex_count) {

@@ -5,9 +5,11 @@
 // hit, within [t_min, t_max], is decided in integers, touching counts, and neighbours never leave a gap. t, u, v are
 // within 4 ulp of the exact values (t is infinite where float32 ends), the normal's coordinates within 4 ulp of 1. A
 // ray inside the plane of a triangle does not hit that triangle. The rounding mode must be to nearest, as it is unless
-// a program changes it. Arguments. Any bit pattern is safe. A NaN anywhere, an infinite origin or direction, or a zero
-// direction: no hit, O(1). So does an origin more than 2^120 lattice steps away. t_max may be infinite; t_min below
-// zero counts as zero; t_min > t_max hits nothing.
+// a program changes it.
+//
+// Arguments. Any bit pattern is safe. A NaN anywhere, an infinite origin or direction, a zero direction, or an origin
+// more than 2^120 lattice steps away: no hit, O(1). t_max may be infinite; t_min below zero counts as zero; t_min >
+// t_max hits nothing.
 #pragma once
 
 #include <cstddef>

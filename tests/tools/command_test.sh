@@ -239,6 +239,15 @@ if command -v jq >/dev/null; then
         >/dev/null || fail "$(jq -c .picked.chosen out)"
 fi
 
+claim "the lattice is kept when anything on it fits, be it the very last byte"
+if command -v jq >/dev/null; then
+    run 0 bake sheet.obj -o x.espl --fastest-under 1G --bits 6 --profile balanced --json -q
+    size=$(jq '[.picked.tried[].bytes] | min' out)
+    jq -e "$size < .picked.tried[0].bytes" out >/dev/null || fail "the first bake is the smallest: nothing is tested"
+    run 0 bake sheet.obj -o x.espl --max-bytes "$size" --bits 6 --profile balanced --json -q
+    jq -e ".bits == 6 and .bytes == $size" out >/dev/null || fail "$(jq -c .picked.chosen out) in $size bytes"
+fi
+
 claim "an error that is allowed is kept, on the coarsest lattice that keeps it"
 run 0 bake sheet.obj -o x.espl --tolerance 5mm --json -q
 bits=$(grep '"bits"' out | head -n 1)
@@ -254,6 +263,12 @@ for pick in "--max-bytes 100" "--fastest-under 5K" "--max-error 5mm --max-bytes 
     err_has "The smallest of "
     absent small.espl
 done
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >corner.obj
+run 5 bake corner.obj -o small.espl --max-bytes 100 # one bit is enough for it
+err_has "There is no coarser lattice"
+printf 'v 0 0 0\nv 9 0 0\nv 9 1 0\nf 1 2 3\n' >sliver.obj
+run 5 bake sliver.obj -o small.espl --max-bytes 100
+err_has "A coarser lattice leaves no triangle"
 for amount in 0 -5 64X K nan 1e99 ""; do run 1 bake sheet.obj -o small.espl --fastest-under "$amount"; done
 run 1 bake sheet.obj -o small.espl --max-bytes 64Q
 err_has "is no amount of bytes"
