@@ -54,7 +54,8 @@ void add_bake(CLI::App& app, Chosen& chosen) {
                             ->excludes(tolerance)
                             ->type_name("1..24");
     add_picking(verb, *arguments, tolerance, bits);
-    add_choice(verb, "--profile", arguments->profile, profile_choices, "How nodes and leaves are coded");
+    add_choice(verb, "--profile", arguments->profile, profile_choices,
+               "How leaves are coded, and how large they may be. Without it: balanced, or what is picked");
     verb->add_option("--leaf-size", arguments->leaf_size,
                      "Most triangles of a leaf; without it, what the profile holds or what is picked")
         ->check(between(1u, format::max_leaf_triangles))

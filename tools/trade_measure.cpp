@@ -101,13 +101,22 @@ std::vector<unsigned> leaf_sizes_of(format::Profile profile, const std::vector<u
     return sizes;
 }
 
+/// Whether any profile goes with any builder. If none does, the baker says why not.
+bool some_go_together(const TradeSpace& space) {
+    return std::any_of(space.profiles.begin(), space.profiles.end(), [&](format::Profile profile) {
+        return std::any_of(space.builders.begin(), space.builders.end(),
+                           [&](Builder builder) { return go_together(profile, builder); });
+    });
+}
+
 std::vector<TradePoint> combinations(const TradeSpace& space) {
+    const bool may_skip = some_go_together(space);
     std::vector<TradePoint> points;
     TradePoint point;
     for (const format::Profile profile : space.profiles) {
         point.profile = profile;
         for (const Builder builder : space.builders) {
-            if (space.profiles.size() > 1 && !go_together(profile, builder)) continue;
+            if (may_skip && !go_together(profile, builder)) continue;
             point.builder = builder;
             for (const unsigned bits : space.bits) {
                 point.bits = bits;

@@ -749,6 +749,14 @@ else
     [ "$(tail -n 1 trade.svg)" = "</svg>" ] || fail "the picture is cut short"
 fi
 
+claim "trade leaves out what does not go together, and refuses when nothing is left"
+run 0 trade box.obj --bits 8 --builders binned_sah,spatial_splits --profiles small $quick --csv some.csv
+[ "$(grep -c binned_sah some.csv)" -gt 0 ] || fail "nothing is measured"
+grep -q spatial_splits some.csv && fail "what cannot be baked is measured"
+run 1 trade box.obj --bits 8 --builders spatial_splits --profiles balanced,small $quick -o refused.svg
+err_has "spatial splits need the profile fast"
+absent refused.svg
+
 claim "trade refuses lists that make no sense, and what cannot be measured"
 for list in "--bits 0" "--bits 12,25" "--bits 12.5" "--bits many" "--bits 12,," "--leaf-sizes 55" "--byte-prices -1" "--profiles huge" \
     "--builders quick" "--rays 5" "--repetitions 0"; do
