@@ -11,6 +11,7 @@ namespace detail {
 namespace {
 
 namespace scalar_walk {
+using scalar::lanes;
 using scalar::prefetch;
 #include <runtime/traverse.inl>
 }  // namespace scalar_walk

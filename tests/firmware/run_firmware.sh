@@ -12,7 +12,7 @@ questions=50
 stack_budget=2560
 case $core in
     m0) board=microbit ray_code_budget=20480 ;;
-    m4f) board=mps2-an386 ray_code_budget=12288 ;;
+    m4f) board=mps2-an386 ray_code_budget=12800 ;;
     *) echo "failed: no such core: $core"; exit 1 ;;
 esac
 case $profile in
