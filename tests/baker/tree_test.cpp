@@ -185,14 +185,19 @@ TEST_SUITE("baker") {
 
     TEST_CASE("leaves hold as many triangles as the options allow and no more") {
         const Mesh mesh = make_terrain(60, 3);
-        using Case = std::pair<format::Profile, unsigned>;
+        struct Case {
+            format::Profile profile;
+            unsigned most;
+        };
         std::vector<Case> cases;
         for (unsigned most = 1; most <= format::indexed_leaf::max_triangles; ++most) {
             cases.push_back({format::Profile::fast, most});
             cases.push_back({format::Profile::balanced, most});
             cases.push_back({format::Profile::small, most});
         }
-        for (const auto& [profile, most] : cases) {
+        for (const Case& one : cases) {
+            const format::Profile profile = one.profile;
+            const unsigned most = one.most;
             CAPTURE(name_of(profile));
             CAPTURE(most);
             BakeOptions options = with_profile(profile);
