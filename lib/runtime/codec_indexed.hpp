@@ -12,7 +12,7 @@
 namespace espalier::detail {
 
 /// One leaf: where its streams are and how wide their fields. Its slots are its triangles.
-struct IndexedLeaf : LeafVertices {
+struct IndexedLeaf : LeafVertices<true> {
     using Slots = std::uint32_t;  ///< a bit for each slot
     static constexpr unsigned max_vertices = format::indexed_leaf::max_vertices;
 

@@ -14,7 +14,7 @@
 namespace espalier::detail {
 
 /// One leaf: where its streams are and how wide their fields. Its slots are its windows.
-struct StripLeaf : LeafVertices {
+struct StripLeaf : LeafVertices<false> {
     using Slots = std::uint64_t;  ///< a bit for each slot
     static constexpr unsigned max_vertices = format::strip_leaf::max_small_entries;
 

@@ -15,7 +15,11 @@ namespace espalier::detail {
 template <class Leaf>
 Leaf leaf_at(const BlobData& blob, const Node& node, unsigned number);
 
+/// `holds_copies`: whether blobs with such leaves may have copies of triangles (docs/format.md, section 8).
+template <bool holds_copies>
 struct LeafVertices {
+    static constexpr bool may_have_copies = holds_copies;
+
     Node node;               ///< whose child the leaf is
     const std::byte* block;  ///< of the node's leaves
     const BlobData* blob;
@@ -29,7 +33,8 @@ struct LeafVertices {
     [[nodiscard]] unsigned child() const { return node.node_children() + number; }
     /// Whether an axis counts from 0: vertices outside of the leaf's box, as copies have them.
     [[nodiscard]] bool counts_from_zero(int axis) const {
-        return (blob->features & format::feature::split_references) != 0 && width[axis] == blob->bits;
+        return may_have_copies && (blob->features & format::feature::split_references) != 0 &&
+               width[axis] == blob->bits;
     }
     /// What the coordinates count from: the low corner of its box, most often.
     [[nodiscard]] std::int32_t anchor(int axis) const {

@@ -7,13 +7,13 @@ namespace espalier::detail {
 namespace {
 
 // Inlined: it lies on the stack at its deepest, which is promised to be small.
-[[gnu::always_inline]] inline bool are_vertices_inside(const BlobData& blob, const LeafVertices& leaf) {
+template <class Leaf>
+[[gnu::always_inline]] inline bool are_vertices_inside(const BlobData& blob, const Leaf& leaf) {
     for (int k = 0; k < 3; ++k) {
         if (!is_padded_with_zeros(leaf.coordinates[k], std::uint64_t{leaf.vertex_count} * leaf.width[k])) return false;
         const std::int32_t anchor = leaf.anchor(k);
         for (unsigned i = 0; i < leaf.vertex_count; ++i)
-            if (anchor + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], i)) >
-                blob.extent[k])
+            if (anchor + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], i)) > blob.extent[k])
                 return false;
     }
     return true;

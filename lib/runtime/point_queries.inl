@@ -73,7 +73,7 @@ struct ClosestTriangle {
             const PointDistance distance = distance_to(point, triangle);
             if (found && distance.squared > best.distance.squared) continue;
             if (!is_within_radius(point, distance, point.radius)) continue;
-            const std::uint32_t index = owner_of(blob, storage_index(leaf, slot));
+            const std::uint32_t index = owner_index(leaf, slot);
             if (found && distance.squared == best.distance.squared && index > best.index) continue;
             best = {distance, index, triangle};
             found = true;

@@ -63,13 +63,13 @@ inline OriginRelative relative_to(const Query& query, const LatticeTriangle& tri
 
 namespace ray_triangle {
 
-/// Below a power of two exactly when every edge is, along every axis (-2^k counts as below 2^k).
-inline std::uint32_t edge_bound(const OriginRelative& t) {
-    const auto length = [](std::int64_t edge) {
-        const auto e = static_cast<std::int32_t>(edge);  // below 2^25
-        return static_cast<std::uint32_t>(e < 0 ? ~e : e);
-    };
-    return length(t.ab.x) | length(t.ab.y) | length(t.ab.z) | length(t.ac.x) | length(t.ac.y) | length(t.ac.z);
+/// Whether every edge lies in [-2^k, 2^k) along every axis; k below 32.
+template <unsigned k>
+inline bool edges_are_below(const OriginRelative& t) {
+    const auto shifted = [](std::int64_t e) { return static_cast<std::uint64_t>(e + (std::int64_t{1} << k)); };
+    const std::uint64_t any =
+        shifted(t.ab.x) | shifted(t.ab.y) | shifted(t.ab.z) | shifted(t.ac.x) | shifted(t.ac.y) | shifted(t.ac.z);
+    return any < std::uint64_t{2} << k;
 }
 
 /// Sign of numerator / denominator - bound, exactly; numerator >= 0, denominator > 0, 0 < bound < infinity.
@@ -92,8 +92,7 @@ inline bool is_within(Int128 numerator, Int128 denominator, float quotient, floa
     return true;
 }
 
-/// `Volume` holds the sums of the normal with the direction and with corner a, `Sum` those with the moment of the ray,
-/// which are larger.
+/// `Volume` holds the products of the normal with the direction and with corner a, `Sum` the weights, which are larger.
 template <class Volume, class Sum>
 inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hit) {
     const Integer3 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
@@ -101,13 +100,12 @@ inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hi
     Volume volume = dot<Volume>(direction, normal);
     const bool front = is_negative(volume);
     if (is_zero(volume) || (ray.faces == Faces::front && !front) || (ray.faces == Faces::back && front)) return false;
-    const Integer3 moment = cross(t.a, direction);
-    Sum b = dot<Sum>(moment, t.ac);
-    Sum c = dot<Sum>(moment, t.ab);
+    Sum b = dot<Sum>(direction, cross(t.ac, t.a));
+    Sum c = dot<Sum>(direction, cross(t.a, t.ab));
     Volume numerator = dot<Volume>(normal, t.a);
     volume = negate_if(volume, front);
     b = negate_if(b, front);
-    c = negate_if(c, !front);
+    c = negate_if(c, front);
     numerator = negate_if(numerator, front);
     if (is_negative(b) || is_negative(c) || is_negative(numerator)) return false;
     const Sum denominator = Sum(volume) << ray.fraction_bits;
@@ -121,6 +119,13 @@ inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hi
     return is_within(numerator, denominator, hit.tau, ray.tau_min, ray.tau_max);
 }
 
+/// The same for long edges, apart: where they are rare, they stay out of the way.
+[[gnu::noinline]] inline bool wide_hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hit) {
+    if constexpr (has_native_int128)  // elsewhere code is dearer than time
+        if (edges_are_below<18>(t)) return hits<std::int64_t, Int128>(ray, t, hit);
+    return hits<Int128, Int128>(ray, t, hit);
+}
+
 }  // namespace ray_triangle
 
 /// Whether the ray hits the triangle with ray.tau_min <= tau <= ray.tau_max, exactly.
@@ -128,11 +133,8 @@ inline bool intersect(const LatticeRay& ray, const LatticeTriangle& triangle, Tr
     const OriginRelative t = relative_to(ray, triangle);
     // Edges below 2^12 steps keep every determinant, and the sum of two that is formed of them, below 2^63; edges below
     // 2^18 still those with the normal (docs/numerics.md).
-    const std::uint32_t longest = ray_triangle::edge_bound(t);
-    if (longest < 1u << 12) return ray_triangle::hits<std::int64_t, std::int64_t>(ray, t, hit);
-    if constexpr (has_native_int128)  // elsewhere code is dearer than time
-        if (longest < 1u << 18) return ray_triangle::hits<std::int64_t, Int128>(ray, t, hit);
-    return ray_triangle::hits<Int128, Int128>(ray, t, hit);
+    if (ray_triangle::edges_are_below<12>(t)) return ray_triangle::hits<std::int64_t, std::int64_t>(ray, t, hit);
+    return ray_triangle::wide_hits(ray, t, hit);
 }
 
 /// What the caller sees of a hit: t within 4 ulp and in the window that he asked for, weights within 3 ulp, the unit

@@ -5,7 +5,7 @@
 template <class Leaf>
 [[gnu::always_inline]] inline Corner corner_from_origin(const Leaf& leaf, const LatticeRay& ray) {
     Corner corner = load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray.origin_steps);
-    if (leaf.blob->copies != nullptr) {
+    if (Leaf::may_have_copies && leaf.blob->copies != nullptr) {
         for (int k = 0; k < 3; ++k)
             if (leaf.counts_from_zero(k)) corner.at[k] = -ray.origin_steps[k];
     }
@@ -97,7 +97,7 @@ struct ClosestHit {
     void decide(const Leaf& leaf, unsigned slot) {
         TriangleHit hit;
         if (!intersect(ray, leaf.triangle(slot), hit) || (found && hit.whole_tau > best.hit.whole_tau)) return;
-        const std::uint32_t index = owner_of(*leaf.blob, storage_index(leaf, slot));
+        const std::uint32_t index = owner_index(leaf, slot);
         if (found && hit.whole_tau == best.hit.whole_tau && index >= best.index) return;
         if (filter != nullptr && !(*filter)(Triangle{index})) return;
         best = {hit, index};
@@ -122,7 +122,7 @@ struct EveryHit {
             const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
             FoundHit found;
             if (!intersect(ray, leaf.triangle(slot), found.hit)) continue;
-            found.index = owner_of(*leaf.blob, storage_index(leaf, slot));
+            found.index = owner_index(leaf, slot);
             if (on_hit(found) == stop) return stop;
         }
         return keep_going;

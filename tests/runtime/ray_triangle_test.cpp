@@ -147,8 +147,9 @@ TEST_SUITE("ray kernel against the oracle") {
             ++hits;
             if (crossing->u.sign() == 0 || crossing->v.sign() == 0 || crossing->u + crossing->v == Rational(1))
                 ++touches;
-            const std::uint32_t edges = detail::ray_triangle::edge_bound(detail::relative_to(ray, lattice));
-            if (edges >= 1u << 12) ++(edges < 1u << 18 ? wide : widest);
+            const auto relative = detail::relative_to(ray, lattice);
+            if (!detail::ray_triangle::edges_are_below<12>(relative))
+                ++(detail::ray_triangle::edges_are_below<18>(relative) ? wide : widest);
             worst_tau = std::max(worst_tau, oracle::error_in_ulp(hit.tau, crossing->t));
             const RayHit surface = detail::to_ray_hit(ray, world, hit, 0);
             worst_weight = std::max({worst_weight, oracle::error_in_ulp(surface.u, crossing->u),

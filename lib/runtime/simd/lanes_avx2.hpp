@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include <runtime/float_bits.hpp>
+#include <runtime/copies.hpp>
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/ray_lanes.hpp>
 #include <runtime/simd/pivot_table.hpp>

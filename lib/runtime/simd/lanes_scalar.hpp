@@ -7,6 +7,7 @@
 
 #include <runtime/bytes.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/copies.hpp>
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/ray_lanes.hpp>
 

@@ -26,3 +26,10 @@ inline std::uint32_t storage_index(const StripLeaf& leaf, unsigned slot) {
     const StripLeaf::Slots before = leaf.windows & ((StripLeaf::Slots{1} << slot) - 1);
     return leaf.first + static_cast<std::uint32_t>(std::popcount(before));
 }
+/// The storage index that stands for the triangle in a slot.
+template <class Leaf>
+inline std::uint32_t owner_index(const Leaf& leaf, unsigned slot) {
+    const std::uint32_t index = storage_index(leaf, slot);
+    if constexpr (Leaf::may_have_copies) return owner_of(*leaf.blob, index);
+    else return index;
+}
