@@ -15,7 +15,7 @@ namespace espalier::detail {
 template <class Leaf>
 Leaf leaf_at(const BlobData& blob, const Node& node, unsigned number);
 
-/// `holds_copies`: whether blobs with such leaves may have copies of triangles (docs/format.md, section 8).
+/// `holds_copies`: whether blobs with such leaves may have copies of triangles (docs/format.md, `copies`).
 template <bool holds_copies>
 struct LeafVertices {
     static constexpr bool may_have_copies = holds_copies;

@@ -1,5 +1,5 @@
-// Spheres and closest points: the test of triangles' boxes in lanes, and the queries as visitors. Included once per instruction
-// set, inside its namespace. Lanes only ever reject; what they let through is decided by point_triangle.hpp.
+// Spheres and closest points: the test of triangles' boxes in lanes, and the queries as visitors. Included once per
+// instruction set, inside its namespace. Lanes only ever reject; what they let through is decided by point_triangle.hpp.
 
 /// The triangles of a leaf whose box is within the limit.
 template <unsigned groups, class Leaf>
