@@ -5,6 +5,7 @@
 #include <espalier/nearest.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
+#include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>
 #include <espalier/version.hpp>

@@ -8,14 +8,10 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/function_ref.hpp>
+#include <espalier/shapes.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier {
-
-struct Sphere {
-    Vec3 center;
-    float radius = 0.0f;
-};
 
 /// Whether any triangle overlaps the sphere.
 [[nodiscard]] bool overlaps(const Blob& blob, const Sphere& sphere) noexcept;

@@ -1,4 +1,4 @@
-// Why a blob was refused. One meaning each; the numbers are stable.
+// Why a blob was refused, and why a query was. One meaning each; the numbers are stable.
 #pragma once
 
 #include <cstdint>
@@ -22,5 +22,19 @@ enum class Status : std::uint8_t {
 
 /// One English sentence without a full stop, static, never null: also for values that are no Status.
 [[nodiscard]] const char* describe(Status status) noexcept;
+
+/// What a query says that has more to say than yes or no.
+enum class QueryStatus : std::uint8_t {
+    ok = 0,                ///< the answer is the whole answer
+    invalid_argument = 1,  ///< a NaN, an infinity or a negative size where the query's header rules them out
+    out_of_range = 2,      ///< so far away or so large, in lattice steps, that the query's header rules it out
+    not_closed = 3,        ///< only a blob whose closed flag is set has an inside
+    has_copies = 4,        ///< a blob with copy_count() above 0 answers no enumerating queries
+    work_limit = 5,        ///< the caller's limit of work was reached: the answer covers a part only
+    output_full = 6,       ///< the caller's array is full and there is more
+};
+
+/// One English sentence without a full stop, static, never null: also for values that are no QueryStatus.
+[[nodiscard]] const char* describe(QueryStatus status) noexcept;
 
 }  // namespace espalier

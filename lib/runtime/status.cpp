@@ -33,4 +33,24 @@ const char* describe(Status status) noexcept {
     return "not a status of this library";
 }
 
+const char* describe(QueryStatus status) noexcept {
+    switch (status) {
+        case QueryStatus::ok:
+            return "the whole answer";
+        case QueryStatus::invalid_argument:
+            return "an argument is not a number, infinite or negative where the query does not take that";
+        case QueryStatus::out_of_range:
+            return "an argument is too far away or too large for the lattice that the blob was baked on";
+        case QueryStatus::not_closed:
+            return "the blob's surface is not closed, so it has no inside";
+        case QueryStatus::has_copies:
+            return "the blob was baked with spatial splits and answers no enumerating queries";
+        case QueryStatus::work_limit:
+            return "the limit of work was reached before the answer was complete";
+        case QueryStatus::output_full:
+            return "the array is full and there is more to report";
+    }
+    return "not a query status of this library";
+}
+
 }  // namespace espalier

@@ -453,5 +453,13 @@ TEST_SUITE("open") {
                 REQUIRE(std::string(text) != describe(static_cast<Status>(other)));
             }
         }
+        for (unsigned number = 0; number < 256; ++number) {
+            const std::string text = describe(static_cast<QueryStatus>(number));
+            REQUIRE(text.size() > 1);
+            REQUIRE(text.back() != '.');
+            for (unsigned other = 0; other < number && number <= 6; ++other) {
+                REQUIRE(text != describe(static_cast<QueryStatus>(other)));
+            }
+        }
     }
 }
