@@ -1,4 +1,4 @@
-// Rays against a blob: closest hit, any hit, all hits, many rays in one call.
+// Rays and segments against a blob: closest hit, the first few hits, any hit, all hits, many rays in one call.
 //
 // Numbers. The ray is rounded once onto a grid finer than the asset's lattice (from beyond 2^23 lattice steps, as
 // finely as float32 resolves its origin: docs/numerics.md), and that ray is answered exactly: whether a triangle is
@@ -12,12 +12,15 @@
 // t_max hits nothing.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include <espalier/blob.hpp>
 #include <espalier/function_ref.hpp>
+#include <espalier/shapes.hpp>
+#include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier {
@@ -54,6 +57,37 @@ bool raycast(const Blob& blob, const Ray& ray, RayHit& hit, TriangleFilter filte
 /// Whether the ray hits anything. Cheaper than the closest hit.
 [[nodiscard]] bool occluded(const Blob& blob, const Ray& ray) noexcept;
 [[nodiscard]] bool occluded(const Blob& blob, const Ray& ray, TriangleFilter filter);
+
+/// The ray from `from` to `to`, t running from 0 to 1: for every query that takes a ray. Its direction, to - from,
+/// rounds like any other ray's: the end may lie off `to` by 2^-23 of the length. A segment of length zero hits nothing.
+constexpr Ray along(const Segment& segment) {
+    const Vec3& from = segment.from;
+    const Vec3& to = segment.to;
+    return {from, {to.x - from.x, to.y - from.y, to.z - from.z}, 0.0f, 1.0f, Faces::both};
+}
+// Templates, so that two vectors in braces still mean a ray.
+template <std::same_as<Segment> S>
+bool raycast(const Blob& blob, const S& segment, RayHit& hit) noexcept {
+    return raycast(blob, along(segment), hit);
+}
+template <std::same_as<Segment> S>
+[[nodiscard]] bool occluded(const Blob& blob, const S& segment) noexcept {
+    return occluded(blob, along(segment));
+}
+
+/// How many places of an array were filled, and whether (output_full) there would have been more.
+struct HitCount {
+    std::size_t count = 0;
+    QueryStatus status = QueryStatus::ok;
+};
+
+/// The first hits along the ray, as many as `hits` has places, sorted as raycast chooses: by t before it is clamped
+/// into the window, of equal t by storage index. The first is what raycast answers; a triangle that has copies appears
+/// once. The rest of `hits` may be overwritten. Until there are more hits than places it looks at all of them,
+/// afterwards only at what is nearer: O(log(places)) for each hit, O(places) in a blob with copies. With no places it
+/// tells by the status whether there is any hit.
+HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept;
+HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter);
 
 /// What a batch answers for a ray without a hit: no blob has as many triangles.
 inline constexpr Triangle no_triangle = {0xFFFFFFFFu};

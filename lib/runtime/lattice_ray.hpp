@@ -206,6 +206,12 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     return true;
 }
 
+/// A hit at least as good as one of this tau, counted from the caller's origin, has its box's interval begin at or before
+/// what this answers (docs/numerics.md, 5).
+inline float hit_limit(const LatticeRay& ray, float whole_tau) {
+    return (whole_tau * interval_slack - ray.tau_offset) * interval_slack;
+}
+
 /// The caller's t, from tau counted from his origin. A hit is decided exactly: rounding must not report it outside of
 /// the window that it was found in.
 inline float to_t(const LatticeRay& ray, float whole_tau, const Ray& world) {

@@ -24,6 +24,16 @@ bool occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) {
     return blob.triangle_count() != 0 && ESPALIER_DISPATCH(any_hit, blob.data(), ray, &filter);
 }
 
+HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept {
+    if (blob.triangle_count() == 0) return {};
+    return ESPALIER_DISPATCH(first_hits, blob.data(), ray, hits, nullptr);
+}
+
+HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter) {
+    if (blob.triangle_count() == 0) return {};
+    return ESPALIER_DISPATCH(first_hits, blob.data(), ray, hits, &filter);
+}
+
 bool for_each_hit(const Blob& blob, const Ray& ray, FunctionRef<Visit(const RayHit&)> visit) {
     if (blob.copy_count() != 0) return false;
     return blob.triangle_count() == 0 || ESPALIER_DISPATCH(every_hit, blob.data(), ray, visit);

@@ -10,6 +10,8 @@
 #define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                    \
     namespace instruction_set {                                                                          \
     bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter); \
+    HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits,                  \
+                        const TriangleFilter* filter);                                                   \
     bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                  \
     bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit);     \
     }

@@ -27,6 +27,17 @@ bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const Tria
     return closest_hit_counting(blob, world, hit, filter, counters);
 }
 
+HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter) {
+    PreparedRay prepared;
+    if (!prepare(blob, world, prepared)) return {};
+    FirstHits first(hits);
+    with_leaves_of(blob, [&]<class Leaf>() {
+        FirstHitsOf<Leaf> visitor = {prepared.ray, prepared.lanes, filter, first};
+        traverse_nearest_first<Leaf>(blob, visitor);
+    });
+    return first.finish(prepared.ray, world, hits);
+}
+
 bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
     PreparedRay prepared;
     return prepare(blob, world, prepared) && visit_every_hit(blob, prepared, [&](const FoundHit& found) {
@@ -37,6 +48,6 @@ bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filte
 bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit) {
     PreparedRay prepared;
     return !prepare(blob, world, prepared) || !visit_every_hit(blob, prepared, [&](const FoundHit& found) {
-               return visit(to_ray_hit(prepared.ray, world, found.hit, found.index));
-           });
+        return visit(to_ray_hit(prepared.ray, world, found.hit, found.index));
+    });
 }

@@ -137,18 +137,25 @@ inline bool intersect(const LatticeRay& ray, const LatticeTriangle& triangle, Tr
     return ray_triangle::wide_hits(ray, t, hit);
 }
 
-/// What the caller sees of a hit: t within 4 ulp and in the window that he asked for, weights within 3 ulp, the unit
-/// normal's coordinates within 4 ulp of 1.
-inline RayHit to_ray_hit(const LatticeRay& ray, const Ray& world, const TriangleHit& hit, std::uint32_t index) {
+/// What the caller sees of a hit but for t, which is the whole tau: weights within 3 ulp, the unit normal's coordinates
+/// within 4 ulp of 1.
+inline RayHit to_ray_hit(const TriangleHit& hit, std::uint32_t index) {
     const float x = to_float(hit.normal.x);
     const float y = to_float(hit.normal.y);
     const float z = to_float(hit.normal.z);
     const float length = square_root(x * x + y * y + z * z);
-    return {to_t(ray, hit.whole_tau, world),
+    return {hit.whole_tau,
             hit.b / hit.volume,
             hit.c / hit.volume,
             {x / length, y / length, z / length},
             Triangle{index}};
+}
+
+/// All that the caller sees of a hit: t within 4 ulp and in the window that he asked for.
+inline RayHit to_ray_hit(const LatticeRay& ray, const Ray& world, const TriangleHit& hit, std::uint32_t index) {
+    RayHit result = to_ray_hit(hit, index);
+    result.t = to_t(ray, hit.whole_tau, world);
+    return result;
 }
 
 }  // namespace espalier::detail

@@ -102,8 +102,38 @@ struct ClosestHit {
         if (filter != nullptr && !(*filter)(Triangle{index})) return;
         best = {hit, index};
         found = true;
-        // A hit at least as good has its box's interval begin at or before this (docs/numerics.md).
-        limit_ = (hit.whole_tau * interval_slack - ray.tau_offset) * interval_slack;
+        limit_ = hit_limit(ray, hit.whole_tau);
+    }
+};
+
+/// The first few hits by t, of equal t by index. Boxes are culled by the last of them as soon as it is known that there
+/// are more.
+template <class Leaf>
+struct FirstHitsOf {
+    const LatticeRay& ray;
+    const RayLanes& lanes_;
+    const TriangleFilter* filter;
+    FirstHits& hits;
+    float limit_ = ray.tau_max * interval_slack;
+
+    [[nodiscard]] float limit() const { return limit_; }
+    [[gnu::always_inline]] unsigned children(const Node& node, float* keys) {
+        return slab_test(node, lanes_, limit_, keys);
+    }
+    Visit visit_leaf(const Leaf& leaf) {
+        for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
+            const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
+            TriangleHit hit;
+            if (!intersect(ray, leaf.triangle(slot), hit)) continue;
+            const std::uint32_t index = owner_index(leaf, slot);
+            if (Leaf::may_have_copies && leaf.blob->copies != nullptr && hits.has(index)) continue;
+            if (filter != nullptr && !(*filter)(Triangle{index})) continue;
+            hits.offer(to_ray_hit(hit, index));
+            if (!hits.has_overflowed()) continue;
+            if (hits.has_no_places()) return stop;
+            limit_ = hit_limit(ray, hits.last_tau());
+        }
+        return keep_going;
     }
 };
 

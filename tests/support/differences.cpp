@@ -1,6 +1,9 @@
 #include "differences.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <iterator>
+#include <span>
 #include <vector>
 
 #include <espalier/nearest.hpp>
@@ -19,13 +22,33 @@ std::string difference(const char* path, const char* what, const Ray& ray) {
     return std::string(path) + ": " + what + " differs: " + describe(ray);
 }
 
+/// How many places the first hits are given: some rays get none, some more than they need.
+std::size_t places_for(const Ray& ray) {
+    constexpr std::size_t places[] = {0, 1, 2, 3, 5, 17, 64, 4096};
+    const auto bits = std::bit_cast<std::uint32_t>(ray.origin.x) ^ std::bit_cast<std::uint32_t>(ray.direction.y);
+    return places[(bits ^ bits >> 11 ^ bits >> 22) % std::size(places)];
+}
+
 struct RayAnswers {
     std::optional<RayHit> closest;
     std::optional<RayHit> closest_filtered;
+    std::vector<RayHit> first;
+    std::vector<RayHit> first_filtered;
+    QueryStatus first_status = QueryStatus::ok;
+    QueryStatus first_status_filtered = QueryStatus::ok;
     bool any = false;
     bool any_filtered = false;
     std::vector<RayHit> every;
 };
+
+/// Calls the function with as many places as the ray gets, and keeps those that it says it filled.
+template <class Ask>
+void ask_first(const Ray& ray, std::vector<RayHit>& first, QueryStatus& status, Ask ask_for) {
+    first.resize(places_for(ray));
+    const HitCount count = ask_for(std::span<RayHit>(first));
+    first.resize(count.count);
+    status = count.status;
+}
 
 /// What an instruction set says, in full.
 RayAnswers ask(const InstructionPath& path, const detail::BlobData& data, const Ray& ray) {
@@ -35,6 +58,10 @@ RayAnswers ask(const InstructionPath& path, const detail::BlobData& data, const 
     RayHit hit;
     if (path.closest_hit(data, ray, hit, nullptr)) answers.closest = hit;
     if (path.closest_hit(data, ray, hit, &filter)) answers.closest_filtered = hit;
+    ask_first(ray, answers.first, answers.first_status,
+              [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, nullptr); });
+    ask_first(ray, answers.first_filtered, answers.first_status_filtered,
+              [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, &filter); });
     answers.any = path.any_hit(data, ray, nullptr);
     answers.any_filtered = path.any_hit(data, ray, &filter);
     if (data.copy_count == 0)
@@ -52,6 +79,10 @@ RayAnswers ask(const Blob& blob, const Ray& ray) {
     RayHit hit;
     if (raycast(blob, ray, hit)) answers.closest = hit;
     if (raycast(blob, ray, hit, keep)) answers.closest_filtered = hit;
+    ask_first(ray, answers.first, answers.first_status,
+              [&](std::span<RayHit> hits) { return closest_hits(blob, ray, hits); });
+    ask_first(ray, answers.first_filtered, answers.first_status_filtered,
+              [&](std::span<RayHit> hits) { return closest_hits(blob, ray, hits, keep); });
     answers.any = occluded(blob, ray);
     answers.any_filtered = occluded(blob, ray, keep);
     for_each_hit(blob, ray, [&](const RayHit& each) {
@@ -68,6 +99,8 @@ RayAnswers ask(const TriangleLoop& loop, const detail::BlobData& data, const Ray
     if (!detail::round_ray(data, ray, rounded)) return answers;
     std::optional<detail::FoundHit> closest;
     std::optional<detail::FoundHit> closest_filtered;
+    std::vector<detail::FoundHit> first;
+    std::vector<detail::FoundHit> first_filtered;
     // The runtime's own translation: the traversal, not the translation, is compared here.
     const auto translate = [&](const detail::FoundHit& found) {
         return detail::to_ray_hit(rounded, ray, found.hit, found.index);
@@ -75,10 +108,22 @@ RayAnswers ask(const TriangleLoop& loop, const detail::BlobData& data, const Ray
     for (const detail::FoundHit& found : loop.every_hit(rounded)) {
         if (data.copy_count == 0) answers.every.push_back(translate(found));
         ++hits;
+        first.push_back(found);
         if (!closest || found.hit.whole_tau < closest->hit.whole_tau) closest = found;
         if (!third_is_left_out(found.index)) continue;
+        first_filtered.push_back(found);
         if (!closest_filtered || found.hit.whole_tau < closest_filtered->hit.whole_tau) closest_filtered = found;
     }
+    const auto sort_and_cut = [&](std::vector<detail::FoundHit>& all, std::vector<RayHit>& few) {
+        std::stable_sort(all.begin(), all.end(), [](const detail::FoundHit& a, const detail::FoundHit& b) {
+            return a.hit.whole_tau < b.hit.whole_tau;
+        });
+        const std::size_t count = std::min(all.size(), places_for(ray));
+        for (std::size_t i = 0; i < count; ++i) few.push_back(translate(all[i]));
+        return all.size() > count ? QueryStatus::output_full : QueryStatus::ok;
+    };
+    answers.first_status = sort_and_cut(first, answers.first);
+    answers.first_status_filtered = sort_and_cut(first_filtered, answers.first_filtered);
     if (closest) answers.closest = translate(*closest);
     if (closest_filtered) answers.closest_filtered = translate(*closest_filtered);
     answers.any = closest.has_value();
@@ -96,9 +141,14 @@ const char* first_difference(const RayAnswers& a, const RayAnswers& b) {
     if (!same(a.closest_filtered, b.closest_filtered)) return "the closest hit under a filter";
     if (a.any != b.any) return "whether anything is hit";
     if (a.any_filtered != b.any_filtered) return "whether anything is hit under a filter";
-    const auto equal = [](const RayHit& x, const RayHit& y) { return same_bits(x, y); };
-    return std::equal(a.every.begin(), a.every.end(), b.every.begin(), b.every.end(), equal) ? nullptr
-                                                                                             : "the row of all hits";
+    const auto equal = [](const std::vector<RayHit>& x, const std::vector<RayHit>& y) {
+        return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                          [](const RayHit& p, const RayHit& q) { return same_bits(p, q); });
+    };
+    if (a.first_status != b.first_status || !equal(a.first, b.first)) return "the row of the first hits";
+    if (a.first_status_filtered != b.first_status_filtered || !equal(a.first_filtered, b.first_filtered))
+        return "the row of the first hits under a filter";
+    return equal(a.every, b.every) ? nullptr : "the row of all hits";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace espalier::tests {
 struct InstructionPath {
     const char* name;
     decltype(&detail::scalar::closest_hit) closest_hit;
+    decltype(&detail::scalar::first_hits) first_hits;
     decltype(&detail::scalar::any_hit) any_hit;
     decltype(&detail::scalar::every_hit) every_hit;
     decltype(&detail::scalar::closest_hits) closest_hits;

@@ -1,0 +1,42 @@
+// The first few hits of a ray, as they are collected.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <espalier/ray.hpp>
+#include <runtime/first_few.hpp>
+#include <runtime/ray_triangle.hpp>
+
+namespace espalier::detail {
+
+/// Hits in the caller's array. Until all are found, their t is tau counted from the caller's origin, by which they are
+/// ordered.
+class FirstHits {
+public:
+    explicit FirstHits(std::span<RayHit> hits) : hits_(hits, comes_before) {}
+
+    [[nodiscard]] bool has_overflowed() const { return hits_.has_overflowed(); }
+    [[nodiscard]] bool has_no_places() const { return hits_.is_empty(); }
+    [[nodiscard]] float last_tau() const { return hits_.last().t; }
+    [[nodiscard]] bool has(std::uint32_t index) const {
+        for (const RayHit& hit : hits_.kept())
+            if (hit.triangle.index == index) return true;
+        return false;
+    }
+    void offer(const RayHit& hit) { hits_.offer(hit); }
+    HitCount finish(const LatticeRay& ray, const Ray& world, std::span<RayHit> hits) {
+        hits_.sort();
+        for (RayHit& hit : hits.first(hits_.count())) hit.t = to_t(ray, hit.t, world);
+        return {hits_.count(), hits_.has_overflowed() ? QueryStatus::output_full : QueryStatus::ok};
+    }
+
+private:
+    static bool comes_before(const RayHit& a, const RayHit& b) {
+        return a.t != b.t ? a.t < b.t : a.triangle.index < b.triangle.index;
+    }
+
+    FirstFew<RayHit, bool (*)(const RayHit&, const RayHit&)> hits_;
+};
+
+}  // namespace espalier::detail
