@@ -15,9 +15,7 @@ bool is_closer(const PointDistance& a, const PointDistance& b) {
 
 }  // namespace
 
-PointDistance distance_to(const LatticePoint& point, const LatticeTriangle& triangle) noexcept {
-    const OriginRelative t = relative_to(point, triangle);
-    const int bits = point.fraction_bits;
+PointDistance distance_to(const OriginRelative& t, int bits) noexcept {
     const Integer3 p = {-t.a.x, -t.a.y, -t.a.z};  // the point, seen from corner a
     const Integer3 normal = cross(t.ab, t.ac);
     const Int128 area = point_triangle::squared_length(normal);
@@ -60,18 +58,22 @@ PointDistance distance_to(const LatticePoint& point, const LatticeTriangle& tria
     return best;
 }
 
-bool is_within_radius(const LatticePoint& point, const PointDistance& distance, float radius) noexcept {
+bool is_within_radius(const Unsigned256& numerator, const Int128& denominator, int fraction_bits,
+                      float radius) noexcept {
+    const int exponent = exponent_of(radius) - 23;
+    const auto mantissa = static_cast<std::int64_t>((magnitude_bits(radius) & 0x007FFFFFu) | 0x00800000u);
+    const Unsigned256 bound = Unsigned256::product(Unsigned256(denominator), Unsigned256(Int128(mantissa * mantissa)));
+    return compare_scaled(numerator, bound, 2 * (exponent + fraction_bits)) <= 0;
+}
+
+bool is_within_radius(const PointDistance& distance, int fraction_bits, float radius) noexcept {
     const float squared = radius * radius;
     if (distance.squared > squared * distance_slack) return false;
     if (distance.squared * distance_slack < squared) return true;
     if (radius == 0.0f) return distance.numerator.is_zero();
     Unsigned256 numerator(distance.numerator);
     if (distance.square_numerator) numerator = Unsigned256::product(numerator, numerator);
-    const int exponent = exponent_of(radius) - 23;
-    const auto mantissa = static_cast<std::int64_t>((magnitude_bits(radius) & 0x007FFFFFu) | 0x00800000u);
-    const Unsigned256 bound =
-        Unsigned256::product(Unsigned256(distance.denominator), Unsigned256(Int128(mantissa * mantissa)));
-    return compare_scaled(numerator, bound, 2 * (exponent + point.fraction_bits)) <= 0;
+    return is_within_radius(numerator, distance.denominator, fraction_bits, radius);
 }
 
 }  // namespace espalier::detail

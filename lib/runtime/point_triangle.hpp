@@ -56,10 +56,19 @@ inline PointDistance to_segment(const Integer3& p, const Integer3& edge, int fra
 
 }  // namespace point_triangle
 
-/// The distance from the point to the triangle (also to one without area: then to its longest side).
-PointDistance distance_to(const LatticePoint& point, const LatticeTriangle& triangle) noexcept;
+/// The distance from the origin of `triangle` to it (also to one without area: then to its longest side).
+PointDistance distance_to(const OriginRelative& triangle, int fraction_bits) noexcept;
+inline PointDistance distance_to(const LatticePoint& point, const LatticeTriangle& triangle) noexcept {
+    return distance_to(relative_to(point, triangle), point.fraction_bits);
+}
 
+/// Whether numerator / denominator * 2^(-2 fraction_bits) is at most the square of a radius above 0, exactly.
+bool is_within_radius(const Unsigned256& numerator, const Int128& denominator, int fraction_bits,
+                      float radius) noexcept;
 /// Whether the distance is at most the radius (lattice steps, >= 0), exactly.
-bool is_within_radius(const LatticePoint& point, const PointDistance& distance, float radius) noexcept;
+bool is_within_radius(const PointDistance& distance, int fraction_bits, float radius) noexcept;
+inline bool is_within_radius(const LatticePoint& point, const PointDistance& distance, float radius) noexcept {
+    return is_within_radius(distance, point.fraction_bits, radius);
+}
 
 }  // namespace espalier::detail

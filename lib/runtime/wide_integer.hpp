@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include <runtime/float_bits.hpp>
+
 namespace espalier::detail {
 
 #if defined(__SIZEOF_INT128__)
@@ -138,6 +140,28 @@ struct Unsigned256 {
         }
         return result;
     }
+    /// The sum; it must fit.
+    [[nodiscard]] constexpr Unsigned256 plus(const Unsigned256& other) const {
+        Unsigned256 result{Int128{}};
+        std::uint64_t carry = 0;
+        for (int i = 0; i < 4; ++i) {
+            const std::uint64_t sum = word[i] + carry;
+            result.word[i] = sum + other.word[i];
+            carry = (sum < carry ? 1u : 0u) + (result.word[i] < sum ? 1u : 0u);
+        }
+        return result;
+    }
+    /// The difference, for an `other` that is not larger.
+    [[nodiscard]] constexpr Unsigned256 minus(const Unsigned256& other) const {
+        Unsigned256 result{Int128{}};
+        std::uint64_t borrow = 0;
+        for (int i = 0; i < 4; ++i) {
+            const std::uint64_t difference = word[i] - borrow;
+            result.word[i] = difference - other.word[i];
+            borrow = (word[i] < borrow ? 1u : 0u) + (difference < other.word[i] ? 1u : 0u);
+        }
+        return result;
+    }
     /// The product of two numbers below 2^128.
     static constexpr Unsigned256 product(const Unsigned256& a, const Unsigned256& b) {
         Unsigned256 result{Int128{}};
@@ -159,7 +183,23 @@ struct Unsigned256 {
     }
 };
 
-/// Sign of a - b * 2^shift, for a and b below 2^192 and any shift.
+/// The nearest float to a * 2^exponent, ties to even, which must be zero or normal.
+inline float to_float(const Unsigned256& a, int exponent) {
+    const int length = a.bit_length();
+    if (length <= 62) return to_float(static_cast<std::int64_t>(a.word[0])) * power_of_two(exponent);
+    // The top 62 bits stand in one word; whatever is below only matters as "not zero".
+    const int shift = length - 62;
+    const int words = shift / 64;
+    const int bits = shift % 64;
+    std::uint64_t top = a.word[words] >> bits;
+    if (bits > 2) top |= a.word[words + 1] << (64 - bits);
+    std::uint64_t rest = bits == 0 ? 0 : a.word[words] << (64 - bits);
+    for (int i = 0; i < words; ++i) rest |= a.word[i];
+    if (rest != 0) top |= 1;
+    return to_float(static_cast<std::int64_t>(top)) * power_of_two(shift + exponent);
+}
+
+/// Sign of a - b * 2^shift, for any a, b and shift: what is shifted becomes as long as the other.
 constexpr int compare_scaled(const Unsigned256& a, const Unsigned256& b, int shift) {
     const int a_length = a.bit_length();
     const int b_length = b.bit_length();

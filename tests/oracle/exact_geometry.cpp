@@ -1,5 +1,7 @@
 #include "exact_geometry.hpp"
 
+#include <vector>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -27,7 +29,67 @@ ClosestPoint closest_on_segment(const Point& from, const Point& to, const Point&
     return {closest, squared_length(point - closest)};
 }
 
+/// The corners that the bits of `face` choose.
+std::vector<Point> face_of(std::span<const Point> corners, unsigned face) {
+    std::vector<Point> chosen;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if ((face >> i & 1u) != 0) chosen.push_back(corners[i]);
+    return chosen;
+}
+
+/// Where the affine hulls of two faces are closest, if that is one pair of points and both lie inside of their faces.
+std::optional<Rational> squared_distance_of_hulls(const std::vector<Point>& first, const std::vector<Point>& second) {
+    using Matrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
+    using Column = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
+    const auto ways = static_cast<Eigen::Index>(first.size() + second.size() - 2);
+    const auto of_first = static_cast<Eigen::Index>(first.size() - 1);
+    Matrix directions(3, ways);  // the difference of the two points is offset + directions * weights
+    for (Eigen::Index i = 0; i < ways; ++i) {
+        directions.col(i) = i < of_first ? Point(first[static_cast<std::size_t>(i) + 1] - first[0])
+                                         : Point(second[0] - second[static_cast<std::size_t>(i - of_first) + 1]);
+    }
+    const Point offset = first[0] - second[0];
+    Column weights(ways);
+    if (ways > 0) {
+        // Elimination on the normal equations: their matrix has no zero pivot unless it is singular.
+        Matrix system(ways, ways + 1);
+        for (Eigen::Index i = 0; i < ways; ++i) {
+            for (Eigen::Index j = 0; j < ways; ++j) system(i, j) = directions.col(i).dot(directions.col(j));
+            system(i, ways) = -directions.col(i).dot(offset);
+        }
+        for (Eigen::Index pivot = 0; pivot < ways; ++pivot) {
+            if (system(pivot, pivot).sign() == 0) return std::nullopt;
+            for (Eigen::Index row = 0; row < ways; ++row) {
+                if (row == pivot) continue;
+                const Rational factor = system(row, pivot) / system(pivot, pivot);
+                for (Eigen::Index j = pivot; j <= ways; ++j) system(row, j) -= factor * system(pivot, j);
+            }
+        }
+        Rational sums[2] = {0, 0};
+        for (Eigen::Index i = 0; i < ways; ++i) {
+            weights(i) = system(i, ways) / system(i, i);
+            if (weights(i).sign() < 0) return std::nullopt;
+            sums[i < of_first ? 0 : 1] += weights(i);
+        }
+        if (sums[0] > Rational(1) || sums[1] > Rational(1)) return std::nullopt;
+    }
+    Point between = offset;
+    for (Eigen::Index i = 0; i < ways; ++i) between += directions.col(i) * weights(i);
+    return squared_length(between);
+}
+
 }  // namespace
+
+Rational squared_distance(std::span<const Point> first, std::span<const Point> second) {
+    std::optional<Rational> least;
+    for (unsigned i = 1; i < 1u << first.size(); ++i) {
+        for (unsigned j = 1; j < 1u << second.size(); ++j) {
+            const auto squared = squared_distance_of_hulls(face_of(first, i), face_of(second, j));
+            if (squared && (!least || *squared < *least)) least = squared;
+        }
+    }
+    return *least;
+}
 
 Point normal_of(const Triangle& triangle) {
     const Point ab = triangle.b - triangle.a;

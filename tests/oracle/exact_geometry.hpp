@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <Eigen/Core>
 
@@ -41,6 +42,11 @@ struct ClosestPoint {
 
 /// The point of a triangle with area that is closest to `point`.
 ClosestPoint closest_on_triangle(const Triangle& triangle, const Point& point);
+
+/// The square of the smallest distance between two convex hulls: of a point, a segment, a triangle or a tetrahedron
+/// each, which may be flat. Tries all pairs of their faces, each with the linear system that the closest points of two
+/// affine hulls solve.
+Rational squared_distance(std::span<const Point> first, std::span<const Point> second);
 
 /// (b - a) x (c - a), not of unit length.
 Point normal_of(const Triangle& triangle);

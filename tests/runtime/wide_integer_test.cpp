@@ -115,6 +115,41 @@ TEST_SUITE("runtime arithmetic") {
         }
     }
 
+    TEST_CASE("256-bit sums and differences equal unbounded ones, and become the nearest float") {
+        Random random(5);
+        std::uint64_t ties = 0;
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            Unsigned256 a{Int128{}};
+            for (std::uint64_t& word : a.word) word = some_word(random);
+            a.word[3] >>= 1;
+            if (random.coin()) {  // shorter, and often just between two floats
+                const std::uint64_t half = some_word(random) >> 39 << 1 | 1u;
+                a = Unsigned256(Int128(0, half)).shifted_left(static_cast<int>(random.below(200)));
+                if (random.below(4) == 0) a = a.plus(Unsigned256(Int128(1)));
+            }
+            const Unsigned256 b =
+                Unsigned256::product(Unsigned256(Int128(some_signed(random) & 0xFFFF, some_word(random))),
+                                     Unsigned256(Int128(0, some_word(random))));
+            REQUIRE(exact(a.plus(b)) == exact(a) + exact(b));
+            REQUIRE(exact(a.plus(b).minus(b)) == exact(a));
+            REQUIRE(exact(a.plus(b).minus(a)) == exact(b));
+            const int exponent = random.between(-160, -130) + 256 - a.bit_length();
+            const float value = detail::to_float(a, exponent);
+            const Rational expected = Rational(exact(a), 1) * Rational::of(1, exponent);
+            if (expected.sign() == 0) {
+                REQUIRE(value == 0.0f);
+                continue;
+            }
+            const Rational error = oracle::error_in_ulp(value, expected);
+            REQUIRE(error <= Rational(1, 2));
+            if (error == Rational(1, 2)) {
+                ++ties;
+                REQUIRE((std::bit_cast<std::uint32_t>(value) & 1u) == 0);
+            }
+        }
+        CHECK(ties > 0);
+    }
+
     TEST_CASE("a comparison with a scaled number is exact for every scale") {
         Random random(4);
         std::uint64_t equal = 0;

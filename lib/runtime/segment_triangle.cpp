@@ -1,0 +1,227 @@
+// The kernel of capsules and of closest segments. Widths and roundings: docs/numerics.md.
+#include <runtime/segment_triangle.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+// Gram determinants: differences of two products, of int64 factors where those suffice, or of 128-bit ones.
+
+[[maybe_unused]] Int128 product_difference(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+    return multiply(a, b) - multiply(c, d);
+}
+[[maybe_unused]] float quotient(Int128 numerator, Int128 denominator) {
+    return to_float(numerator) / to_float(denominator);
+}
+Unsigned256 magnitude_of(Int128 a) { return Unsigned256(negate_if(a, is_negative(a))); }
+
+struct WideDifference {
+    Unsigned256 magnitude{Int128{}};
+    bool negative = false;
+
+    WideDifference(const Unsigned256& from, bool is_below)
+        : magnitude(from), negative(is_below && from.bit_length() != 0) {}
+    explicit WideDifference(Int128 a) : WideDifference(magnitude_of(a), is_negative(a)) {}
+};
+bool is_zero(const WideDifference& a) { return a.magnitude.bit_length() == 0; }
+bool is_negative(const WideDifference& a) { return a.negative; }
+Unsigned256 magnitude_of(const WideDifference& a) { return a.magnitude; }
+
+WideDifference product_difference(Int128 a, Int128 b, Int128 c, Int128 d) {
+    const bool negative = is_negative(a) != is_negative(b);
+    const bool subtracted_is_negative = is_negative(c) != is_negative(d);
+    const Unsigned256 ab = Unsigned256::product(magnitude_of(a), magnitude_of(b));
+    const Unsigned256 cd = Unsigned256::product(magnitude_of(c), magnitude_of(d));
+    if (ab.bit_length() == 0) return {cd, !subtracted_is_negative};
+    if (negative != subtracted_is_negative) return {ab.plus(cd), negative};
+    const bool less = compare_scaled(ab, cd, 0) < 0;
+    return {less ? cd.minus(ab) : ab.minus(cd), less != negative};
+}
+/// Both scaled down alike: the largest numerator then fits, and 1 over the largest denominator stays normal.
+float quotient(const WideDifference& numerator, const WideDifference& denominator) {
+    return to_float(numerator.magnitude, -30) / to_float(denominator.magnitude, -30);
+}
+
+/// A corner of the triangle, seen from the segment's start.
+template <class Dot>
+struct Corner {
+    Integer3 at;
+    Dot along;  ///< the dot product with the segment
+};
+
+/// Tries the places where the distance may be reached, and keeps the nearest. When asked about a radius it also decides
+/// for each that is not clearly nearer or farther, exactly, whether it is within.
+class Candidates {
+public:
+    explicit Candidates(int fraction_bits, float radius = -1.0f)
+        : fraction_bits_(fraction_bits), radius_(radius), scale_(power_of_two(-2 * fraction_bits)) {}
+
+    [[nodiscard]] const SegmentDistance& nearest() const { return nearest_; }
+    [[nodiscard]] bool is_any_within() const { return within_; }
+
+    void try_all(const LatticeSegment& segment, const LatticeTriangle& triangle) {
+        OriginRelative from_start{};
+        const auto& c = triangle.corner;
+        Integer3 d{}, w[3];
+        std::uint64_t large = 0;
+        const auto set = [&](int k, std::int64_t Integer3::*axis) {
+            d.*axis = segment.to[k] - segment.from[k];
+            for (int i = 0; i < 3; ++i) {
+                w[i].*axis = (std::int64_t{c[i][k]} << fraction_bits_) - segment.from[k];
+                large |= shifted(w[i].*axis);
+            }
+            large |= shifted(d.*axis);
+            from_start.ab.*axis = std::int64_t{c[1][k]} - c[0][k];
+            from_start.ac.*axis = std::int64_t{c[2][k]} - c[0][k];
+        };
+        set(0, &Integer3::x);
+        set(1, &Integer3::y);
+        set(2, &Integer3::z);
+        from_start.a = w[0];
+        OriginRelative from_end = from_start;
+        from_end.a = {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z};
+
+        if (crosses_face(from_start, from_end, d, w)) return;
+        try_end(from_start, 0.0f);
+        try_end(from_end, 1.0f);
+        if constexpr (has_native_int128)  // elsewhere code is dearer than time
+            if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w);
+        try_sides<Int128, WideDifference>(from_start, d, w);
+    }
+
+private:
+    /// With every coordinate of corners and segment in [-2^30, 2^30) int64 factors suffice.
+    static constexpr std::uint64_t near_span = std::uint64_t{1} << 31;
+    static std::uint64_t shifted(std::int64_t a) { return static_cast<std::uint64_t>(a) + near_span / 2; }
+
+    /// Whether the segment leads through the face: its ends on different sides of the plane, and its line on the same
+    /// side of all three sides. Where it only touches, or lies in the plane, the others find distance 0.
+    bool crosses_face(const OriginRelative& from_start, const OriginRelative& from_end, const Integer3& d,
+                      const Integer3* w) {
+        const Integer3 normal = cross(from_start.ab, from_start.ac);
+        Int128 start = dot<Int128>(normal, from_start.a);
+        Int128 end = dot<Int128>(normal, from_end.a);
+        if (start.is_zero() || end.is_zero() || start.is_negative() == end.is_negative()) return false;
+        const Integer3& ab = from_start.ab;
+        const Integer3& ac = from_start.ac;
+        Int128 weight_a = dot<Int128>(w[1], cross({ac.x - ab.x, ac.y - ab.y, ac.z - ab.z}, d));
+        Int128 weight_b = dot<Int128>(w[0], cross(d, ac));
+        Int128 weight_c = dot<Int128>(w[0], cross(ab, d));
+        const bool back = start.is_negative();
+        if (back) {
+            start = -start;
+            weight_a = -weight_a;
+            weight_b = -weight_b;
+            weight_c = -weight_c;
+        } else {
+            end = -end;
+        }
+        if (weight_a.is_negative() || weight_b.is_negative() || weight_c.is_negative()) return false;
+        const float whole = to_float(weight_a + weight_b + weight_c);
+        nearest_ = {0.0f, to_float(start) / to_float(start + end), to_float(weight_b) / whole,
+                    to_float(weight_c) / whole};
+        within_ = true;
+        return true;
+    }
+
+    void try_end(const OriginRelative& triangle, float along) {
+        const PointDistance distance = distance_to(triangle, fraction_bits_);
+        if (radius_ >= 0.0f && is_within_radius(distance, fraction_bits_, radius_)) within_ = true;
+        if (distance.squared < nearest_.squared) nearest_ = {distance.squared, along, distance.u, distance.v};
+    }
+
+    template <class Dot, class Difference>
+    [[gnu::noinline]] void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w) {
+        const Integer3 edges[3] = {
+            t.ab, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, {-t.ac.x, -t.ac.y, -t.ac.z}};
+        const Dot length = dot<Dot>(d, d);
+        const Corner<Dot> corners[3] = {
+            {w[0], dot<Dot>(w[0], d)}, {w[1], dot<Dot>(w[1], d)}, {w[2], dot<Dot>(w[2], d)}};
+        for (int i = 0; i < 3; ++i) {
+            try_corner<Dot, Difference>(corners[i], length, i);
+            try_side<Dot, Difference>(corners[i], corners[(i + 1) % 3], edges[i], d, length, i);
+        }
+    }
+
+    /// Between a corner and the inside of the segment: |w|^2 - (w . d)^2 / |d|^2.
+    template <class Dot, class Difference>
+    void try_corner(const Corner<Dot>& corner, Dot length, int number) {
+        if (!(Dot(0) < corner.along && corner.along < length)) return;
+        const Difference numerator =
+            product_difference(dot<Dot>(corner.at, corner.at), length, corner.along, corner.along);
+        const Difference denominator(length);
+        offer(quotient(numerator, denominator) * scale_, to_float(corner.along) / to_float(length), number, 0.0f,
+              [&](auto decide) { decide(magnitude_of(numerator), denominator); });
+    }
+
+    /// Between the inside of a side and that of the segment: (w . (d x e))^2 / |d x e|^2.
+    template <class Dot, class Difference>
+    void try_side(const Corner<Dot>& from, const Corner<Dot>& to, const Integer3& e, const Integer3& d, Dot length,
+                  int number) {
+        const Dot ee = dot<Dot>(e, e);
+        const Dot de = dot<Dot>(d, e);
+        const Dot we = dot<Dot>(from.at, e);
+        // The segment's parameter times the denominator, and what is left of it; then the same of the side.
+        const Difference along = product_difference(from.along, ee, we, de);
+        if (is_zero(along) || is_negative(along)) return;
+        const Difference beyond = product_difference(from.along - length, ee, we - de, de);
+        if (!is_negative(beyond)) return;
+        const Difference side = product_difference(from.along, de, we, length);
+        if (is_zero(side) || is_negative(side)) return;
+        const Difference side_beyond = product_difference(to.along, de, dot<Dot>(to.at, e), length);
+        if (!is_negative(side_beyond)) return;
+        const Difference denominator = product_difference(length, ee, de, de);
+        Int128 volume = dot<Int128>(from.at, cross(d, e));
+        if (volume.is_negative()) volume = -volume;
+        const float per_area = quotient(Difference(volume), denominator);
+        offer(per_area * to_float(volume) * scale_, quotient(along, denominator), number,
+              quotient(side, denominator) * power_of_two(-fraction_bits_), [&](auto decide) {
+                  decide(Unsigned256::product(Unsigned256(volume), Unsigned256(volume)), denominator);
+              });
+    }
+
+    /// `share` is how far along side `number`. `exactly` hands the exact square to what it is given.
+    template <class Exactly>
+    void offer(float squared, float along, int number, float share, Exactly exactly) {
+        if (radius_ >= 0.0f && !within_) {
+            exactly([&](const Unsigned256& numerator, const auto& denominator) {
+                const Unsigned256 whole = magnitude_of(denominator);
+                within_ = is_within_radius(numerator, {static_cast<std::int64_t>(whole.word[1]), whole.word[0]},
+                                           fraction_bits_, radius_);
+            });
+        }
+        if (!(squared < nearest_.squared)) return;
+        nearest_.squared = squared;
+        nearest_.along = along;
+        const float rest = 1.0f - share;
+        nearest_.u = number == 0 ? share : number == 1 ? rest : 0.0f;
+        nearest_.v = number == 0 ? 0.0f : number == 1 ? share : rest;
+    }
+
+    int fraction_bits_;
+    float radius_;  ///< negative when not asked for
+    float scale_;   ///< from squared units to squared lattice steps
+    bool within_ = false;
+    SegmentDistance nearest_ = {infinity, 0.0f, 0.0f, 0.0f};
+};
+
+}  // namespace
+
+SegmentDistance distance_to(const LatticeSegment& segment, const LatticeTriangle& triangle) noexcept {
+    Candidates candidates(segment.fraction_bits);
+    candidates.try_all(segment, triangle);
+    return candidates.nearest();
+}
+
+bool is_within_radius(const LatticeSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
+                      float radius) noexcept {
+    const float squared = radius * radius;
+    if (distance.squared > squared * distance_slack) return false;
+    if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
+    if (radius == 0.0f) return false;
+    Candidates candidates(segment.fraction_bits, radius);
+    candidates.try_all(segment, triangle);
+    return candidates.is_any_within();
+}
+
+}  // namespace espalier::detail

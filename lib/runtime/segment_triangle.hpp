@@ -1,0 +1,30 @@
+// How far a rounded segment is from a triangle of the lattice: zero exactly when they share a point. Otherwise the
+// distance is reached from an end of the segment, or between its inside and a side or corner of the triangle; all of
+// them are quotients of integers (docs/numerics.md). Segments of length zero and triangles without area are no special
+// cases.
+#pragma once
+
+#include <cstdint>
+
+#include <runtime/lattice_segment.hpp>
+#include <runtime/point_triangle.hpp>
+#include <runtime/ray_triangle.hpp>
+
+namespace espalier::detail {
+
+/// A pair of closest points, and how far they are apart in lattice steps.
+struct SegmentDistance {
+    float squared = 0.0f;  ///< within 6 ulp; 0 exactly when segment and triangle share a point
+    float along = 0.0f;    ///< on the segment: 0 at `from`, 1 at `to`
+    float u = 0.0f;        ///< on the triangle: weights of corners b and c
+    float v = 0.0f;
+};
+
+SegmentDistance distance_to(const LatticeSegment& segment, const LatticeTriangle& triangle) noexcept;
+
+/// Whether they are at most `radius` apart (lattice steps, 0 or at least 2^-100), exactly; touching counts. `distance`
+/// is theirs.
+bool is_within_radius(const LatticeSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
+                      float radius) noexcept;
+
+}  // namespace espalier::detail
