@@ -23,8 +23,7 @@ template <class Leaf>
     const auto set_out = [&](UnderWay& place) {
         for (; next < count; ++next) {
             if (place.ray.begin(blob, rays[next], answers.any_will_do())) {
-                place.walk.size = 0;
-                place.walk.index = 0;
+                place.walk.begin(0);
                 place.number = next++;
                 return true;
             }

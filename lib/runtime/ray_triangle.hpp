@@ -73,7 +73,7 @@ inline bool edges_are_below(const OriginRelative& t) {
 }
 
 /// Sign of numerator / denominator - bound, exactly; numerator >= 0, denominator > 0, 0 < bound < infinity.
-inline int compare_quotient(Int128 numerator, Int128 denominator, float bound) {
+[[gnu::noinline]] inline int compare_quotient(Int128 numerator, Int128 denominator, float bound) {
     const int exponent = exponent_of(bound) - 23;
     const auto mantissa = static_cast<std::int64_t>((magnitude_bits(bound) & 0x007FFFFFu) | 0x00800000u);
     return compare_scaled(Unsigned256(numerator),

@@ -13,113 +13,126 @@ inline auto with_leaves_of(const BlobData& blob, Function function) {
     else return function.template operator()<StripLeaf>();
 }
 
-/// What waits for its turn: a node, or one leaf of a node, and above it how near it is. Keys are not negative, so that
-/// their bits order like integers.
+/// What waits at a node on the way down: the second nearest of its children worth a visit, how near that is, and which
+/// others there are, none of them nearer. Keys are not negative, so that their bits order like integers; the lowest
+/// three make room for the child's number, which keeps the order of any two keys or makes them equal. Once the second has
+/// had its turn, a child of the others stands in its place.
 struct Waiting {
-    static constexpr unsigned leaf_shift = 24;
-    static constexpr std::uint32_t leaf_bit = 1u << 31;
-    static_assert(format::max_nodes <= 1u << leaf_shift && format::max_children <= 8);
+    static constexpr unsigned node_bits = 24;
+    static constexpr std::uint32_t child_mask = 7;
+    static_assert(format::max_nodes <= 1u << node_bits && format::max_children <= child_mask + 1);
+    static constexpr std::uint32_t entry(float key, unsigned child) {
+        return (std::bit_cast<std::uint32_t>(key) & ~child_mask) | child;
+    }
 
     std::uint64_t packed;
 
     [[nodiscard]] bool is_within(float limit) const {
-        return static_cast<std::uint32_t>(packed >> 32) <= std::bit_cast<std::uint32_t>(limit);
+        return static_cast<std::uint32_t>(packed >> 32) <= (std::bit_cast<std::uint32_t>(limit) | child_mask);
     }
-    [[nodiscard]] bool is_leaf() const { return (packed & leaf_bit) != 0; }
-    [[nodiscard]] unsigned leaf() const { return static_cast<unsigned>(packed >> leaf_shift) & 7u; }
-    /// The node, or the one whose leaf it is.
-    [[nodiscard]] std::uint32_t node() const { return static_cast<std::uint32_t>(packed) & ((1u << leaf_shift) - 1u); }
+    [[nodiscard]] unsigned child() const { return static_cast<unsigned>(packed >> 32) & child_mask; }
+    [[nodiscard]] unsigned others() const { return static_cast<unsigned>(packed >> node_bits) & 255u; }
+    [[nodiscard]] std::uint32_t node() const { return static_cast<std::uint32_t>(packed) & ((1u << node_bits) - 1u); }
+
+    static constexpr std::uint64_t pack(std::uint32_t second, unsigned others, std::uint32_t node) {
+        return std::uint64_t{second} << 32 | others << node_bits | node;
+    }
+    [[nodiscard]] std::uint64_t without_second() const {
+        const std::uint64_t from_others = std::uint64_t{static_cast<unsigned>(std::countr_zero(others()))} << 32;
+        return (packed & ~(std::uint64_t{child_mask} << 32)) | from_others;
+    }
 };
 
 /// A walk to the children with the smallest keys first: for queries whose limit shrinks as they find something. A leaf
-/// waits for nodes beside it that are nearer; leaves with no nodes beside them are taken as they lie. A step is in two
-/// halves, so that batches can test the nodes of several rays before they branch on any.
+/// waits for nodes beside it that are nearer; leaves with no nodes beside them are taken as they lie. Of a node's
+/// children two are put in order; when both have had their turn and there are more that may matter, the node is tested
+/// again: that is rare, more exact by then, and keeps the stack to a word a level. A step is in two halves, so that
+/// batches can test the nodes of several rays before they branch on any.
 template <class Leaf, class Visitor>
 struct NearestFirst {
-    // Every level but the last, which has no nodes among its children, leaves at most all but one of them behind.
-    std::uint64_t stack[(format::max_depth - 1) * (format::max_children - 1)];  // packed
+    static constexpr unsigned every_child = (1u << format::max_children) - 1u;
+
+    std::uint64_t stack[format::max_depth];  // packed
     unsigned size = 0;
-    std::uint32_t index = 0;  ///< of the node that is next
+    std::uint32_t index = 0;       ///< of the node that is next
+    unsigned among = every_child;  ///< the children of it that are still to be visited
     alignas(32) float keys[format::max_children];
+
+    void begin(std::uint32_t node) {
+        size = 0;
+        index = node;
+        among = every_child;
+    }
 
     /// First half: which children are worth a visit.
     [[gnu::always_inline]] unsigned test(const BlobData& blob, Visitor& visitor) {
-        return visitor.children(node_at(blob, index), keys);
+        return visitor.children(node_at(blob, index), keys) & among;
     }
 
     /// Second half: visits leaves until it is a node's turn. False when the walk is over.
     [[gnu::always_inline]] bool advance(const BlobData& blob, Visitor& visitor, unsigned mask) {
         const Node tested = node_at(blob, index);
         const unsigned node_children = tested.node_children();
-        const std::uint32_t first_child = tested.first_child();
-        const unsigned nodes = mask & ((1u << node_children) - 1u);
         unsigned leaves = mask >> node_children;
         std::uint32_t parent = index;  // of the leaves
-        if (nodes != 0) {
-            if (leaves == 0 && lanes > 1) {  // one lane: a small core, to which less code is dearer than less time
-                const auto child = static_cast<unsigned>(std::countr_zero(nodes));
-                const unsigned others = nodes & (nodes - 1);
-                if (others == 0) {  // most often: nothing to sort, and the next address does not wait for its key
-                    index = first_child + child;
-                    return true;
-                }
-                index = nearest_of(child, others, [&](unsigned number) {
-                            prefetch(node_at(blob, first_child + number).bytes);
-                            return first_child + number;
-                        }).node();
+        among = every_child;
+        if ((mask & ((1u << node_children) - 1u)) != 0) {
+            // Most often there is one: nothing to sort, and the next address does not wait for its key.
+            const unsigned child =
+                (mask & (mask - 1)) == 0 ? static_cast<unsigned>(std::countr_zero(mask)) : nearest_of(mask);
+            if (child < node_children) {
+                index = tested.first_child() + child;
                 return true;
             }
-            const auto child = static_cast<unsigned>(std::countr_zero(mask));
-            const Waiting nearest = nearest_of(child, mask & (mask - 1), [&](unsigned number) {
-                return number < node_children
-                           ? first_child + number
-                           : (index | Waiting::leaf_bit) + ((number - node_children) << Waiting::leaf_shift);
-            });
-            if (!nearest.is_leaf()) {
-                index = nearest.node();
-                return true;
-            }
-            leaves = 1u << nearest.leaf();
+            leaves = 1u << (child - node_children);
         }
         for (;;) {
             for (; leaves != 0; leaves &= leaves - 1) {
                 const auto number = static_cast<unsigned>(std::countr_zero(leaves));
-                if (parent == index && keys[node_children + number] > visitor.limit()) continue;
-                if (visitor.visit_leaf(leaf_at<Leaf>(blob, node_at(blob, parent), number)) == stop) return false;
+                const Node node = node_at(blob, parent);
+                if (parent == index && keys[node.node_children() + number] > visitor.limit()) continue;
+                if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, number)) == stop) return false;
             }
             Waiting next;
             do {
                 if (size == 0) return false;
                 next = {stack[--size]};
             } while (!next.is_within(visitor.limit()));
-            if (!next.is_leaf()) {
-                index = next.node();
+            parent = next.node();
+            const unsigned others = next.others();
+            const unsigned child = next.child();
+            if ((others >> child & 1u) != 0) {  // the others' turn
+                index = parent;
+                among = others;
                 return true;
             }
-            parent = next.node();
-            leaves = 1u << next.leaf();
+            if (others != 0) stack[size++] = next.without_second();
+            const Node node = node_at(blob, parent);
+            if (child < node.node_children()) {
+                index = node.first_child() + child;
+                return true;
+            }
+            leaves = 1u << (child - node.node_children());
         }
     }
 
 private:
-    /// The nearest of several children; the others are left waiting, the nearer ones on top. Compared and chosen as
-    /// plain words: no processor could foresee branches here.
-    template <class What>
-    [[gnu::always_inline]] Waiting nearest_of(unsigned child, unsigned others, What what) {
-        const auto entry_of = [&](unsigned number) {
-            return std::uint64_t{std::bit_cast<std::uint32_t>(keys[number])} << 32 | what(number);
-        };
-        std::uint64_t nearest = entry_of(child);
-        const unsigned bottom = size;
-        for (; others != 0; others &= others - 1) {
-            const std::uint64_t other = entry_of(static_cast<unsigned>(std::countr_zero(others)));
-            const std::uint64_t waits = other < nearest ? nearest : other;
-            nearest = other < nearest ? other : nearest;
-            unsigned place = size++;
-            for (; place > bottom && stack[place - 1] < waits; --place) stack[place] = stack[place - 1];
-            stack[place] = waits;
+    /// The nearest of several children of the node at hand; the others are left waiting. Compared and chosen as plain
+    /// words: no processor could foresee branches here.
+    [[gnu::always_inline]] unsigned nearest_of(unsigned mask) {
+        auto child = static_cast<unsigned>(std::countr_zero(mask));
+        std::uint32_t nearest = Waiting::entry(keys[child], child);
+        std::uint32_t second = ~0u;
+        for (unsigned others = mask & (mask - 1); others != 0; others &= others - 1) {
+            child = static_cast<unsigned>(std::countr_zero(others));
+            const std::uint32_t entry = Waiting::entry(keys[child], child);
+            const std::uint32_t farther = entry < nearest ? nearest : entry;
+            nearest = entry < nearest ? entry : nearest;
+            second = farther < second ? farther : second;
         }
-        return {nearest};
+        const unsigned others = mask & ~(1u << (nearest & Waiting::child_mask)) & ~(1u << (second & Waiting::child_mask));
+        stack[size++] = Waiting::pack(second, others, index);
+        return nearest & Waiting::child_mask;
     }
 };
 
@@ -127,7 +140,7 @@ private:
 template <class Leaf, class Visitor>
 inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor, std::uint32_t index = 0) {
     NearestFirst<Leaf, Visitor> walk;
-    walk.index = index;
+    walk.begin(index);
     while (walk.advance(blob, visitor, walk.test(blob, visitor))) {
     }
 }
