@@ -1,16 +1,21 @@
 // Rays: the queries. Included once per instruction set, inside its namespace, after traverse.inl and ray_visitors.inl.
 
+/// One function for each kind of leaf, the walk inside of it: one frame on the stack.
+template <class Leaf, class Counters>
+[[gnu::noinline]] inline bool closest_hit_in(const BlobData& blob, const Ray& world, RayHit& hit,
+                                             const TriangleFilter* filter, Counters& counters) {
+    PreparedRay prepared;
+    if (!prepare(blob, world, prepared)) return false;
+    ClosestHit<Leaf, Counters> visitor = {prepared.ray, prepared.lanes, filter, counters};
+    traverse_nearest_first<Leaf>(blob, visitor);
+    if (visitor.found) hit = to_ray_hit(prepared.ray, world, visitor.best.hit, visitor.best.index);
+    return visitor.found;
+}
+
 template <class Counters>
 inline bool closest_hit_counting(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter,
                                  Counters& counters) {
-    PreparedRay prepared;
-    if (!prepare(blob, world, prepared)) return false;
-    return with_leaves_of(blob, [&]<class Leaf>() {
-        ClosestHit<Leaf, Counters> visitor = {prepared.ray, prepared.lanes, filter, counters};
-        traverse_nearest_first<Leaf>(blob, visitor);
-        if (visitor.found) hit = to_ray_hit(prepared.ray, world, visitor.best.hit, visitor.best.index);
-        return visitor.found;
-    });
+    return with_leaves_of(blob, [&]<class Leaf>() { return closest_hit_in<Leaf>(blob, world, hit, filter, counters); });
 }
 
 /// True when the callable stopped it.

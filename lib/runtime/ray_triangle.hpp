@@ -120,7 +120,8 @@ inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hi
 }
 
 /// The same for long edges, apart: where they are rare, they stay out of the way.
-[[gnu::noinline]] inline bool wide_hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hit) {
+[[gnu::noinline]] inline bool wide_hits(const LatticeRay& ray, const LatticeTriangle& triangle, TriangleHit& hit) {
+    const OriginRelative t = relative_to(ray, triangle);
     if constexpr (has_native_int128)  // elsewhere code is dearer than time
         if (edges_are_below<18>(t)) return hits<std::int64_t, Int128>(ray, t, hit);
     return hits<Int128, Int128>(ray, t, hit);
@@ -134,7 +135,7 @@ inline bool intersect(const LatticeRay& ray, const LatticeTriangle& triangle, Tr
     // Edges below 2^12 steps keep every determinant, and the sum of two that is formed of them, below 2^63; edges below
     // 2^18 still those with the normal (docs/numerics.md).
     if (ray_triangle::edges_are_below<12>(t)) return ray_triangle::hits<std::int64_t, std::int64_t>(ray, t, hit);
-    return ray_triangle::wide_hits(ray, t, hit);
+    return ray_triangle::wide_hits(ray, triangle, hit);
 }
 
 /// What the caller sees of a hit but for t, which is the whole tau: weights within 3 ulp, the unit normal's coordinates

@@ -15,8 +15,8 @@ inline auto with_leaves_of(const BlobData& blob, Function function) {
 
 /// What waits at a node on the way down: the second nearest of its children worth a visit, how near that is, and which
 /// others there are, none of them nearer. Keys are not negative, so that their bits order like integers; the lowest
-/// three make room for the child's number, which keeps the order of any two keys or makes them equal. Once the second has
-/// had its turn, a child of the others stands in its place.
+/// three make room for the child's number, which keeps the order of any two keys or makes them equal. Once the second
+/// has had its turn, a child of the others stands in its place.
 struct Waiting {
     static constexpr unsigned node_bits = 24;
     static constexpr std::uint32_t child_mask = 7;
@@ -130,7 +130,8 @@ private:
             nearest = entry < nearest ? entry : nearest;
             second = farther < second ? farther : second;
         }
-        const unsigned others = mask & ~(1u << (nearest & Waiting::child_mask)) & ~(1u << (second & Waiting::child_mask));
+        const unsigned others =
+            mask & ~(1u << (nearest & Waiting::child_mask)) & ~(1u << (second & Waiting::child_mask));
         stack[size++] = Waiting::pack(second, others, index);
         return nearest & Waiting::child_mask;
     }
@@ -138,7 +139,8 @@ private:
 
 /// All of a walk, from the root or from the node of that index on.
 template <class Leaf, class Visitor>
-inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor, std::uint32_t index = 0) {
+[[gnu::always_inline]] inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor,
+                                                          std::uint32_t index = 0) {
     NearestFirst<Leaf, Visitor> walk;
     walk.begin(index);
     while (walk.advance(blob, visitor, walk.test(blob, visitor))) {

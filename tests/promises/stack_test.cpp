@@ -86,21 +86,21 @@ TEST_SUITE("promises") {
                      (void)open(blob.opened.bytes, opened);
                  });
              })},
-            {"raycast", 3072, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
-            {"occluded", 2304, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
+            {"raycast", 1536, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
+            {"occluded", 1408, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
             {"raycast, a batch", 12288,
              batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},
             {"occluded, a batch", 12288,
              batch_row([&](const Blob& blob, const Rays& rays) { occluded(blob, rays, answers); })},
-            {"for_each_hit", 2304, ray_row([](const Blob& blob, const Ray& ray) {
+            {"for_each_hit", 1408, ray_row([](const Blob& blob, const Ray& ray) {
                  for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
              })},
-            {"overlaps", 3072,
+            {"overlaps", 2560,
              sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
-            {"for_each_overlap", 3072, sphere_row([](const Blob& blob, const Sphere& sphere) {
+            {"for_each_overlap", 2560, sphere_row([](const Blob& blob, const Sphere& sphere) {
                  for_each_overlap(blob, sphere, [](Triangle) { return keep_going; });
              })},
-            {"closest_point", 3840, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+            {"closest_point", 2560, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_point(blob, sphere.center, sphere.radius, nearest);
              })},
         };

@@ -98,7 +98,7 @@ inline bool meets_asset_in_lanes(const BlobData& blob, const LatticeRay& ray, co
     return _mm_comile_ss(_mm_max_ss(last_in, _mm_set_ss(ray.tau_min)), first_out) != 0;
 }
 
-inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+[[gnu::noinline]] inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
     if (!round_ordinary_ray(blob, world, prepared.ray)) return prepare_ray(blob, world, prepared);
     prepared.lanes = spread_in_lanes(blob, prepared.ray);
     return meets_asset_in_lanes(blob, prepared.ray, prepared.lanes);
