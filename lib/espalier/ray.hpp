@@ -89,9 +89,6 @@ struct HitCount {
 HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept;
 HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter);
 
-/// What a batch answers for a ray without a hit: no blob has as many triangles.
-inline constexpr Triangle no_triangle = {0xFFFFFFFFu};
-
 /// The closest hit of each ray, the same to the bit as one call for each, in less time: rays next to each other that
 /// have about the same origin and direction share their way through the tree (groups of 16), others are interleaved.
 /// Answers as many rays as both spans have, and leaves the rest of `hits` untouched. hits[i] belongs to rays[i]; a ray

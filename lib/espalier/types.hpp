@@ -21,6 +21,12 @@ struct Triangle {
     friend constexpr auto operator<=>(const Triangle&, const Triangle&) = default;
 };
 
+/// What a query answers with where it found none: no blob has as many triangles.
+inline constexpr Triangle no_triangle = {0xFFFFFFFFu};
+
+/// The part of a triangle that a point lies on, of several the smallest: a corner, else a side, else the face.
+enum class Feature : std::uint8_t { face, edge_ab, edge_bc, edge_ca, vertex_a, vertex_b, vertex_c };
+
 /// The three corners of a triangle, in the winding of its source; which comes first, OriginalTriangle says.
 struct Corners {
     Vec3 a;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <espalier/function_ref.hpp>
+#include <runtime/closest_few.hpp>
 #include <runtime/copies.hpp>
 #include <runtime/found.hpp>
 #include <runtime/simd/select.hpp>
@@ -11,6 +12,7 @@
     bool any_overlap(const BlobData& blob, const LatticePoint& point);                                       \
     bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit); \
     bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best);              \
+    void closest_triangles(const BlobData& blob, const LatticePoint& point, ClosestFew& few);                \
     }
 
 namespace espalier::detail {

@@ -83,6 +83,34 @@ struct ClosestTriangle {
     }
 };
 
+/// The few closest triangles.
+template <class Leaf>
+struct ClosestTriangles {
+    const LatticePoint& point;
+    const BlobData& blob;
+    ClosestFew& few;
+    float limit_;
+
+    [[nodiscard]] float limit() const { return limit_; }
+    unsigned children(const Node& node, float* keys) { return distance_test(node, point, blob, limit_, keys); }
+    Visit visit_leaf(const Leaf& leaf) {
+        for (auto candidates = point_candidates(leaf, point, limit_); candidates != 0;
+             candidates &= candidates - 1) {
+            const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
+            FoundNearest found;
+            found.triangle = leaf.triangle(slot);
+            found.distance = distance_to(point, found.triangle);
+            if (few.is_full() && found.distance.squared > few.last()) continue;
+            if (!is_within_radius(point, found.distance, point.radius)) continue;
+            found.index = owner_index(leaf, slot);
+            if (few.has(found.index)) continue;
+            few.offer(found);
+            if (few.is_full()) limit_ = minimum(few.last() * distance_slack, limit_);
+        }
+        return keep_going;
+    }
+};
+
 /// True when the callable stopped it.
 template <class OnOverlap>
 inline bool visit_every_overlap(const BlobData& blob, const LatticePoint& point, OnOverlap on_overlap) {
@@ -105,5 +133,12 @@ bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNear
         ClosestTriangle<Leaf> visitor = {point, blob, best, point.limit};
         traverse_nearest_first<Leaf>(blob, visitor);
         return visitor.found;
+    });
+}
+
+void closest_triangles(const BlobData& blob, const LatticePoint& point, ClosestFew& few) {
+    with_leaves_of(blob, [&]<class Leaf>() {
+        ClosestTriangles<Leaf> visitor = {point, blob, few, point.limit};
+        traverse_nearest_first<Leaf>(blob, visitor);
     });
 }

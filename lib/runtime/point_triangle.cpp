@@ -13,6 +13,13 @@ bool is_closer(const PointDistance& a, const PointDistance& b) {
                           Unsigned256::product(Unsigned256(b.numerator), Unsigned256(a.denominator)), 0) < 0;
 }
 
+/// Where the weights of a point of the face are zero, it lies on a side; where two are, on a corner.
+Feature feature_of(bool no_a, bool no_b, bool no_c) {
+    if (no_c) return no_b ? Feature::vertex_a : no_a ? Feature::vertex_b : Feature::edge_ab;
+    if (no_b) return no_a ? Feature::vertex_c : Feature::edge_ca;
+    return no_a ? Feature::edge_bc : Feature::face;
+}
+
 }  // namespace
 
 PointDistance distance_to(const OriginRelative& t, int bits) noexcept {
@@ -34,26 +41,30 @@ PointDistance distance_to(const OriginRelative& t, int bits) noexcept {
         const float whole = to_float(area << bits);
         face.u = to_float(weight_b) / whole;
         face.v = to_float(weight_c) / whole;
+        face.feature = feature_of(weight_a.is_zero(), weight_b.is_zero(), weight_c.is_zero());
         return face;
     }
     // Outside of the prism over the face the closest point lies on a side that the point is beyond of.
     PointDistance best;
     best.squared = infinity;
-    const auto offer = [&](const Integer3& from, const Integer3& edge, auto place) {
+    const auto offer = [&](const Integer3& from, const Integer3& edge, const point_triangle::Side& name, auto place) {
         float along = 0.0f;
-        PointDistance side = point_triangle::to_segment(from, edge, bits, along);
+        PointDistance side = point_triangle::to_segment(from, edge, bits, name, along);
         if (!is_closer(side, best)) return;
         place(side, along);
         best = side;
     };
-    if (flat || weight_c.is_negative()) offer(p, t.ab, [](PointDistance& side, float along) { side.u = along; });
-    if (flat || weight_b.is_negative()) offer(p, t.ac, [](PointDistance& side, float along) { side.v = along; });
+    if (flat || weight_c.is_negative())
+        offer(p, t.ab, point_triangle::side_ab, [](PointDistance& side, float along) { side.u = along; });
+    if (flat || weight_b.is_negative())
+        offer(p, t.ac, point_triangle::side_ac, [](PointDistance& side, float along) { side.v = along; });
     if (flat || weight_a.is_negative()) {
         const Integer3 from_b = {p.x - (t.ab.x << bits), p.y - (t.ab.y << bits), p.z - (t.ab.z << bits)};
-        offer(from_b, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, [](PointDistance& side, float along) {
-            side.u = 1.0f - along;
-            side.v = along;
-        });
+        offer(from_b, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, point_triangle::side_bc,
+              [](PointDistance& side, float along) {
+                  side.u = 1.0f - along;
+                  side.v = along;
+              });
     }
     return best;
 }

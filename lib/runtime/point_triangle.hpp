@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include <espalier/types.hpp>
 #include <runtime/lattice_point.hpp>
 #include <runtime/ray_triangle.hpp>
 #include <runtime/wide_integer.hpp>
@@ -20,6 +21,7 @@ struct PointDistance {
     float squared = 0.0f;  ///< within 6 ulp
     float u = 0.0f;        ///< weights of corners b and c at the closest point
     float v = 0.0f;
+    Feature feature = Feature::face;  ///< which part of the triangle the closest point lies on, exactly
 };
 
 namespace point_triangle {
@@ -33,16 +35,28 @@ inline void finish(PointDistance& distance, int fraction_bits) {
     distance.squared = (distance.square_numerator ? quotient * numerator : quotient) * power_of_two(-2 * fraction_bits);
 }
 
+/// A side and its ends.
+struct Side {
+    Feature edge, from, to;
+};
+inline constexpr Side side_ab = {Feature::edge_ab, Feature::vertex_a, Feature::vertex_b};
+inline constexpr Side side_bc = {Feature::edge_bc, Feature::vertex_b, Feature::vertex_c};
+inline constexpr Side side_ac = {Feature::edge_ca, Feature::vertex_a, Feature::vertex_c};
+
 /// From a point to the segment a, a + edge; `p` is the point seen from a. `along` is how far along the edge, 0..1.
-inline PointDistance to_segment(const Integer3& p, const Integer3& edge, int fraction_bits, float& along) {
+inline PointDistance to_segment(const Integer3& p, const Integer3& edge, int fraction_bits, const Side& side,
+                                float& along) {
     PointDistance result;
+    result.feature = side.edge;
     const std::int64_t forward = dot<std::int64_t>(p, edge);
     const std::int64_t length = dot<std::int64_t>(edge, edge) << fraction_bits;
     if (forward <= 0) {
         along = 0.0f;
+        result.feature = side.from;
         result.numerator = squared_length(p);
     } else if (forward >= length) {
         along = 1.0f;
+        result.feature = side.to;
         result.numerator = squared_length(
             {p.x - (edge.x << fraction_bits), p.y - (edge.y << fraction_bits), p.z - (edge.z << fraction_bits)});
     } else {

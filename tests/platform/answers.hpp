@@ -92,19 +92,29 @@ inline void ask_spheres(const Blob& blob, Questions& questions, std::uint32_t co
     }
 }
 
+inline void add_nearest(Fingerprint& fingerprint, const Blob& blob, const Nearest& nearest) {
+    fingerprint.add(nearest.point);
+    fingerprint.add(nearest.distance);
+    fingerprint.add(nearest.u);
+    fingerprint.add(nearest.v);
+    fingerprint.add(static_cast<std::uint32_t>(nearest.feature));
+    add_triangle(fingerprint, blob, nearest.triangle);
+}
+
 inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
         const Vec3 point = questions.point(number);
+        const float max_distance = questions.distance(number);
         Nearest nearest;
-        const bool found = closest_point(blob, point, questions.distance(number), nearest);
+        const bool found = closest_point(blob, point, max_distance, nearest);
         ++answers.points;
         answers.points_found += found ? 1u : 0u;
         answers.fingerprint.add(found);
-        answers.fingerprint.add(nearest.point);
-        answers.fingerprint.add(nearest.distance);
-        answers.fingerprint.add(nearest.u);
-        answers.fingerprint.add(nearest.v);
-        add_triangle(answers.fingerprint, blob, nearest.triangle);
+        add_nearest(answers.fingerprint, blob, nearest);
+        Nearest few[4];
+        const std::size_t places = closest_triangles(blob, point, max_distance, few);
+        answers.fingerprint.add(static_cast<std::uint32_t>(places));
+        for (std::size_t i = 0; i < places; ++i) add_nearest(answers.fingerprint, blob, few[i]);
     }
 }
 

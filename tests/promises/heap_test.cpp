@@ -44,6 +44,8 @@ TEST_SUITE("promises") {
                 found += occluded(blob, ray) ? 1u : 0u;
                 found += overlaps(blob, sphere) ? 1u : 0u;
                 found += closest_point(blob, sphere.center, sphere.radius, nearest) ? 1u : 0u;
+                std::array<Nearest, 20> few;
+                found += closest_triangles(blob, sphere.center, sphere.radius, few) != 0 ? 1u : 0u;
                 const std::array<Ray, 20> rays = {ray, ray, maker.any_ray()};
                 std::array<RayHit, 20> hits;
                 std::array<std::uint8_t, 20> answers;

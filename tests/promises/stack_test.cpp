@@ -56,6 +56,7 @@ TEST_SUITE("promises") {
         };
         RayHit hit;
         Nearest nearest;
+        std::array<Nearest, 16> few;
         const auto ray_row = [&](auto query) {
             return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
                 const Ray ray = maker.any_ray();
@@ -102,6 +103,9 @@ TEST_SUITE("promises") {
              })},
             {"closest_point", 2560, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_point(blob, sphere.center, sphere.radius, nearest);
+             })},
+            {"closest_triangles", 3840, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                 closest_triangles(blob, sphere.center, sphere.radius, few);
              })},
         };
         for (const Row& row : rows) {

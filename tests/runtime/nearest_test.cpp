@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <espalier/nearest.hpp>
 #include <espalier/overlap.hpp>
 
+#include "../support/differences.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
@@ -153,6 +155,67 @@ TEST_SUITE("closest points") {
                 if (found) REQUIRE(nearest.distance <= sphere.radius);
             }
         }
+    }
+
+    TEST_CASE("the closest point says whether it lies on a face, a side or a corner") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        Nearest nearest;
+        REQUIRE(closest_point(cube.blob, {0.25f, 0.5f, 3.0f}, infinity, nearest));
+        CHECK(nearest.feature == Feature::face);
+        REQUIRE(closest_point(cube.blob, {0.25f, 2.0f, 3.0f}, infinity, nearest));
+        CHECK(nearest.feature >= Feature::edge_ab);
+        CHECK(nearest.feature <= Feature::edge_ca);
+        REQUIRE(closest_point(cube.blob, {4.0f, 5.0f, 13.0f}, infinity, nearest));
+        CHECK(nearest.feature >= Feature::vertex_a);
+        REQUIRE(closest_point(cube.blob, {0.25f, 0.25f, 3.0f}, infinity, nearest));  // above a face's diagonal
+        CHECK(nearest.feature != Feature::face);
+        CHECK(nearest.distance == 2.0f);
+    }
+
+    TEST_CASE(
+        "the few closest triangles are sorted, end with the array or the distance, and leave the rest untouched") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        std::array<Nearest, 14> nearest;
+        const Vec3 above{0.25f, 0.5f, 3.0f};
+        REQUIRE(closest_triangles(cube.blob, above, infinity, nearest) == 12);
+        for (std::size_t i = 1; i < 12; ++i) {
+            const bool equal = nearest[i].distance == nearest[i - 1].distance;
+            CHECK(nearest[i].distance >= nearest[i - 1].distance);
+            if (equal) CHECK(nearest[i].triangle > nearest[i - 1].triangle);
+        }
+        CHECK(same_bits(nearest[12], Nearest{}));
+        Nearest first;
+        REQUIRE(closest_point(cube.blob, above, infinity, first));
+        CHECK(same_bits(nearest[0], first));
+
+        std::array<Nearest, 3> few;
+        REQUIRE(closest_triangles(cube.blob, above, infinity, few) == 3);
+        for (std::size_t i = 0; i < few.size(); ++i) CHECK(same_bits(few[i], nearest[i]));
+        // The two of the upper face and, 2.062 away, the one that shares its side
+        CHECK(closest_triangles(cube.blob, above, 2.0625f, nearest) == 3);
+        CHECK(closest_triangles(cube.blob, above, 2.0f, nearest) == 1);
+        CHECK(closest_triangles(cube.blob, above, 1.99f, nearest) == 0);
+        CHECK(closest_triangles(cube.blob, above, -1.0f, nearest) == 0);
+        CHECK(closest_triangles(cube.blob, {std::nanf(""), 0.0f, 0.0f}, infinity, nearest) == 0);
+        CHECK(closest_triangles(cube.blob, above, infinity, {}) == 0);
+        CHECK(closest_triangles(Blob(), above, infinity, nearest) == 0);
+    }
+
+    TEST_CASE("a triangle that has copies is among the closest once") {
+        BakeOptions options = with_profile(format::Profile::fast);
+        options.builder = Builder::spatial_splits;
+        options.duplicates = 1.0;
+        const OpenedBlob opened(make_soup(400, 3), options);
+        REQUIRE(opened.blob.copy_count() > 0);
+        const DecodedBlob decoded = decode(opened.bytes);
+        const TriangleLoop loop(decoded);
+        QueryMaker maker(decoded, 960);
+        std::uint64_t hits = 0;
+        for (std::uint64_t i = 0; i < scaled(500); ++i) {
+            const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), hits);
+            REQUIRE_MESSAGE(!difference, *difference);
+        }
+        CHECK(hits > 1000);
     }
 
     TEST_CASE("the weights lead to the point") {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -33,6 +34,20 @@ Rational exact_square(const PointDistance& distance, int fraction_bits) {
     Rational numerator = exact(distance.numerator);
     if (distance.square_numerator) numerator *= numerator;
     return numerator / exact(distance.denominator) * Rational::of(1, -2 * fraction_bits);
+}
+
+/// Which part of the triangle a point of it lies on.
+Feature exact_feature(const oracle::Triangle& t, const oracle::Point& p) {
+    if (p == t.a) return Feature::vertex_a;
+    if (p == t.b) return Feature::vertex_b;
+    if (p == t.c) return Feature::vertex_c;
+    const auto is_on = [&](const oracle::Point& from, const oracle::Point& to) {
+        return oracle::normal_of({from, to, p}) == oracle::Point(0, 0, 0);
+    };
+    return is_on(t.a, t.b)   ? Feature::edge_ab
+           : is_on(t.b, t.c) ? Feature::edge_bc
+           : is_on(t.c, t.a) ? Feature::edge_ca
+                             : Feature::face;
 }
 
 struct Case {
@@ -75,12 +90,13 @@ bool some_case(Random& random, Case& result) {
 }  // namespace
 
 TEST_SUITE("distance kernel against the oracle") {
-    TEST_CASE("the squared distance is exact as a quotient and within 6 ulp as a float") {
+    TEST_CASE("the squared distance is exact as a quotient and within 6 ulp as a float, the feature is exact") {
         Random random(1);
         Rational worst = 0;
         std::uint64_t zero = 0;
         std::uint64_t face = 0;
         std::uint64_t checked = 0;
+        std::array<std::uint64_t, 7> features{};
         const std::uint64_t count = scaled(20'000);
         for (std::uint64_t i = 0; i < count; ++i) {
             Case c;
@@ -90,6 +106,8 @@ TEST_SUITE("distance kernel against the oracle") {
             const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
             REQUIRE(exact_square(distance, c.point.fraction_bits) == closest.squared_distance);
             worst = std::max(worst, oracle::error_in_ulp(distance.squared, closest.squared_distance));
+            REQUIRE(distance.feature == exact_feature(triangle, closest.point));
+            ++features.at(static_cast<std::size_t>(distance.feature));
             // The weights lead to the closest point, to the precision of the triangle's size.
             const Rational u = Rational::of(distance.u);
             const Rational v = Rational::of(distance.v);
@@ -107,6 +125,7 @@ TEST_SUITE("distance kernel against the oracle") {
         CHECK(checked > count / 2);
         CHECK(zero > count / 100);
         CHECK(face > count / 50);
+        for (const std::uint64_t met : features) CHECK(met > count / 100);
     }
 
     TEST_CASE("whether a triangle is within a radius is decided exactly, touching counts") {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <espalier/nearest.hpp>
+#include <runtime/nearest_world.hpp>
 
 #include "instruction_paths.hpp"
 #include "query_maker.hpp"
@@ -22,12 +23,13 @@ std::string difference(const char* path, const char* what, const Ray& ray) {
     return std::string(path) + ": " + what + " differs: " + describe(ray);
 }
 
-/// How many places the first hits are given: some rays get none, some more than they need.
-std::size_t places_for(const Ray& ray) {
+/// How many places an array of answers is given: some queries get none, some more than they need.
+std::size_t places_for(float one, float other) {
     constexpr std::size_t places[] = {0, 1, 2, 3, 5, 17, 64, 4096};
-    const auto bits = std::bit_cast<std::uint32_t>(ray.origin.x) ^ std::bit_cast<std::uint32_t>(ray.direction.y);
+    const auto bits = std::bit_cast<std::uint32_t>(one) ^ std::bit_cast<std::uint32_t>(other);
     return places[(bits ^ bits >> 11 ^ bits >> 22) % std::size(places)];
 }
+std::size_t places_for(const Ray& ray) { return places_for(ray.origin.x, ray.direction.y); }
 
 struct RayAnswers {
     std::optional<RayHit> closest;
@@ -179,8 +181,23 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
         return std::nullopt;
     }
     const std::vector<std::uint32_t> expected = loop.every_overlap(rounded);
-    const auto closest = loop.closest_triangle(rounded);
+    const std::vector<detail::FoundNearest> by_distance = loop.by_distance(rounded);
+    const bool any_closest = !by_distance.empty();
     hits += expected.size();
+    const std::size_t places = places_for(sphere.center.x, sphere.center.y);
+    std::vector<Nearest> row;
+    for (std::size_t i = 0; i < std::min(places, by_distance.size()); ++i) {
+        // The runtime's own translation: the traversal, not the translation, is compared here.
+        row.push_back(detail::to_nearest(blob.data(), by_distance[i]));
+        row.back().distance = detail::to_world_distance(blob.data(), by_distance[i].distance.squared,
+                                                        rounded.distance_offset, sphere.radius);
+    }
+    const auto is_row = [&](auto&& fill) {
+        std::vector<Nearest> filled(places);
+        filled.resize(fill(std::span<Nearest>(filled)));
+        return std::equal(filled.begin(), filled.end(), row.begin(), row.end(),
+                          [](const Nearest& a, const Nearest& b) { return same_bits(a, b); });
+    };
     const auto matches = [&](auto&& enumerate) {
         if (blob.copy_count() != 0) return true;  // refused, which has a claim of its own
         std::size_t seen = 0;
@@ -197,19 +214,30 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
             return difference_at(path.name, "the row of all overlaps");
         }
         detail::FoundNearest found{};
-        if (path.closest_triangle(blob.data(), rounded, found) != closest.has_value()) {
+        if (path.closest_triangle(blob.data(), rounded, found) != any_closest) {
             return difference_at(path.name, "whether there is a closest triangle");
         }
-        if (closest && !same_bits(found, *closest)) return difference_at(path.name, "the closest triangle");
+        if (any_closest && !same_bits(found, by_distance[0])) return difference_at(path.name, "the closest triangle");
+        const bool same_row = places == 0 || is_row([&](std::span<Nearest> filled) {
+                                  detail::ClosestFew few(blob.data(), filled);
+                                  path.closest_triangles(blob.data(), rounded, few);
+                                  return few.finish(rounded.distance_offset, sphere.radius);
+                              });
+        if (!same_row) return difference_at(path.name, "the row of the closest triangles");
     }
     if (overlaps(blob, sphere) == expected.empty()) return difference_at("overlaps", "the answer");
     if (!matches([&](auto visit) { return for_each_overlap(blob, sphere, visit); })) {
         return difference_at("for_each_overlap", "the row of all overlaps");
     }
-    if (closest_point(blob, sphere.center, sphere.radius, nearest) != closest.has_value()) {
+    if (closest_point(blob, sphere.center, sphere.radius, nearest) != any_closest) {
         return difference_at("closest_point", "whether there is one");
     }
-    if (closest && nearest.triangle.index != closest->index) return difference_at("closest_point", "the triangle");
+    if (any_closest && nearest.triangle.index != by_distance[0].index)
+        return difference_at("closest_point", "the triangle");
+    if (!row.empty() && !same_bits(nearest, row[0])) return difference_at("closest_point", "the answer");
+    if (!is_row(
+            [&](std::span<Nearest> filled) { return closest_triangles(blob, sphere.center, sphere.radius, filled); }))
+        return difference_at("closest_triangles", "the row");
     return std::nullopt;
 }
 

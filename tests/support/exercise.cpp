@@ -176,15 +176,33 @@ void exercise_spheres(Exercise& run) {
     });
     verdict.require((visited > 0) == (any && blob.copy_count() == 0), "for_each_overlap and overlaps disagree");
 
+}
+
+void check_nearest(Exercise& run, const Nearest& nearest) {
+    run.verdict.require(nearest.triangle.index < run.blob.triangle_count(), "the nearest triangle does not exist");
+    run.verdict.require(nearest.distance >= 0.0f, "the nearest distance is negative or NaN");
+    run.verdict.require(nearest.feature <= Feature::vertex_c, "the nearest point lies on no feature");
+    run.hash.add(nearest.triangle.index);
+    run.hash.add(nearest.distance);
+    run.hash.add(nearest.u);
+    run.hash.add(nearest.v);
+    run.hash.add(nearest.point);
+    run.hash.add(static_cast<std::uint32_t>(nearest.feature));
+}
+
+void exercise_distances(Exercise& run) {
+    const Blob& blob = run.blob;
+    const Vec3 point = some_point(blob, run.random);
+    const float max_distance = some_length(blob, run.random);
     Nearest nearest;
-    if (closest_point(blob, some_point(blob, random), some_length(blob, random), nearest)) {
-        verdict.require(nearest.triangle.index < blob.triangle_count(), "the nearest triangle does not exist");
-        verdict.require(nearest.distance >= 0.0f, "the nearest distance is negative or NaN");
-        hash.add(nearest.triangle.index);
-        hash.add(nearest.distance);
-        hash.add(nearest.u);
-        hash.add(nearest.v);
-        hash.add(nearest.point);
+    const bool found = closest_point(blob, point, max_distance, nearest);
+    if (found) check_nearest(run, nearest);
+    std::array<Nearest, 9> few;
+    const std::size_t count = closest_triangles(blob, point, max_distance, few);
+    run.verdict.require((count > 0) == found && count <= few.size(), "closest_triangles and closest_point disagree");
+    for (std::size_t i = 0; i < count; ++i) {
+        check_nearest(run, few[i]);
+        run.verdict.require(i == 0 || few[i].distance >= few[i - 1].distance, "the closest triangles are not sorted");
     }
 }
 
@@ -232,6 +250,7 @@ std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds) {
     for (unsigned i = 0; i < rounds; ++i) {
         exercise_rays(run);
         exercise_spheres(run);
+        exercise_distances(run);
     }
     run.verdict.speak();
     return run.hash.value();

@@ -2,11 +2,11 @@
 
 #include <runtime/simd/select.hpp>
 
-#define ESPALIER_PATH(set)                                                                                              \
-    InstructionPath {                                                                                                   \
-#set, detail::set::closest_hit, detail::set::first_hits, detail::set::any_hit, detail::set::every_hit,          \
-            detail::set::closest_hits, detail::set::any_hits, detail::set::any_overlap, detail::set::every_overlap,     \
-            detail::set::closest_triangle                                                                               \
+#define ESPALIER_PATH(set)                                                                                          \
+    InstructionPath {                                                                                               \
+#set, detail::set::closest_hit, detail::set::first_hits, detail::set::any_hit, detail::set::every_hit,      \
+            detail::set::closest_hits, detail::set::any_hits, detail::set::any_overlap, detail::set::every_overlap, \
+            detail::set::closest_triangle, detail::set::closest_triangles                                           \
     }
 
 namespace espalier::tests {

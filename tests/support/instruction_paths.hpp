@@ -20,6 +20,7 @@ struct InstructionPath {
     decltype(&detail::scalar::any_overlap) any_overlap;
     decltype(&detail::scalar::every_overlap) every_overlap;
     decltype(&detail::scalar::closest_triangle) closest_triangle;
+    decltype(&detail::scalar::closest_triangles) closest_triangles;
 };
 
 const std::vector<InstructionPath>& instruction_paths();

@@ -21,7 +21,7 @@ inline bool same_bits(const RayHit& a, const RayHit& b) {
 
 inline bool same_bits(const Nearest& a, const Nearest& b) {
     return same_bits(a.point, b.point) && same_bits(a.distance, b.distance) && same_bits(a.u, b.u) &&
-           same_bits(a.v, b.v) && a.triangle == b.triangle;
+           same_bits(a.v, b.v) && a.triangle == b.triangle && a.feature == b.feature;
 }
 
 inline bool same_corners(const detail::LatticeTriangle& a, const detail::LatticeTriangle& b) {
@@ -37,7 +37,7 @@ inline bool same_bits(const detail::FoundNearest& a, const detail::FoundNearest&
     return same_bits(a.distance.squared, b.distance.squared) && same_bits(a.distance.u, b.distance.u) &&
            same_bits(a.distance.v, b.distance.v) && a.distance.numerator == b.distance.numerator &&
            a.distance.denominator == b.distance.denominator && a.index == b.index &&
-           same_corners(a.triangle, b.triangle);
+           a.distance.feature == b.distance.feature && same_corners(a.triangle, b.triangle);
 }
 
 }  // namespace espalier::tests

@@ -1,5 +1,7 @@
 #include "triangle_loop.hpp"
 
+#include <algorithm>
+
 namespace espalier::tests {
 
 TriangleLoop::TriangleLoop(const DecodedBlob& decoded) : owners_(decoded.owners) {
@@ -29,15 +31,17 @@ std::vector<std::uint32_t> TriangleLoop::every_overlap(const detail::LatticePoin
     return found;
 }
 
-std::optional<detail::FoundNearest> TriangleLoop::closest_triangle(const detail::LatticePoint& point) const {
-    std::optional<detail::FoundNearest> best;
+std::vector<detail::FoundNearest> TriangleLoop::by_distance(const detail::LatticePoint& point) const {
+    std::vector<detail::FoundNearest> found;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
         if (owners_[i] != i) continue;
         const detail::PointDistance distance = detail::distance_to(point, triangles_[i]);
-        if (!detail::is_within_radius(point, distance, point.radius)) continue;
-        if (!best || distance.squared < best->distance.squared) best = {distance, i, triangles_[i]};
+        if (detail::is_within_radius(point, distance, point.radius)) found.push_back({distance, i, triangles_[i]});
     }
-    return best;
+    std::stable_sort(found.begin(), found.end(), [](const detail::FoundNearest& a, const detail::FoundNearest& b) {
+        return a.distance.squared < b.distance.squared;
+    });
+    return found;
 }
 
 }  // namespace espalier::tests

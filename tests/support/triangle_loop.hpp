@@ -20,7 +20,8 @@ public:
     /// In storage order.
     [[nodiscard]] std::vector<detail::FoundHit> every_hit(const detail::LatticeRay& ray) const;
     [[nodiscard]] std::vector<std::uint32_t> every_overlap(const detail::LatticePoint& point) const;
-    [[nodiscard]] std::optional<detail::FoundNearest> closest_triangle(const detail::LatticePoint& point) const;
+    /// All within the radius, sorted by distance and index.
+    [[nodiscard]] std::vector<detail::FoundNearest> by_distance(const detail::LatticePoint& point) const;
 
 private:
     std::vector<detail::LatticeTriangle> triangles_;
