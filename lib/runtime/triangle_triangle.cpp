@@ -16,14 +16,6 @@ struct Narrow {
     static bool is_zero(const Normal& n) { return (n.x | n.y | n.z) == 0; }
 };
 
-/// The product modulo 2^128.
-Int128 multiply(Int128 a, std::int64_t b) {
-    const Int128 low = a.low >> 63 == 0 ? detail::multiply(static_cast<std::int64_t>(a.low), b)
-                                        : detail::multiply(static_cast<std::int64_t>(a.low), b) + Int128(b, 0);
-    const std::uint64_t high = static_cast<std::uint64_t>(a.high) * static_cast<std::uint64_t>(b);
-    return {static_cast<std::int64_t>(static_cast<std::uint64_t>(low.high) + high), low.low};
-}
-
 /// For coordinates that differ by less than 2^39: a normal's stay below 2^79, 3 products of one below 2^119.6.
 struct Wide {
     struct Normal {

@@ -56,6 +56,12 @@ struct Int128 {
         return {static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) << shift | a.low >> (64 - shift)),
                 a.low << shift};
     }
+    /// a / 2^shift, rounded down, 0 <= shift < 128.
+    friend constexpr Int128 operator>>(Int128 a, int shift) {
+        if (shift >= 64) return {a.high < 0 ? -1 : 0, static_cast<std::uint64_t>(a.high >> (shift - 64))};
+        if (shift == 0) return a;
+        return {a.high >> shift, static_cast<std::uint64_t>(a.high) << (64 - shift) | a.low >> shift};
+    }
 };
 
 /// The full product of two words.
@@ -87,6 +93,14 @@ constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
     if (b < 0) high -= static_cast<std::uint64_t>(a);
     return {static_cast<std::int64_t>(high), low};
 #endif
+}
+
+/// The product, which must fit.
+constexpr Int128 multiply(Int128 a, std::int64_t b) {
+    const Int128 low = multiply(static_cast<std::int64_t>(a.low), b);  // of the low word read as a signed one
+    const std::uint64_t above = static_cast<std::uint64_t>(a.high) + (a.low >> 63);
+    return {static_cast<std::int64_t>(static_cast<std::uint64_t>(low.high) + above * static_cast<std::uint64_t>(b)),
+            low.low};
 }
 
 constexpr bool is_negative(std::int64_t a) { return a < 0; }

@@ -75,7 +75,7 @@ TEST_SUITE("far queries") {
         CHECK(nearest.point.x == 0.0f);
         const double exact = std::hypot(1.5 * 0x1p32, static_cast<double>(top) - 1000.0);
         CHECK(std::abs(static_cast<double>(nearest.distance) - exact) < exact * 0x1p-22);
-        CHECK(overlaps(blob.blob, {point, static_cast<float>(exact * (1.0 + 0x1p-21))}));
+        CHECK(overlaps(blob.blob, Sphere{point, static_cast<float>(exact * (1.0 + 0x1p-21))}));
     }
 
     TEST_CASE("no query raises a division by zero") {
@@ -84,7 +84,7 @@ TEST_SUITE("far queries") {
         RayHit hit;
         CHECK(raycast(stack.blob, {{8.0f, 8.0f, 100.0f}, {0.0f, 0.0f, -1.0f}}, hit));
         CHECK(raycast(stack.blob, {{9.0f, 8.0f, 100.0f}, {0.1f, 0.2f, -1.0f}}, hit));
-        CHECK(overlaps(stack.blob, {{8.0f, 8.0f, 1.0f}, 0.5f}));
+        CHECK(overlaps(stack.blob, Sphere{{8.0f, 8.0f, 1.0f}, 0.5f}));
         CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
     }
 }

@@ -67,32 +67,32 @@ TEST_SUITE("queries against the oracle") {
 TEST_SUITE("spheres") {
     TEST_CASE("touching counts, to the last bit") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        CHECK(overlaps(cube.blob, {{0.25f, 0.5f, 3.0f}, 2.0f}));
-        CHECK_FALSE(overlaps(cube.blob, {{0.25f, 0.5f, 3.0f}, std::nextafter(2.0f, 0.0f)}));
+        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 3.0f}, 2.0f}));
+        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 3.0f}, std::nextafter(2.0f, 0.0f)}));
         // From a corner: 3, 4, 12 and 13.
-        CHECK(overlaps(cube.blob, {{4.0f, 5.0f, 13.0f}, 13.0f}));
-        CHECK_FALSE(overlaps(cube.blob, {{4.0f, 5.0f, 13.0f}, std::nextafter(13.0f, 0.0f)}));
+        CHECK(overlaps(cube.blob, Sphere{{4.0f, 5.0f, 13.0f}, 13.0f}));
+        CHECK_FALSE(overlaps(cube.blob, Sphere{{4.0f, 5.0f, 13.0f}, std::nextafter(13.0f, 0.0f)}));
     }
 
     TEST_CASE("the triangles are a surface: a sphere inside a closed mesh that touches none overlaps none") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        CHECK_FALSE(overlaps(cube.blob, {{0.0f, 0.0f, 0.0f}, 0.875f}));
-        CHECK(count_overlaps(cube.blob, {{0.0f, 0.0f, 0.0f}, 1.0f}) == 12);
+        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 0.875f}));
+        CHECK(count_overlaps(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 1.0f}) == 12);
     }
 
     TEST_CASE("radius 0 is a point, an infinite radius is everything, a negative one and a NaN are nothing") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const float infinity = std::numeric_limits<float>::infinity();
         const float nan = std::numeric_limits<float>::quiet_NaN();
-        CHECK(overlaps(cube.blob, {{0.25f, 0.5f, 1.0f}, 0.0f}));
-        CHECK(overlaps(cube.blob, {{0.25f, 0.5f, 1.0f}, -0.0f}));
-        CHECK_FALSE(overlaps(cube.blob, {{0.25f, 0.5f, 1.5f}, 0.0f}));
-        CHECK(count_overlaps(cube.blob, {{1e30f, 0.0f, 0.0f}, infinity}) == 12);
-        CHECK_FALSE(overlaps(cube.blob, {{0.0f, 0.0f, 1.0f}, -1.0f}));
-        CHECK_FALSE(overlaps(cube.blob, {{0.0f, 0.0f, 1.0f}, nan}));
-        CHECK_FALSE(overlaps(cube.blob, {{0.0f, nan, 1.0f}, 1.0f}));
-        CHECK_FALSE(overlaps(cube.blob, {{0.0f, infinity, 1.0f}, infinity}));
-        CHECK_FALSE(overlaps(Blob(), {{0.0f, 0.0f, 0.0f}, infinity}));
+        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.0f}, 0.0f}));
+        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.0f}, -0.0f}));
+        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.5f}, 0.0f}));
+        CHECK(count_overlaps(cube.blob, Sphere{{1e30f, 0.0f, 0.0f}, infinity}) == 12);
+        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 1.0f}, -1.0f}));
+        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 1.0f}, nan}));
+        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, nan, 1.0f}, 1.0f}));
+        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, infinity, 1.0f}, infinity}));
+        CHECK_FALSE(overlaps(Blob(), Sphere{{0.0f, 0.0f, 0.0f}, infinity}));
     }
 
     TEST_CASE("a visitor of overlaps that stops is not called again and the walk says so") {

@@ -62,6 +62,6 @@ TEST_SUITE("statistics") {
         const bool found = raycast(cube.blob, ray, by_function, is_even);
         REQUIRE(raycast(cube.blob, ray, by_lambda, [](Triangle t) { return t.index % 2 == 0; }) == found);
         if (found) CHECK(same_bits(by_function, by_lambda));
-        CHECK_FALSE(for_each_overlap(cube.blob, {{0.0f, 0.0f, 0.0f}, 9.0f}, stop_at_once));
+        CHECK_FALSE(for_each_overlap(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 9.0f}, stop_at_once));
     }
 }

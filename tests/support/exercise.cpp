@@ -206,6 +206,62 @@ void exercise_distances(Exercise& run) {
     }
 }
 
+/// The three ways of asking about one shape.
+template <class Shape>
+void exercise_volume(Exercise& run, const Shape& shape) {
+    const Blob& blob = run.blob;
+    Verdict& verdict = run.verdict;
+    const bool any = overlaps(blob, shape);
+    std::array<Triangle, 16> seen;
+    std::uint32_t visited = 0;
+    for_each_overlap(blob, shape, [&](Triangle triangle) {
+        verdict.require(triangle.index < blob.triangle_count(), "a volume overlaps a triangle that does not exist");
+        verdict.require(visited == 0 || triangle.index > seen[visited - 1].index, "overlaps are not in storage order");
+        seen[visited] = triangle;
+        return ++visited == seen.size() ? stop : keep_going;
+    });
+    verdict.require((visited > 0) == (any && blob.copy_count() == 0), "a visitor of overlaps and any overlap disagree");
+    std::array<Triangle, 5> page;
+    std::uint32_t first = 0;
+    for (std::uint32_t found = 0; found + page.size() <= seen.size();) {
+        const OverlapPage answer = collect_overlaps(blob, shape, page, first);
+        verdict.require(answer.count <= page.size(), "a page of overlaps has more than it can hold");
+        for (std::uint32_t i = 0; i < answer.count; ++i, ++found) {
+            verdict.require(found < visited && page[i] == seen[found], "a page of overlaps and the visitor disagree");
+            run.hash.add(page[i].index);
+        }
+        if (answer.status != QueryStatus::output_full) {
+            verdict.require(answer.status != QueryStatus::ok || found == visited, "pages of overlaps end too early");
+            break;
+        }
+        first = answer.next;
+    }
+    const auto anywhere = static_cast<std::uint32_t>(run.random.next());
+    run.hash.add(collect_overlaps(blob, shape, page, anywhere).next);
+}
+
+void exercise_volumes(Exercise& run) {
+    const Blob& blob = run.blob;
+    Random& random = run.random;
+    const Vec3 a = some_point(blob, random), b = some_point(blob, random), c = some_point(blob, random);
+    const Vec3 d = some_point(blob, random);
+    const float length = some_length(blob, random);
+    exercise_volume(run, Sphere{a, length});
+    exercise_volume(run, Capsule{a, b, length});
+    exercise_volume(run, Box{a, b});
+    exercise_volume(run, Box{{a.x, a.y, a.z}, {a.x + length, a.y + length, a.z + length}});
+    exercise_volume(run, OrientedBox{a, {b, c, d}});
+    exercise_volume(run, OrientedBox{a, {{length, 0.0f, length}, {b.x - a.x, b.y - a.y, b.z - a.z}, {}}});
+    exercise_volume(run, Corners{a, b, c});
+    std::array<Plane, max_planes + 1> planes;
+    for (Plane& plane : planes) {
+        const Vec3 on = some_point(blob, random), normal = random.below(8) == 0 ? on : random.in_cube(1.0f);
+        plane = {normal, normal.x * on.x + normal.y * on.y + normal.z * on.z + 0.1f * length};
+    }
+    const std::size_t count = random.coin() ? random.below(7) : random.below(planes.size() + 1);
+    exercise_volume(run, std::span<const Plane>(planes).first(count));
+}
+
 void exercise_lookups(Exercise& run) {
     const Blob& blob = run.blob;
     Random& random = run.random;
@@ -250,6 +306,7 @@ std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds) {
     for (unsigned i = 0; i < rounds; ++i) {
         exercise_rays(run);
         exercise_spheres(run);
+        exercise_volumes(run);
         exercise_distances(run);
     }
     run.verdict.speak();

@@ -31,6 +31,13 @@ std::vector<std::uint32_t> TriangleLoop::every_overlap(const detail::LatticePoin
     return found;
 }
 
+std::vector<std::uint32_t> TriangleLoop::every_overlap(const detail::Volume& volume) const {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+        if (owners_[i] == i && volume.meets(volume, triangles_[i])) found.push_back(i);
+    return found;
+}
+
 std::vector<detail::FoundNearest> TriangleLoop::by_distance(const detail::LatticePoint& point) const {
     std::vector<detail::FoundNearest> found;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/found.hpp>
+#include <runtime/volume.hpp>
 
 #include "decoder.hpp"
 
@@ -20,6 +21,8 @@ public:
     /// In storage order.
     [[nodiscard]] std::vector<detail::FoundHit> every_hit(const detail::LatticeRay& ray) const;
     [[nodiscard]] std::vector<std::uint32_t> every_overlap(const detail::LatticePoint& point) const;
+    /// Of a volume that was rounded and is not empty.
+    [[nodiscard]] std::vector<std::uint32_t> every_overlap(const detail::Volume& volume) const;
     /// All within the radius, sorted by distance and index.
     [[nodiscard]] std::vector<detail::FoundNearest> by_distance(const detail::LatticePoint& point) const;
 

@@ -1,0 +1,60 @@
+// Boxes of a node against integer bounds: eight children at once, a byte each, with no float and no vector registers.
+#pragma once
+
+#include <cstdint>
+
+#include <runtime/codec_node.hpp>
+
+namespace espalier::detail {
+
+/// Lattice steps, both ends included; no more than bounds_limit either way. Where low is above high along an axis no
+/// vertex is inside, but something between two lattice planes may be.
+struct IntegerBounds {
+    std::int32_t low[3];
+    std::int32_t high[3];
+};
+
+/// Beyond every box that a node can hold, and small enough that differences fit.
+inline constexpr std::int32_t bounds_limit = 1 << 26;
+
+constexpr std::int32_t clamp_to_bounds(std::int64_t steps) {
+    return static_cast<std::int32_t>(steps < -bounds_limit  ? -bounds_limit
+                                     : steps > bounds_limit ? bounds_limit
+                                                            : steps);
+}
+
+inline constexpr std::uint64_t byte_tops = 0x8080808080808080u;
+
+/// The byte, eight times.
+constexpr std::uint64_t eight_of(std::int32_t byte) { return static_cast<std::uint64_t>(byte) * 0x0101010101010101u; }
+
+/// For each of eight bytes its top bit: whether a >= b. The other bits mean nothing.
+constexpr std::uint64_t bytes_at_least(std::uint64_t a, std::uint64_t b) {
+    const std::uint64_t low_bits = (a | byte_tops) - (b & ~byte_tops);  // no byte borrows from the next
+    return (a & ~b) | (~(a ^ b) & low_bits);
+}
+
+/// Top bits of eight bytes, side by side: byte i becomes bit i.
+constexpr unsigned tops_of(std::uint64_t bytes) {
+    return static_cast<unsigned>(((bytes & byte_tops) >> 7) * 0x0102040810204080u >> 56);
+}
+
+inline unsigned all_children(const Node& node) { return (1u << (node.node_children() + node.leaf_children())) - 1u; }
+
+/// The children whose box meets the bounds, exactly: the bounds are moved into the node's grid once, outward from its
+/// planes.
+inline unsigned children_within(const Node& node, unsigned bits, const IntegerBounds& bounds) {
+    std::uint64_t inside = ~std::uint64_t{0};
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t base = node.base(k, bits);
+        const unsigned shift = node.shift(k);
+        const std::int32_t high = (bounds.high[k] - base) >> shift;
+        const std::int32_t low = -((base - bounds.low[k]) >> shift);
+        if (high < 0 || low > 255) return 0;
+        inside &= bytes_at_least(eight_of(high < 255 ? high : 255), load_u64(node.low_planes(k)));
+        inside &= bytes_at_least(load_u64(node.high_planes(k)), eight_of(low > 0 ? low : 0));
+    }
+    return tops_of(inside) & all_children(node);
+}
+
+}  // namespace espalier::detail

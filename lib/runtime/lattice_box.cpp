@@ -1,0 +1,91 @@
+#include <runtime/lattice_box.hpp>
+
+#include <runtime/lattice_round.hpp>
+
+namespace espalier::detail {
+
+QueryStatus round_volume(const BlobData& blob, const Box& world, LatticeBox& box) noexcept {
+    if (is_nan(world.min) || is_nan(world.max)) return QueryStatus::invalid_argument;
+    const float min[3] = {world.min.x, world.min.y, world.min.z};
+    const float max[3] = {world.max.x, world.max.y, world.max.z};
+    constexpr int fine = LatticeBox::fraction_bits - 1;
+    for (int k = 0; k < 3; ++k) {
+        if (flush_subnormal(min[k]) > flush_subnormal(max[k])) return QueryStatus::ok;
+        // No triangle is beyond the asset's box: a step outside of it is as good as infinitely far.
+        const float last = blob.extent_steps[k] + 1.0f;
+        const auto rounded = [&](float coordinate) {
+            const float steps = to_steps(blob, k, coordinate);
+            return to_grid(steps < -1.0f ? -1.0f : steps > last ? last : steps, fine);
+        };
+        const std::int64_t low = rounded(min[k]);
+        const std::int64_t high = rounded(max[k]);
+        box.center[k] = low + high;
+        box.half[k] = high - low;
+        box.bounds.low[k] = static_cast<std::int32_t>(-(-low >> fine));
+        box.bounds.high[k] = static_cast<std::int32_t>(high >> fine);
+    }
+    box.is_empty = false;
+    box.encloses_exactly = true;
+    box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
+        return meets(static_cast<const LatticeBox&>(volume), triangle);
+    };
+    return QueryStatus::ok;
+}
+
+namespace {
+
+std::int64_t magnitude(std::int64_t a) { return a < 0 ? -a : a; }
+
+/// Whether the triangle's plane has the box on one side. Coordinates of the corner stay below 2^33 (docs/numerics.md).
+template <class Sum>
+bool is_beside_plane(const LatticeBox& box, const OriginRelative& t) {
+    const Integer3 normal = cross(t.ab, t.ac);
+    const Sum distance = dot<Sum>(normal, t.a);
+    const Sum reach = dot<Sum>({magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)},
+                               {box.half[0], box.half[1], box.half[2]});
+    return reach < distance || distance < -reach;
+}
+[[gnu::noinline]] bool is_beside_wide_plane(const LatticeBox& box, const OriginRelative& t) {
+    return is_beside_plane<Int128>(box, t);
+}
+
+}  // namespace
+
+bool meets(const LatticeBox& box, const LatticeTriangle& triangle) noexcept {
+    std::int64_t corner[3][3];  // seen from the center
+    for (int k = 0; k < 3; ++k) {
+        std::int64_t low = 0, high = 0;
+        for (int i = 0; i < 3; ++i) {
+            const std::int64_t at = (std::int64_t{triangle.corner[i][k]} << LatticeBox::fraction_bits) - box.center[k];
+            corner[i][k] = at;
+            low = i == 0 || at < low ? at : low;
+            high = i == 0 || high < at ? at : high;
+        }
+        if (low > box.half[k] || high < -box.half[k]) return false;
+    }
+    OriginRelative t;
+    t.a = {corner[0][0], corner[0][1], corner[0][2]};
+    const auto edge = [&](int from, int to, int k) {
+        return std::int64_t{triangle.corner[to][k]} - triangle.corner[from][k];
+    };
+    t.ab = {edge(0, 1, 0), edge(0, 1, 1), edge(0, 1, 2)};
+    t.ac = {edge(0, 2, 0), edge(0, 2, 1), edge(0, 2, 2)};
+    if (ray_triangle::edges_are_below<12>(t) ? is_beside_plane<std::int64_t>(box, t) : is_beside_wide_plane(box, t))
+        return false;
+    // Each edge with each axis: seen along the axis, both ends of the edge are at one place, the third corner
+    // elsewhere.
+    for (int i = 0; i < 3; ++i) {
+        const int to = i == 2 ? 0 : i + 1, third = i == 0 ? 2 : i - 1;
+        for (int k = 0; k < 3; ++k) {
+            const int x = k == 2 ? 0 : k + 1, y = k == 0 ? 2 : k - 1;
+            const std::int64_t dx = edge(i, to, x), dy = edge(i, to, y);
+            const std::int64_t ends = dx * corner[i][y] - dy * corner[i][x];
+            const std::int64_t other = dx * corner[third][y] - dy * corner[third][x];
+            const std::int64_t reach = magnitude(dx) * box.half[y] + magnitude(dy) * box.half[x];
+            if ((ends > reach && other > reach) || (ends < -reach && other < -reach)) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,103 @@
+#include <runtime/lattice_capsule.hpp>
+
+#include <runtime/lattice_round.hpp>
+#include <runtime/point_triangle.hpp>
+#include <runtime/segment_triangle.hpp>
+#include <runtime/wide_vector.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// The least whole number of steps that is surely no less: floats are off by less than the 2^-20 added.
+std::int64_t round_outward(float steps) {
+    const float more = steps * (1.0f + 0x1p-20f);
+    return more < static_cast<float>(bounds_limit) * 4.0f ? static_cast<std::int64_t>(more) + 1
+                                                          : std::int64_t{bounds_limit} * 4;
+}
+
+/// Bounds around two points in units of 2^-fraction_bits, grown by a radius in steps.
+void set_bounds(Volume& volume, const std::int64_t* from, const std::int64_t* to, int fraction_bits, float radius) {
+    const bool is_everywhere = !(radius < static_cast<float>(bounds_limit));
+    volume.bounded = !is_everywhere;
+    const std::int64_t reach = round_outward(radius);
+    for (int k = 0; k < 3; ++k) {
+        const std::int64_t low = from[k] < to[k] ? from[k] : to[k];
+        const std::int64_t high = from[k] < to[k] ? to[k] : from[k];
+        volume.bounds.low[k] = clamp_to_bounds((low >> fraction_bits) - reach);
+        volume.bounds.high[k] = clamp_to_bounds(-(-high >> fraction_bits) + reach);
+    }
+    volume.is_empty = false;
+}
+
+/// Whether the triangle is beyond one side of the bounds.
+bool is_beside(const IntegerBounds& bounds, const LatticeTriangle& triangle) {
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t a = triangle.corner[0][k], b = triangle.corner[1][k], c = triangle.corner[2][k];
+        if (a < bounds.low[k] && b < bounds.low[k] && c < bounds.low[k]) return true;
+        if (bounds.high[k] < a && bounds.high[k] < b && bounds.high[k] < c) return true;
+    }
+    return false;
+}
+
+/// False for a NaN and where it is negative; -0 is 0.
+bool is_radius(float radius) { return !is_nan(radius) && (!is_negative(radius) || magnitude_bits(radius) == 0); }
+
+/// For each axis of space two planes along the segment and that axis: a long capsule is narrower than its bounds.
+void set_side_planes(LatticeCapsule& capsule) {
+    const LatticeSegment& s = capsule.segment;
+    const Integer3 along = {s.to[0] - s.from[0], s.to[1] - s.from[1], s.to[2] - s.from[2]};
+    const Integer3 from = {s.from[0], s.from[1], s.from[2]};
+    const std::int64_t reach = round_outward(capsule.radius) << s.fraction_bits;
+    const std::int64_t size = sum_of_magnitudes(along) + 3 * reach;
+    const Integer3 normals[3] = {{0, along.z, -along.y}, {-along.z, 0, along.x}, {along.y, -along.x, 0}};
+    for (int k = 0; k < 3; ++k) {
+        const Integer3& n = normals[k];
+        const float squared = to_float(dot<Int128>(n, n));
+        const float length = squared > 0.0f ? square_root(squared) * (1.0f + 0x1p-20f) : 0.0f;
+        const Int128 width = multiply(static_cast<std::int64_t>(length) + 1, reach);
+        capsule.side_planes[2 * k] = bounding_plane({{n.x, n.y, n.z}, from, width, size}, s.fraction_bits);
+        capsule.side_planes[2 * k + 1] = bounding_plane({{-n.x, -n.y, -n.z}, from, width, size}, s.fraction_bits);
+    }
+    capsule.planes = capsule.side_planes;
+    capsule.plane_count = 6;
+}
+
+}  // namespace
+
+QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCapsule& capsule) noexcept {
+    if (!is_radius(world.radius)) return QueryStatus::invalid_argument;
+    const QueryStatus status = round_segment(blob, {world.from, world.to}, capsule.segment);
+    if (status != QueryStatus::ok) return status;
+    const float radius = scale_by_power_of_two(absolute(world.radius), -blob.step_exponent);
+    // No distance between a lattice triangle and a rounded segment is in (0, 2^-100).
+    capsule.radius = magnitude_bits(world.radius) != 0 && radius < 0x1p-100f ? 0x1p-100f : radius;
+    set_bounds(capsule, capsule.segment.from, capsule.segment.to, capsule.segment.fraction_bits, capsule.radius);
+    if (capsule.bounded) set_side_planes(capsule);
+    capsule.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
+        return meets(static_cast<const LatticeCapsule&>(volume), triangle);
+    };
+    return QueryStatus::ok;
+}
+
+bool meets(const LatticeCapsule& capsule, const LatticeTriangle& triangle) noexcept {
+    if (capsule.bounded && is_beside(capsule.bounds, triangle)) return false;  // the distance is dear
+    return is_within_radius(capsule.segment, triangle, distance_to(capsule.segment, triangle), capsule.radius);
+}
+
+QueryStatus round_volume(const BlobData& blob, const Sphere& world, LatticeSphere& sphere) noexcept {
+    if (!is_radius(world.radius) || !is_finite(world.center)) return QueryStatus::invalid_argument;
+    if (!round_point(blob, world.center, world.radius, sphere.point)) return QueryStatus::ok;
+    const LatticePoint& point = sphere.point;
+    set_bounds(sphere, point.origin, point.origin, point.fraction_bits, point.radius);
+    sphere.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
+        return meets(static_cast<const LatticeSphere&>(volume), triangle);
+    };
+    return QueryStatus::ok;
+}
+
+bool meets(const LatticeSphere& sphere, const LatticeTriangle& triangle) noexcept {
+    return is_within_radius(sphere.point, distance_to(sphere.point, triangle), sphere.point.radius);
+}
+
+}  // namespace espalier::detail

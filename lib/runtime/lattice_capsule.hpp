@@ -1,0 +1,32 @@
+// Capsules and spheres on the lattice, as volumes.
+#pragma once
+
+#include <espalier/shapes.hpp>
+#include <espalier/status.hpp>
+#include <runtime/lattice_point.hpp>
+#include <runtime/lattice_segment.hpp>
+#include <runtime/volume.hpp>
+
+namespace espalier::detail {
+
+struct LatticeCapsule : Volume {
+    LatticeSegment segment;
+    float radius;  ///< lattice steps; 0 or at least 2^-100, may be infinite
+    LatticePlane side_planes[6];
+};
+
+QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCapsule& capsule) noexcept;
+
+/// Whether the triangle is within the radius of the segment, exactly.
+[[nodiscard]] bool meets(const LatticeCapsule& capsule, const LatticeTriangle& triangle) noexcept;
+
+struct LatticeSphere : Volume {
+    LatticePoint point;
+};
+
+QueryStatus round_volume(const BlobData& blob, const Sphere& world, LatticeSphere& sphere) noexcept;
+
+/// Whether the triangle is within the radius of the center, exactly.
+[[nodiscard]] bool meets(const LatticeSphere& sphere, const LatticeTriangle& triangle) noexcept;
+
+}  // namespace espalier::detail

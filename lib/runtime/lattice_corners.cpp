@@ -1,0 +1,92 @@
+#include <runtime/lattice_corners.hpp>
+
+#include <runtime/lattice_round.hpp>
+#include <runtime/wide_vector.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+void enclose(LatticeCorners& corners) {
+    const Integer3* c = corners.triangle.corner;
+    const int bits = corners.fraction_bits;
+    const auto bound = [&](int k, std::int64_t Integer3::*axis) {
+        std::int64_t low = c[0].*axis, high = c[0].*axis;
+        for (int i = 1; i < 3; ++i) {
+            low = c[i].*axis < low ? c[i].*axis : low;
+            high = high < c[i].*axis ? c[i].*axis : high;
+        }
+        corners.bounds.low[k] = clamp_to_bounds(-(-low >> bits));
+        corners.bounds.high[k] = clamp_to_bounds(high >> bits);
+    };
+    bound(0, &Integer3::x);
+    bound(1, &Integer3::y);
+    bound(2, &Integer3::z);
+    // Its plane from both sides, and beside each edge the plane through it that is upright on the first one, cut down
+    // to integers of 23 bits.
+    const Integer3 ab = c[1] - c[0], ac = c[2] - c[0];
+    const std::int64_t size = sum_of_magnitudes(ab) + sum_of_magnitudes(ac);
+    const WideVector n = wide_cross(ab, ac);
+    corners.own_planes[0] = bounding_plane({n, c[0], Int128(), size}, bits);
+    corners.own_planes[1] = bounding_plane({{-n.x, -n.y, -n.z}, c[0], Int128(), size}, bits);
+    const Integer3 upright = {corners.own_planes[0].normal[0], corners.own_planes[0].normal[1],
+                              corners.own_planes[0].normal[2]};
+    for (int i = 0; i < 3; ++i) {
+        const Integer3& from = c[i];
+        const Integer3 side = c[i == 2 ? 0 : i + 1] - from;
+        WideVector out = wide_cross(side, upright);
+        // The whole triangle is on one side of it, or in it.
+        const Int128 third = dot(out, c[i == 0 ? 2 : i - 1] - from);
+        if (Int128() < third) out = {-out.x, -out.y, -out.z};
+        corners.own_planes[2 + i] = bounding_plane({out, from, Int128(), size}, bits);
+    }
+    corners.planes = corners.own_planes;
+    corners.plane_count = 5;
+    corners.is_empty = false;
+    corners.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
+        return meets(static_cast<const LatticeCorners&>(volume), triangle);
+    };
+}
+
+}  // namespace
+
+QueryStatus round_volume(const BlobData& blob, const Corners& world, LatticeCorners& corners) noexcept {
+    if (!is_finite(world.a) || !is_finite(world.b) || !is_finite(world.c)) return QueryStatus::invalid_argument;
+    float steps[3][3];
+    float reach = 0.0f;
+    bool is_away = false;
+    for (int k = 0; k < 3; ++k) {
+        const float last = blob.extent_steps[k];
+        float low = infinity, high = -infinity;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3& corner = i == 0 ? world.a : i == 1 ? world.b : world.c;
+            const float at = to_steps(blob, k, k == 0 ? corner.x : k == 1 ? corner.y : corner.z);
+            steps[i][k] = at;
+            low = minimum(low, at);
+            high = maximum(high, at);
+            reach = maximum(maximum(absolute(at), absolute(last - at)), reach);
+        }
+        is_away = is_away || low > last + 1.0f || high < -1.0f;
+    }
+    if (is_away) return QueryStatus::ok;
+    if (!(reach < 0x1p36f)) return QueryStatus::out_of_range;
+    const int spare = 22 - exponent_of(reach);
+    corners.fraction_bits = spare > 6 ? 6 : spare < 0 ? 0 : spare;
+    for (int i = 0; i < 3; ++i)
+        corners.triangle.corner[i] = {to_grid(steps[i][0], corners.fraction_bits),
+                                      to_grid(steps[i][1], corners.fraction_bits),
+                                      to_grid(steps[i][2], corners.fraction_bits)};
+    enclose(corners);
+    return QueryStatus::ok;
+}
+
+bool meets(const LatticeCorners& corners, const LatticeTriangle& triangle) noexcept {
+    IntegerTriangle other;
+    for (int i = 0; i < 3; ++i)
+        other.corner[i] = {std::int64_t{triangle.corner[i][0]} << corners.fraction_bits,
+                           std::int64_t{triangle.corner[i][1]} << corners.fraction_bits,
+                           std::int64_t{triangle.corner[i][2]} << corners.fraction_bits};
+    return triangles_meet(corners.triangle, other);
+}
+
+}  // namespace espalier::detail

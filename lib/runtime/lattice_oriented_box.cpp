@@ -1,0 +1,176 @@
+#include <runtime/lattice_oriented_box.hpp>
+
+#include <runtime/lattice_round.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// What follows from center and half axes.
+void enclose(LatticeOrientedBox& box) {
+    const auto coordinate = [](const Integer3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
+    std::int64_t size = 0;
+    for (int k = 0; k < 3; ++k) {
+        std::int64_t reach = 0;
+        for (const Integer3& half : box.half) reach += magnitude(coordinate(half, k));
+        const std::int64_t center = coordinate(box.center, k);
+        box.bounds.low[k] = clamp_to_bounds(-((reach - center) >> box.fraction_bits));
+        box.bounds.high[k] = clamp_to_bounds((center + reach) >> box.fraction_bits);
+        size += reach;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+        box.face[i] = wide_cross(box.half[j], box.half[k]);
+    }
+    box.face_reach = magnitude(dot(box.face[0], box.half[0]));
+    for (int i = 0; i < 3; ++i) {
+        const WideVector& n = box.face[i];
+        box.face_planes[2 * i] = bounding_plane({n, box.center, box.face_reach, size}, box.fraction_bits);
+        box.face_planes[2 * i + 1] =
+            bounding_plane({{-n.x, -n.y, -n.z}, box.center, box.face_reach, size}, box.fraction_bits);
+    }
+    box.planes = box.face_planes;
+    box.plane_count = 6;
+    box.is_empty = false;
+    box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
+        return meets(static_cast<const LatticeOrientedBox&>(volume), triangle);
+    };
+}
+
+}  // namespace
+
+QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, LatticeOrientedBox& box) noexcept {
+    if (!is_finite(world.center)) return QueryStatus::invalid_argument;
+    for (const Vec3& half : world.half_axes)
+        if (!is_finite(half)) return QueryStatus::invalid_argument;
+    const float center_world[3] = {world.center.x, world.center.y, world.center.z};
+    float center[3], half[3][3];
+    float reach = 0.0f;
+    bool is_away = false;
+    for (int k = 0; k < 3; ++k) {
+        center[k] = to_steps(blob, k, center_world[k]);
+        float spread = 0.0f;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3& axis = world.half_axes[i];
+            half[i][k] = flush_subnormal(k == 0 ? axis.x : k == 1 ? axis.y : axis.z) * blob.steps_per_unit;
+            spread += absolute(half[i][k]);
+        }
+        const float last = blob.extent_steps[k];
+        const float gap = center[k] < 0.0f ? -center[k] : center[k] > last ? center[k] - last : 0.0f;
+        is_away = is_away || gap > spread * (1.0f + 0x1p-20f) + 4.0f;
+        reach = maximum(maximum(absolute(center[k]), absolute(last - center[k])) + spread, reach);
+    }
+    if (is_away) return QueryStatus::ok;
+    if (!(reach < 0x1p36f)) return QueryStatus::out_of_range;
+    const int spare = 22 - exponent_of(reach);
+    box.is_near = spare >= 0;
+    box.fraction_bits = spare > 6 ? 6 : spare < 0 ? 0 : spare;
+    const auto rounded = [&](const float* steps) {
+        return Integer3{to_grid(steps[0], box.fraction_bits), to_grid(steps[1], box.fraction_bits),
+                        to_grid(steps[2], box.fraction_bits)};
+    };
+    box.center = rounded(center);
+    for (int i = 0; i < 3; ++i) box.half[i] = rounded(half[i]);
+    enclose(box);
+    return QueryStatus::ok;
+}
+
+namespace {
+
+/// Corners seen from the box's center, in its units; sides in lattice steps.
+struct Seen {
+    Integer3 corner[3];
+    Integer3 side[3];
+};
+
+/// Arithmetic for boxes near the asset and short sides, and for all others.
+struct Narrow {
+    using Number = std::int64_t;
+    using Vector = Integer3;
+    static Vector product(const Integer3& a, const Integer3& b) { return cross(a, b); }
+    static Number along(const Vector& a, const Integer3& b) { return dot<std::int64_t>(a, b); }
+};
+struct Wide {
+    using Number = Int128;
+    using Vector = WideVector;
+    static Vector product(const Integer3& a, const Integer3& b) { return wide_cross(a, b); }
+    static Number along(const Vector& a, const Integer3& b) { return dot(a, b); }
+};
+
+/// Whether three numbers are all beyond the same end of [-reach, reach].
+template <class Number>
+bool are_beyond(const Number* at, Number reach) {
+    return (reach < at[0] && reach < at[1] && reach < at[2]) || (at[0] < -reach && at[1] < -reach && at[2] < -reach);
+}
+
+template <class Arithmetic>
+bool is_separated_along(const typename Arithmetic::Vector& axis, const LatticeOrientedBox& box, const Seen& seen) {
+    using Number = typename Arithmetic::Number;
+    Number at[3];
+    Number reach = 0;
+    for (int i = 0; i < 3; ++i) {
+        at[i] = Arithmetic::along(axis, seen.corner[i]);
+        reach = reach + magnitude(Arithmetic::along(axis, box.half[i]));
+    }
+    return are_beyond(at, reach);
+}
+
+/// All axes but those of the box's faces.
+template <class Arithmetic>
+bool is_separated(const LatticeOrientedBox& box, const Seen& seen) {
+    if (is_separated_along<Arithmetic>(Arithmetic::product(seen.side[0], seen.side[1]), box, seen)) return true;
+    for (const Integer3& half : box.half)
+        for (const Integer3& side : seen.side)
+            if (is_separated_along<Arithmetic>(Arithmetic::product(half, side), box, seen)) return true;
+    if (!box.face_reach.is_zero()) return false;
+    // Without volume: normals of each direction within whichever plane all may lie in.
+    constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const Integer3& unit : units) {
+        for (int i = 0; i < 3; ++i)
+            if (is_separated_along<Arithmetic>(Arithmetic::product(unit, box.half[i]), box, seen) ||
+                is_separated_along<Arithmetic>(Arithmetic::product(unit, seen.side[i]), box, seen))
+                return true;
+    }
+    return false;
+}
+
+[[gnu::noinline]] bool is_separated_wide(const LatticeOrientedBox& box, const Seen& seen) {
+    return is_separated<Wide>(box, seen);
+}
+
+}  // namespace
+
+bool meets(const LatticeOrientedBox& box, const LatticeTriangle& triangle) noexcept {
+    const auto& c = triangle.corner;
+    const int bits = box.fraction_bits;
+    Seen seen;
+    for (int i = 0; i < 3; ++i) {
+        const int to = i == 2 ? 0 : i + 1;
+        seen.corner[i] = {(std::int64_t{c[i][0]} << bits) - box.center.x,
+                          (std::int64_t{c[i][1]} << bits) - box.center.y,
+                          (std::int64_t{c[i][2]} << bits) - box.center.z};
+        seen.side[i] = {std::int64_t{c[to][0]} - c[i][0], std::int64_t{c[to][1]} - c[i][1],
+                        std::int64_t{c[to][2]} - c[i][2]};
+    }
+    // Of the axes of space only a flat box needs these; to others they are a cheap first try.
+    const auto spreads_beyond = [&](std::int64_t Integer3::*axis) {
+        const std::int64_t at[3] = {seen.corner[0].*axis, seen.corner[1].*axis, seen.corner[2].*axis};
+        return are_beyond(at,
+                          magnitude(box.half[0].*axis) + magnitude(box.half[1].*axis) + magnitude(box.half[2].*axis));
+    };
+    if (spreads_beyond(&Integer3::x) || spreads_beyond(&Integer3::y) || spreads_beyond(&Integer3::z)) return false;
+    bool inside[3] = {true, true, true};
+    for (const WideVector& normal : box.face) {
+        Int128 at[3];
+        for (int i = 0; i < 3; ++i) {
+            at[i] = dot(normal, seen.corner[i]);
+            if (box.face_reach < magnitude(at[i])) inside[i] = false;
+        }
+        if (are_beyond(at, box.face_reach)) return false;
+    }
+    if (!box.face_reach.is_zero() && (inside[0] || inside[1] || inside[2])) return true;
+    const bool is_short = ray_triangle::edges_are_below<12>({{}, seen.side[0], seen.side[1]});
+    return !(box.is_near && is_short ? is_separated<Narrow>(box, seen) : is_separated_wide(box, seen));
+}
+
+}  // namespace espalier::detail

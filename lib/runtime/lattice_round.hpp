@@ -1,0 +1,24 @@
+// World coordinates moved into lattice units, and rounded there.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/float_bits.hpp>
+
+namespace espalier::detail {
+
+/// A world coordinate in lattice steps from lattice point 0 0 0; infinite where float ends.
+inline float to_steps(const BlobData& blob, int axis, float world) {
+    return (flush_subnormal(world) - blob.origin[axis]) * blob.steps_per_unit;
+}
+
+/// The nearest multiple of 2^-fraction_bits, ties to even, in units of it; |steps| * 2^fraction_bits < 2^62.
+inline std::int64_t to_grid(float steps, int fraction_bits) {
+    return static_cast<std::int64_t>(round_to_integer(steps * power_of_two(fraction_bits)));
+}
+
+inline bool is_finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
+inline bool is_nan(const Vec3& v) { return is_nan(v.x) || is_nan(v.y) || is_nan(v.z); }
+
+}  // namespace espalier::detail

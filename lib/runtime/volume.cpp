@@ -1,0 +1,118 @@
+// The walk that all shapes share. It needs no float: cores without them are as well served.
+#include <bit>
+
+#include <runtime/simd/lanes_scalar.hpp>
+#include <runtime/volume.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+namespace scalar_walk {
+using scalar::lanes;
+using scalar::prefetch;
+#include <runtime/traverse.inl>
+}  // namespace scalar_walk
+
+// A bit for each plane and each side of the bounds that a vertex is beyond of, as Sutherland and Cohen clip lines. A
+// triangle all of whose corners are beyond the same one is out. Shapes have either bounds and few planes or planes
+// only.
+constexpr unsigned bounds_shift = 26;
+static_assert(Volume::max_planes == 32 && bounds_shift + 6 == 32);
+
+/// Which of the bits some vertex of the leaf could have. All of them where vertices may lie outside of the leaf's box.
+template <class Leaf>
+std::uint32_t sides_that_matter(const Leaf& leaf, const Volume& volume) {
+    const unsigned bits = leaf.blob->bits;
+    const bool in_box = !Leaf::may_have_copies || leaf.blob->copies == nullptr;
+    std::uint32_t sides = 0;
+    for (unsigned i = 0; i < volume.plane_count; ++i)
+        if (!in_box || !is_wholly_behind(leaf.node, bits, leaf.child(), volume.planes[i])) sides |= 1u << i;
+    if (!volume.bounded) return sides;
+    for (int k = 0; k < 3; ++k) {
+        const unsigned low_side = bounds_shift + 2 * static_cast<unsigned>(k);
+        if (!in_box || leaf.node.low(k, leaf.child(), bits) < volume.bounds.low[k]) sides |= 1u << low_side;
+        if (!in_box || leaf.node.high(k, leaf.child(), bits) > volume.bounds.high[k]) sides |= 2u << low_side;
+    }
+    return sides;
+}
+
+/// The sides that each vertex of a leaf is beyond of, of those that matter.
+template <class Leaf>
+void find_sides(const Leaf& leaf, const Volume& volume, std::uint32_t matter, std::uint32_t* beyond) {
+    const std::int32_t anchor[3] = {leaf.anchor(0), leaf.anchor(1), leaf.anchor(2)};
+    const std::uint32_t planes = volume.bounded ? matter & ((1u << bounds_shift) - 1u) : matter;
+    for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+        std::int32_t at[3];
+        for (int k = 0; k < 3; ++k)
+            at[k] = anchor[k] + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], vertex));
+        std::uint32_t sides = 0;
+        if (volume.bounded) {
+            for (int k = 0; k < 3; ++k) {
+                const unsigned low_side = bounds_shift + 2 * static_cast<unsigned>(k);
+                sides |= static_cast<std::uint32_t>(at[k] < volume.bounds.low[k]) << low_side;
+                sides |= static_cast<std::uint32_t>(at[k] > volume.bounds.high[k]) << (low_side + 1);
+            }
+        }
+        for (std::uint32_t left = planes; left != 0; left &= left - 1) {
+            const auto i = static_cast<unsigned>(std::countr_zero(left));
+            const LatticePlane& plane = volume.planes[i];
+            std::int64_t reached = 0;
+            for (int k = 0; k < 3; ++k) reached += std::int64_t{plane.normal[k]} * at[k];
+            sides |= static_cast<std::uint32_t>(reached > plane.offset) << i;
+        }
+        beyond[vertex] = sides;
+    }
+}
+
+template <class Leaf>
+struct TrianglesIn {
+    const BlobData& blob;
+    const Volume& volume;
+    std::uint32_t first;
+    FunctionRef<Visit(Triangle)> visit;
+
+    [[nodiscard]] unsigned children(const Node& node, float*) const {
+        unsigned mask = volume.bounded ? children_within(node, blob.bits, volume.bounds) : all_children(node);
+        for (unsigned i = 0; i < volume.plane_count && mask != 0; ++i)
+            mask = children_behind(node, blob.bits, volume.planes[i], mask);
+        return mask;
+    }
+
+    [[nodiscard]] Visit visit_leaf(const Leaf& leaf) const {
+        std::uint32_t index = scalar::storage_index(leaf, 0);
+        if (index + leaf.triangle_count() <= first) return keep_going;
+        std::uint32_t beyond[Leaf::max_vertices];
+        const std::uint32_t matter = sides_that_matter(leaf, volume);
+        const bool all_inside = matter == 0 && volume.encloses_exactly;
+        if (!all_inside) find_sides(leaf, volume, matter, beyond);
+        auto corners = scalar::corners_of(leaf);
+        const auto used = leaf.used_slots();
+        for (unsigned slot = 0; slot < leaf.slot_count; ++slot) {
+            const scalar::CornerNumbers vertices = corners.next();
+            if ((used >> slot & 1u) == 0) continue;
+            const std::uint32_t own = index++;
+            if (own < first) continue;
+            if (!all_inside) {
+                const std::uint32_t a = beyond[vertices.a], b = beyond[vertices.b], c = beyond[vertices.c];
+                if ((a & b & c) != 0) continue;
+                const bool has_corner_inside = volume.encloses_exactly && (a == 0 || b == 0 || c == 0);
+                if (!has_corner_inside && !volume.meets(volume, leaf.triangle(slot))) continue;
+            }
+            if (visit(Triangle{own}) == stop) return stop;
+        }
+        return keep_going;
+    }
+};
+
+}  // namespace
+
+bool visit_triangles_in(const BlobData& blob, const Volume& volume, std::uint32_t first,
+                        FunctionRef<Visit(Triangle)> visit) {
+    return scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+        TrianglesIn<Leaf> visitor = {blob, volume, first, visit};
+        return scalar_walk::traverse_in_storage_order<Leaf>(blob, visitor) == keep_going;
+    });
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,215 @@
+// Volumes: every query equals the loop over all triangles, page by page too.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <espalier/overlap.hpp>
+#include <runtime/lattice_box.hpp>
+#include <runtime/lattice_capsule.hpp>
+#include <runtime/lattice_corners.hpp>
+#include <runtime/lattice_half_spaces.hpp>
+#include <runtime/lattice_oriented_box.hpp>
+#include <runtime/segment_triangle.hpp>
+
+#include "../support/mesh_files.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
+#include "../support/query_maker.hpp"
+#include "../support/shape_maker.hpp"
+#include "../support/test_blobs.hpp"
+#include "../support/triangle_loop.hpp"
+#include "exact_query.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using detail::round_volume;
+
+namespace {
+
+std::vector<std::uint32_t> indices_of(std::span<const Triangle> triangles) {
+    std::vector<std::uint32_t> indices;
+    for (const Triangle triangle : triangles) indices.push_back(triangle.index);
+    return indices;
+}
+
+template <class Shape>
+std::vector<std::uint32_t> every_overlap(const Blob& blob, const Shape& shape) {
+    std::vector<std::uint32_t> found;
+    CHECK(for_each_overlap(blob, shape, [&](Triangle t) { return found.push_back(t.index), keep_going; }));
+    return found;
+}
+
+/// All pages, of sizes that change.
+template <class Shape>
+std::vector<std::uint32_t> all_pages(const Blob& blob, const Shape& shape, Random& random) {
+    std::vector<std::uint32_t> found;
+    std::vector<Triangle> room(1 + random.below(40));
+    for (std::uint32_t first = 0;;) {
+        const std::span<Triangle> part =
+            std::span(room).first(1 + random.below(static_cast<std::uint32_t>(room.size())));
+        const OverlapPage page = collect_overlaps(blob, shape, part, first);
+        REQUIRE(page.count <= part.size());
+        for (const std::uint32_t index : indices_of(part.first(page.count))) found.push_back(index);
+        if (page.status == QueryStatus::ok) {
+            CHECK(page.next == blob.triangle_count());
+            return found;
+        }
+        REQUIRE(page.status == QueryStatus::output_full);
+        REQUIRE(page.count == part.size());
+        REQUIRE(page.next > first);
+        first = page.next;
+    }
+}
+
+struct Tally {
+    std::uint64_t asked = 0;
+    std::uint64_t overlapping = 0;  ///< queries with an overlap
+    std::uint64_t triangles = 0;
+    std::uint64_t out_of_range = 0;
+};
+
+template <class Rounded, class Shape>
+void check_against_loop(const Blob& blob, const TriangleLoop& loop, const Shape& shape, Random& random, Tally& tally) {
+    CAPTURE(describe(shape));
+    Rounded rounded;
+    const QueryStatus status = round_volume(blob.data(), shape, rounded);
+    ++tally.asked;
+    if (status != QueryStatus::ok) {
+        ++tally.out_of_range;
+        Triangle room[1];
+        REQUIRE(collect_overlaps(blob, shape, room).status == status);
+        REQUIRE_FALSE(overlaps(blob, shape));
+        return;
+    }
+    const std::vector<std::uint32_t> expected =
+        rounded.is_empty ? std::vector<std::uint32_t>() : loop.every_overlap(rounded);
+    REQUIRE(overlaps(blob, shape) == !expected.empty());
+    REQUIRE(every_overlap(blob, shape) == expected);
+    if (expected.size() < 400) REQUIRE(all_pages(blob, shape, random) == expected);
+    tally.overlapping += expected.empty() ? 0u : 1u;
+    tally.triangles += expected.size();
+}
+
+struct ShapeKind {
+    const char* name;
+    void (*check)(const Blob&, const TriangleLoop&, ShapeMaker&, bool awkward, Tally&);
+};
+constexpr ShapeKind shape_kinds[] = {
+    {"capsules",
+     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+         check_against_loop<detail::LatticeCapsule>(blob, loop, maker.capsule(awkward), maker.random(), tally);
+     }},
+    {"boxes",
+     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+         check_against_loop<detail::LatticeBox>(blob, loop, maker.box(awkward), maker.random(), tally);
+     }},
+    {"oriented boxes",
+     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+         check_against_loop<detail::LatticeOrientedBox>(blob, loop, maker.oriented_box(awkward), maker.random(), tally);
+     }},
+    {"triangles",
+     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+         check_against_loop<detail::LatticeCorners>(blob, loop, maker.corners(awkward), maker.random(), tally);
+     }},
+    {"sets of planes",
+     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+         check_against_loop<detail::LatticeHalfSpaces>(blob, loop, maker.planes(awkward), maker.random(), tally);
+     }},
+};
+
+void check_shapes(const std::vector<TestBlob>& blobs, const ShapeKind& kind, std::uint64_t count) {
+    Tally tally;
+    for (const TestBlob& blob : blobs) {
+        CAPTURE(blob.name);
+        const TriangleLoop loop(blob.decoded);
+        ShapeMaker maker(blob.decoded, 40);
+        for (std::uint64_t i = 0; i < count; ++i)
+            kind.check(blob.opened.blob, loop, maker, maker.random().coin(), tally);
+    }
+    CHECK(tally.overlapping > tally.asked / 5);
+    CHECK(tally.overlapping < tally.asked);
+    CHECK(tally.out_of_range < tally.asked / 10);
+}
+
+void check_shapes(const char* name) {
+    const auto kind = std::find_if(std::begin(shape_kinds), std::end(shape_kinds),
+                                   [&](const ShapeKind& k) { return std::string(k.name) == name; });
+    check_shapes(small_test_blobs(), *kind, scaled_share(1'500));
+    check_shapes(medium_test_blobs(), *kind, scaled_share(200));
+}
+
+/// Times a scale of 3,400 the random and 340 the awkward calls of each kind are what a release must show.
+void check_real_mesh(const std::filesystem::path& file, format::Profile profile) {
+    const std::string name = file.filename().string();
+    CAPTURE(name);
+    const OpenedBlob opened(read_mesh(file), with_profile(profile));
+    const DecodedBlob decoded = decode(opened.bytes);
+    const TriangleLoop loop(decoded);
+    std::string report;
+    for (const ShapeKind& kind : shape_kinds) {
+        const std::string kind_name = kind.name;
+        CAPTURE(kind_name);
+        ShapeMaker maker(decoded, 50 + static_cast<std::uint64_t>(profile));
+        Tally tally;
+        const std::uint64_t count = scaled_share(30);
+        for (std::uint64_t i = 0; i < count; ++i) kind.check(opened.blob, loop, maker, i % 10 == 9, tally);
+        report.append(std::to_string(tally.asked)).append(" ").append(kind_name).append(", ");
+        report.append(std::to_string(tally.triangles)).append(" triangles overlapped; ");
+    }
+    MESSAGE(name, ", profile ", name_of(profile), ", equal to the loop: ", report);
+}
+
+}  // namespace
+
+TEST_SUITE("volumes against the loop") {
+    TEST_CASE("what encloses a capsule keeps nothing from it") {
+        std::uint64_t near = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            ShapeMaker maker(blob.decoded, 70);
+            for (std::uint64_t i = 0; i < scaled_share(150); ++i) {
+                const Capsule capsule = maker.capsule(maker.random().coin());
+                CAPTURE(describe(capsule));
+                detail::LatticeCapsule rounded;
+                if (round_volume(blob.opened.blob.data(), capsule, rounded) != QueryStatus::ok) continue;
+                const auto& all = blob.decoded.triangles;
+                for (int k = 0; k < 40; ++k) {
+                    const detail::LatticeTriangle triangle =
+                        lattice_triangle(all[maker.random().below(static_cast<std::uint32_t>(all.size()))]);
+                    const auto distance = detail::distance_to(rounded.segment, triangle);
+                    const bool expected = detail::is_within_radius(rounded.segment, triangle, distance, rounded.radius);
+                    REQUIRE(meets(rounded, triangle) == expected);
+                    near += expected ? 1u : 0u;
+                }
+            }
+        }
+        CHECK(near > 100);
+    }
+    TEST_CASE("capsules: any, all and pages equal the loop") { check_shapes("capsules"); }
+    TEST_CASE("boxes: any, all and pages equal the loop") { check_shapes("boxes"); }
+    TEST_CASE("oriented boxes: any, all and pages equal the loop") { check_shapes("oriented boxes"); }
+    TEST_CASE("triangles: any, all and pages equal the loop") { check_shapes("triangles"); }
+    TEST_CASE("sets of planes: any, all and pages equal the loop") { check_shapes("sets of planes"); }
+    TEST_CASE("spheres: pages equal the visitor") {
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 60);
+            for (std::uint64_t i = 0; i < scaled_share(150); ++i) {
+                const Sphere sphere = maker.sphere();
+                CAPTURE(describe(sphere));
+                REQUIRE(all_pages(blob.opened.blob, sphere, maker.random()) == every_overlap(blob.opened.blob, sphere));
+            }
+        }
+    }
+    TEST_CASE("real meshes: volumes of every kind equal the loop") {
+        const auto files = mesh_files();
+        if (files.empty()) {
+            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
+            return;
+        }
+        for (const auto& file : files) {
+            for_each_profile([&](format::Profile profile) { check_real_mesh(file, profile); });
+        }
+    }
+}

@@ -1,0 +1,367 @@
+#include "shape_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace espalier::tests {
+
+namespace {
+
+Vec3 sum(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vec3 difference(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vec3 times(Vec3 a, float by) { return {a.x * by, a.y * by, a.z * by}; }
+float inner(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vec3 outer(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+float& coordinate(Vec3& v, std::uint32_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+bool is_zero(Vec3 a) { return a.x == 0.0f && a.y == 0.0f && a.z == 0.0f; }
+
+Vec3 unit(Vec3 a) {
+    const double length = std::hypot(static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z));
+    return {static_cast<float>(static_cast<double>(a.x) / length),
+            static_cast<float>(static_cast<double>(a.y) / length),
+            static_cast<float>(static_cast<double>(a.z) / length)};
+}
+
+}  // namespace
+
+ShapeMaker::ShapeMaker(const DecodedBlob& decoded, std::uint64_t seed) : decoded_(decoded), random_(seed) {
+    if (decoded.triangles.empty()) throw std::runtime_error("ShapeMaker: the blob is empty");
+    size_ = std::ldexp(static_cast<float>(*std::max_element(decoded.extent.begin(), decoded.extent.end())),
+                       decoded.step_exponent);
+}
+
+Vec3 ShapeMaker::to_world(double x, double y, double z) const {
+    const double step = std::ldexp(1.0, decoded_.step_exponent);
+    const auto axis = [&](unsigned k, double steps) {
+        return static_cast<float>(static_cast<double>(decoded_.origin[k]) + steps * step);
+    };
+    return {axis(0, x), axis(1, y), axis(2, z)};
+}
+
+const GridTriangle& ShapeMaker::triangle() {
+    return decoded_.triangles[random_.below(static_cast<std::uint32_t>(decoded_.triangles.size()))];
+}
+
+Vec3 ShapeMaker::point_around() {
+    if (random_.coin()) {
+        const Vec3 on = surface_point();
+        return sum(on, times(direction(), length()));
+    }
+    const auto along = [&](unsigned k) {
+        return (static_cast<double>(random_.unit()) * 1.5 - 0.25) * decoded_.extent[k];
+    };
+    const double x = along(0), y = along(1), z = along(2);
+    return to_world(x, y, z);
+}
+
+Vec3 ShapeMaker::vertex() {
+    const GridTriangle& t = triangle();
+    const std::uint32_t corner = random_.below(3);
+    return to_world(corner == 0 ? t.a : corner == 1 ? t.b : t.c);
+}
+
+Vec3 ShapeMaker::surface_point() {
+    const GridTriangle& t = triangle();
+    double v = static_cast<double>(random_.unit()), w = static_cast<double>(random_.unit());
+    const std::uint32_t kind = random_.below(4);
+    if (kind == 0) v = 0.5, w = 0.0;
+    if (kind == 1) v = w = 0.25;
+    if (v + w > 1.0) v = 1.0 - v, w = 1.0 - w;
+    const auto at = [&](unsigned k) { return t.a[k] + v * (t.b[k] - t.a[k]) + w * (t.c[k] - t.a[k]); };
+    return kind == 3 ? to_world(t.c) : to_world(at(0), at(1), at(2));
+}
+
+float ShapeMaker::length() { return std::ldexp(size_ * random_.unit(), -random_.between(0, 8)); }
+
+float ShapeMaker::nudged(float value) {
+    if (random_.below(3) != 0) return value;
+    return std::nextafter(value, random_.coin() ? INFINITY : -INFINITY);
+}
+Vec3 ShapeMaker::nudged(Vec3 value) {
+    const float x = nudged(value.x), y = nudged(value.y);
+    return {x, y, nudged(value.z)};
+}
+
+Vec3 ShapeMaker::direction() {
+    Vec3 d;
+    do d = random_.in_cube(1.0f);
+    while (inner(d, d) > 1.0f || inner(d, d) < 0.01f);
+    return unit(d);
+}
+
+Capsule ShapeMaker::capsule(bool awkward) {
+    if (!awkward) {
+        const Vec3 from = point_around();
+        return {from, sum(from, times(direction(), length())), length() * 0.25f};
+    }
+    Capsule capsule = {vertex(), vertex(), 0.0f};
+    switch (random_.below(8)) {
+        case 0:
+            capsule.to = capsule.from;
+            break;
+        case 1:
+            capsule = {surface_point(), surface_point(), 0.0f};
+            break;
+        case 2: {  // beside a triangle, as far away as the radius
+            const Vec3 off = times(direction(), length());
+            capsule.from = sum(vertex(), off);
+            capsule.to = random_.coin() ? capsule.from : sum(capsule.from, outer(off, direction()));
+            capsule.radius = nudged(std::sqrt(inner(off, off)));
+            break;
+        }
+        case 3: {
+            const float off = length();
+            coordinate(capsule.from, 0) += off;
+            coordinate(capsule.to, 0) += off;
+            capsule.radius = nudged(off);
+            break;
+        }
+        case 4: {  // from far away, nearly past it
+            capsule.from = sum(capsule.from, times(direction(), size_ * 1e4f));
+            capsule.radius = length() * 0.01f;
+            break;
+        }
+        case 5:
+            capsule.radius = random_.coin() ? INFINITY : size_ * 1e6f;
+            break;
+        default:
+            capsule.radius = length() * 0.01f;
+    }
+    return capsule;
+}
+
+Box ShapeMaker::box(bool awkward) {
+    if (!awkward) {
+        const Vec3 min = point_around();
+        const float x = length(), y = length();
+        return {min, {min.x + x, min.y + y, min.z + length()}};
+    }
+    const Vec3 p = random_.coin() ? vertex() : surface_point(), q = random_.coin() ? vertex() : p;
+    Box box = {{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)},
+               {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
+    // One side moved far, so that it touches with what is left of the others.
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        switch (random_.below(6)) {
+            case 0:
+                coordinate(box.max, axis) += length();
+                break;
+            case 1:
+                coordinate(box.min, axis) -= length();
+                break;
+            case 2:
+                if (random_.coin()) coordinate(box.max, axis) = INFINITY;
+                else coordinate(box.min, axis) = -1e30f;
+                break;
+            default:
+                break;
+        }
+    }
+    if (random_.below(16) == 0) std::swap(coordinate(box.min, 0), coordinate(box.max, 0));
+    return {nudged(box.min), nudged(box.max)};
+}
+
+OrientedBox ShapeMaker::oriented_box(bool awkward) {
+    const Vec3 x = direction(), y = unit(outer(x, direction())), z = outer(x, y);
+    OrientedBox box = {point_around(), {times(x, length()), times(y, length()), times(z, length())}};
+    if (!awkward) return box;
+    const GridTriangle& t = triangle();
+    const Vec3 a = to_world(t.a), ab = difference(to_world(t.b), a), ac = difference(to_world(t.c), a);
+    switch (random_.below(8)) {
+        case 0:  // upright on a triangle, or beside it by a little
+            box.half_axes[0] = times(ab, 0.5f);
+            box.half_axes[1] = times(ac, random_.coin() ? 0.5f : random_.unit());
+            box.half_axes[2] = times(direction(), length());
+            box.center = random_.coin() ? sum(a, box.half_axes[2]) : sum(sum(a, box.half_axes[0]), box.half_axes[2]);
+            break;
+        case 1:  // in its plane
+            box.half_axes[0] = times(ab, random_.unit());
+            box.half_axes[1] = times(ac, random_.unit());
+            box.half_axes[2] = {};
+            box.center = sum(a, times(random_.coin() ? ab : ac, random_.signed_unit() * 2.0f));
+            break;
+        case 2:  // a segment along a side, or through it
+            box.half_axes[0] = random_.coin() ? ab : times(direction(), length());
+            box.half_axes[1] = box.half_axes[2] = {};
+            box.center = random_.coin() ? sum(a, times(ab, random_.signed_unit() * 2.5f)) : surface_point();
+            break;
+        case 3:  // a point, or three parallel half axes
+            box.half_axes[0] = random_.coin() ? Vec3{} : ab;
+            box.half_axes[1] = box.half_axes[2] = times(box.half_axes[0], 0.5f);
+            box.center = surface_point();
+            break;
+        case 4:  // aligned with the axes: its faces on those of an ordinary box
+            box.half_axes[0] = {length(), 0.0f, 0.0f};
+            box.half_axes[1] = {0.0f, length(), 0.0f};
+            box.half_axes[2] = {0.0f, 0.0f, random_.coin() ? 0.0f : length()};
+            box.center = vertex();
+            (random_.coin() ? box.center.x : box.center.y) += random_.coin() ? box.half_axes[0].x : box.half_axes[1].y;
+            break;
+        case 5:  // touching by a corner
+            box.center = sum(vertex(), sum(box.half_axes[0], sum(box.half_axes[1], box.half_axes[2])));
+            break;
+        case 6: {
+            const float far = random_.coin() ? 1e4f : 1e6f;
+            box.center = sum(surface_point(), times(x, size_ * far));
+            box.half_axes[0] = times(x, nudged(size_ * far));
+            break;
+        }
+        default:
+            box.half_axes[random_.below(3)] = times(direction(), size_ * 1e3f);
+    }
+    box.center = nudged(box.center);
+    return box;
+}
+
+Corners ShapeMaker::corners(bool awkward) {
+    const Vec3 near = point_around();
+    const float far = length();
+    const Vec3 p = times(direction(), far), q = times(direction(), far);
+    if (!awkward) return {near, sum(near, p), sum(near, q)};
+    const GridTriangle& t = triangle();
+    Corners corners = {to_world(t.a), to_world(t.b), to_world(t.c)};
+    switch (random_.below(8)) {
+        case 0:
+            break;
+        case 1:  // over a side
+            corners.c = sum(corners.c, p);
+            break;
+        case 2:
+            corners.b = sum(corners.a, p);
+            corners.c = sum(corners.a, q);
+            break;
+        case 3: {  // in its plane
+            const Vec3 along = times(difference(corners.b, corners.a), random_.signed_unit() * 2.0f);
+            corners = {sum(corners.a, along), sum(corners.b, along), sum(corners.c, along)};
+            break;
+        }
+        case 4:
+            corners = {surface_point(), surface_point(), surface_point()};
+            break;
+        case 5:
+            corners.a = surface_point();
+            corners.b = corners.a;
+            corners.c = random_.coin() ? corners.a : sum(corners.a, p);
+            break;
+        case 6:
+            corners.a = sum(corners.a, times(direction(), size_ * 1e5f));
+            break;
+        default:
+            corners = {surface_point(), sum(vertex(), times(p, 1e4f)), sum(vertex(), times(q, 1e4f))};
+    }
+    return {nudged(corners.a), nudged(corners.b), nudged(corners.c)};
+}
+
+std::vector<Plane> ShapeMaker::planes(bool awkward) {
+    std::vector<Plane> planes;
+    const auto add = [&](Vec3 normal, Vec3 on, float beyond) {
+        if (is_zero(normal)) normal.z = 1.0f;
+        planes.push_back({normal, inner(normal, on) + beyond});
+    };
+    const Vec3 center = awkward ? surface_point() : point_around();
+    if (!awkward && random_.coin()) {  // a frustum
+        const Vec3 x = direction(), y = unit(outer(x, direction())), z = outer(x, y);
+        const float width = random_.unit();
+        for (const Vec3 side : {y, z, times(y, -1.0f), times(z, -1.0f)})
+            add(difference(side, times(x, width)), center, 0.0f);
+        add(times(x, -1.0f), center, -0.01f * size_);
+        add(x, center, length());
+        return planes;
+    }
+    const std::uint32_t kind = awkward ? random_.below(6) : 6;
+    switch (kind) {
+        case 0: {  // a slab without thickness, along an axis or along a triangle
+            const GridTriangle& t = triangle();
+            const Vec3 a = to_world(t.a);
+            Vec3 normal = outer(difference(to_world(t.b), a), difference(to_world(t.c), a));
+            if (random_.coin()) {
+                normal = {};
+                coordinate(normal, random_.below(3)) = 1.0f;
+            }
+            add(normal, a, 0.0f);
+            add(times(normal, -1.0f), a, 0.0f);
+            if (random_.coin()) add(direction(), surface_point(), 0.0f);
+            break;
+        }
+        case 1: {  // a cone that touches with its apex
+            const std::uint32_t count = 3 + random_.below(30);
+            const Vec3 axis = direction();
+            for (std::uint32_t i = 0; i < count; ++i) add(sum(axis, times(direction(), 0.9f)), center, 0.0f);
+            break;
+        }
+        case 2:  // one plane
+            add(direction(), center, 0.0f);
+            break;
+        case 3:  // a cell of an axis-aligned grid, with offsets that are exact
+            for (std::uint32_t axis = 0; axis < 3; ++axis) {
+                Vec3 p = vertex();
+                Vec3 normal;
+                coordinate(normal, axis) = random_.coin() ? 1.0f : -1.0f;
+                add(normal, p, 0.0f);
+            }
+            break;
+        case 4:
+            if (random_.coin()) planes.push_back({direction(), random_.coin() ? INFINITY : 1e30f});
+            if (random_.below(8) == 0) planes.push_back({direction(), -INFINITY});
+            add(times(direction(), 1e-30f), center, 0.0f);
+            add(times(direction(), 1e30f), center, 0.0f);
+            break;
+        default: {  // a k-DOP
+            const std::uint32_t half = random_.coin() ? 13 : 3 + random_.below(10);
+            const float radius = length();
+            for (std::uint32_t i = 0; i < half; ++i) {
+                Vec3 normal;
+                const std::uint32_t code = i + 14;  // digits of base 3, of which the first that is not 1 is 2
+                normal = {static_cast<float>(code / 9) - 1.0f, static_cast<float>(code / 3 % 3) - 1.0f,
+                          static_cast<float>(code % 3) - 1.0f};
+                add(normal, center, radius * std::sqrt(inner(normal, normal)));
+                add(times(normal, -1.0f), center, awkward ? 0.0f : radius);
+            }
+        }
+    }
+    for (Plane& plane : planes) plane.offset = awkward ? nudged(plane.offset) : plane.offset;
+    return planes;
+}
+
+namespace {
+
+std::string hex(float x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%a ", static_cast<double>(x));
+    return text;
+}
+std::string hex(Vec3 v) { return hex(v.x).append(hex(v.y)).append(hex(v.z)); }
+
+}  // namespace
+
+std::string describe(const Capsule& capsule) {
+    std::string text = "from ";
+    return text.append(hex(capsule.from))
+        .append("to ")
+        .append(hex(capsule.to))
+        .append("radius ")
+        .append(hex(capsule.radius));
+}
+std::string describe(const Box& box) {
+    std::string text = "min ";
+    return text.append(hex(box.min)).append("max ").append(hex(box.max));
+}
+std::string describe(const OrientedBox& box) {
+    std::string text = "center ";
+    text.append(hex(box.center)).append("half axes ");
+    for (const Vec3& half : box.half_axes) text.append(hex(half)).append(", ");
+    return text;
+}
+std::string describe(const Corners& corners) {
+    std::string text = "corners ";
+    return text.append(hex(corners.a)).append(", ").append(hex(corners.b)).append(", ").append(hex(corners.c));
+}
+std::string describe(const std::vector<Plane>& planes) {
+    std::string text = "planes ";
+    for (const Plane& plane : planes)
+        text.append(hex(plane.normal)).append("<= ").append(hex(plane.offset)).append(", ");
+    return text;
+}
+
+}  // namespace espalier::tests
