@@ -1,7 +1,6 @@
 #include <runtime/lattice_capsule.hpp>
 
 #include <runtime/lattice_round.hpp>
-#include <runtime/point_triangle.hpp>
 #include <runtime/segment_triangle.hpp>
 #include <runtime/wide_vector.hpp>
 
@@ -16,18 +15,16 @@ std::int64_t round_outward(float steps) {
                                                           : std::int64_t{bounds_limit} * 4;
 }
 
-/// Bounds around two points in units of 2^-fraction_bits, grown by a radius in steps.
-void set_bounds(Volume& volume, const std::int64_t* from, const std::int64_t* to, int fraction_bits, float radius) {
-    const bool is_everywhere = !(radius < static_cast<float>(bounds_limit));
-    volume.bounded = !is_everywhere;
-    const std::int64_t reach = round_outward(radius);
+/// Bounds of the segment, grown by the radius.
+void set_bounds(LatticeCapsule& capsule) {
+    const LatticeSegment& s = capsule.segment;
+    const std::int64_t reach = round_outward(capsule.radius);
     for (int k = 0; k < 3; ++k) {
-        const std::int64_t low = from[k] < to[k] ? from[k] : to[k];
-        const std::int64_t high = from[k] < to[k] ? to[k] : from[k];
-        volume.bounds.low[k] = clamp_to_bounds((low >> fraction_bits) - reach);
-        volume.bounds.high[k] = clamp_to_bounds(-(-high >> fraction_bits) + reach);
+        const std::int64_t low = s.from[k] < s.to[k] ? s.from[k] : s.to[k];
+        const std::int64_t high = s.from[k] < s.to[k] ? s.to[k] : s.from[k];
+        capsule.bounds.low[k] = clamp_to_bounds((low >> s.fraction_bits) - reach);
+        capsule.bounds.high[k] = clamp_to_bounds(-(-high >> s.fraction_bits) + reach);
     }
-    volume.is_empty = false;
 }
 
 /// Whether the triangle is beyond one side of the bounds.
@@ -72,8 +69,12 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCaps
     const float radius = scale_by_power_of_two(absolute(world.radius), -blob.step_exponent);
     // No distance between a lattice triangle and a rounded segment is in (0, 2^-100).
     capsule.radius = magnitude_bits(world.radius) != 0 && radius < 0x1p-100f ? 0x1p-100f : radius;
-    set_bounds(capsule, capsule.segment.from, capsule.segment.to, capsule.segment.fraction_bits, capsule.radius);
-    if (capsule.bounded) set_side_planes(capsule);
+    capsule.bounded = capsule.radius < static_cast<float>(bounds_limit);
+    if (capsule.bounded) {
+        set_bounds(capsule);
+        set_side_planes(capsule);
+    }
+    capsule.is_empty = false;
     capsule.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
         return meets(static_cast<const LatticeCapsule&>(volume), triangle);
     };
@@ -83,21 +84,6 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCaps
 bool meets(const LatticeCapsule& capsule, const LatticeTriangle& triangle) noexcept {
     if (capsule.bounded && is_beside(capsule.bounds, triangle)) return false;  // the distance is dear
     return is_within_radius(capsule.segment, triangle, distance_to(capsule.segment, triangle), capsule.radius);
-}
-
-QueryStatus round_volume(const BlobData& blob, const Sphere& world, LatticeSphere& sphere) noexcept {
-    if (!is_radius(world.radius) || !is_finite(world.center)) return QueryStatus::invalid_argument;
-    if (!round_point(blob, world.center, world.radius, sphere.point)) return QueryStatus::ok;
-    const LatticePoint& point = sphere.point;
-    set_bounds(sphere, point.origin, point.origin, point.fraction_bits, point.radius);
-    sphere.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
-        return meets(static_cast<const LatticeSphere&>(volume), triangle);
-    };
-    return QueryStatus::ok;
-}
-
-bool meets(const LatticeSphere& sphere, const LatticeTriangle& triangle) noexcept {
-    return is_within_radius(sphere.point, distance_to(sphere.point, triangle), sphere.point.radius);
 }
 
 }  // namespace espalier::detail

@@ -1,9 +1,8 @@
-// Capsules and spheres on the lattice, as volumes.
+// A capsule on the lattice.
 #pragma once
 
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
-#include <runtime/lattice_point.hpp>
 #include <runtime/lattice_segment.hpp>
 #include <runtime/volume.hpp>
 
@@ -19,14 +18,5 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCaps
 
 /// Whether the triangle is within the radius of the segment, exactly.
 [[nodiscard]] bool meets(const LatticeCapsule& capsule, const LatticeTriangle& triangle) noexcept;
-
-struct LatticeSphere : Volume {
-    LatticePoint point;
-};
-
-QueryStatus round_volume(const BlobData& blob, const Sphere& world, LatticeSphere& sphere) noexcept;
-
-/// Whether the triangle is within the radius of the center, exactly.
-[[nodiscard]] bool meets(const LatticeSphere& sphere, const LatticeTriangle& triangle) noexcept;
 
 }  // namespace espalier::detail

@@ -3,6 +3,8 @@
 // linear programme in two variables: Seidel 1991). Whether a point keeps to a third one is the sign of a determinant.
 #include <runtime/lattice_half_spaces.hpp>
 
+#include <bit>
+
 #include <runtime/wide_vector.hpp>
 
 namespace espalier::detail {
@@ -48,27 +50,46 @@ struct Wide {
     }
 };
 
-/// The sides of the triangle as constraints: the weights of a, b and c are not negative.
-constexpr unsigned side_count = 3;
-constexpr Constraint sides[side_count] = {{1, -1, -1}, {0, 1, 0}, {0, 0, 1}};
-
+/// The constraints on one triangle, by number: the weights of a, b and c are not negative, and then the half-spaces.
+/// Computed as they are asked for: there may be many, and few of them matter.
 struct Constraints {
-    Constraint list[side_count + Volume::max_planes] = {sides[0], sides[1], sides[2]};
-    unsigned count = side_count;
+    static constexpr unsigned sides = 3;
+
+    const LatticeHalfSpaces& set;
+    const LatticeTriangle& triangle;
+    std::uint32_t crossing = 0;  ///< a bit for each half-space that has corners on either side of it
+
+    [[nodiscard]] static std::int64_t room(const LatticePlane& plane, const std::int32_t* at) {
+        std::int64_t room = plane.offset;
+        for (int k = 0; k < 3; ++k) room -= std::int64_t{plane.normal[k]} * at[k];
+        return room;
+    }
+    [[nodiscard]] Constraint of_half_space(unsigned i) const {
+        const std::int64_t whole = room(set.half_space[i], triangle.corner[0]);
+        return {whole, room(set.half_space[i], triangle.corner[1]) - whole,
+                room(set.half_space[i], triangle.corner[2]) - whole};
+    }
+    [[nodiscard]] Constraint operator[](unsigned number) const {
+        if (number >= sides) return of_half_space(number - sides);
+        const std::int64_t is_a = number == 0 ? 1 : 0;
+        return {is_a, (number == 1 ? 1 : 0) - is_a, (number == 2 ? 1 : 0) - is_a};
+    }
 };
 
-/// Whether some point of the triangle keeps to all constraints. Each but the sides has corners on either side of it.
+/// Whether some point of the triangle keeps to all constraints.
 template <class Arithmetic>
-bool has_solution(const Constraints& constraints) {
-    const auto volume = [&](unsigned r, unsigned s, unsigned t) {
-        return Arithmetic::sign_of_volume(constraints.list[r], constraints.list[s], constraints.list[t]);
-    };
+[[gnu::noinline]] bool has_solution(const Constraints& constraints) {
     // A point that keeps to all constraints so far: corner a, and later where line `on` ends at constraint `last`.
     unsigned on = 0;
     unsigned last = 0;
-    for (unsigned next = side_count; next < constraints.count; ++next) {
-        const Constraint& line = constraints.list[next];
-        if ((on == 0 ? line.whole >= 0 : volume(next, on, last) >= 0)) continue;
+    for (std::uint32_t left = constraints.crossing; left != 0; left &= left - 1) {
+        const auto next = static_cast<unsigned>(std::countr_zero(left));
+        const Constraint line = constraints.of_half_space(next);
+        const auto volume = [&](const Constraint& before, unsigned after) {
+            return Arithmetic::sign_of_volume(before, line, constraints[after]);
+        };
+        if ((on == 0 ? line.whole >= 0 : Arithmetic::sign_of_volume(line, constraints[on], constraints[last]) >= 0))
+            continue;
         // Whatever keeps to this one too can be found on its line: from the point found so far to a better one all keep
         // to the others, and on the way one crosses the line. The triangle cuts a segment out of it, from side `first`
         // to side `last`, going round the line's normal counterclockwise; the other constraints shorten it.
@@ -77,43 +98,38 @@ bool has_solution(const Constraints& constraints) {
         const unsigned after = lonely == 2 ? 0 : lonely + 1, before = lonely == 0 ? 2 : lonely - 1;
         unsigned first = is_inside[lonely] ? before : after;
         last = is_inside[lonely] ? after : before;
-        for (unsigned other = side_count; other < next; ++other) {
-            const bool first_is_out = volume(other, next, first) > 0;
-            const bool last_is_out = volume(other, next, last) < 0;
+        on = Constraints::sides + next;
+        const std::uint32_t earlier = constraints.crossing & ((1u << next) - 1u);
+        for (std::uint32_t others = earlier; others != 0; others &= others - 1) {
+            const unsigned other = static_cast<unsigned>(std::countr_zero(others));
+            const Constraint constraint = constraints.of_half_space(other);
+            const bool first_is_out = volume(constraint, first) > 0;
+            const bool last_is_out = volume(constraint, last) < 0;
             if (first_is_out && last_is_out) return false;
-            if (first_is_out) first = other;
-            if (last_is_out) last = other;
+            if (first_is_out) first = Constraints::sides + other;
+            if (last_is_out) last = Constraints::sides + other;
         }
-        on = next;
     }
     return true;
 }
 
-[[gnu::noinline]] bool has_solution_wide(const Constraints& constraints) { return has_solution<Wide>(constraints); }
-
 }  // namespace
 
 bool meets(const LatticeHalfSpaces& set, const LatticeTriangle& triangle) noexcept {
-    Constraints constraints;
+    Constraints constraints = {set, triangle};
     bool is_narrow = true;
     for (unsigned i = 0; i < set.plane_count; ++i) {
-        const LatticePlane& plane = set.half_space[i];
-        std::int64_t room[3];
-        unsigned inside = 0;
-        for (int corner = 0; corner < 3; ++corner) {
-            room[corner] = plane.offset;
-            for (int k = 0; k < 3; ++k) room[corner] -= std::int64_t{plane.normal[k]} * triangle.corner[corner][k];
-            inside += room[corner] >= 0 ? 1 : 0;
-        }
+        const Constraint constraint = constraints.of_half_space(i);
+        const int inside = (constraint.whole >= 0 ? 1 : 0) + (constraint.whole + constraint.b >= 0 ? 1 : 0) +
+                           (constraint.whole + constraint.c >= 0 ? 1 : 0);
         if (inside == 0) return false;
         if (inside == 3) continue;
-        const Constraint constraint = {room[0], room[1] - room[0], room[2] - room[0]};
         constexpr std::int64_t narrow = std::int64_t{1} << 41;
         is_narrow = is_narrow && magnitude(constraint.whole) < narrow && magnitude(constraint.b) < narrow &&
                     magnitude(constraint.c) < narrow;
-        constraints.list[constraints.count++] = constraint;
+        constraints.crossing |= 1u << i;
     }
-    return is_narrow ? has_solution<Narrow>(constraints) : has_solution_wide(constraints);
+    return is_narrow ? has_solution<Narrow>(constraints) : has_solution<Wide>(constraints);
 }
 
 }  // namespace espalier::detail

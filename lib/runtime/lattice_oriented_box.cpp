@@ -104,7 +104,7 @@ bool are_beyond(const Number* at, Number reach) {
 }
 
 template <class Arithmetic>
-bool is_separated_along(const typename Arithmetic::Vector& axis, const LatticeOrientedBox& box, const Seen& seen) {
+bool is_separated_along_axis(const typename Arithmetic::Vector& axis, const LatticeOrientedBox& box, const Seen& seen) {
     using Number = typename Arithmetic::Number;
     Number at[3];
     Number reach = 0;
@@ -115,9 +115,20 @@ bool is_separated_along(const typename Arithmetic::Vector& axis, const LatticeOr
     return are_beyond(at, reach);
 }
 
+template <class Arithmetic>
+bool is_separated_along(const typename Arithmetic::Vector& axis, const LatticeOrientedBox& box, const Seen& seen) {
+    return is_separated_along_axis<Arithmetic>(axis, box, seen);
+}
+/// Called, not copied: rare, and large.
+template <>
+[[gnu::noinline]] bool is_separated_along<Wide>(const WideVector& axis, const LatticeOrientedBox& box,
+                                                const Seen& seen) {
+    return is_separated_along_axis<Wide>(axis, box, seen);
+}
+
 /// All axes but those of the box's faces.
 template <class Arithmetic>
-bool is_separated(const LatticeOrientedBox& box, const Seen& seen) {
+[[gnu::noinline]] bool is_separated(const LatticeOrientedBox& box, const Seen& seen) {
     if (is_separated_along<Arithmetic>(Arithmetic::product(seen.side[0], seen.side[1]), box, seen)) return true;
     for (const Integer3& half : box.half)
         for (const Integer3& side : seen.side)
@@ -132,10 +143,6 @@ bool is_separated(const LatticeOrientedBox& box, const Seen& seen) {
                 return true;
     }
     return false;
-}
-
-[[gnu::noinline]] bool is_separated_wide(const LatticeOrientedBox& box, const Seen& seen) {
-    return is_separated<Wide>(box, seen);
 }
 
 }  // namespace
@@ -170,7 +177,7 @@ bool meets(const LatticeOrientedBox& box, const LatticeTriangle& triangle) noexc
     }
     if (!box.face_reach.is_zero() && (inside[0] || inside[1] || inside[2])) return true;
     const bool is_short = ray_triangle::edges_are_below<12>({{}, seen.side[0], seen.side[1]});
-    return !(box.is_near && is_short ? is_separated<Narrow>(box, seen) : is_separated_wide(box, seen));
+    return !(box.is_near && is_short ? is_separated<Narrow>(box, seen) : is_separated<Wide>(box, seen));
 }
 
 }  // namespace espalier::detail

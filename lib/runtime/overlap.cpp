@@ -6,6 +6,7 @@
 #include <runtime/lattice_corners.hpp>
 #include <runtime/lattice_half_spaces.hpp>
 #include <runtime/lattice_oriented_box.hpp>
+#include <runtime/lattice_round.hpp>
 #include <runtime/point_queries.hpp>
 #include <runtime/simd/dispatch.hpp>
 
@@ -34,10 +35,12 @@ bool each_in(const Blob& blob, const Shape& shape, FunctionRef<Visit(Triangle)> 
     return volume.is_empty || visit_triangles_in(blob.data(), volume, 0, visit);
 }
 
-OverlapPage collect_in(const Blob& blob, const Volume& volume, std::span<Triangle> out, std::uint32_t first) {
-    OverlapPage page = {QueryStatus::ok, 0, blob.triangle_count()};
-    if (volume.is_empty) return page;
-    visit_triangles_in(blob.data(), volume, first, [&](Triangle triangle) {
+/// Fills a page with what the walk visits.
+struct PageMaker {
+    std::span<Triangle> out;
+    OverlapPage page;
+
+    Visit operator()(Triangle triangle) {
         if (page.count == out.size()) {
             page.status = QueryStatus::output_full;
             page.next = triangle.index;
@@ -45,9 +48,8 @@ OverlapPage collect_in(const Blob& blob, const Volume& volume, std::span<Triangl
         }
         out[page.count++] = triangle;
         return keep_going;
-    });
-    return page;
-}
+    }
+};
 
 template <class Rounded, class Shape>
 OverlapPage page_in(const Blob& blob, const Shape& shape, std::span<Triangle> out, std::uint32_t first) {
@@ -55,8 +57,9 @@ OverlapPage page_in(const Blob& blob, const Shape& shape, std::span<Triangle> ou
     if (blob.copy_count() != 0) return {QueryStatus::has_copies, 0, first};
     const QueryStatus status = round_volume(blob.data(), shape, volume);
     if (status != QueryStatus::ok) return {status, 0, first};
-    if (blob.triangle_count() == 0) volume.is_empty = true;
-    return collect_in(blob, volume, out, first);
+    PageMaker maker = {out, {QueryStatus::ok, 0, blob.triangle_count()}};
+    if (blob.triangle_count() != 0 && !volume.is_empty) visit_triangles_in(blob.data(), volume, first, maker);
+    return maker.page;
 }
 
 using HalfSpaces = std::span<const Plane>;
@@ -78,7 +81,7 @@ bool for_each_overlap(const Blob& blob, const Sphere& sphere, FunctionRef<Visit(
     LatticePoint rounded;
     if (blob.copy_count() != 0) return false;
     if (blob.triangle_count() == 0 || !round_point(blob.data(), sphere.center, sphere.radius, rounded)) return true;
-    return ESPALIER_DISPATCH(every_overlap, blob.data(), rounded, visit);
+    return ESPALIER_DISPATCH(every_overlap, blob.data(), rounded, 0, visit);
 }
 bool for_each_overlap(const Blob& blob, const Capsule& capsule, FunctionRef<Visit(Triangle)> visit) {
     return each_in<LatticeCapsule>(blob, capsule, visit);
@@ -98,7 +101,15 @@ bool for_each_overlap(const Blob& blob, HalfSpaces planes, FunctionRef<Visit(Tri
 
 OverlapPage collect_overlaps(const Blob& blob, const Sphere& sphere, std::span<Triangle> out,
                              std::uint32_t first) noexcept {
-    return page_in<LatticeSphere>(blob, sphere, out, first);
+    if (blob.copy_count() != 0) return {QueryStatus::has_copies, 0, first};
+    if (!is_finite(sphere.center) || is_nan(sphere.radius) ||
+        (is_negative(sphere.radius) && magnitude_bits(sphere.radius) != 0))
+        return {QueryStatus::invalid_argument, 0, first};
+    PageMaker maker = {out, {QueryStatus::ok, 0, blob.triangle_count()}};
+    LatticePoint rounded;
+    if (blob.triangle_count() != 0 && round_point(blob.data(), sphere.center, sphere.radius, rounded))
+        ESPALIER_DISPATCH(every_overlap, blob.data(), rounded, first, maker);
+    return maker.page;
 }
 OverlapPage collect_overlaps(const Blob& blob, const Capsule& capsule, std::span<Triangle> out,
                              std::uint32_t first) noexcept {

@@ -10,7 +10,8 @@
 #define ESPALIER_DECLARE_POINT_QUERIES(instruction_set)                                                      \
     namespace instruction_set {                                                                              \
     bool any_overlap(const BlobData& blob, const LatticePoint& point);                                       \
-    bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit); \
+    bool every_overlap(const BlobData& blob, const LatticePoint& point, std::uint32_t first, \
+                       FunctionRef<Visit(Triangle)> visit); \
     bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best);              \
     void closest_triangles(const BlobData& blob, const LatticePoint& point, ClosestFew& few);                \
     }

@@ -35,20 +35,23 @@ inline typename Leaf::Slots point_candidates(const Leaf& leaf, const LatticePoin
         leaf.vertex_count, [&](auto groups) { return point_candidates_of<groups>(leaf, point, limit); });
 }
 
-/// Overlapping triangles in storage order, handed to a callable.
+/// Overlapping triangles in storage order, from storage index `first` on, handed to a callable.
 template <class Leaf, class OnOverlap>
 struct EveryOverlap {
     const LatticePoint& point;
     const BlobData& blob;
+    std::uint32_t first;
     OnOverlap on_overlap;
 
     unsigned children(const Node& node, float* keys) { return distance_test(node, point, blob, point.limit, keys); }
     Visit visit_leaf(const Leaf& leaf) {
+        if (first != 0 && storage_index(leaf, 0) + leaf.triangle_count() <= first) return keep_going;
         for (auto candidates = point_candidates(leaf, point, point.limit); candidates != 0;
              candidates &= candidates - 1) {
             const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
             if (!is_within_radius(point, distance_to(point, leaf.triangle(slot)), point.radius)) continue;
-            if (on_overlap(Triangle{storage_index(leaf, slot)}) == stop) return stop;
+            const std::uint32_t index = storage_index(leaf, slot);
+            if (index >= first && on_overlap(Triangle{index}) == stop) return stop;
         }
         return keep_going;
     }
@@ -113,19 +116,20 @@ struct ClosestTriangles {
 
 /// True when the callable stopped it.
 template <class OnOverlap>
-inline bool visit_every_overlap(const BlobData& blob, const LatticePoint& point, OnOverlap on_overlap) {
+inline bool visit_every_overlap(const BlobData& blob, const LatticePoint& point, std::uint32_t first, OnOverlap on_overlap) {
     return with_leaves_of(blob, [&]<class Leaf>() {
-        EveryOverlap<Leaf, OnOverlap> visitor = {point, blob, on_overlap};
+        EveryOverlap<Leaf, OnOverlap> visitor = {point, blob, first, on_overlap};
         return traverse_in_storage_order<Leaf>(blob, visitor) == stop;
     });
 }
 
 bool any_overlap(const BlobData& blob, const LatticePoint& point) {
-    return visit_every_overlap(blob, point, [](Triangle) { return stop; });
+    return visit_every_overlap(blob, point, 0, [](Triangle) { return stop; });
 }
 
-bool every_overlap(const BlobData& blob, const LatticePoint& point, FunctionRef<Visit(Triangle)> visit) {
-    return !visit_every_overlap(blob, point, visit);
+bool every_overlap(const BlobData& blob, const LatticePoint& point, std::uint32_t first,
+                   FunctionRef<Visit(Triangle)> visit) {
+    return !visit_every_overlap(blob, point, first, visit);
 }
 
 bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "fingerprint.hpp"
 #include "questions.hpp"
@@ -101,6 +102,40 @@ inline void add_nearest(Fingerprint& fingerprint, const Blob& blob, const Neares
     add_triangle(fingerprint, blob, nearest.triangle);
 }
 
+template <class Shape>
+void ask_volume(const Blob& blob, const Shape& shape, Answers& answers) {
+    Triangle page[3];
+    std::uint32_t left = 12;
+    answers.fingerprint.add(overlaps(blob, shape));
+    answers.fingerprint.add(for_each_overlap(blob, shape, [&](Triangle triangle) {
+        ++answers.overlaps;
+        answers.fingerprint.add(triangle.index);
+        return --left == 0 ? stop : keep_going;
+    }));
+    std::uint32_t first = 0;
+    for (int pages = 0; pages < 3; ++pages) {
+        const OverlapPage answer = collect_overlaps(blob, shape, page, first);
+        answers.fingerprint.add(static_cast<std::uint32_t>(answer.status));
+        answers.fingerprint.add(answer.next);
+        for (std::uint32_t i = 0; i < answer.count; ++i) answers.fingerprint.add(page[i].index);
+        first = answer.next;
+    }
+}
+
+inline void ask_volumes(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        ask_volume(blob, questions.sphere(number), answers);
+        ask_volume(blob, questions.capsule(number), answers);
+        ask_volume(blob, questions.box(number), answers);
+        ask_volume(blob, questions.oriented_box(number), answers);
+        ask_volume(blob, questions.corners(number), answers);
+        Plane planes[6];
+        const std::span<Plane> some = std::span<Plane>(planes).first(1 + number % 6);
+        questions.planes(number, some);
+        ask_volume(blob, std::span<const Plane>(some), answers);
+    }
+}
+
 inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
         const Vec3 point = questions.point(number);
@@ -148,6 +183,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_filtered_hits(blob, questions, questions_of_a_kind, answers);
     ask_all_hits(blob, questions, questions_of_a_kind, answers);
     ask_spheres(blob, questions, questions_of_a_kind, answers);
+    ask_volumes(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_closest_points(blob, questions, questions_of_a_kind, answers);
     return answers;
 }

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <span>
 
 #include <espalier/espalier.hpp>
 
@@ -65,6 +66,41 @@ public:
             return {corner(), size() * 0.03125f * fraction()};
         default:
             return {any_bits(), any_float()};
+        }
+    }
+
+    Capsule capsule(std::uint32_t number) {
+        const Sphere end = sphere(number);
+        return {end.center, number % 3 == 0 ? end.center : point_around(1.0f), end.radius};
+    }
+
+    Box box(std::uint32_t number) {
+        const Vec3 a = number % 4 == 3 ? any_bits() : number % 4 == 2 ? corner() : point_around(1.0f);
+        const float away = size() * 0.25f * fraction();
+        if (number % 5 == 0) return {a, a};
+        return {a, {a.x + away, a.y + away, number % 3 == 0 ? __builtin_inff() : a.z + away}};
+    }
+
+    OrientedBox oriented_box(std::uint32_t number) {
+        OrientedBox box = {number % 4 == 3 ? any_bits() : surface_point(), {}};
+        for (Vec3& half : box.half_axes) half = difference(point_around(0.25f), center_);
+        if (number % 3 == 0) box.half_axes[2] = {};  // flat
+        if (number % 6 == 0) box.half_axes[1] = box.half_axes[0];
+        return box;
+    }
+
+    Corners corners(std::uint32_t number) {
+        const Vec3 a = number % 4 == 3 ? any_bits() : corner(), b = point_around(1.0f);
+        return {a, b, number % 3 == 0 ? corner() : number % 5 == 0 ? b : point_around(1.0f)};
+    }
+
+    /// As many as asked for, about a point.
+    void planes(std::uint32_t number, std::span<Plane> planes) {
+        const Vec3 on = number % 2 == 0 ? corner() : point_around(1.0f);
+        for (Plane& plane : planes) {
+            const Vec3 normal = number % 8 == 7 ? any_bits() : difference(point_around(1.0f), center_);
+            const float beyond = number % 2 == 0 ? 0.0f : fraction() * size() * size() * 0.01f;
+            plane = {normal, normal.x * on.x + normal.y * on.y + normal.z * on.z + beyond};
         }
     }
 
@@ -138,6 +174,8 @@ private:
             return {0.0f, -0.0f, length};
         }
     }
+
+    static Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
     void step_back(Ray& ray) const {
         ray.origin.x -= ray.direction.x * size();

@@ -11,6 +11,7 @@
 #include "../support/instruction_paths.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/sanitized.hpp"
+#include "../support/shape_maker.hpp"
 #include "../support/stack_use.hpp"
 #include "../support/test_blobs.hpp"
 
@@ -80,6 +81,19 @@ TEST_SUITE("promises") {
                 return stack_use([&] { query(blob.opened.blob, sphere); });
             });
         };
+        const auto volume_row = [&](auto make) {
+            std::size_t most = 0;
+            for (const TestBlob& blob : medium_test_blobs()) {
+                ShapeMaker maker(blob.decoded, 6);
+                for (int i = 0; i < 30; ++i) {
+                    const auto shape = make(maker);
+                    std::array<Triangle, 8> page;
+                    most = std::max(most, stack_use([&] { (void)overlaps(blob.opened.blob, shape); }));
+                    most = std::max(most, stack_use([&] { collect_overlaps(blob.opened.blob, shape, page); }));
+                }
+            }
+            return most;
+        };
         const Row rows[] = {
             {"open", 1024, most_stack([](const TestBlob& blob, QueryMaker&) {
                  return stack_use([&] {
@@ -101,6 +115,12 @@ TEST_SUITE("promises") {
             {"for_each_overlap", 2560, sphere_row([](const Blob& blob, const Sphere& sphere) {
                  for_each_overlap(blob, sphere, [](Triangle) { return keep_going; });
              })},
+            {"overlaps and pages, a capsule", 3328, volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
+            {"overlaps and pages, a box", 1536, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
+            {"overlaps and pages, an oriented box", 3072,
+             volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
+            {"overlaps and pages, a triangle", 2304, volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
+            {"overlaps and pages, planes", 3072, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
             {"closest_point", 2560, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_point(blob, sphere.center, sphere.radius, nearest);
              })},

@@ -210,7 +210,7 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
     };
     for (const InstructionPath& path : instruction_paths()) {
         if (path.any_overlap(blob.data(), rounded) == expected.empty()) return difference_at(path.name, "any overlap");
-        if (!matches([&](auto visit) { return path.every_overlap(blob.data(), rounded, visit); })) {
+        if (!matches([&](auto visit) { return path.every_overlap(blob.data(), rounded, 0, visit); })) {
             return difference_at(path.name, "the row of all overlaps");
         }
         detail::FoundNearest found{};
@@ -266,7 +266,7 @@ std::optional<std::string> path_difference(const Blob& blob, const Sphere& spher
         Answers answers;
         answers.closest = path.closest_triangle(blob.data(), rounded, answers.nearest);
         answers.any = path.any_overlap(blob.data(), rounded);
-        path.every_overlap(blob.data(), rounded, [&](Triangle triangle) {
+        path.every_overlap(blob.data(), rounded, 0, [&](Triangle triangle) {
             answers.every.push_back(triangle);
             return keep_going;
         });

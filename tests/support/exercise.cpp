@@ -175,7 +175,6 @@ void exercise_spheres(Exercise& run) {
         return ++visited == 64 ? stop : keep_going;
     });
     verdict.require((visited > 0) == (any && blob.copy_count() == 0), "for_each_overlap and overlaps disagree");
-
 }
 
 void check_nearest(Exercise& run, const Nearest& nearest) {
