@@ -2,6 +2,7 @@
 #pragma once
 
 #include <espalier/blob.hpp>
+#include <espalier/inside.hpp>
 #include <espalier/nearest.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>

@@ -150,6 +150,11 @@ inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint
         const std::size_t places = closest_triangles(blob, point, max_distance, few);
         answers.fingerprint.add(static_cast<std::uint32_t>(places));
         for (std::size_t i = 0; i < places; ++i) add_nearest(answers.fingerprint, blob, few[i]);
+        bool inside = false;
+        answers.fingerprint.add(static_cast<std::uint32_t>(contains(blob, point, inside)));
+        answers.fingerprint.add(inside);
+        answers.fingerprint.add(static_cast<std::uint32_t>(signed_distance(blob, point, max_distance, nearest)));
+        answers.fingerprint.add(nearest.distance);
     }
 }
 

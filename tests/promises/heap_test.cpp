@@ -46,6 +46,9 @@ TEST_SUITE("promises") {
                 found += closest_point(blob, sphere.center, sphere.radius, nearest) ? 1u : 0u;
                 std::array<Nearest, 20> few;
                 found += closest_triangles(blob, sphere.center, sphere.radius, few) != 0 ? 1u : 0u;
+                bool inside = false;
+                found += contains(blob, sphere.center, inside) == QueryStatus::ok && inside ? 1u : 0u;
+                signed_distance(blob, sphere.center, sphere.radius, nearest);
                 const std::array<Ray, 20> rays = {ray, ray, maker.any_ray()};
                 std::array<RayHit, 20> hits;
                 std::array<std::uint8_t, 20> answers;

@@ -58,6 +58,7 @@ TEST_SUITE("promises") {
         RayHit hit;
         Nearest nearest;
         std::array<Nearest, 16> few;
+        bool inside = false;
         const auto ray_row = [&](auto query) {
             return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
                 const Ray ray = maker.any_ray();
@@ -124,8 +125,14 @@ TEST_SUITE("promises") {
             {"closest_point", 2560, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_point(blob, sphere.center, sphere.radius, nearest);
              })},
-            {"closest_triangles", 3840, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+            {"closest_triangles", 2560, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_triangles(blob, sphere.center, sphere.radius, few);
+             })},
+            {"contains", 1536, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                 contains(blob, sphere.center, inside);
+             })},
+            {"signed_distance", 2560, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                 signed_distance(blob, sphere.center, sphere.radius, nearest);
              })},
         };
         for (const Row& row : rows) {

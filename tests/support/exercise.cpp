@@ -203,6 +203,18 @@ void exercise_distances(Exercise& run) {
         check_nearest(run, few[i]);
         run.verdict.require(i == 0 || few[i].distance >= few[i - 1].distance, "the closest triangles are not sorted");
     }
+    bool inside = false;
+    const QueryStatus status = contains(blob, point, inside);
+    run.hash.add(static_cast<std::uint32_t>(status));
+    run.hash.add(std::uint32_t{inside});
+    Nearest signed_nearest;
+    if (signed_distance(blob, point, max_distance, signed_nearest) == QueryStatus::ok) {
+        run.verdict.require(status == QueryStatus::ok, "contains and signed_distance disagree");
+        run.verdict.require((signed_nearest.triangle != no_triangle) == found,
+                            "signed_distance and closest_point disagree");
+        run.verdict.require(inside || !(signed_nearest.distance < 0.0f), "a distance outside is negative");
+        run.hash.add(signed_nearest.distance);
+    }
 }
 
 /// The three ways of asking about one shape.

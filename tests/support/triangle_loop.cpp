@@ -51,4 +51,15 @@ std::vector<detail::FoundNearest> TriangleLoop::by_distance(const detail::Lattic
     return found;
 }
 
+detail::Winding TriangleLoop::winding(const detail::WindingRay& ray) const {
+    detail::Winding winding;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        if (owners_[i] != i) continue;
+        const auto relative = detail::relative_to(ray, triangles_[i]);
+        if (detail::distance_to(relative, ray.fraction_bits).numerator.is_zero()) winding.on_surface = true;
+        winding.number += detail::crossing(ray, triangles_[i]);
+    }
+    return winding;
+}
+
 }  // namespace espalier::tests

@@ -9,6 +9,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/found.hpp>
 #include <runtime/volume.hpp>
+#include <runtime/winding.hpp>
 
 #include "decoder.hpp"
 
@@ -25,6 +26,8 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> every_overlap(const detail::Volume& volume) const;
     /// All within the radius, sorted by distance and index.
     [[nodiscard]] std::vector<detail::FoundNearest> by_distance(const detail::LatticePoint& point) const;
+    /// Along the ray's direction.
+    [[nodiscard]] detail::Winding winding(const detail::WindingRay& ray) const;
 
 private:
     std::vector<detail::LatticeTriangle> triangles_;
