@@ -76,6 +76,13 @@ TEST_SUITE("promises") {
                 return stack_use([&] { query(blob.opened.blob, rays); });
             });
         };
+        // The paths of instruction sets that the machine would not choose are measured too.
+        const auto ray_path_row = [&](auto query) {
+            std::size_t most = 0;
+            for (const InstructionPath& path : instruction_paths())
+                most = std::max(most, ray_row([&](const Blob& blob, const Ray& ray) { query(path, blob, ray); }));
+            return most;
+        };
         const auto sphere_row = [&](auto query) {
             return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
                 const Sphere sphere = maker.sphere();
@@ -95,6 +102,17 @@ TEST_SUITE("promises") {
             }
             return most;
         };
+        const auto point_path_row = [&](auto query) {
+            std::size_t most = 0;
+            for (const InstructionPath& path : instruction_paths())
+                most = std::max(most, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                                    detail::LatticePoint point;
+                                    if (detail::round_point(blob.data(), sphere.center, sphere.radius, point))
+                                        query(path, blob.data(), point);
+                                }));
+            return most;
+        };
+        detail::FoundNearest found;
         const Row rows[] = {
             {"open", 1024, most_stack([](const TestBlob& blob, QueryMaker&) {
                  return stack_use([&] {
@@ -103,6 +121,15 @@ TEST_SUITE("promises") {
                  });
              })},
             {"raycast", 1536, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
+            {"raycast, every instruction set", 2048,
+             ray_path_row([&](const InstructionPath& path, const Blob& blob, const Ray& ray) {
+                 path.closest_hit(blob.data(), ray, hit, nullptr);
+             })},
+            {"closest_point, every instruction set", 3072,
+             point_path_row(
+                 [&](const InstructionPath& path, const detail::BlobData& blob, const detail::LatticePoint& point) {
+                     path.closest_triangle(blob, point, found);
+                 })},
             {"occluded", 1408, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
             {"raycast, a batch", 12288,
              batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},
