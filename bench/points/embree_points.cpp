@@ -1,0 +1,120 @@
+#include "embree_points.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace espalier::bench {
+namespace {
+
+Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+float dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// Squared distance of a point and a triangle by the regions of its plane (Ericson 2005, 5.1.5), in float32.
+float squared_distance(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
+    const Vec3 ab = minus(b, a), ac = minus(c, a), ap = minus(p, a);
+    const auto from = [&](float v, float w) {
+        const Vec3 d = {ap.x - v * ab.x - w * ac.x, ap.y - v * ab.y - w * ac.y, ap.z - v * ab.z - w * ac.z};
+        return dot(d, d);
+    };
+    const float d1 = dot(ab, ap), d2 = dot(ac, ap);
+    if (d1 <= 0.0f && d2 <= 0.0f) return from(0.0f, 0.0f);
+    const Vec3 bp = minus(p, b);
+    const float d3 = dot(ab, bp), d4 = dot(ac, bp);
+    if (d3 >= 0.0f && d4 <= d3) return from(1.0f, 0.0f);
+    const float vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0f && d1 >= 0.0f && d3 <= 0.0f) return from(d1 / (d1 - d3), 0.0f);
+    const Vec3 cp = minus(p, c);
+    const float d5 = dot(ab, cp), d6 = dot(ac, cp);
+    if (d6 >= 0.0f && d5 <= d6) return from(0.0f, 1.0f);
+    const float vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0f && d2 >= 0.0f && d6 <= 0.0f) return from(0.0f, d2 / (d2 - d6));
+    const float va = d3 * d6 - d5 * d4;
+    if (va <= 0.0f && d4 - d3 >= 0.0f && d5 - d6 >= 0.0f) {
+        const float w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return from(1.0f - w, w);
+    }
+    const float share = 1.0f / (va + vb + vc);
+    return from(vb * share, vc * share);
+}
+
+struct Question {
+    const Mesh* mesh;
+    float squared_radius;
+    std::size_t count;
+
+    [[nodiscard]] float to(const RTCPointQueryFunctionArguments* arguments) const {
+        const TriangleVertices& t = mesh->triangles[arguments->primID];
+        const RTCPointQuery& query = *arguments->query;
+        return squared_distance({query.x, query.y, query.z}, mesh->positions[t[0]], mesh->positions[t[1]],
+                                mesh->positions[t[2]]);
+    }
+};
+
+bool count_triangle(RTCPointQueryFunctionArguments* arguments) {
+    Question& question = *static_cast<Question*>(arguments->userPtr);
+    question.count += question.to(arguments) <= question.squared_radius ? 1 : 0;
+    return false;
+}
+
+bool keep_closest(RTCPointQueryFunctionArguments* arguments) {
+    Question& question = *static_cast<Question*>(arguments->userPtr);
+    const float squared = question.to(arguments);
+    if (squared >= question.squared_radius) return false;
+    question.squared_radius = squared;
+    arguments->query->radius = std::sqrt(squared);
+    return true;
+}
+
+}  // namespace
+
+struct EmbreePoints::Scene {
+    const Mesh& mesh;
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+
+    void ask(Vec3 center, float radius, RTCPointQueryFunction function, Question& question) const {
+        RTCPointQuery query = {center.x, center.y, center.z, 0.0f, radius};
+        RTCPointQueryContext context;
+        rtcInitPointQueryContext(&context);
+        rtcPointQuery(scene, &query, &context, function, &question);
+    }
+};
+
+EmbreePoints::EmbreePoints(const Mesh& mesh) : scene_(new Scene{mesh}) {
+    scene_->device = rtcNewDevice("threads=1,set_affinity=0");
+    scene_->scene = rtcNewScene(scene_->device);
+    RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* vertices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size());
+    std::memcpy(vertices, mesh.positions.data(), 12 * mesh.positions.size());
+    void* indices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size());
+    std::memcpy(indices, mesh.triangles.data(), 12 * mesh.triangles.size());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene_->scene);
+}
+
+EmbreePoints::~EmbreePoints() {
+    rtcReleaseScene(scene_->scene);
+    rtcReleaseDevice(scene_->device);
+}
+
+std::size_t EmbreePoints::count_within(Vec3 center, float radius) const {
+    Question question = {&scene_->mesh, radius * radius, 0};
+    scene_->ask(center, radius, count_triangle, question);
+    return question.count;
+}
+
+float EmbreePoints::closest_distance(Vec3 point) const {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Question question = {&scene_->mesh, infinity, 0};
+    scene_->ask(point, infinity, keep_closest, question);
+    return std::sqrt(question.squared_radius);
+}
+
+}  // namespace espalier::bench

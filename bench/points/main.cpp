@@ -1,0 +1,209 @@
+// Spheres and closest points, beside Embree's point query: one thread, the systems take turns within each repetition,
+// and a ratio is taken between neighbours in time. JSON, an object for each mesh and profile.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <espalier/bake.hpp>
+#include <espalier/espalier.hpp>
+
+#include "../../tests/support/mesh_files.hpp"
+#include "../../tests/support/random.hpp"
+#include "../../tools/choices.hpp"
+#include "../peers/stopwatch.hpp"
+#include "../rays.hpp"
+#if defined(ESPALIER_BENCH_EMBREE)
+#include "embree_points.hpp"
+#endif
+
+namespace {
+
+using namespace espalier;
+using namespace espalier::bench;
+
+struct Options {
+    unsigned repetitions = 5;
+    std::size_t points = 20000;
+    std::vector<std::string> meshes;
+};
+
+/// Centres anywhere in the box; the radius is 2 % of its diagonal.
+struct Questions {
+    std::vector<Vec3> points;
+    float radius = 0.0f;
+};
+
+Questions questions_about(const Mesh& mesh, std::size_t count) {
+    Vec3 low = mesh.positions.front(), high = low;
+    for (const Vec3& p : mesh.positions) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    const Vec3 size = {high.x - low.x, high.y - low.y, high.z - low.z};
+    Questions questions;
+    questions.radius = 0.02f * std::sqrt(size.x * size.x + size.y * size.y + size.z * size.z);
+    tests::Random random(2026);
+    for (std::size_t i = 0; i < count; ++i)
+        questions.points.push_back(
+            {low.x + size.x * random.unit(), low.y + size.y * random.unit(), low.z + size.z * random.unit()});
+    return questions;
+}
+
+/// One way to answer one kind of question; gives something that depends on all answers.
+struct Contestant {
+    const char* name;
+    std::function<double(const Questions&)> answer;
+    std::vector<double> seconds;
+    double sum = 0.0;
+};
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+void take_turns(std::span<Contestant> contestants, const Questions& questions, unsigned repetitions) {
+    for (unsigned repetition = 0; repetition < repetitions; ++repetition)
+        for (Contestant& contestant : contestants) {
+            const Stopwatch watch;
+            contestant.sum = contestant.answer(questions);
+            contestant.seconds.push_back(watch.seconds());
+        }
+}
+
+void print_kind(const char* kind, const Contestant* reference, const Contestant& own, std::size_t count) {
+    std::printf(",\"%s_k\":%.1f", kind, static_cast<double>(count) / median(own.seconds) * 1e-3);
+    if (reference == nullptr) return;
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < own.seconds.size(); ++i) ratios.push_back(reference->seconds[i] / own.seconds[i]);
+    std::printf(",\"%s_ratio\":%.3f,\"%s_low\":%.3f,\"%s_high\":%.3f,\"%s_sums\":[%.9g,%.9g]", kind, median(ratios),
+                kind, *std::min_element(ratios.begin(), ratios.end()), kind,
+                *std::max_element(ratios.begin(), ratios.end()), kind, reference->sum, own.sum);
+}
+
+void measure(const Mesh& mesh, const std::string& profile_name, format::Profile profile, const Options& options) {
+    const MeshView view = mesh.view();
+    BakeOptions bake_options;
+    bake_options.profile = profile;
+    const auto baked = bake({&view, 1}, bake_options);
+    if (!baked) throw std::runtime_error(baked.error().message);
+    Blob blob;
+    if (const Status status = open(baked->blob, blob); status != Status::ok) throw std::runtime_error(describe(status));
+    const Questions questions = questions_about(mesh, options.points);
+
+    std::vector<Contestant> all, any, closest;
+#if defined(ESPALIER_BENCH_EMBREE)
+    const EmbreePoints embree(mesh);
+    const auto count_all = [&embree](const Questions& q) {
+        double sum = 0.0;
+        for (const Vec3& p : q.points) sum += static_cast<double>(embree.count_within(p, q.radius));
+        return sum;
+    };
+    all.push_back({"embree", count_all, {}});
+    any.push_back({"embree", count_all, {}});  // it has no any: its rate of all is what ours of any is held against
+    closest.push_back({"embree",
+                       [&embree](const Questions& q) {
+                           double sum = 0.0;
+                           for (const Vec3& p : q.points) sum += static_cast<double>(embree.closest_distance(p));
+                           return sum;
+                       },
+                       {}});
+#endif
+    all.push_back(
+        {"espalier",
+         [&blob](const Questions& q) {
+             double sum = 0.0;
+             for (const Vec3& p : q.points) {
+                 std::size_t count = 0;
+                 for_each_overlap(blob, Sphere{p, q.radius}, [&count](Triangle) { return ++count, keep_going; });
+                 sum += static_cast<double>(count);
+             }
+             return sum;
+         },
+         {}});
+    any.push_back({"espalier",
+                   [&blob](const Questions& q) {
+                       double sum = 0.0;
+                       for (const Vec3& p : q.points) sum += overlaps(blob, Sphere{p, q.radius}) ? 1.0 : 0.0;
+                       return sum;
+                   },
+                   {}});
+    closest.push_back({"espalier",
+                       [&blob](const Questions& q) {
+                           double sum = 0.0;
+                           Nearest nearest;
+                           for (const Vec3& p : q.points) {
+                               closest_point(blob, p, std::numeric_limits<float>::infinity(), nearest);
+                               sum += static_cast<double>(nearest.distance);
+                           }
+                           return sum;
+                       },
+                       {}});
+    std::printf("{\"mesh\":\"%s\",\"triangles\":%zu,\"profile\":\"%s\",\"points\":%zu,\"repetitions\":%u",
+                mesh.name.c_str(), mesh.triangles.size(), profile_name.c_str(), options.points, options.repetitions);
+    const auto kind = [&](const char* name, std::vector<Contestant>& contestants) {
+        take_turns(contestants, questions, options.repetitions);
+        print_kind(name, contestants.size() > 1 ? &contestants.front() : nullptr, contestants.back(), options.points);
+    };
+    kind("overlap_all", all);
+    kind("overlap_any", any);
+    kind("closest_point", closest);
+    std::printf("}\n");
+    std::fflush(stdout);
+}
+
+Options parse(std::span<char*> words) {
+    Options options;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string word = words[i];
+        const auto number = [&]() -> std::size_t {
+            std::size_t value = 0;
+            const std::string_view text = i + 1 < words.size() ? words[++i] : "";
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            if (error != std::errc{} || end != text.data() + text.size() || value == 0)
+                throw std::invalid_argument(word + " needs a whole number above 0 behind it");
+            return value;
+        };
+        if (word == "--repetitions") options.repetitions = static_cast<unsigned>(number());
+        else if (word == "--points") options.points = number();
+        else if (word.starts_with("-")) throw std::invalid_argument("there is no option '" + word + "'");
+        else options.meshes.push_back(word);
+    }
+    if (options.meshes.empty()) throw std::invalid_argument("name at least one mesh, .obj or .ply");
+    return options;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    Options options;
+    try {
+        options = parse(std::span(words + 1, words + count));
+    } catch (const std::exception& error) {
+        std::fprintf(stderr,
+                     "espalier_bench_points: %s\n\n"
+                     "usage: espalier_bench_points [--repetitions N] [--points N] MESH.obj|MESH.ply...\n",
+                     error.what());
+        return 1;
+    }
+    try {
+        for (const std::string& path : options.meshes) {
+            Mesh mesh = tests::read_mesh(path);
+            bring_to_common_size(mesh);
+            for (const auto& [name, profile] : tools::profile_choices) measure(mesh, name, profile, options);
+        }
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "espalier_bench_points: %s\n", error.what());
+        return 2;
+    }
+    return 0;
+}
