@@ -15,6 +15,7 @@ namespace espalier::detail {
 struct IndexedLeaf : LeafVertices<true> {
     using Slots = std::uint32_t;  ///< a bit for each slot
     static constexpr unsigned max_vertices = format::indexed_leaf::max_vertices;
+    static constexpr unsigned max_slots = format::indexed_leaf::max_triangles;
 
     const std::byte* triangles;
     unsigned corner_width;

@@ -17,6 +17,7 @@ namespace espalier::detail {
 struct StripLeaf : LeafVertices<false> {
     using Slots = std::uint64_t;  ///< a bit for each slot
     static constexpr unsigned max_vertices = format::strip_leaf::max_small_entries;
+    static constexpr unsigned max_slots = format::strip_leaf::max_small_entries - 2;
 
     const std::byte* marks;
     unsigned slot_count;

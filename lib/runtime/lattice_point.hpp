@@ -19,6 +19,7 @@ struct LatticePoint {
     alignas(16) float steps[4];  ///< the same in float, exactly; the fourth is zero
     float radius;                ///< lattice steps; may be infinite
     float limit;                 ///< squared radius with slack: boxes farther away hold nothing
+    float inner_limit;           ///< squared radius less the slack: what is all nearer overlaps
     float distance_offset;       ///< lattice steps: how far a point from far away was moved towards the asset
 };
 
@@ -72,6 +73,7 @@ inline bool round_point(const BlobData& blob, const Vec3& world, float radius, L
     point.steps[3] = 0.0f;
     point.radius = radius_steps;
     point.limit = radius_steps * radius_steps * distance_slack;
+    point.inner_limit = radius_steps * radius_steps * (2.0f - distance_slack);
     return true;
 }
 

@@ -9,3 +9,13 @@ inline Floats squared_distance(const Floats* low, const Floats* high) {
     }
     return sum;
 }
+
+/// The same to the farthest corners.
+inline Floats squared_distance_of_far_corner(const Floats* low, const Floats* high) {
+    Floats sum = splat(0.0f);
+    for (int k = 0; k < 3; ++k) {
+        const Floats reach = larger(high[k], negate(low[k]));
+        sum = add(multiply(reach, reach), sum);
+    }
+    return sum;
+}

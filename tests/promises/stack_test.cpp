@@ -125,7 +125,7 @@ TEST_SUITE("promises") {
              ray_path_row([&](const InstructionPath& path, const Blob& blob, const Ray& ray) {
                  path.closest_hit(blob.data(), ray, hit, nullptr);
              })},
-            {"closest_point, every instruction set", 3072,
+            {"closest_point, every instruction set", 4096,
              point_path_row(
                  [&](const InstructionPath& path, const detail::BlobData& blob, const detail::LatticePoint& point) {
                      path.closest_triangle(blob, point, found);
@@ -149,16 +149,16 @@ TEST_SUITE("promises") {
              volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
             {"overlaps and pages, a triangle", 2304, volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
             {"overlaps and pages, planes", 3072, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
-            {"closest_point", 2560, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+            {"closest_point", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_point(blob, sphere.center, sphere.radius, nearest);
              })},
-            {"closest_triangles", 2560, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+            {"closest_triangles", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_triangles(blob, sphere.center, sphere.radius, few);
              })},
             {"contains", 1536, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  contains(blob, sphere.center, inside);
              })},
-            {"signed_distance", 2560, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+            {"signed_distance", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  signed_distance(blob, sphere.center, sphere.radius, nearest);
              })},
         };

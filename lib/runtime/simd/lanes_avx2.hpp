@@ -43,6 +43,10 @@ inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {_mm256_f
 inline Floats negate(Floats a) { return {_mm256_xor_ps(a.v, _mm256_set1_ps(-0.0f))}; }
 inline Floats smaller(Floats a, Floats b) { return {_mm256_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
+inline Floats divide(Floats a, Floats b) { return {_mm256_div_ps(a.v, b.v)}; }
+inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
+    return {_mm256_blendv_ps(otherwise.v, then.v, _mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ))};
+}
 inline unsigned at_most(Floats a, Floats b) {
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }

@@ -35,6 +35,7 @@ struct CornerNumbers {
 };
 
 inline Floats splat(float x) { return {_mm512_set1_ps(x)}; }
+inline void store(float* to, Floats a) { _mm512_storeu_ps(to, a.v); }
 inline Floats add(Floats a, Floats b) { return {_mm512_add_ps(a.v, b.v)}; }
 inline Floats subtract(Floats a, Floats b) { return {_mm512_sub_ps(a.v, b.v)}; }
 inline Floats multiply(Floats a, Floats b) { return {_mm512_mul_ps(a.v, b.v)}; }
@@ -43,6 +44,10 @@ inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {_mm512_f
 inline Floats negate(Floats a) { return {_mm512_xor_ps(a.v, _mm512_set1_ps(-0.0f))}; }
 inline Floats smaller(Floats a, Floats b) { return {_mm512_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm512_max_ps(a.v, b.v)}; }
+inline Floats divide(Floats a, Floats b) { return {_mm512_div_ps(a.v, b.v)}; }
+inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
+    return {_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), otherwise.v, then.v)};
+}
 inline unsigned at_most(Floats a, Floats b) { return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ); }
 inline Floats to_floats(Ints a) { return {_mm512_cvtepi32_ps(a.v)}; }
 inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {

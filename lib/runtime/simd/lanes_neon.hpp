@@ -38,6 +38,10 @@ inline Floats negate(Floats a) { return {vnegq_f32(a.v)}; }
 /// The number when one is not a number.
 inline Floats smaller(Floats a, Floats b) { return {vminnmq_f32(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {vmaxnmq_f32(a.v, b.v)}; }
+inline Floats divide(Floats a, Floats b) { return {vdivq_f32(a.v, b.v)}; }
+inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
+    return {vbslq_f32(vcleq_f32(a.v, b.v), then.v, otherwise.v)};
+}
 inline unsigned at_most(Floats a, Floats b) {
     const uint32x4_t bit = {1u, 2u, 4u, 8u};
     return vaddvq_u32(vandq_u32(vcleq_f32(a.v, b.v), bit));

@@ -33,6 +33,8 @@ inline Floats negate(Floats a) { return -a; }
 /// The second when one is not a number.
 inline Floats smaller(Floats a, Floats b) { return minimum(a, b); }
 inline Floats larger(Floats a, Floats b) { return maximum(a, b); }
+inline Floats divide(Floats a, Floats b) { return a / b; }
+inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) { return a <= b ? then : otherwise; }
 /// One bit a lane: a <= b.
 inline unsigned at_most(Floats a, Floats b) { return a <= b ? 1u : 0u; }
 inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }

@@ -41,6 +41,10 @@ inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {_mm_sub_
 inline Floats negate(Floats a) { return {_mm_xor_ps(a.v, _mm_set1_ps(-0.0f))}; }
 inline Floats smaller(Floats a, Floats b) { return {_mm_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm_max_ps(a.v, b.v)}; }
+inline Floats divide(Floats a, Floats b) { return {_mm_div_ps(a.v, b.v)}; }
+inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
+    return {_mm_blendv_ps(otherwise.v, then.v, _mm_cmple_ps(a.v, b.v))};
+}
 inline unsigned at_most(Floats a, Floats b) { return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.v, b.v))); }
 inline Floats bytes_to_floats(const std::byte* at) {
     return {_mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(at)))))};

@@ -15,8 +15,10 @@ ESPALIER_END_TARGET
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX512)
 namespace espalier::detail::avx512 {
 using avx2::distance_test;
+using avx2::overlap_test;
 #include <runtime/traverse.inl>
 #include <runtime/squared_distance.inl>
+#include <runtime/point_bounds.inl>
 #include <runtime/point_queries.inl>
 }  // namespace espalier::detail::avx512
 ESPALIER_END_TARGET

@@ -8,5 +8,6 @@ namespace espalier::detail::scalar {
 #include <runtime/traverse.inl>
 #include <runtime/squared_distance.inl>
 #include <runtime/point_nodes.inl>
+#include <runtime/point_bounds.inl>
 #include <runtime/point_queries.inl>
 }  // namespace espalier::detail::scalar

@@ -10,6 +10,7 @@ namespace espalier::detail::sse42 {
 #include <runtime/traverse.inl>
 #include <runtime/squared_distance.inl>
 #include <runtime/point_nodes.inl>
+#include <runtime/point_bounds.inl>
 #include <runtime/point_queries.inl>
 }  // namespace espalier::detail::sse42
 ESPALIER_END_TARGET
