@@ -73,6 +73,10 @@ Question read_question(Input& input) {
     options.repair = (flags & 8) != 0;
     options.threads = 1 + (flags >> 4 & 1u);
     const bool raw_floats = (flags & 32) != 0;
+    if ((flags & 128) != 0) {
+        options.edge_flags = 5.0;
+        options.bounds = {true, true, true};
+    }
     if ((flags & 64) != 0) options.tolerance = static_cast<double>(input.any_float());
 
     Mesh& mesh = question.mesh;

@@ -77,6 +77,21 @@ void add_bake(CLI::App& app, Chosen& chosen) {
     const Choices<unsigned> widths{{"8", 8u}, {"16", 16u}};
     add_choice(verb, "--materials", arguments->material_bits, widths,
                "Carry each triangle's material number, in so many bits");
+    CLI::Option* edge_flags =
+        verb->add_flag("--edge-flags", arguments->edge_flags,
+                       "Carry how the surface bends at each edge, so that contacts can slide over inner ones");
+    verb->add_option("--flat-angle", arguments->flat_angle,
+                     "With --edge-flags, the largest angle between two triangles that is flat; below 90")
+        ->capture_default_str()
+        ->needs(edge_flags)
+        ->type_name("DEGREES");
+    verb->add_option(
+            "--bounds", arguments->bounds,
+            "Carry bounds of the whole asset, any of obb,sphere,kdop: an oriented box, a sphere, slabs along 13 "
+            "directions")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"obb", "sphere", "kdop"}).description(""))
+        ->type_name("NAMES");
     verb->add_flag("--repair", arguments->repair,
                    "Drop triangles with NaN, infinite or missing corners instead of refusing the mesh");
     verb->add_option("--effort", arguments->effort,

@@ -28,6 +28,23 @@ std::vector<NamedFinding> findings_of(const BakeReport& report) {
     };
 }
 
+struct NamedVolume {
+    const char* key;
+    const char* what;
+    double volume;
+};
+
+/// Of the bounds that were asked for.
+std::vector<NamedVolume> volumes_of(const BakeReport& report) {
+    std::vector<NamedVolume> asked;
+    for (const NamedVolume& volume : {NamedVolume{"oriented_box", "oriented box", report.volumes.oriented_box},
+                                      NamedVolume{"sphere", "sphere", report.volumes.sphere},
+                                      NamedVolume{"k_dop", "26-DOP", report.volumes.k_dop}}) {
+        if (volume.volume > 0.0) asked.push_back(volume);
+    }
+    return asked;
+}
+
 double bytes_per_triangle(const BakeReport& report) {
     return report.triangles == 0 ? 0.0 : static_cast<double>(report.bytes) / report.triangles;
 }
@@ -77,6 +94,14 @@ void say_result(const Console& console, const BakeReport& report) {
                      ", depth ", report.depth, report.closed ? ", closed" : ", not closed"));
     console.say(
         text("size: ", counted(report.bytes, "byte"), ", ", rounded(bytes_per_triangle(report), 4), " per triangle"));
+    if (report.volumes.box > 0.0) {
+        std::string volumes = text("volume: axis-aligned box ", rounded(report.volumes.box, 4));
+        for (const NamedVolume& volume : volumes_of(report)) {
+            volumes += text(", ", volume.what, ' ', rounded(volume.volume, 4), " (",
+                            rounded(100.0 * volume.volume / report.volumes.box, 3), " %)");
+        }
+        console.say(volumes);
+    }
     if (report.step_below_float_spacing) {
         console.warn(
             text("the lattice step ", rounded(report.step),
@@ -117,6 +142,10 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
     }
     document["findings"] = std::move(findings);
     document["bounds"] = {{"min", json_point(report.bounds_min)}, {"max", json_point(report.bounds_max)}};
+    Json volumes = Json::object();
+    if (report.volumes.box > 0.0) volumes["box"] = report.volumes.box;
+    for (const NamedVolume& volume : volumes_of(report)) volumes[volume.key] = volume.volume;
+    document["volumes"] = std::move(volumes);
     document["extent"] = report.extent;
     document["bits"] = report.bits;
     document["step"] = report.step;

@@ -55,6 +55,12 @@ std::vector<Section> sections_of(const Blob& blob) {
         add("copies", format::copies::blocks_at + format::copies::blocks_bytes(data.triangle_count) +
                           format::copies::owner_bytes * std::size_t{data.copy_count});
     }
+    if (data.edge_flags != nullptr) {
+        add("edge_flags", padded_to_4(static_cast<std::size_t>(format::edge_flags::bytes(data.triangle_count))));
+    }
+    if ((data.features & format::feature::oriented_box) != 0) add("oriented_box", format::bounds::oriented_box_bytes);
+    if ((data.features & format::feature::bounding_sphere) != 0) add("sphere", format::bounds::sphere_bytes);
+    if ((data.features & format::feature::k_dop) != 0) add("k_dop", format::bounds::k_dop_bytes);
     if (at != data.size) {
         throw CommandError(ExitCode::internal, "the sections do not add up to the blob: please report this blob.");
     }
@@ -167,6 +173,10 @@ std::vector<std::string> feature_names(std::uint32_t features) {
     if ((features & format::feature::materials_16) != 0) names.emplace_back("materials_16");
     if ((features & format::feature::closed) != 0) names.emplace_back("closed");
     if ((features & format::feature::split_references) != 0) names.emplace_back("split_references");
+    if ((features & format::feature::edge_flags) != 0) names.emplace_back("edge_flags");
+    if ((features & format::feature::oriented_box) != 0) names.emplace_back("oriented_box");
+    if ((features & format::feature::bounding_sphere) != 0) names.emplace_back("bounding_sphere");
+    if ((features & format::feature::k_dop) != 0) names.emplace_back("k_dop");
     return names;
 }
 

@@ -43,6 +43,12 @@ BakeOptions bake_options(const BakeArguments& arguments) {
     options.materials = arguments.material_bits == 8    ? Materials::bits_8
                         : arguments.material_bits == 16 ? Materials::bits_16
                                                         : Materials::none;
+    if (arguments.edge_flags) options.edge_flags = arguments.flat_angle;
+    for (const std::string& name : arguments.bounds) {
+        options.bounds.oriented_box |= name == "obb";
+        options.bounds.sphere |= name == "sphere";
+        options.bounds.k_dop |= name == "kdop";
+    }
     options.repair = arguments.repair;
     options.effort = arguments.effort;
     options.threads = arguments.threads;

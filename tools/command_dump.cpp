@@ -185,6 +185,47 @@ void list_copies(Bytes bytes, const Section& section, const detail::BlobData& da
     }
 }
 
+void list_edge_flags(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
+    listing.field(format::edge_flags::fields_at,
+                  text("squared sine of what is flat: ", read_u32(bytes, listing.at()), " / 2^24"));
+    const auto value = [&](std::size_t bit) {
+        std::string kinds;
+        for (unsigned edge = 0; edge < 3; ++edge)
+            kinds +=
+                "-^vo"[read_bits(bytes, bit + edge * format::edge_flags::edge_bits, format::edge_flags::edge_bits)];
+        return kinds;
+    };
+    list_numbers(section, data.triangle_count, format::edge_flags::triangle_bits,
+                 "edges (- flat, ^ convex, v concave, o open)", value, listing);
+}
+
+std::string signed_numbers(Bytes bytes, std::size_t at, unsigned count) {
+    std::string result;
+    for (unsigned i = 0; i < count; ++i) result += text(' ', static_cast<std::int32_t>(read_u32(bytes, at + 4 * i)));
+    return result;
+}
+
+void list_oriented_box(Bytes bytes, ByteListing& listing) {
+    std::string quaternion;
+    for (unsigned i = 0; i < 4; ++i)
+        quaternion += text(' ', static_cast<int>(static_cast<std::int16_t>(read_u16(bytes, listing.at() + 2 * i))));
+    listing.field(8, "quaternion w x y z" + quaternion);
+    listing.field(12, "low, in steps / 16" + signed_numbers(bytes, listing.at(), 3));
+    listing.field(12, "high, in steps / 16" + signed_numbers(bytes, listing.at(), 3));
+}
+
+void list_sphere(Bytes bytes, ByteListing& listing) {
+    listing.field(12, "center, in steps / 16" + signed_numbers(bytes, listing.at(), 3));
+    listing.field(4, "radius, in steps / 16" + signed_numbers(bytes, listing.at(), 1));
+}
+
+void list_k_dop(Bytes bytes, ByteListing& listing) {
+    for (const auto& d : format::bounds::k_dop_direction) {
+        listing.field(8, text("along ", int{d[0]}, ' ', int{d[1]}, ' ', int{d[2]}, ": low and high",
+                              signed_numbers(bytes, listing.at(), 2)));
+    }
+}
+
 void list_section(Bytes bytes, const Blob& blob, const std::vector<Section>& sections, const Section& section,
                   ByteListing& listing) {
     const std::string_view name = section.name;
@@ -205,6 +246,14 @@ void list_section(Bytes bytes, const Blob& blob, const std::vector<Section>& sec
         list_materials(bytes, section, data, listing);
     } else if (name == "copies") {
         list_copies(bytes, section, data, listing);
+    } else if (name == "edge_flags") {
+        list_edge_flags(bytes, section, data, listing);
+    } else if (name == "oriented_box") {
+        list_oriented_box(bytes, listing);
+    } else if (name == "sphere") {
+        list_sphere(bytes, listing);
+    } else if (name == "k_dop") {
+        list_k_dop(bytes, listing);
     }
 }
 

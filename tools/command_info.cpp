@@ -58,6 +58,26 @@ void print_json_info(const InfoArguments& arguments, const BlobFile& file) {
     document["extent"] = extent_of(blob);
     document["max_error"] = json_number(blob.max_error());
     document["bounds"] = {{"min", json_point(blob.bounds_min())}, {"max", json_point(blob.bounds_max())}};
+    Sphere sphere;
+    if (bounding_sphere(blob, sphere)) {
+        document["sphere"] = {{"center", json_point(sphere.center)}, {"radius", json_number(sphere.radius)}};
+    }
+    OrientedBox box;
+    if (oriented_bounds(blob, box)) {
+        Json half_axes = Json::array();
+        for (const Vec3& axis : box.half_axes) half_axes.push_back(json_point(axis));
+        document["oriented_box"] = {{"center", json_point(box.center)}, {"half_axes", std::move(half_axes)}};
+    }
+    KDop k_dop;
+    if (k_dop_bounds(blob, k_dop)) {
+        Json slabs = Json::array();
+        for (unsigned k = 0; k < KDop::count; ++k) {
+            slabs.push_back({{"direction", json_point(KDop::directions[k])},
+                             {"min", json_number(k_dop.lo[k])},
+                             {"max", json_number(k_dop.hi[k])}});
+        }
+        document["k_dop"] = std::move(slabs);
+    }
     document["depth"] = blob.depth();
     document["nodes"] = blob.data().node_count;
     document["leaves"] = leaf_count(file.bytes, blob);
@@ -81,6 +101,15 @@ void print_table(const InfoArguments& arguments, const BlobFile& file) {
         line("copies", text(blob.copy_count(), ", in further leaves: answers rays, enumerates nothing"));
     line("vertices", text(blob.vertex_count()));
     line("bounds", text(shortest(blob.bounds_min()), " to ", shortest(blob.bounds_max())));
+    Sphere sphere;
+    if (bounding_sphere(blob, sphere)) {
+        line("sphere", text("center ", shortest(sphere.center), ", radius ", shortest(sphere.radius)));
+    }
+    OrientedBox box;
+    if (oriented_bounds(blob, box)) {
+        line("oriented box", text("center ", shortest(box.center)));
+        for (const Vec3& axis : box.half_axes) line("  half axis", shortest(axis));
+    }
     line("extent", rounded(extent_of(blob)));
     line("lattice", text(blob.bits(), " bits, step ", shortest(blob.step())));
     line("max error", shortest(blob.max_error()));

@@ -34,9 +34,12 @@ struct BakeArguments {
     std::optional<unsigned> leaf_size;         ///< likewise
     std::string cost_model;                    ///< a JSON file; empty: the committed constants
     double duplicates = 0.3;
-    std::optional<Builder> builder;            ///< without one: the library's
+    std::optional<Builder> builder;  ///< without one: the library's
     bool original_ids = false;
     unsigned material_bits = 0;  ///< 0, 8 or 16
+    bool edge_flags = false;
+    double flat_angle = 5.0;          ///< degrees up to which an edge is flat
+    std::vector<std::string> bounds;  ///< of obb, sphere, kdop
     bool repair = false;
     unsigned effort = 5;
     unsigned threads = 0;

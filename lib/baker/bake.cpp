@@ -16,6 +16,7 @@
 #include "lattice.hpp"
 #include "leaf_size.hpp"
 #include "optimise.hpp"
+#include "optional_sections.hpp"
 #include "order.hpp"
 #include "progress.hpp"
 #include "strip.hpp"
@@ -96,7 +97,8 @@ Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const M
     const WideTree wide = put_in_order(mesh, tree, plan, strips_if_any);
 
     progress.begin(stages::encode);
-    auto blob = encode(*source, mesh, tree, wide, options, properties);
+    const OptionalSections sections = make_optional_sections(mesh, options);
+    auto blob = encode(*source, mesh, tree, wide, options, properties, sections);
     if (!blob) return blob.error();
 
     progress.begin(stages::verify);
@@ -105,6 +107,7 @@ Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const M
 
     baked.blob = std::move(*blob);
     fill_in(report, bounds, mesh, wide, properties, baked.blob.size());
+    report.volumes = volumes_of(sections, mesh);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return baked;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "edge_flags.hpp"
 #include "text.hpp"
 #include "zero_area.hpp"
 
@@ -180,6 +181,10 @@ std::optional<BakeError> check_options(const BakeOptions& options) {
     if (options.materials > Materials::bits_16) {
         return invalid_options("materials is " + std::to_string(static_cast<unsigned>(options.materials)) +
                                "; choose none, 8 bits or 16 bits");
+    }
+    if (options.edge_flags && !(*options.edge_flags >= 0.0 && *options.edge_flags < max_flat_angle)) {
+        return invalid_options("the largest angle of a flat edge is " + number_text(*options.edge_flags) +
+                               " degrees; choose 0 or more, below " + number_text(max_flat_angle));
     }
     return std::nullopt;
 }

@@ -14,8 +14,9 @@ namespace espalier::baker {
 
 namespace {
 
-std::uint32_t features_of(const BakeOptions& options, const Properties& properties, const WideTree& wide) {
-    std::uint32_t features = 0;
+std::uint32_t features_of(const BakeOptions& options, const Properties& properties, const WideTree& wide,
+                          const OptionalSections& sections) {
+    std::uint32_t features = sections.features;
     if (options.original_ids) features |= format::feature::original_ids;
     if (options.materials == Materials::bits_8) features |= format::feature::materials_8;
     if (options.materials == Materials::bits_16) features |= format::feature::materials_16;
@@ -90,12 +91,13 @@ void put_copies(std::vector<std::byte>& blob, const LatticeMesh& mesh, const Wid
 }
 
 void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
-                const BakeOptions& options, const Properties& properties) {
+                const BakeOptions& options, const Properties& properties, const OptionalSections& sections) {
     using namespace format::header;
+    const std::uint32_t features = features_of(options, properties, wide, sections);
     set_u32(header + magic_at, format::magic);
     set_u16(header + version_major_at, format::version_major);
-    set_u16(header + version_minor_at, format::version_minor);
-    set_u32(header + features_at, features_of(options, properties, wide));
+    set_u16(header + version_minor_at, format::minor_version_of(features));
+    set_u32(header + features_at, features);
     set_u8(header + profile_at, static_cast<std::uint32_t>(options.profile));
     set_u8(header + bits_at, mesh.lattice.bits);
     set_u16(header + step_exponent_at, static_cast<std::uint32_t>(mesh.lattice.step_exponent) & 0xFFFF);
@@ -140,7 +142,7 @@ std::optional<BakeError> check_limits(const WideTree& wide, std::uint64_t total_
 
 Result<std::vector<std::byte>, BakeError> encode(const Source& source, const LatticeMesh& mesh, const BinaryTree& tree,
                                                  const WideTree& wide, const BakeOptions& options,
-                                                 const Properties& properties) {
+                                                 const Properties& properties, const OptionalSections& sections) {
     if (auto error = check_limits(wide, 0)) return *error;
     const EncodedTree encoded = encode_tree(mesh, tree, wide);
 
@@ -155,9 +157,10 @@ Result<std::vector<std::byte>, BakeError> encode(const Source& source, const Lat
     }
     if (options.materials != Materials::none) put_materials(blob, source, mesh, wide, options.materials);
     if (wide.copies != 0) put_copies(blob, mesh, wide);
+    put_optional_sections(blob, sections, wide);
     if (auto error = check_limits(wide, blob.size())) return *error;
 
-    put_header(blob.data(), source, mesh, wide, options, properties);
+    put_header(blob.data(), source, mesh, wide, options, properties, sections);
     set_u32(blob.data() + format::header::leaf_bytes_at, static_cast<std::uint32_t>(encoded.leaves.size()));
     set_u32(blob.data() + format::header::total_bytes_at, static_cast<std::uint32_t>(blob.size()));
     set_u32(blob.data() + format::header::checksum_at, detail::checksum_of_blob(blob));

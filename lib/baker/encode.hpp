@@ -8,6 +8,7 @@
 
 #include "binary_tree.hpp"
 #include "lattice_mesh.hpp"
+#include "optional_sections.hpp"
 #include "order.hpp"
 #include "source.hpp"
 
@@ -21,7 +22,7 @@ struct Properties {
 
 [[nodiscard]] Result<std::vector<std::byte>, BakeError> encode(const Source& source, const LatticeMesh& mesh,
                                                                const BinaryTree& tree, const WideTree& wide,
-                                                               const BakeOptions& options,
-                                                               const Properties& properties);
+                                                               const BakeOptions& options, const Properties& properties,
+                                                               const OptionalSections& sections);
 
 }  // namespace espalier::baker

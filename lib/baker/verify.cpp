@@ -10,6 +10,7 @@
 #include "closed.hpp"
 #include "insertion_table.hpp"
 #include "lattice_mesh.hpp"
+#include "optional_sections.hpp"
 #include "triangle_set.hpp"
 
 namespace espalier::baker {
@@ -139,7 +140,7 @@ std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
         return std::string("the header (byte ") + std::to_string(format::header::features_at) + ") calls the mesh " +
                (blob.closed() ? "closed, but it is not" : "open, but it is closed");
     }
-    return std::nullopt;
+    return check_optional_sections(blob, mesh);
 }
 
 }  // namespace espalier::baker

@@ -55,6 +55,13 @@ enum class Builder : std::uint8_t {
     insertion,       ///< one triangle after the other, with rotations (Goldsmith, Salmon 1987)
 };
 
+/// Which bounds of the whole asset a blob carries besides its axis-aligned box: bounds.hpp.
+struct StoredBounds {
+    bool oriented_box = false;  ///< 32 bytes
+    bool sphere = false;        ///< 16 bytes
+    bool k_dop = false;         ///< 80 bytes
+};
+
 struct BakeOptions {
     /// Largest allowed distance between source and baked surface, in world units. Without it `bits` decides the
     /// lattice.
@@ -68,6 +75,10 @@ struct BakeOptions {
     double duplicates = 0.3;
     bool original_ids = false;
     Materials materials = Materials::none;
+    /// Carry how the surface bends at every edge (contact.hpp), in 6 bits a triangle. The number is the largest angle
+    /// between two triangles, in degrees, that counts as flat: from 0 to less than 90.
+    std::optional<double> edge_flags = std::nullopt;
+    StoredBounds bounds = {};
     /// Drop triangles with NaN or infinite corners and with indices out of range, instead of refusing the mesh.
     bool repair = false;
     CostModel cost_model = {};
@@ -84,6 +95,14 @@ struct BakeOptions {
 struct Finding {
     std::uint64_t count = 0;
     std::string first;  ///< "level.obj, mesh 3 (walls), triangle 17"
+};
+
+/// How much space the bounds of the whole asset take, in cubic world units; 0 for those that were not asked for.
+struct BoundsVolumes {
+    double box = 0.0;  ///< axis-aligned; 0 also when none was asked for
+    double oriented_box = 0.0;
+    double sphere = 0.0;
+    double k_dop = 0.0;
 };
 
 /// What the baker saw and did. Lengths in world units.
@@ -105,6 +124,7 @@ struct BakeReport {
     double max_error = 0.0;  ///< what the header says
     unsigned bits = 0;       ///< what the header says
     bool closed = false;
+    BoundsVolumes volumes;
     bool step_below_float_spacing =
         false;  ///< the step is finer than the source's own float32 spacing: bits are wasted
     unsigned depth = 0;

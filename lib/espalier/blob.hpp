@@ -22,6 +22,8 @@ struct BlobData {
     const std::byte* ids = nullptr;
     const std::byte* materials = nullptr;
     const std::byte* copies = nullptr;  // null without split references
+    const std::byte* edge_flags = nullptr;
+    const std::byte* bounds = nullptr;  // whichever there are
     std::uint32_t size = 0;
     std::uint32_t features = 0;
     std::uint32_t triangle_count = 0;
@@ -82,6 +84,8 @@ public:
     [[nodiscard]] constexpr bool closed() const noexcept { return (data_.features & format::feature::closed) != 0; }
     [[nodiscard]] constexpr bool has_original_ids() const noexcept { return data_.ids != nullptr; }
     [[nodiscard]] constexpr bool has_materials() const noexcept { return data_.materials != nullptr; }
+    /// Whether contact.hpp has something to say.
+    [[nodiscard]] constexpr bool has_edge_flags() const noexcept { return data_.edge_flags != nullptr; }
 
     /// For the library's own parts and its tests; its layout is no promise.
     [[nodiscard]] constexpr const detail::BlobData& data() const noexcept { return data_; }

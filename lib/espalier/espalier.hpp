@@ -2,6 +2,8 @@
 #pragma once
 
 #include <espalier/blob.hpp>
+#include <espalier/bounds.hpp>
+#include <espalier/contact.hpp>
 #include <espalier/inside.hpp>
 #include <espalier/nearest.hpp>
 #include <espalier/overlap.hpp>

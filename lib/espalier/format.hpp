@@ -10,7 +10,7 @@ namespace espalier::format {
 
 /// The format's version, apart from the library's. Readers accept the same major and a minor up to their own.
 inline constexpr std::uint16_t version_major = 1;
-inline constexpr std::uint16_t version_minor = 0;
+inline constexpr std::uint16_t version_minor = 1;
 inline constexpr std::uint32_t magic = 0x4C505345u;  // "ESPL"
 
 // ---- limits -------------------------------------------------------------------------------------------------------
@@ -69,8 +69,20 @@ inline constexpr std::uint32_t materials_8 = 1u << 1;
 inline constexpr std::uint32_t materials_16 = 1u << 2;  // never together with materials_8
 inline constexpr std::uint32_t closed = 1u << 3;  // no bytes: every edge is shared by two triangles, oppositely wound
 inline constexpr std::uint32_t split_references = 1u << 4;  // triangles have copies in several leaves, see `copies`
-inline constexpr std::uint32_t known = original_ids | materials_8 | materials_16 | closed | split_references;
+inline constexpr std::uint32_t edge_flags = 1u << 5;        // see `edge_flags` below
+inline constexpr std::uint32_t oriented_box = 1u << 6;      // see `bounds`, also for the next two
+inline constexpr std::uint32_t bounding_sphere = 1u << 7;
+inline constexpr std::uint32_t k_dop = 1u << 8;
+inline constexpr std::uint32_t bounds = oriented_box | bounding_sphere | k_dop;
+inline constexpr std::uint32_t known =
+    original_ids | materials_8 | materials_16 | closed | split_references | edge_flags | bounds;
 }  // namespace feature
+
+/// What a blob states as its minor version: the lowest that has its features. So blobs without new ones keep their
+/// bytes.
+constexpr std::uint16_t minor_version_of(std::uint32_t features) {
+    return (features & (feature::edge_flags | feature::bounds)) != 0 ? 1 : 0;
+}
 
 // ---- sections ------------------------------------------------------------------------------------------------------
 // In this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4 bytes.
@@ -99,6 +111,54 @@ constexpr std::uint64_t blocks_bytes(std::uint32_t triangle_count) {
     return (std::uint64_t{triangle_count} + block_indices - 1) / block_indices * block_bytes;
 }
 }  // namespace copies
+
+// The section of edge flags: u32 the squared sine of the largest angle that counts as flat, in 2^-24; then for each
+// storage index a field of 6 bits, 2 for each edge, from corner e to the next: flat, convex, concave, open.
+namespace edge_flags {
+inline constexpr std::size_t flat_limit_at = 0;
+inline constexpr std::size_t fields_at = 4;
+inline constexpr unsigned edge_bits = 2;
+inline constexpr unsigned triangle_bits = 3 * edge_bits;
+inline constexpr std::uint32_t max_flat_limit = 1u << 24;
+constexpr std::uint64_t bytes(std::uint32_t triangle_count) {
+    return fields_at + (std::uint64_t{triangle_count} * triangle_bits + 7) / 8;
+}
+}  // namespace edge_flags
+
+// Bounds of the whole asset, in this order, each with its own feature bit.
+namespace bounds {
+/// Lengths of the oriented box and the sphere are whole sixteenths of a lattice step.
+inline constexpr int units_per_step = 16;
+inline constexpr std::int32_t max_length = 1 << 29;
+
+// The oriented box: a rotation as a quaternion of integers w x y z, 4 x i16, whose matrix of integers (runtime/
+// stored_bounds.hpp) has perpendicular rows of length w^2 + x^2 + y^2 + z^2; then along each row lo and hi, 6 x i32.
+inline constexpr std::size_t quaternion_at = 0;
+inline constexpr std::size_t lo_at = 8;
+inline constexpr std::size_t hi_at = 20;
+inline constexpr std::size_t oriented_box_bytes = 32;
+inline constexpr std::int32_t max_quaternion = 2047;
+
+// The sphere: its center, 3 x i32, and its radius, u32.
+inline constexpr std::size_t center_at = 0;
+inline constexpr std::size_t radius_at = 12;
+inline constexpr std::size_t sphere_bytes = 16;
+
+// The 26-DOP: least and greatest value of each sum below over all vertices, in lattice steps, 2 x i32. The three axes
+// are in the header.
+inline constexpr unsigned k_dop_directions = 10;
+inline constexpr std::int8_t k_dop_direction[k_dop_directions][3] = {{1, 1, 0},  {1, -1, 0}, {1, 0, 1}, {1, 0, -1},
+                                                                     {0, 1, 1},  {0, 1, -1}, {1, 1, 1}, {1, 1, -1},
+                                                                     {1, -1, 1}, {1, -1, -1}};
+inline constexpr std::size_t k_dop_bytes = 8 * k_dop_directions;
+inline constexpr std::int32_t max_k_dop = 3 << 24;
+
+constexpr std::size_t bytes(std::uint32_t features) {
+    return ((features & feature::oriented_box) != 0 ? oriented_box_bytes : 0) +
+           ((features & feature::bounding_sphere) != 0 ? sphere_bytes : 0) +
+           ((features & feature::k_dop) != 0 ? k_dop_bytes : 0);
+}
+}  // namespace bounds
 
 // ---- a node is one cache line -------------------------------------------------------------------------------------
 // Children are numbered nodes first, then leaves. The node children are contiguous; blocks of siblings stand in depth-

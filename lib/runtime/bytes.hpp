@@ -15,6 +15,7 @@ inline std::uint32_t load_u16(const std::byte* at) { return load_u8(at) | load_u
 inline std::uint32_t load_u32(const std::byte* at) { return load_u16(at) | load_u16(at + 2) << 16; }
 inline std::uint64_t load_u64(const std::byte* at) { return load_u32(at) | std::uint64_t{load_u32(at + 4)} << 32; }
 inline std::int16_t load_i16(const std::byte* at) { return static_cast<std::int16_t>(load_u16(at)); }
+inline std::int32_t load_i32(const std::byte* at) { return static_cast<std::int32_t>(load_u32(at)); }
 inline float load_f32(const std::byte* at) { return std::bit_cast<float>(load_u32(at)); }
 
 /// Field `index` of a stream of `width`-bit fields, low bits first; width at most 25. Reads the 4 bytes from the one in

@@ -12,6 +12,7 @@
 #include <runtime/id_field.hpp>
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/open_checks.hpp>
+#include <runtime/stored_bounds.hpp>
 
 namespace espalier {
 namespace detail {
@@ -78,7 +79,9 @@ Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
     good &= empty == (depth == 0) && depth <= format::max_depth && blob.leaf_bytes % 4 == 0;
     good &= is_finite(blob.max_error) && !is_negative(blob.max_error);
     good &= (blob.features & (materials_8 | materials_16)) != (materials_8 | materials_16);
-    good &= !(empty && (blob.features & format::feature::closed) != 0);
+    constexpr std::uint32_t of_triangles =
+        format::feature::closed | format::feature::edge_flags | format::feature::bounds;
+    good &= !(empty && (blob.features & of_triangles) != 0);
     // Strips turn their triangles' corners, so that copies of one would not give the same weights.
     good &= has_indexed_leaves(blob.profile) || (blob.features & format::feature::split_references) == 0;
     good &= ids ? id_bits <= 32 : id_bits == 0 && blob.source_count == 0;
@@ -147,7 +150,7 @@ Status check_tree(const BlobData& blob) {
 }
 
 /// The source table and the ids that count through it.
-Status check_original_ids(BlobData& blob, Bytes& rest) {
+[[gnu::noinline]] Status check_original_ids(BlobData& blob, Bytes& rest) {
     blob.sources = rest.take(std::uint64_t{blob.source_count} * format::source::bytes);
     if (blob.sources == nullptr) return Status::bad_section;
     std::uint32_t previous = 0;
@@ -170,16 +173,16 @@ Status check_original_ids(BlobData& blob, Bytes& rest) {
     return Status::ok;
 }
 
-/// The map of copies: ranks add up, and every copy is of a triangle with a lower storage index that is none. The
-/// section is the last one. Not inlined: its variables must not lie on the stack under check_tree.
-[[gnu::noinline]] Status check_copies(BlobData& blob, Bytes rest) {
+/// The map of copies: ranks add up, and every copy is of a triangle with a lower storage index that is none. Not
+/// inlined: its variables must not lie on the stack under check_tree.
+[[gnu::noinline]] Status check_copies(BlobData& blob, Bytes& rest) {
     using namespace format::copies;
     const std::byte* count = rest.take(blocks_at);
     if (count == nullptr) return Status::bad_section;
     const std::uint32_t copy_count = load_u32(count);
     const std::byte* blocks = rest.take(blocks_bytes(blob.triangle_count));
     const std::byte* owners = blocks == nullptr ? nullptr : rest.take(std::uint64_t{copy_count} * owner_bytes);
-    if (owners == nullptr || copy_count == 0 || rest.left != 0) return Status::bad_section;
+    if (owners == nullptr || copy_count == 0) return Status::bad_section;
     blob.copies = count;
     std::uint32_t seen = 0;
     const std::uint64_t bits = blocks_bytes(blob.triangle_count) / block_bytes * block_indices;
@@ -194,6 +197,52 @@ Status check_original_ids(BlobData& blob, Bytes& rest) {
     }
     blob.copy_count = copy_count;
     return seen == copy_count ? Status::ok : Status::bad_section;
+}
+
+/// Any flags are safe: they are hints.
+[[gnu::noinline]] Status check_edge_flags(BlobData& blob, Bytes& rest) {
+    using namespace format::edge_flags;
+    const std::uint64_t used = bytes(blob.triangle_count);
+    blob.edge_flags = rest.take(round_up_to_4(used));
+    if (blob.edge_flags == nullptr || load_u32(blob.edge_flags + flat_limit_at) > max_flat_limit)
+        return Status::bad_section;
+    const std::uint64_t bit_count = std::uint64_t{blob.triangle_count} * triangle_bits;
+    const bool padded = is_padded_with_zeros(blob.edge_flags + fields_at, bit_count) &&
+                        is_zero(blob.edge_flags + used, static_cast<std::size_t>(round_up_to_4(used) - used));
+    return padded ? Status::ok : Status::bad_section;
+}
+
+/// That the arithmetic of whoever reads the bounds stays within its widths.
+[[gnu::noinline]] Status check_bounds(BlobData& blob, Bytes& rest) {
+    using namespace format::bounds;
+    blob.bounds = rest.take(format::bounds::bytes(blob.features));
+    if (blob.bounds == nullptr) return Status::bad_section;
+    bool good = true;
+    const auto is_range = [](std::int32_t low, std::int32_t high, std::int32_t limit) {
+        return low <= high && low >= -limit && high <= limit;
+    };
+    if (const std::byte* box = stored_oriented_box(blob); box != nullptr) {
+        std::int32_t norm = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::int32_t part = load_i16(box + quaternion_at + 2 * k);
+            good &= is_range(part, part, max_quaternion);
+            norm |= part;
+        }
+        good &= norm != 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            good &= is_range(load_i32(box + lo_at + 4 * k), load_i32(box + hi_at + 4 * k), max_length);
+    }
+    if (const std::byte* sphere = stored_sphere(blob); sphere != nullptr) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t center = load_i32(sphere + center_at + 4 * k);
+            good &= is_range(0, center, max_length);
+        }
+        good &= load_u32(sphere + radius_at) <= std::uint32_t{max_length};
+    }
+    if (const std::byte* k_dop = stored_k_dop(blob); k_dop != nullptr)
+        for (std::size_t k = 0; k < k_dop_directions; ++k)
+            good &= is_range(load_i32(k_dop + 8 * k), load_i32(k_dop + 8 * k + 4), max_k_dop);
+    return good ? Status::ok : Status::bad_section;
 }
 
 Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
@@ -214,7 +263,12 @@ Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
         if (!is_zero(blob.materials + used, static_cast<std::size_t>(round_up_to_4(used) - used)))
             return Status::bad_section;
     }
-    if ((blob.features & format::feature::split_references) != 0) return check_copies(blob, rest);
+    if ((blob.features & format::feature::split_references) != 0)
+        if (const Status status = check_copies(blob, rest); status != Status::ok) return status;
+    if ((blob.features & format::feature::edge_flags) != 0)
+        if (const Status status = check_edge_flags(blob, rest); status != Status::ok) return status;
+    if ((blob.features & format::feature::bounds) != 0)
+        if (const Status status = check_bounds(blob, rest); status != Status::ok) return status;
     return rest.left == 0 ? Status::ok : Status::bad_section;
 }
 
@@ -229,11 +283,11 @@ void BlobData::derive() noexcept {
 }  // namespace detail
 
 Status open(std::span<const std::byte> bytes, Blob& blob) noexcept {
+    // Straight into the caller's blob: a copy of its own would be a fifth of the stack that this takes.
     blob = Blob();
-    detail::BlobData data;
-    Status status = detail::read_header(bytes, data);
-    if (status == Status::ok) status = detail::check_sections(bytes, data);
-    if (status == Status::ok) blob.data_ = data;
+    Status status = detail::read_header(bytes, blob.data_);
+    if (status == Status::ok) status = detail::check_sections(bytes, blob.data_);
+    if (status != Status::ok) blob = Blob();
     return status;
 }
 

@@ -33,6 +33,51 @@ inline void add_triangle(Fingerprint& fingerprint, const Blob& blob, Triangle tr
     fingerprint.add(std::uint32_t{material(blob, triangle)});
 }
 
+/// Edges, bounds and nodes.
+inline void read_extras(const Blob& blob, Fingerprint& fingerprint) {
+    for (std::uint32_t index = 0; index <= blob.triangle_count(); index += 1 + index / 8) {
+        EdgeKinds kinds;
+        fingerprint.add(edge_kinds(blob, {index}, kinds));
+        fingerprint.add(static_cast<std::uint32_t>(kinds.ab) << 4 | static_cast<std::uint32_t>(kinds.bc) << 2 |
+                        static_cast<std::uint32_t>(kinds.ca));
+        Corners corners;
+        fingerprint.add(triangle_corners(blob, {index}, corners));
+        fingerprint.add(corners.b);
+        Vec3 normal;
+        fingerprint.add(is_on_inner_edge(blob, {{index}, static_cast<Feature>(index % 7), corners.a}, normal));
+        fingerprint.add(normal);
+    }
+    Sphere sphere;
+    fingerprint.add(bounding_sphere(blob, sphere));
+    fingerprint.add(sphere.center);
+    fingerprint.add(sphere.radius);
+    const Vec3 low = blob.bounds_min();
+    const Vec3 high = blob.bounds_max();
+    const Vec3 beside = {low.x, high.y, low.z};
+    fingerprint.add(is_outside_bounds(blob, Sphere{beside, 0.125f * (high.x - low.x)}));
+    fingerprint.add(is_outside_bounds(blob, Box{{low.x, low.y, high.z}, {low.x, low.y, high.z}}));
+    OrientedBox box;
+    fingerprint.add(oriented_bounds(blob, box));
+    fingerprint.add(box.center);
+    for (const Vec3& axis : box.half_axes) fingerprint.add(axis);
+    KDop k_dop;
+    fingerprint.add(k_dop_bounds(blob, k_dop));
+    for (unsigned k = 0; k < KDop::count; ++k) {
+        fingerprint.add(k_dop.lo[k]);
+        fingerprint.add(k_dop.hi[k]);
+    }
+    for_each_node(blob, [&](const TreeNode& node) {
+        fingerprint.add(node.number);
+        fingerprint.add(std::uint32_t{node.depth});
+        for (unsigned i = 0; i < node.child_count; ++i) {
+            fingerprint.add(node.children[i].box.min);
+            fingerprint.add(node.children[i].box.max);
+            fingerprint.add(node.children[i].first.index);
+        }
+        return NodeVisit::descend;
+    });
+}
+
 inline void add_hit(Fingerprint& fingerprint, const Blob& blob, const RayHit& hit) {
     fingerprint.add(hit.t);
     fingerprint.add(hit.u);
@@ -184,6 +229,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     Answers answers;
     Questions questions(blob);
     read_all(blob, answers);
+    read_extras(blob, answers.fingerprint);
     ask_closest_hits(blob, questions, 2 * questions_of_a_kind, answers);
     ask_filtered_hits(blob, questions, questions_of_a_kind, answers);
     ask_all_hits(blob, questions, questions_of_a_kind, answers);

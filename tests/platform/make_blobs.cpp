@@ -147,6 +147,8 @@ int main(int argument_count, char** arguments) {
                                folder + "small.inc");
     options.bits = 24;
     options.materials = espalier::Materials::bits_16;
+    options.edge_flags = 5.0;
+    options.bounds = {.oriented_box = true, .sphere = true, .k_dop = true};
     const bool fine =
         bake_to(folder + "fine.espl", {view(far_body, 0, "far body"), view(far_body, 1, "twin")}, options);
     espalier::BakeOptions plain;

@@ -36,7 +36,7 @@ endforeach()
 
 file(GLOB_RECURSE runtime ${root}/lib/runtime/*.hpp ${root}/lib/runtime/*.inl ${root}/lib/runtime/*.cpp)
 check("the runtime includes public headers, its own and freestanding ones only"
-  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/blob\\.hpp>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
+  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds)\\.hpp>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
 
 file(GLOB_RECURSE baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
 check("the baker includes public and standard headers, the runtime's and its own only"

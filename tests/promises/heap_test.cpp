@@ -55,6 +55,7 @@ TEST_SUITE("promises") {
                 found += raycast(blob, rays, hits) + occluded(blob, rays, answers) != 0 ? 1u : 0u;
                 for_each_hit(blob, ray, [&](const RayHit&) { return ++found, keep_going; });
                 for_each_overlap(blob, sphere, [&](Triangle) { return ++found, keep_going; });
+                for_each_node(blob, [&](const TreeNode&) { return ++found, NodeVisit::descend; });
                 for_each_triangle(blob, [&](Triangle, const Corners&) { return ++found, keep_going; });
             }
             allocations += allocation_count() - before;

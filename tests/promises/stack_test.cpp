@@ -161,6 +161,21 @@ TEST_SUITE("promises") {
             {"signed_distance", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  signed_distance(blob, sphere.center, sphere.radius, nearest);
              })},
+            {"for_each_node", 1024, sphere_row([](const Blob& blob, const Sphere&) {
+                 for_each_node(blob, [](const TreeNode&) { return NodeVisit::descend; });
+             })},
+            {"is_on_inner_edge", 768, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                 Vec3 normal;
+                 is_on_inner_edge(blob, {{blob.triangle_count() / 2}, Feature::edge_ca, sphere.center}, normal);
+             })},
+            {"triangle_corners", 768, sphere_row([](const Blob& blob, const Sphere&) {
+                 Corners corners;
+                 triangle_corners(blob, {blob.triangle_count() / 2}, corners);
+             })},
+            {"oriented_bounds", 256, sphere_row([](const Blob& blob, const Sphere&) {
+                 OrientedBox box;
+                 oriented_bounds(blob, box);
+             })},
         };
         for (const Row& row : rows) {
             MESSAGE(std::string(row.query), ": ", row.most, " bytes of stack, budget ", row.budget);

@@ -58,7 +58,15 @@ Bytes full_blob(format::Profile profile) {
     BakeOptions options = with_profile(profile);
     options.original_ids = true;
     options.materials = Materials::bits_16;
+    options.edge_flags = 5.0;
+    options.bounds = {true, true, true};
     return bake_or_throw(mesh, options);
+}
+
+Mesh first_triangle_of_a_cube() {
+    Mesh mesh = make_cube(0.0f, 1.0f);
+    mesh.triangles.resize(1);
+    return mesh;
 }
 
 struct Field {
@@ -225,6 +233,84 @@ TEST_SUITE("open") {
             const std::size_t guard_at = leaves_at + get(bytes, at::leaf_bytes_at, 4);
             CHECK(status_with(bytes, guard_at + 63, 1, 1) == Status::bad_section);
             CHECK(status_with(bytes, guard_at + format::guard_bytes, 1, 4) == Status::bad_section);
+        });
+    }
+
+    TEST_CASE("each rule of edge flags and bounds is enforced where it is broken, and any flags are safe") {
+        for_each_profile([](format::Profile profile) {
+            BakeOptions options = with_profile(profile);
+            options.edge_flags = 5.0;
+            options.bounds = {true, true, true};
+            const Bytes bytes = bake_or_throw(first_triangle_of_a_cube(), options);
+            REQUIRE(status_of(bytes) == Status::ok);
+            // From the end: 80 bytes of 26-DOP, 16 of sphere, 32 of oriented box, 8 of edge flags.
+            const std::size_t k_dop = bytes.size() - format::bounds::k_dop_bytes;
+            const std::size_t sphere = k_dop - format::bounds::sphere_bytes;
+            const std::size_t box = sphere - format::bounds::oriented_box_bytes;
+            const std::size_t flags = box - 8;
+            const auto is_bad = [&](std::size_t at, std::int64_t value, unsigned size) {
+                return status_with(bytes, at, static_cast<std::uint64_t>(value), size) == Status::bad_section;
+            };
+            const auto is_good = [&](std::size_t at, std::int64_t value, unsigned size) {
+                return status_with(bytes, at, static_cast<std::uint64_t>(value), size) == Status::ok;
+            };
+            CHECK(is_good(flags, 1 << 24, 4));
+            CHECK(is_bad(flags, (1 << 24) + 1, 4));
+            for (std::int64_t any = 0; any < 64; ++any) CHECK(is_good(flags + 4, any, 4));
+            CHECK(is_bad(flags + 4, 64, 4));
+            CHECK(is_bad(flags + 4, 1 << 30, 4));
+            CHECK(is_good(box, 2047, 2));
+            CHECK(is_good(box, -2047, 2));
+            CHECK(is_bad(box, 2048, 2));
+            CHECK(is_bad(box + 6, -2048, 2));
+            CHECK(is_bad(box, 0, 8));  // no rotation
+            CHECK(is_good(box + 8, -(1 << 29), 4));
+            CHECK(is_bad(box + 8, -(1 << 29) - 1, 4));
+            CHECK(is_bad(box + 8, 1 << 29, 4));  // above its high side
+            CHECK(is_good(box + 28, 1 << 29, 4));
+            CHECK(is_bad(box + 28, (1 << 29) + 1, 4));
+            CHECK(is_good(sphere, 1 << 29, 4));
+            CHECK(is_bad(sphere, (1 << 29) + 1, 4));
+            CHECK(is_bad(sphere + 8, -1, 4));
+            CHECK(is_good(sphere + 12, 1 << 29, 4));
+            CHECK(is_bad(sphere + 12, -1, 4));
+            CHECK(is_bad(k_dop, 3 << 24, 4));
+            CHECK(is_good(k_dop, -(3 << 24), 4));
+            CHECK(is_bad(k_dop, -(3 << 24) - 1, 4));
+            CHECK(is_good(k_dop + 76, 3 << 24, 4));
+            CHECK(is_bad(k_dop + 76, (3 << 24) + 1, 4));
+            // Sections that the features do not tell of, or the other way round.
+            const std::uint64_t features = get(bytes, format::header::features_at, 4);
+            for (unsigned bit = 5; bit <= 8; ++bit)
+                CHECK(status_with(bytes, format::header::features_at, features ^ 1u << bit, 4) == Status::bad_section);
+            // An empty blob carries none.
+            const Bytes empty = bake_or_throw({}, with_profile(profile));
+            for (unsigned bit = 5; bit <= 8; ++bit)
+                CHECK(status_with(empty, format::header::features_at, 1u << bit, 4) == Status::bad_header);
+        });
+    }
+
+    TEST_CASE("lying edge flags and bounds are answered from safely") {
+        Random random(77);
+        for_each_profile([&](format::Profile profile) {
+            BakeOptions options = with_profile(profile);
+            options.edge_flags = 5.0;
+            options.bounds = {true, true, true};
+            const Bytes good = bake_or_throw(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), options);
+            unsigned opened = 0;
+            for (std::uint64_t i = 0; i < scaled_share(3'000); ++i) {
+                Bytes bad = good;
+                for (unsigned changes = 1 + random.below(4); changes != 0; --changes)
+                    bad[good.size() - 1 - random.below(128 + 240)] = static_cast<std::byte>(random.next());
+                repair_checksum(bad);
+                Blob blob;
+                const ExactBuffer buffer(bad);
+                if (open(buffer.bytes(), blob) != Status::ok) continue;
+                ++opened;
+                Random same(i);
+                exercise(blob, same, 2);
+            }
+            CHECK(opened > 0);
         });
     }
 

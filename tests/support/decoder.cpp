@@ -44,7 +44,8 @@ struct Leaf {
     GridBox box;
 };
 
-/// `width` bits for each vertex, counted from the low corner of the leaf's box or from 0; returns where the stream ends.
+/// `width` bits for each vertex, counted from the low corner of the leaf's box or from 0; returns where the stream
+/// ends.
 std::size_t read_axis(const Bytes& bytes, const Leaf& leaf, std::size_t at, unsigned axis, unsigned width,
                       bool from_zero, std::vector<GridPoint>& vertices) {
     const std::int32_t start = from_zero ? 0 : leaf.box.low[axis];
@@ -298,6 +299,26 @@ private:
             if (seen != bytes_.u32(at)) throw std::runtime_error("decoder: there is another number of copies");
             at = owners_at + layout::owner_bytes * seen;
         }
+        if ((decoded_.features & format::feature::edge_flags) != 0) {
+            decoded_.flat_limit = bytes_.u32(at);
+            for (std::size_t i = 0; i < triangles; ++i) {
+                std::array<std::uint8_t, 3> flags{};
+                for (std::size_t edge = 0; edge < 3; ++edge)
+                    flags[edge] = static_cast<std::uint8_t>(bytes_.field(at + 4, 6 * i + 2 * edge, 2));
+                decoded_.edge_flags.push_back(flags);
+            }
+            at += padded(4 + (6 * triangles + 7) / 8);
+        }
+        const auto take_integers = [&](unsigned count, std::vector<std::int32_t>& to) {
+            for (unsigned i = 0; i < count; ++i, at += 4) to.push_back(static_cast<std::int32_t>(bytes_.u32(at)));
+        };
+        if ((decoded_.features & format::feature::oriented_box) != 0) {
+            for (unsigned i = 0; i < 4; ++i, at += 2)
+                decoded_.oriented_box.push_back(static_cast<std::int16_t>(bytes_.u16(at)));
+            take_integers(6, decoded_.oriented_box);
+        }
+        if ((decoded_.features & format::feature::bounding_sphere) != 0) take_integers(4, decoded_.sphere);
+        if ((decoded_.features & format::feature::k_dop) != 0) take_integers(20, decoded_.k_dop);
         if (at != bytes_.u32(format::header::total_bytes_at)) {
             throw std::runtime_error("decoder: the sections do not fill the blob");
         }

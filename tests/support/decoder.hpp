@@ -61,13 +61,19 @@ struct DecodedBlob {
     std::uint32_t vertex_count = 0;
     std::uint32_t source_triangles = 0;
     std::vector<DecodedNode> nodes;
-    std::vector<GridTriangle> triangles;          // in storage order
-    std::vector<DecodedSource> sources;           // empty without original ids
-    std::vector<std::uint32_t> original_ids;      // one for each triangle, or none
-    std::vector<std::uint8_t> first_corners;      // as many: which corner of the original triangle comes first
-    std::vector<std::uint16_t> materials;         // one for each triangle, or none
-    std::vector<std::uint32_t> owners;            // of each triangle: its own number, or of the one that it is a copy of
+    std::vector<GridTriangle> triangles;      // in storage order
+    std::vector<DecodedSource> sources;       // empty without original ids
+    std::vector<std::uint32_t> original_ids;  // one for each triangle, or none
+    std::vector<std::uint8_t> first_corners;  // as many: which corner of the original triangle comes first
+    std::vector<std::uint16_t> materials;     // one for each triangle, or none
+    std::vector<std::uint32_t> owners;        // of each triangle: its own number, or of the one that it is a copy of
     std::vector<std::uint8_t> triangles_in_leaf;  // of each leaf, in storage order
+    std::uint32_t flat_limit = 0;
+    std::vector<std::array<std::uint8_t, 3>> edge_flags;  // one for each triangle, or none
+    // Bounds, each empty where there are none.
+    std::vector<std::int32_t> oriented_box;  // quaternion w x y z, low 3, high 3
+    std::vector<std::int32_t> sphere;        // center 3, radius
+    std::vector<std::int32_t> k_dop;         // low, high for each direction
 };
 
 /// Throws std::runtime_error on bytes that do not follow the format; it checks what it needs to go on, not every rule.

@@ -273,6 +273,50 @@ void exercise_volumes(Exercise& run) {
     exercise_volume(run, std::span<const Plane>(planes).first(count));
 }
 
+void exercise_bounds(Exercise& run) {
+    Hash& hash = run.hash;
+    Sphere sphere;
+    if (bounding_sphere(run.blob, sphere)) {
+        hash.add(sphere.center);
+        hash.add(sphere.radius);
+    }
+    const Sphere asked = {some_point(run.blob, run.random), some_length(run.blob, run.random)};
+    hash.add(std::uint32_t{is_outside_bounds(run.blob, asked)});
+    hash.add(std::uint32_t{is_outside_bounds(run.blob, Box{some_point(run.blob, run.random), asked.center})});
+    OrientedBox box;
+    if (oriented_bounds(run.blob, box)) {
+        hash.add(box.center);
+        for (const Vec3& axis : box.half_axes) hash.add(axis);
+    }
+    KDop k_dop;
+    if (k_dop_bounds(run.blob, k_dop)) {
+        for (unsigned k = 0; k < KDop::count; ++k) {
+            hash.add(k_dop.lo[k]);
+            hash.add(k_dop.hi[k]);
+        }
+    }
+}
+
+void exercise_nodes(Exercise& run) {
+    const Blob& blob = run.blob;
+    std::uint32_t visited = 0;
+    const std::uint32_t until = 1 + run.random.below(300);
+    const bool saw_all = for_each_node(blob, [&](const TreeNode& node) {
+        run.verdict.require(node.depth >= 1 && node.depth <= blob.depth(), "a node is deeper than the tree");
+        run.hash.add(node.number);
+        for (unsigned i = 0; i < node.child_count; ++i) {
+            const TreeChild& child = node.children[i];
+            run.verdict.require(!child.is_leaf || child.first.index + child.count <= blob.triangle_count(),
+                                "a leaf has triangles that do not exist");
+            run.hash.add(child.box.min);
+            run.hash.add(child.box.max);
+        }
+        if (++visited == until) return NodeVisit::end;
+        return node.number % 5 == 4 ? NodeVisit::skip : NodeVisit::descend;
+    });
+    run.verdict.require(saw_all == (visited < until), "for_each_node says wrongly whether it saw all");
+}
+
 void exercise_lookups(Exercise& run) {
     const Blob& blob = run.blob;
     Random& random = run.random;
@@ -291,6 +335,19 @@ void exercise_lookups(Exercise& run) {
             verdict.require(original.first_corner < 3, "a triangle begins with a corner that it does not have");
         }
         hash.add(std::uint32_t{material(blob, {index})});
+        EdgeKinds kinds;
+        if (edge_kinds(blob, {index}, kinds))
+            for (const EdgeKind kind : {kinds.ab, kinds.bc, kinds.ca}) hash.add(static_cast<std::uint32_t>(kind));
+        Corners corners;
+        const bool exists = triangle_corners(blob, {index}, corners);
+        verdict.require(exists == (index < blob.triangle_count()), "corners of a triangle that does not exist");
+        hash.add(corners.c);
+        Vec3 normal;
+        const Contact contact = {{index}, static_cast<Feature>(random.below(8)), some_point(blob, random)};
+        if (is_on_inner_edge(blob, contact, normal)) {
+            verdict.require(exists, "a triangle that does not exist has an inner edge");
+            hash.add(normal);
+        }
     }
     hash.add(blob.step());
     hash.add(blob.bounds_min());
@@ -314,6 +371,8 @@ void exercise_lookups(Exercise& run) {
 std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds) {
     Exercise run{blob, random, {}, {}};
     exercise_lookups(run);
+    exercise_bounds(run);
+    exercise_nodes(run);
     for (unsigned i = 0; i < rounds; ++i) {
         exercise_rays(run);
         exercise_spheres(run);

@@ -122,6 +122,10 @@ run 1 bake box.obj -o x.espl --bits 25
 run 1 bake box.obj -o x.espl --bits 0
 run 1 bake box.obj -o x.espl --profile huge
 run 1 bake box.obj -o x.espl --materials 9
+run 1 bake box.obj -o x.espl --edge-flags --flat-angle 90
+run 1 bake box.obj -o x.espl --edge-flags --flat-angle wide
+run 1 bake box.obj -o x.espl --flat-angle 5
+run 1 bake box.obj -o x.espl --bounds obb,ball
 run 1 bake box.obj -o x.espl --effort 10
 run 1 bake box.obj -o x.espl --builder oak
 run 1 bake box.obj -o x.espl --bits 12 --tolerance 1mm
@@ -518,6 +522,28 @@ for key in schema format_version triangles vertices bytes bytes_per_triangle sec
 done
 out_has '"format_version": "1.'
 out_has "\"bytes\": $(stat -c %s sheet.espl)"
+
+claim "edge flags and bounds are there on request, and the report tells how much space the bounds take"
+run 0 bake sheet.obj -o extras.espl --edge-flags --bounds obb,sphere,kdop
+err_has "volume: axis-aligned box "
+err_has "oriented box "
+err_has "26-DOP "
+run 0 bake sheet.obj -o extras5.espl -q --edge-flags --flat-angle 5 --bounds sphere --bounds kdop,obb --json
+out_has '"volumes": {'
+same extras.espl extras5.espl
+run 0 verify extras.espl --deep
+run 0 info extras.espl
+for word in "format        1.1" "edge_flags, oriented_box, bounding_sphere, k_dop" "half axis" "radius"; do
+    out_has "$word"
+done
+run 0 info extras.espl --json
+for key in oriented_box half_axes sphere radius k_dop direction; do
+    out_has "\"$key\": "
+done
+run 0 dump extras.espl
+for word in "squared sine of what is flat: 127441 / 2^24" "quaternion w x y z" "radius, in steps / 16" "along 1 -1 -1: low and high"; do
+    out_has "$word"
+done
 
 claim "verify accepts what bake wrote, deep and against its source"
 run 0 verify sheet.espl --deep --source sheet.obj

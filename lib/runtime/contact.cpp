@@ -1,0 +1,52 @@
+// Edge flags, and contacts on edges that should not be felt.
+#include <espalier/contact.hpp>
+#include <runtime/bytes.hpp>
+#include <runtime/find_triangle.hpp>
+#include <runtime/square_root.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+bool edge_kinds(const Blob& blob, Triangle triangle, EdgeKinds& kinds) noexcept {
+    using namespace format::edge_flags;
+    const BlobData& data = blob.data();
+    if (data.edge_flags == nullptr || triangle.index >= data.triangle_count) return false;
+    const auto kind = [&](unsigned edge) {
+        // A field of 2 bits never lies in two bytes.
+        const std::uint64_t bit = std::uint64_t{triangle.index} * triangle_bits + std::uint64_t{edge} * edge_bits;
+        return static_cast<EdgeKind>(load_u8(data.edge_flags + fields_at + bit / 8) >> (bit % 8) & 3u);
+    };
+    kinds = {kind(0), kind(1), kind(2)};
+    return true;
+}
+
+bool is_on_inner_edge(const Blob& blob, const Contact& contact, Vec3& normal) noexcept {
+    EdgeKinds kinds;
+    if (!edge_kinds(blob, contact.triangle, kinds)) return false;
+    // Edges ab, bc, ca are bits 0, 1, 2; on a corner meet the edge that leads from it and the one before.
+    constexpr std::uint8_t edges_of[] = {0b000, 0b001, 0b010, 0b100, 0b101, 0b011, 0b110};
+    static_assert(Feature::edge_ab == Feature{1} && Feature::vertex_a == Feature{4} && Feature::vertex_c == Feature{6});
+    const auto feature = static_cast<unsigned>(contact.feature);
+    const unsigned edges = feature < sizeof edges_of ? edges_of[feature] : 0u;
+    const auto outer = [](EdgeKind kind) { return kind == EdgeKind::convex || kind == EdgeKind::open ? 1u : 0u; };
+    const unsigned outer_edges = outer(kinds.ab) | outer(kinds.bc) << 1 | outer(kinds.ca) << 2;
+    if (edges == 0 || (edges & outer_edges) != 0) return false;
+
+    const LatticeTriangle triangle = find_triangle(blob.data(), contact.triangle.index);
+    const auto& c = triangle.corner;
+    const auto edge = [&](int to, int axis) { return std::int64_t{c[to][axis]} - c[0][axis]; };
+    const Integer3 exact = cross({edge(1, 0), edge(1, 1), edge(1, 2)}, {edge(2, 0), edge(2, 1), edge(2, 2)});
+    const float x = to_float(exact.x);
+    const float y = to_float(exact.y);
+    const float z = to_float(exact.z);
+    const float squared = x * x + y * y + z * z;
+    if (squared == 0.0f) return false;  // a triangle without area, which no baker wrote
+    const float length = square_root(squared);
+    const bool behind = contact.normal.x * x + contact.normal.y * y + contact.normal.z * z < 0.0f;
+    const float scale = behind ? -length : length;
+    normal = {x / scale, y / scale, z / scale};
+    return true;
+}
+
+}  // namespace espalier
