@@ -10,6 +10,7 @@
 #include <espalier/ray.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
+#include <espalier/sweep.hpp>
 #include <espalier/types.hpp>
 #include <espalier/version.hpp>
 #include <espalier/walk.hpp>

@@ -123,6 +123,46 @@ inline void ask_all_hits(const Blob& blob, Questions& questions, std::uint32_t c
     }
 }
 
+inline void ask_first_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Ray ray = questions.ray(number);
+        RayHit hits[3];
+        const HitCount found = closest_hits(blob, ray, std::span<RayHit>(hits).first(number % 4));
+        ++answers.rays;
+        answers.fingerprint.add(static_cast<std::uint32_t>(found.count));
+        answers.fingerprint.add(static_cast<std::uint32_t>(found.status));
+        for (std::size_t i = 0; i < found.count; ++i) add_hit(answers.fingerprint, blob, hits[i]);
+        RayHit hit;
+        answers.fingerprint.add(raycast(blob, Segment{ray.origin, ray.direction}, hit));
+        add_hit(answers.fingerprint, blob, hit);
+    }
+}
+
+template <class Shape>
+void ask_sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Answers& answers) {
+    SweepHit hit;
+    answers.fingerprint.add(sweep(blob, shape, displacement, hit));
+    answers.fingerprint.add(static_cast<std::uint32_t>(check_sweep(blob, shape, displacement)));
+    answers.fingerprint.add(hit.t);
+    answers.fingerprint.add(hit.point);
+    answers.fingerprint.add(hit.normal);
+    answers.fingerprint.add(hit.starts_overlapping);
+    add_triangle(answers.fingerprint, blob, hit.triangle);
+}
+
+inline void ask_sweeps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Ray ray = questions.ray(number);
+        const Vec3 way = number % 8 == 1 || number % 8 == 5 ? questions.displacement(number) : ray.direction;
+        const Sphere sphere = questions.sphere(number + 1);
+        ask_sweep(blob, Sphere{ray.origin, sphere.radius}, way, answers);
+        ask_sweep(blob, Capsule{ray.origin, sphere.center, sphere.radius}, way, answers);
+        ask_sweep(blob, Box{ray.origin, {ray.origin.x + sphere.radius, ray.origin.y, ray.origin.z + sphere.radius}},
+                  way, answers);
+        ask_sweep(blob, questions.box(number), way, answers);
+    }
+}
+
 inline void ask_spheres(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
         const Sphere sphere = questions.sphere(number);
@@ -233,6 +273,8 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_closest_hits(blob, questions, 2 * questions_of_a_kind, answers);
     ask_filtered_hits(blob, questions, questions_of_a_kind, answers);
     ask_all_hits(blob, questions, questions_of_a_kind, answers);
+    ask_first_hits(blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    ask_sweeps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_spheres(blob, questions, questions_of_a_kind, answers);
     ask_volumes(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_closest_points(blob, questions, questions_of_a_kind, answers);

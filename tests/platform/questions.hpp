@@ -104,6 +104,12 @@ public:
         }
     }
 
+    Vec3 displacement(std::uint32_t number) {
+        if (number % 3 == 0) return {};
+        const Vec3 to = point_around(2.0f);
+        return difference(to, center_);
+    }
+
     Vec3 point(std::uint32_t number) {
         switch (number % 4) {
         case 0:

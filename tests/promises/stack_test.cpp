@@ -13,6 +13,7 @@
 #include "../support/sanitized.hpp"
 #include "../support/shape_maker.hpp"
 #include "../support/stack_use.hpp"
+#include "../support/sweep_maker.hpp"
 #include "../support/test_blobs.hpp"
 
 using namespace espalier;
@@ -113,6 +114,20 @@ TEST_SUITE("promises") {
             return most;
         };
         detail::FoundNearest found;
+        const auto sweep_row = [&](auto make) {
+            std::size_t most = 0;
+            for (const TestBlob& blob : medium_test_blobs()) {
+                SweepMaker maker(blob.decoded, 7);
+                for (int i = 0; i < 60; ++i) {
+                    const auto moving = make(maker);
+                    SweepHit sweep_hit;
+                    most = std::max(most, stack_use([&] {
+                        sweep(blob.opened.blob, moving.shape, moving.displacement, sweep_hit);
+                    }));
+                }
+            }
+            return most;
+        };
         const Row rows[] = {
             {"open", 1024, most_stack([](const TestBlob& blob, QueryMaker&) {
                  return stack_use([&] {
@@ -138,6 +153,10 @@ TEST_SUITE("promises") {
             {"for_each_hit", 1408, ray_row([](const Blob& blob, const Ray& ray) {
                  for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
              })},
+            {"closest_hits", 1536, ray_row([&](const Blob& blob, const Ray& ray) { closest_hits(blob, ray, hits); })},
+            {"sweep, a sphere", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
+            {"sweep, a capsule", 3328, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
+            {"sweep, a box", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},
             {"overlaps", 2560,
              sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
             {"for_each_overlap", 2560, sphere_row([](const Blob& blob, const Sphere& sphere) {

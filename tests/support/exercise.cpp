@@ -141,6 +141,21 @@ void exercise_rays(Exercise& run) {
             verdict.require((hits[i].triangle != no_triangle) == (answers[i] != 0), "answers of a batch disagree");
         verdict.require(!found || hits[0].triangle == hit.triangle, "a ray alone and a batch disagree");
     }
+    std::array<RayHit, 4> first;
+    const HitCount count = closest_hits(blob, ray, first);
+    verdict.require((count.count > 0) == found && count.count <= first.size(), "closest_hits and raycast disagree");
+    verdict.require(count.status == QueryStatus::ok || count.count == first.size(),
+                    "an array that is not full is told full");
+    for (std::size_t i = 0; i < count.count; ++i) {
+        check_hit(run, first[i]);
+        verdict.require(i == 0 || first[i - 1].t <= first[i].t, "closest_hits are not sorted");
+    }
+    const Segment segment = {ray.origin, ray.direction};
+    RayHit on_segment;
+    const bool segment_hits = raycast(blob, segment, on_segment);
+    if (segment_hits) check_hit(run, on_segment);
+    verdict.require(!segment_hits || on_segment.t <= 1.0f, "a segment is hit beyond its end");
+    verdict.require(occluded(blob, segment) == segment_hits, "occluded and raycast disagree about a segment");
     RayHit filtered;
     const bool found_filtered = raycast(blob, ray, filtered, filter);
     if (found_filtered) check_hit(run, filtered);
@@ -317,6 +332,52 @@ void exercise_nodes(Exercise& run) {
     run.verdict.require(saw_all == (visited < until), "for_each_node says wrongly whether it saw all");
 }
 
+template <class Shape>
+void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
+    const Blob& blob = run.blob;
+    Verdict& verdict = run.verdict;
+    const std::uint32_t parity = run.random.below(2);
+    const auto filter = [&](Triangle triangle) {
+        verdict.require(triangle.index < blob.triangle_count(),
+                        "a filter was asked about a triangle that does not exist");
+        return triangle.index % 2 == parity;
+    };
+    SweepHit hits[2];
+    hits[0].t = hits[1].t = -1.0f;
+    const bool found = sweep(blob, shape, displacement, hits[0]);
+    const bool found_filtered = sweep(blob, shape, displacement, hits[1], filter);
+    verdict.require(!found || check_sweep(blob, shape, displacement) == QueryStatus::ok, "a refused sweep hit");
+    verdict.require(found || !found_filtered, "a sweep under a filter hits more than without");
+    for (const SweepHit& hit : hits) {
+        if (!(&hit == hits ? found : found_filtered)) {
+            verdict.require(hit.t == -1.0f, "a sweep that hit nothing changed the hit");
+            continue;
+        }
+        verdict.require(hit.triangle.index < blob.triangle_count(), "a sweep hit a triangle that does not exist");
+        verdict.require(hit.t >= 0.0f && hit.t < 1.0f, "a sweep's t is out of range or NaN");
+        verdict.require(!hit.starts_overlapping || hit.t == 0.0f, "a sweep that starts overlapping takes its time");
+        const Vec3& n = hit.normal;
+        verdict.require(n.x * n.x + n.y * n.y + n.z * n.z > 0.999f, "a sweep's normal is not of unit length");
+        verdict.require(is_number(hit.point.x + hit.point.y + hit.point.z), "a sweep's point is NaN");
+        run.hash.add(hit.triangle.index);
+        run.hash.add(hit.t);
+        run.hash.add(hit.point);
+        run.hash.add(hit.normal);
+    }
+}
+
+void exercise_sweeps(Exercise& run) {
+    const Blob& blob = run.blob;
+    Random& random = run.random;
+    const Vec3 a = some_point(blob, random), b = some_point(blob, random), c = some_point(blob, random);
+    const float length = some_length(blob, random);
+    const Vec3 way = random.coin() ? Vec3{c.x - a.x, c.y - a.y, c.z - a.z} : c;
+    exercise_sweep(run, Sphere{a, length}, way);
+    exercise_sweep(run, Capsule{a, b, length}, way);
+    exercise_sweep(run, Box{a, b}, way);
+    exercise_sweep(run, Box{a, {a.x + length, a.y + length, a.z + length}}, way);
+}
+
 void exercise_lookups(Exercise& run) {
     const Blob& blob = run.blob;
     Random& random = run.random;
@@ -378,6 +439,7 @@ std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds) {
         exercise_spheres(run);
         exercise_volumes(run);
         exercise_distances(run);
+        exercise_sweeps(run);
     }
     run.verdict.speak();
     return run.hash.value();

@@ -1,0 +1,224 @@
+// A moving shape in lattice units, rounded there, once: the sweep that everything else answers exactly.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <espalier/shapes.hpp>
+#include <espalier/status.hpp>
+#include <runtime/float_bits.hpp>
+#include <runtime/moving_box.hpp>
+#include <runtime/moving_capsule.hpp>
+#include <runtime/ray_lanes.hpp>
+#include <runtime/segment_triangle.hpp>
+
+namespace espalier::detail {
+
+/// Nothing of a sweep may be as far from the asset or as large, in lattice steps.
+inline constexpr float sweep_reach = 0x1p34f;
+/// Along each axis, in units of the sweep.
+inline constexpr std::int64_t longest_capsule_axis = std::int64_t{1} << 25;
+
+/// What all shapes share. Units are 2^-fraction_bits lattice steps, counted from lattice point 0 0 0.
+struct LatticeSweep {
+    Integer3 low;  ///< of the box around the shape at the start
+    Integer3 high;
+    Integer3 displacement;
+    int fraction_bits;  ///< 0..6
+
+    /// A triangle seen from a point.
+    [[nodiscard]] UnitTriangle seen_from(const Integer3& point, const LatticeTriangle& triangle) const {
+        UnitTriangle result;
+        for (unsigned i = 0; i < 3; ++i) {
+            const std::int32_t* corner = triangle.corner[i];
+            result.corner[i] = {(std::int64_t{corner[0]} << fraction_bits) - point.x,
+                                (std::int64_t{corner[1]} << fraction_bits) - point.y,
+                                (std::int64_t{corner[2]} << fraction_bits) - point.z};
+        }
+        return result;
+    }
+    [[nodiscard]] Integer3 middle() const {
+        return {(low.x + high.x) >> 1, (low.y + high.y) >> 1, (low.z + high.z) >> 1};
+    }
+};
+
+struct SphereSweep : LatticeSweep {
+    Integer3 center;
+    std::int64_t radius;
+};
+struct CapsuleSweep : LatticeSweep {
+    Integer3 from;
+    Integer3 axis;
+    std::int64_t radius;
+};
+struct BoxSweep : LatticeSweep {};
+
+/// Whether the shape touches the triangle at the start.
+inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle) {
+    const std::int64_t low[3] = {sweep.low.x, sweep.low.y, sweep.low.z};
+    const std::int64_t high[3] = {sweep.high.x, sweep.high.y, sweep.high.z};
+    const auto& c = triangle.corner;
+    for (unsigned k = 0; k < 3; ++k) {
+        const auto beyond = [&](unsigned i) { return high[k] < std::int64_t{c[i][k]} << sweep.fraction_bits; };
+        const auto below = [&](unsigned i) { return std::int64_t{c[i][k]} << sweep.fraction_bits < low[k]; };
+        if ((beyond(0) && beyond(1) && beyond(2)) || (below(0) && below(1) && below(2))) return false;
+    }
+    const Integer3 to = sum(sweep.from, sweep.axis);
+    const LatticeSegment axis = {
+        {sweep.from.x, sweep.from.y, sweep.from.z}, {to.x, to.y, to.z}, sweep.fraction_bits, {}, {}};
+    // The radius came from a float and is one still.
+    const float radius = to_float(sweep.radius) * power_of_two(-sweep.fraction_bits);
+    return is_within_radius(axis, triangle, distance_to(axis, triangle), radius);
+}
+
+namespace lattice_sweep {
+
+/// Lattice steps as floats, on their way to units.
+class Rounding {
+public:
+    explicit Rounding(const BlobData& blob) : blob_(blob) {}
+
+    /// A place; false when it is not finite.
+    bool add_point(const Vec3& world, float* steps) {
+        const float from[3] = {world.x, world.y, world.z};
+        for (int k = 0; k < 3; ++k) {
+            if (!is_finite(from[k])) return false;
+            steps[k] = (flush_subnormal(from[k]) - blob_.origin[k]) * blob_.steps_per_unit;
+            extend(steps[k]);
+            extend(blob_.extent_steps[k] - steps[k]);
+        }
+        return true;
+    }
+    /// A difference of two places.
+    bool add_vector(const Vec3& world, float* steps) {
+        const float from[3] = {world.x, world.y, world.z};
+        for (int k = 0; k < 3; ++k)
+            if (!add_length(from[k], steps[k])) return false;
+        return true;
+    }
+    bool add_length(float world, float& steps) {
+        if (!is_finite(world)) return false;
+        steps = flush_subnormal(flush_subnormal(world) * blob_.steps_per_unit);
+        extend(steps);
+        return true;
+    }
+
+    [[nodiscard]] bool is_in_range() const { return reach_ < sweep_reach; }
+    [[nodiscard]] int fraction_bits() const {
+        const int spare = 23 - exponent_of(reach_);
+        return spare > 6 ? 6 : spare < 0 ? 0 : spare;
+    }
+    /// Floats from 2^24 on are integers already.
+    [[nodiscard]] std::int64_t to_units(float steps) const {
+        const float fine = steps * power_of_two(fraction_bits());
+        return static_cast<std::int64_t>(absolute(fine) < 0x1p24f ? round_to_integer(fine) : fine);
+    }
+    [[nodiscard]] Integer3 to_units(const float* steps) const {
+        return {to_units(steps[0]), to_units(steps[1]), to_units(steps[2])};
+    }
+
+private:
+    void extend(float steps) { reach_ = maximum(absolute(steps), reach_); }
+
+    const BlobData& blob_;
+    float reach_ = 0.0f;  ///< the largest of all that was added
+};
+
+inline bool is_negative_length(float length) { return is_negative(length) && magnitude_bits(length) != 0; }
+inline std::int64_t smaller_of(std::int64_t a, std::int64_t b) { return a < b ? a : b; }
+inline std::int64_t larger_of(std::int64_t a, std::int64_t b) { return a > b ? a : b; }
+
+}  // namespace lattice_sweep
+
+// Where the status is not ok, the sweep is not written.
+
+inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const Vec3& displacement,
+                               SphereSweep& sweep) {
+    lattice_sweep::Rounding rounding(blob);
+    float center[3], way[3], radius = 0.0f;
+    if (!rounding.add_point(world.center, center) || !rounding.add_vector(displacement, way) ||
+        !rounding.add_length(world.radius, radius) || lattice_sweep::is_negative_length(world.radius))
+        return QueryStatus::invalid_argument;
+    if (!rounding.is_in_range()) return QueryStatus::out_of_range;
+    sweep.fraction_bits = rounding.fraction_bits();
+    sweep.displacement = rounding.to_units(way);
+    sweep.center = rounding.to_units(center);
+    sweep.radius = rounding.to_units(radius);
+    const Integer3 half = {sweep.radius, sweep.radius, sweep.radius};
+    sweep.low = difference(sweep.center, half);
+    sweep.high = sum(sweep.center, half);
+    return QueryStatus::ok;
+}
+
+inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const Vec3& displacement,
+                               CapsuleSweep& sweep) {
+    using lattice_sweep::larger_of;
+    using lattice_sweep::smaller_of;
+    lattice_sweep::Rounding rounding(blob);
+    float from[3], to[3], way[3], radius = 0.0f;
+    if (!rounding.add_point(world.from, from) || !rounding.add_point(world.to, to) ||
+        !rounding.add_vector(displacement, way) || !rounding.add_length(world.radius, radius) ||
+        lattice_sweep::is_negative_length(world.radius))
+        return QueryStatus::invalid_argument;
+    if (!rounding.is_in_range()) return QueryStatus::out_of_range;
+    sweep.fraction_bits = rounding.fraction_bits();
+    sweep.displacement = rounding.to_units(way);
+    sweep.radius = rounding.to_units(radius);
+    sweep.from = rounding.to_units(from);
+    const Integer3 end = rounding.to_units(to);
+    sweep.axis = difference(end, sweep.from);
+    for (const std::int64_t along : {sweep.axis.x, sweep.axis.y, sweep.axis.z})
+        if (along > longest_capsule_axis || along < -longest_capsule_axis) return QueryStatus::out_of_range;
+    sweep.low = {smaller_of(sweep.from.x, end.x) - sweep.radius, smaller_of(sweep.from.y, end.y) - sweep.radius,
+                 smaller_of(sweep.from.z, end.z) - sweep.radius};
+    sweep.high = {larger_of(sweep.from.x, end.x) + sweep.radius, larger_of(sweep.from.y, end.y) + sweep.radius,
+                  larger_of(sweep.from.z, end.z) + sweep.radius};
+    return QueryStatus::ok;
+}
+
+inline QueryStatus round_sweep(const BlobData& blob, const Box& world, const Vec3& displacement, BoxSweep& sweep) {
+    lattice_sweep::Rounding rounding(blob);
+    float low[3], high[3], way[3];
+    if (!rounding.add_point(world.min, low) || !rounding.add_point(world.max, high) ||
+        !rounding.add_vector(displacement, way))
+        return QueryStatus::invalid_argument;
+    if (!rounding.is_in_range()) return QueryStatus::out_of_range;
+    sweep.fraction_bits = rounding.fraction_bits();
+    sweep.displacement = rounding.to_units(way);
+    sweep.low = rounding.to_units(low);
+    sweep.high = rounding.to_units(high);
+    return QueryStatus::ok;
+}
+
+/// The box around the shape as a ray, t running from 0 to 1: a plane is met when that side of the shape meets it which
+/// is ahead, and left when the other one does. Like spread_ray; the sides round once more.
+inline RayLanes spread_sweep(const BlobData& blob, const LatticeSweep& sweep) {
+    const float step = power_of_two(-sweep.fraction_bits);
+    const Integer3 &low = sweep.low, &high = sweep.high, &way = sweep.displacement;
+    const float lows[3] = {to_float(low.x) * step, to_float(low.y) * step, to_float(low.z) * step};
+    const float highs[3] = {to_float(high.x) * step, to_float(high.y) * step, to_float(high.z) * step};
+    const float ways[3] = {to_float(way.x) * step, to_float(way.y) * step, to_float(way.z) * step};
+    float reach = 0.0f;
+    for (unsigned k = 0; k < 3; ++k) {
+        reach = maximum(maximum(absolute(lows[k]), absolute(highs[k])), reach);
+        reach = maximum(maximum(absolute(blob.extent_steps[k] - lows[k]), absolute(blob.extent_steps[k] - highs[k])),
+                        reach);
+    }
+    const float slack_steps = (reach + 1.0f) * 0x1p-20f;
+    RayLanes lanes{};
+    unsigned signs = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const bool runs_down = ways[k] < 0.0f;
+        lanes.inverse[k] = 1.0f / lattice_ray::or_if_zero(ways[k], 1.0f / still);
+        lanes.base_inverse[k] = lanes.inverse[k] * blob.base_unit;
+        const float slack = absolute(lanes.inverse[k]) * slack_steps;
+        lanes.near_offset[k] = -(runs_down ? lows[k] : highs[k]) * lanes.inverse[k] - slack;
+        lanes.far_offset[k] = -(runs_down ? highs[k] : lows[k]) * lanes.inverse[k] + slack;
+        signs |= (runs_down ? 1u : 0u) << k;
+    }
+    lanes.tau_min = 0.0f;
+    lanes.planes = &plane_orders[signs];
+    return lanes;
+}
+
+}  // namespace espalier::detail

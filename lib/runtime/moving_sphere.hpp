@@ -1,0 +1,26 @@
+// A sphere that moves along a line against a triangle: the kernel of sweeps. The distance of a moving point from a
+// triangle is a convex function of time, and whether it is above, at or below the radius is decided in integers at
+// every tick. So the first tick with contact is found by advancing along tangents, which never overshoot, and closing
+// in: the conservative advancement of Mirtich (1996), with exact decisions.
+#pragma once
+
+#include <runtime/sweep_step.hpp>
+
+namespace espalier::detail {
+
+/// Starts at 0: triangles are seen from its centre's start. Coordinates of triangles and displacement stay below 2^35,
+/// the radius below 2^35, sides of triangles below 2^26, all in the same units (docs/numerics.md).
+struct MovingSphere {
+    Integer3 displacement;
+    std::int64_t radius;
+};
+
+/// The step at which the sphere first touches the triangle, also one without area; no_contact when it does not, or
+/// later than at step `most`.
+SweepStep first_contact(const MovingSphere& sphere, const UnitTriangle& triangle, SweepStep most) noexcept;
+
+/// The point of the triangle that is closest to the sphere's centre at that tick, and the direction from there to the
+/// centre; where the centre lies on the triangle, the triangle's normal that looks against the displacement.
+SweepContact contact_at(const MovingSphere& sphere, const UnitTriangle& triangle, std::uint32_t tick) noexcept;
+
+}  // namespace espalier::detail

@@ -1,0 +1,68 @@
+// The first triangle that a moving shape touches, in lattice units: one walk for all shapes, which say by a function
+// when they touch a triangle.
+#pragma once
+
+#include <espalier/function_ref.hpp>
+#include <espalier/sweep.hpp>
+#include <runtime/lattice_sweep.hpp>
+#include <runtime/nearest_world.hpp>
+
+namespace espalier::detail {
+
+struct FoundContact {
+    SweepStep step = no_contact;
+    std::uint32_t index = 0;
+    LatticeTriangle triangle;
+};
+
+/// When the shape touches a triangle, or no_contact when that is after the step given.
+using FirstContactOf = FunctionRef<SweepStep(const LatticeTriangle&, SweepStep most)>;
+
+/// The smallest step, of equal ones the lowest index; no_contact when there is none. The blob is not empty.
+FoundContact first_contact(const BlobData& blob, const LatticeSweep& sweep, FirstContactOf contact_of,
+                           const TriangleFilter* filter);
+
+// What the queries and their loop over all triangles share: the contact of each shape with one triangle.
+
+inline SweepStep first_contact(const SphereSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+    return first_contact(MovingSphere{sweep.displacement, sweep.radius}, sweep.seen_from(sweep.center, triangle), most);
+}
+inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+    if (touches_at_start(sweep, triangle)) return 0;
+    return first_contact(MovingCapsule{{sweep.displacement, sweep.radius}, sweep.axis},
+                         sweep.seen_from(sweep.from, triangle), most);
+}
+inline SweepStep first_contact(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+    return first_contact(MovingBox{sweep.low, sweep.high, sweep.displacement}, sweep.seen_from({0, 0, 0}, triangle),
+                         most);
+}
+
+inline SweepContact contact_at(const SphereSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
+    return contact_at(MovingSphere{sweep.displacement, sweep.radius}, sweep.seen_from(sweep.center, triangle),
+                      tick_before(step));
+}
+inline SweepContact contact_at(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
+    return contact_at(MovingCapsule{{sweep.displacement, sweep.radius}, sweep.axis},
+                      sweep.seen_from(sweep.from, triangle), step);
+}
+inline SweepContact contact_at(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
+    return contact_at(MovingBox{sweep.low, sweep.high, sweep.displacement}, sweep.seen_from({0, 0, 0}, triangle), step);
+}
+/// Where a shape touches at the start: as seen from its middle.
+inline SweepContact contact_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) noexcept {
+    return contact_at(MovingSphere{sweep.displacement, 0}, sweep.seen_from(sweep.middle(), triangle), 0);
+}
+
+/// What the caller sees of a contact.
+template <class Sweep>
+SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundContact& found) noexcept {
+    const bool at_start = found.step == 0;
+    const SweepContact contact =
+        at_start ? contact_at_start(sweep, found.triangle) : contact_at(sweep, found.triangle, found.step);
+    float point[3];
+    point_of(found.triangle, contact.u, contact.v, point);
+    return {share_of_way(tick_before(found.step)), to_world(blob, point[0], point[1], point[2]), contact.normal,
+            Triangle{found.index}, at_start};
+}
+
+}  // namespace espalier::detail
