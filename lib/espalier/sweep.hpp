@@ -9,8 +9,8 @@
 // `normal` within 4 ulp of 1, for the shape at t.
 // Arguments. Any bit pattern is safe. `check_sweep` says in O(1) whether a sweep is answered; what it refuses finds
 // nothing: a NaN, an infinity or a negative radius (invalid_argument); a start, a displacement or a radius of 2^34
-// lattice steps or more, or an axis of a capsule longer than 2^25 grid units along x, y or z, which is beyond the size
-// of every asset (out_of_range). Zero is a value like any other: of a radius, of a displacement, of a box's or an axis'
+// lattice steps or more, or an axis of a capsule longer than 2^25 of them along x, y or z, twice the size of the
+// largest asset (out_of_range). Zero is a value like any other: of a radius, of a displacement, of a box's or an axis'
 // length. A box whose min is above its max is empty and touches nothing.
 #pragma once
 

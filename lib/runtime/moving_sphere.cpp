@@ -11,7 +11,9 @@ namespace {
 constexpr float slack = 0x1p-18f;
 
 /// Where 128 bits are not native, each of these takes a good part of what a small core has room for.
-[[gnu::noinline]] Int128 dot_out_of_line(const Integer3& a, const Integer3& b) { return dot<Int128>(a, b); }
+[[gnu::noinline, maybe_unused]] Int128 dot_out_of_line(const Integer3& a, const Integer3& b) {
+    return dot<Int128>(a, b);
+}
 Int128 wide_dot(const Integer3& a, const Integer3& b) {
     if constexpr (has_native_int128) return dot<Int128>(a, b);
     else return dot_out_of_line(a, b);

@@ -45,7 +45,7 @@ TEST_SUITE("first hits of a ray") {
     TEST_CASE("the first hits are sorted, and the status tells of more") {
         for_each_profile([](format::Profile profile) {
             const NestedCubes cubes(profile);
-            constexpr std::array<float, 4> expected = {2.0f, 3.0f, 5.0f, 6.0f};
+            constexpr std::array<double, 4> expected = {2.0, 3.0, 5.0, 6.0};
             for (std::size_t places = 0; places <= 6; ++places) {
                 CAPTURE(places);
                 std::vector<RayHit> hits(places);
