@@ -1,4 +1,4 @@
-// The point of the surface that is closest to a given point, and the triangles that are.
+// The point of the surface that is closest to a given point, segment or box, and the triangles that are.
 //
 // Numbers. The point is rounded once onto a grid finer than the asset's lattice (docs/numerics.md). Distances are
 // compared by their correctly ordered squares, within 6 ulp of the exact ones; of equal ones the lowest storage index
@@ -12,6 +12,8 @@
 #include <span>
 
 #include <espalier/blob.hpp>
+#include <espalier/shapes.hpp>
+#include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier {
@@ -36,5 +38,28 @@ bool closest_point(const Blob& blob, Vec3 point, float max_distance, Nearest& ne
 /// the rest of `nearest` is untouched. O(log(places)) for each triangle that comes nearer than those found before,
 /// O(places) in a blob with copies.
 std::size_t closest_triangles(const Blob& blob, Vec3 point, float max_distance, std::span<Nearest> nearest) noexcept;
+
+/// The closest pair of points, one of a shape and one of the surface.
+struct NearestPair {
+    Vec3 on_shape;
+    Vec3 on_surface;
+    float distance = 0.0f;
+    float u = 0.0f;  ///< barycentric weight of corner b
+    float v = 0.0f;  ///< barycentric weight of corner c; corner a has 1 - u - v
+    Triangle triangle;
+};
+
+/// The triangle closest to a segment, which may have length zero, or to a box, all of it and not its sides only, and a
+/// pair of points that are as close. Distance 0 exactly where they share a point, of which one is told then.
+///
+/// ok, and no_triangle at max_distance when nothing is within max_distance (which may be infinite), or the box is
+/// empty; the points are zero then. invalid_argument for a NaN, an infinity in the shape or a negative max_distance;
+/// out_of_range for a shape that reaches more than 2^36 lattice steps from any vertex of the asset along an axis.
+/// `pair` is untouched unless ok. The shape is rounded as finely as its farthest coordinate allows, to 2^-6 of a
+/// lattice step at most. Distances are ordered, and numbers as exact, as closest_point's; the coordinates of on_shape
+/// are within 14 ulp of the largest one of the shape and of the asset.
+QueryStatus closest_to_segment(const Blob& blob, const Segment& segment, float max_distance,
+                               NearestPair& pair) noexcept;
+QueryStatus closest_to_box(const Blob& blob, const Box& box, float max_distance, NearestPair& pair) noexcept;
 
 }  // namespace espalier

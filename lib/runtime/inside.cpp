@@ -15,8 +15,7 @@ namespace {
 QueryStatus refusal(const Blob& blob, const Vec3& point) {
     if (!blob.closed()) return QueryStatus::not_closed;
     if (blob.copy_count() != 0) return QueryStatus::has_copies;
-    const bool finite = is_finite(point.x) && is_finite(point.y) && is_finite(point.z);
-    return finite ? QueryStatus::ok : QueryStatus::invalid_argument;
+    return is_finite(point) ? QueryStatus::ok : QueryStatus::invalid_argument;
 }
 
 Winding winding_around(const BlobData& blob, const LatticePoint& point) {
@@ -35,8 +34,7 @@ QueryStatus contains(const Blob& blob, Vec3 point, bool& inside) noexcept {
 
 QueryStatus signed_distance(const Blob& blob, Vec3 point, float max_distance, Nearest& nearest) noexcept {
     if (const QueryStatus status = refusal(blob, point); status != QueryStatus::ok) return status;
-    const bool below_zero = is_negative(max_distance) && magnitude_bits(max_distance) != 0;
-    if (is_nan(max_distance) || below_zero) return QueryStatus::invalid_argument;
+    if (!is_radius(max_distance)) return QueryStatus::invalid_argument;
     LatticePoint rounded;
     if (!round_point(blob.data(), point, infinity, rounded)) return QueryStatus::out_of_range;
     const Winding winding = winding_around(blob.data(), rounded);

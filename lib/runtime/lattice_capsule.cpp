@@ -37,9 +37,6 @@ bool is_beside(const IntegerBounds& bounds, const LatticeTriangle& triangle) {
     return false;
 }
 
-/// False for a NaN and where it is negative; -0 is 0.
-bool is_radius(float radius) { return !is_nan(radius) && (!is_negative(radius) || magnitude_bits(radius) == 0); }
-
 /// For each axis of space two planes along the segment and that axis: a long capsule is narrower than its bounds.
 void set_side_planes(LatticeCapsule& capsule) {
     const LatticeSegment& s = capsule.segment;
@@ -66,9 +63,7 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCaps
     if (!is_radius(world.radius)) return QueryStatus::invalid_argument;
     const QueryStatus status = round_segment(blob, {world.from, world.to}, capsule.segment);
     if (status != QueryStatus::ok) return status;
-    const float radius = scale_by_power_of_two(absolute(world.radius), -blob.step_exponent);
-    // No distance between a lattice triangle and a rounded segment is in (0, 2^-100).
-    capsule.radius = magnitude_bits(world.radius) != 0 && radius < 0x1p-100f ? 0x1p-100f : radius;
+    capsule.radius = radius_in_steps(blob, world.radius);
     capsule.bounded = capsule.radius < static_cast<float>(bounds_limit);
     if (capsule.bounded) {
         set_bounds(capsule);

@@ -6,6 +6,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/lattice_round.hpp>
 #include <runtime/square_root.hpp>
 
 namespace espalier::detail {
@@ -26,7 +27,7 @@ struct LatticePoint {
 /// False when nothing can be within the radius: an argument out of the domain.
 inline bool round_point(const BlobData& blob, const Vec3& world, float radius, LatticePoint& point) {
     const float center_world[3] = {world.x, world.y, world.z};
-    if (is_nan(radius) || (is_negative(radius) && magnitude_bits(radius) != 0)) return false;
+    if (!is_radius(radius)) return false;
     float center[3];
     float gap[3];  // from the asset's box
     float farthest = 0.0f;
@@ -40,9 +41,7 @@ inline bool round_point(const BlobData& blob, const Vec3& world, float radius, L
         farthest = maximum(absolute(gap[k]), farthest);
         reach = maximum(maximum(absolute(center[k]), absolute(high - center[k])), reach);
     }
-    float radius_steps = scale_by_power_of_two(radius, -blob.step_exponent);
-    // No distance between a lattice triangle and a rounded point is in (0, 2^-100).
-    if (magnitude_bits(radius) != 0 && radius_steps < 0x1p-100f) radius_steps = 0x1p-100f;
+    float radius_steps = radius_in_steps(blob, radius);
 
     point.distance_offset = 0.0f;
     if (farthest >= 0x1p36f) {

@@ -18,6 +18,15 @@ inline std::int64_t to_grid(float steps, int fraction_bits) {
     return static_cast<std::int64_t>(round_to_integer(steps * power_of_two(fraction_bits)));
 }
 
+/// A radius >= 0 in lattice steps. No distance between lattice triangles and rounded shapes is in (0, 2^-100): a
+/// smaller one is as good as that.
+inline float radius_in_steps(const BlobData& blob, float radius) {
+    const float steps = scale_by_power_of_two(absolute(radius), -blob.step_exponent);
+    return magnitude_bits(radius) != 0 && steps < 0x1p-100f ? 0x1p-100f : steps;
+}
+/// False for a NaN and where it is negative; -0 is 0.
+inline bool is_radius(float radius) { return !is_nan(radius) && (!is_negative(radius) || magnitude_bits(radius) == 0); }
+
 inline bool is_finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
 inline bool is_nan(const Vec3& v) { return is_nan(v.x) || is_nan(v.y) || is_nan(v.z); }
 

@@ -1,6 +1,8 @@
 // Closest points in the caller's units: rounded, answered in lattice units, translated back.
 #include <espalier/nearest.hpp>
 #include <runtime/closest_few.hpp>
+#include <runtime/closest_pair.hpp>
+#include <runtime/lattice_round.hpp>
 #include <runtime/nearest_world.hpp>
 #include <runtime/point_queries.hpp>
 #include <runtime/simd/dispatch.hpp>
@@ -20,6 +22,67 @@ std::size_t ClosestFew::finish(float distance_offset, float max_distance) {
 }  // namespace detail
 
 using namespace detail;
+
+namespace {
+
+/// Asks about a shape whose segment or diagonal is set. `to_shape(distance, on_surface, on_shape)` tells the point on
+/// the shape from that on the surface, in lattice steps.
+template <class Shape, class ToShape>
+void find_pair(const BlobData& blob, Shape& shape, bool is_empty, float max_distance, NearestPair& pair,
+               ToShape to_shape) {
+    prepare(shape);
+    shape.radius = radius_in_steps(blob, max_distance);
+    pair = {};
+    pair.triangle = no_triangle;
+    pair.distance = absolute(max_distance);
+    FoundPair found;
+    if (blob.triangle_count == 0 || is_empty || !closest_pair(blob, shape, found)) return;
+    const SegmentDistance& distance = found.distance;
+    float on_surface[3], on_shape[3];
+    point_of(found.triangle, distance.u, distance.v, on_surface);
+    to_shape(distance, on_surface, on_shape);
+    pair = {to_world(blob, on_shape[0], on_shape[1], on_shape[2]),
+            to_world(blob, on_surface[0], on_surface[1], on_surface[2]),
+            to_world_distance(blob, distance.squared, 0.0f, max_distance),
+            distance.u,
+            distance.v,
+            Triangle{found.index}};
+}
+
+}  // namespace
+
+QueryStatus closest_to_segment(const Blob& blob, const Segment& segment, float max_distance,
+                               NearestPair& pair) noexcept {
+    if (!is_radius(max_distance)) return QueryStatus::invalid_argument;
+    DistantSegment shape;
+    const QueryStatus status = round_segment(blob.data(), segment, shape.segment);
+    if (status != QueryStatus::ok) return status;
+    find_pair(blob.data(), shape, false, max_distance, pair,
+              [&](const SegmentDistance& distance, const float*, float* point) {
+                  const float rest = 1.0f - distance.along;
+                  for (int k = 0; k < 3; ++k)
+                      point[k] = rest * shape.segment.from_steps[k] + distance.along * shape.segment.to_steps[k];
+              });
+    return QueryStatus::ok;
+}
+
+QueryStatus closest_to_box(const Blob& blob, const Box& box, float max_distance, NearestPair& pair) noexcept {
+    if (!is_radius(max_distance)) return QueryStatus::invalid_argument;
+    DistantBox shape;
+    const QueryStatus status = round_segment(blob.data(), {box.min, box.max}, shape.diagonal);
+    if (status != QueryStatus::ok) return status;
+    const auto is_above = [](float a, float b) { return flush_subnormal(a) > flush_subnormal(b); };
+    const bool is_empty =
+        is_above(box.min.x, box.max.x) || is_above(box.min.y, box.max.y) || is_above(box.min.z, box.max.z);
+    find_pair(blob.data(), shape, is_empty, max_distance, pair,
+              [&](const SegmentDistance&, const float* on_surface, float* point) {
+                  const float* low = shape.diagonal.from_steps;
+                  const float* high = shape.diagonal.to_steps;
+                  for (int k = 0; k < 3; ++k)
+                      point[k] = on_surface[k] < low[k] ? low[k] : on_surface[k] > high[k] ? high[k] : on_surface[k];
+              });
+    return QueryStatus::ok;
+}
 
 bool closest_point(const Blob& blob, Vec3 point, float max_distance, Nearest& nearest) noexcept {
     LatticePoint rounded;

@@ -27,7 +27,8 @@ bool is_zero(const WideDifference& a) { return a.magnitude.bit_length() == 0; }
 bool is_negative(const WideDifference& a) { return a.negative; }
 Unsigned256 magnitude_of(const WideDifference& a) { return a.magnitude; }
 
-WideDifference product_difference(Int128 a, Int128 b, Int128 c, Int128 d) {
+[[gnu::noinline]] WideDifference product_difference(const Int128& a, const Int128& b, const Int128& c,
+                                                    const Int128& d) {
     const bool negative = is_negative(a) != is_negative(b);
     const bool subtracted_is_negative = is_negative(c) != is_negative(d);
     const Unsigned256 ab = Unsigned256::product(magnitude_of(a), magnitude_of(b));
@@ -36,6 +37,11 @@ WideDifference product_difference(Int128 a, Int128 b, Int128 c, Int128 d) {
     if (negative != subtracted_is_negative) return {ab.plus(cd), negative};
     const bool less = compare_scaled(ab, cd, 0) < 0;
     return {less ? cd.minus(ab) : ab.minus(cd), less != negative};
+}
+template <class Dot>
+int sign_of_difference(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
+    const auto difference = product_difference(a, b, c, d);
+    return is_zero(difference) ? 0 : is_negative(difference) ? -1 : 1;
 }
 /// Both scaled down alike: the largest numerator then fits, and 1 over the largest denominator stays normal.
 float quotient(const WideDifference& numerator, const WideDifference& denominator) {
@@ -96,8 +102,8 @@ private:
 
     /// Whether the segment leads through the face: its ends on different sides of the plane, and its line on the same
     /// side of all three sides. Where it only touches, or lies in the plane, the others find distance 0.
-    bool crosses_face(const OriginRelative& from_start, const OriginRelative& from_end, const Integer3& d,
-                      const Integer3* w) {
+    [[gnu::noinline]] bool crosses_face(const OriginRelative& from_start, const OriginRelative& from_end,
+                                        const Integer3& d, const Integer3* w) {
         const Integer3 normal = cross(from_start.ab, from_start.ac);
         Int128 start = dot<Int128>(normal, from_start.a);
         Int128 end = dot<Int128>(normal, from_end.a);
@@ -124,7 +130,7 @@ private:
         return true;
     }
 
-    void try_end(const OriginRelative& triangle, float along) {
+    [[gnu::noinline]] void try_end(const OriginRelative& triangle, float along) {
         const PointDistance distance = distance_to(triangle, fraction_bits_);
         if (radius_ >= 0.0f && is_within_radius(distance, fraction_bits_, radius_)) within_ = true;
         if (distance.squared < nearest_.squared) nearest_ = {distance.squared, along, distance.u, distance.v};
@@ -145,7 +151,7 @@ private:
 
     /// Between a corner and the inside of the segment: |w|^2 - (w . d)^2 / |d|^2.
     template <class Dot, class Difference>
-    void try_corner(const Corner<Dot>& corner, Dot length, int number) {
+    [[gnu::noinline]] void try_corner(const Corner<Dot>& corner, Dot length, int number) {
         if (!(Dot(0) < corner.along && corner.along < length)) return;
         const Difference numerator =
             product_difference(dot<Dot>(corner.at, corner.at), length, corner.along, corner.along);
@@ -156,28 +162,25 @@ private:
 
     /// Between the inside of a side and that of the segment: (w . (d x e))^2 / |d x e|^2.
     template <class Dot, class Difference>
-    void try_side(const Corner<Dot>& from, const Corner<Dot>& to, const Integer3& e, const Integer3& d, Dot length,
-                  int number) {
+    [[gnu::noinline]] void try_side(const Corner<Dot>& from, const Corner<Dot>& to, const Integer3& e,
+                                    const Integer3& d, Dot length, int number) {
         const Dot ee = dot<Dot>(e, e);
         const Dot de = dot<Dot>(d, e);
         const Dot we = dot<Dot>(from.at, e);
         // The segment's parameter times the denominator, and what is left of it; then the same of the side.
-        const Difference along = product_difference(from.along, ee, we, de);
-        if (is_zero(along) || is_negative(along)) return;
-        const Difference beyond = product_difference(from.along - length, ee, we - de, de);
-        if (!is_negative(beyond)) return;
-        const Difference side = product_difference(from.along, de, we, length);
-        if (is_zero(side) || is_negative(side)) return;
-        const Difference side_beyond = product_difference(to.along, de, dot<Dot>(to.at, e), length);
-        if (!is_negative(side_beyond)) return;
+        if (sign_of_difference(from.along, ee, we, de) <= 0) return;
+        if (sign_of_difference(from.along - length, ee, we - de, de) >= 0) return;
+        if (sign_of_difference(from.along, de, we, length) <= 0) return;
+        if (sign_of_difference(to.along, de, dot<Dot>(to.at, e), length) >= 0) return;
         const Difference denominator = product_difference(length, ee, de, de);
+        const float along = quotient(product_difference(from.along, ee, we, de), denominator);
+        const float share = quotient(product_difference(from.along, de, we, length), denominator);
         Int128 volume = dot<Int128>(from.at, cross(d, e));
         if (volume.is_negative()) volume = -volume;
         const float per_area = quotient(Difference(volume), denominator);
-        offer(per_area * to_float(volume) * scale_, quotient(along, denominator), number,
-              quotient(side, denominator) * power_of_two(-fraction_bits_), [&](auto decide) {
-                  decide(Unsigned256::product(Unsigned256(volume), Unsigned256(volume)), denominator);
-              });
+        offer(
+            per_area * to_float(volume) * scale_, along, number, share * power_of_two(-fraction_bits_),
+            [&](auto decide) { decide(Unsigned256::product(Unsigned256(volume), Unsigned256(volume)), denominator); });
     }
 
     /// `share` is how far along side `number`. `exactly` hands the exact square to what it is given.
@@ -190,12 +193,7 @@ private:
                                            fraction_bits_, radius_);
             });
         }
-        if (!(squared < nearest_.squared)) return;
-        nearest_.squared = squared;
-        nearest_.along = along;
-        const float rest = 1.0f - share;
-        nearest_.u = number == 0 ? share : number == 1 ? rest : 0.0f;
-        nearest_.v = number == 0 ? 0.0f : number == 1 ? share : rest;
+        if (squared < nearest_.squared) nearest_ = at_side(squared, minimum(along, 1.0f), number, minimum(share, 1.0f));
     }
 
     int fraction_bits_;

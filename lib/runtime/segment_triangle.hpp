@@ -20,6 +20,12 @@ struct SegmentDistance {
     float v = 0.0f;
 };
 
+/// Reached on a side of the triangle, 0 from a to b, 1 from b to c, 2 from c to a; `share` is how far along it.
+inline SegmentDistance at_side(float squared, float along, int side, float share) {
+    const float rest = 1.0f - share;
+    return {squared, along, side == 0 ? share : side == 1 ? rest : 0.0f, side == 0 ? 0.0f : side == 1 ? share : rest};
+}
+
 SegmentDistance distance_to(const LatticeSegment& segment, const LatticeTriangle& triangle) noexcept;
 
 /// Whether they are at most `radius` apart (lattice steps, 0 or at least 2^-100), exactly; touching counts. `distance`

@@ -243,6 +243,28 @@ inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint
     }
 }
 
+inline void add_pair(Fingerprint& fingerprint, QueryStatus status, const NearestPair& pair) {
+    fingerprint.add(static_cast<std::uint32_t>(status));
+    fingerprint.add(pair.on_shape);
+    fingerprint.add(pair.on_surface);
+    fingerprint.add(pair.distance);
+    fingerprint.add(pair.u);
+    fingerprint.add(pair.v);
+    fingerprint.add(pair.triangle.index);
+}
+
+inline void ask_closest_pairs(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Capsule capsule = questions.capsule(number);
+        const float max_distance = questions.distance(number);
+        NearestPair pair;
+        const QueryStatus segment = closest_to_segment(blob, {capsule.from, capsule.to}, max_distance, pair);
+        add_pair(answers.fingerprint, segment, pair);
+        const QueryStatus box = closest_to_box(blob, questions.box(number), max_distance, pair);
+        add_pair(answers.fingerprint, box, pair);
+    }
+}
+
 /// What `open` tells about the blob, and every triangle in it.
 inline void read_all(const Blob& blob, Answers& answers) {
     answers.fingerprint.add(blob.triangle_count());
@@ -278,6 +300,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_spheres(blob, questions, questions_of_a_kind, answers);
     ask_volumes(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_closest_points(blob, questions, questions_of_a_kind, answers);
+    ask_closest_pairs(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     return answers;
 }
 

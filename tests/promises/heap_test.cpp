@@ -46,6 +46,11 @@ TEST_SUITE("promises") {
                 found += closest_point(blob, sphere.center, sphere.radius, nearest) ? 1u : 0u;
                 std::array<Nearest, 20> few;
                 found += closest_triangles(blob, sphere.center, sphere.radius, few) != 0 ? 1u : 0u;
+                NearestPair pair;
+                const Segment segment = {sphere.center, ray.origin};
+                found += closest_to_segment(blob, segment, sphere.radius, pair) == QueryStatus::ok ? 1u : 0u;
+                found +=
+                    closest_to_box(blob, {sphere.center, ray.origin}, sphere.radius, pair) == QueryStatus::ok ? 1u : 0u;
                 bool inside = false;
                 found += contains(blob, sphere.center, inside) == QueryStatus::ok && inside ? 1u : 0u;
                 signed_distance(blob, sphere.center, sphere.radius, nearest);

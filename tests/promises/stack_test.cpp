@@ -128,6 +128,18 @@ TEST_SUITE("promises") {
             }
             return most;
         };
+        const auto pair_row = [&](auto ask) {
+            std::size_t most = 0;
+            for (const TestBlob& blob : medium_test_blobs()) {
+                ShapeMaker maker(blob.decoded, 7);
+                for (int i = 0; i < 30; ++i) {
+                    const Capsule capsule = maker.capsule(true);
+                    NearestPair pair;
+                    most = std::max(most, stack_use([&] { ask(blob.opened.blob, capsule, pair); }));
+                }
+            }
+            return most;
+        };
         const Row rows[] = {
             {"open", 1024, most_stack([](const TestBlob& blob, QueryMaker&) {
                  return stack_use([&] {
@@ -173,6 +185,16 @@ TEST_SUITE("promises") {
              })},
             {"closest_triangles", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_triangles(blob, sphere.center, sphere.radius, few);
+             })},
+            {"closest_to_segment", 2560, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
+                 closest_to_segment(blob, {capsule.from, capsule.to}, capsule.radius, pair);
+             })},
+            {"closest_to_box", 2816, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
+                 const Vec3& a = capsule.from;
+                 const Vec3& b = capsule.to;
+                 const Vec3 min = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+                 const Vec3 max = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+                 closest_to_box(blob, {min, max}, capsule.radius, pair);
              })},
             {"contains", 1536, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  contains(blob, sphere.center, inside);

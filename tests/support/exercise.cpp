@@ -218,6 +218,25 @@ void exercise_distances(Exercise& run) {
         check_nearest(run, few[i]);
         run.verdict.require(i == 0 || few[i].distance >= few[i - 1].distance, "the closest triangles are not sorted");
     }
+    const Vec3 end = some_point(blob, run.random);
+    NearestPair pairs[2];
+    const bool answered[2] = {
+        closest_to_segment(blob, {point, end}, max_distance, pairs[0]) == QueryStatus::ok,
+        closest_to_box(blob, {point, end}, max_distance, pairs[1]) == QueryStatus::ok,
+    };
+    for (int i = 0; i < 2; ++i) {
+        if (!answered[i]) continue;
+        const NearestPair& pair = pairs[i];
+        run.verdict.require(pair.triangle == no_triangle || pair.triangle.index < blob.triangle_count(),
+                            "the nearest triangle of a pair does not exist");
+        run.verdict.require(pair.distance >= 0.0f, "the distance of a pair is negative or NaN");
+        run.hash.add(pair.triangle.index);
+        run.hash.add(pair.distance);
+        run.hash.add(pair.u);
+        run.hash.add(pair.v);
+        run.hash.add(pair.on_shape);
+        run.hash.add(pair.on_surface);
+    }
     bool inside = false;
     const QueryStatus status = contains(blob, point, inside);
     run.hash.add(static_cast<std::uint32_t>(status));

@@ -24,6 +24,11 @@ inline bool same_bits(const Nearest& a, const Nearest& b) {
            same_bits(a.v, b.v) && a.triangle == b.triangle && a.feature == b.feature;
 }
 
+inline bool same_bits(const NearestPair& a, const NearestPair& b) {
+    return same_bits(a.on_shape, b.on_shape) && same_bits(a.on_surface, b.on_surface) &&
+           same_bits(a.distance, b.distance) && same_bits(a.u, b.u) && same_bits(a.v, b.v) && a.triangle == b.triangle;
+}
+
 inline bool same_corners(const detail::LatticeTriangle& a, const detail::LatticeTriangle& b) {
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) {

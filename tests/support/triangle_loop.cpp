@@ -51,6 +51,17 @@ std::vector<detail::FoundNearest> TriangleLoop::by_distance(const detail::Lattic
     return found;
 }
 
+std::optional<detail::FoundPair> TriangleLoop::closest_pair(const detail::DistantShape& shape) const {
+    std::optional<detail::FoundPair> best;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+        if (owners_[i] != i) continue;
+        const detail::SegmentDistance distance = shape.distance_to(shape, triangles_[i]);
+        if (!shape.is_within_radius(shape, triangles_[i], distance, shape.radius)) continue;
+        if (!best || distance.squared < best->distance.squared) best = {distance, i, triangles_[i]};
+    }
+    return best;
+}
+
 detail::Winding TriangleLoop::winding(const detail::WindingRay& ray) const {
     detail::Winding winding;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {

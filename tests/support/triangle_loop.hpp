@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <espalier/blob.hpp>
+#include <runtime/closest_pair.hpp>
 #include <runtime/found.hpp>
 #include <runtime/volume.hpp>
 #include <runtime/winding.hpp>
@@ -26,6 +27,7 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> every_overlap(const detail::Volume& volume) const;
     /// All within the radius, sorted by distance and index.
     [[nodiscard]] std::vector<detail::FoundNearest> by_distance(const detail::LatticePoint& point) const;
+    [[nodiscard]] std::optional<detail::FoundPair> closest_pair(const detail::DistantShape& shape) const;
     /// Along the ray's direction.
     [[nodiscard]] detail::Winding winding(const detail::WindingRay& ray) const;
 

@@ -1,0 +1,153 @@
+// Boxes and triangles are closest at a side of the triangle, or where a corner of the box is nearest to the face; they
+// cross at a side of the triangle, or where a diagonal of the box crosses the face. Widths: docs/numerics.md.
+#include <runtime/box_distance.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// A place on a side: its direction times numerator / denominator, in units of 2^-fraction_bits, from its start on.
+struct Place {
+    std::int64_t numerator;
+    std::int64_t denominator;  ///< > 0
+
+    [[nodiscard]] bool is_before(const Place& other) const {
+        return numerator * other.denominator < other.numerator * denominator;
+    }
+};
+
+/// A side of the triangle, against a box.
+class SideAndBox {
+public:
+    SideAndBox(const LatticeSegment& diagonal, const std::int32_t* from, const std::int32_t* to)
+        : box_(diagonal), bits_(diagonal.fraction_bits) {
+        for (int k = 0; k < 3; ++k) {
+            start_[k] = std::int64_t{from[k]} << bits_;
+            edge_[k] = std::int64_t{to[k]} - from[k];
+        }
+    }
+
+    /// The squared distance along the side is convex and smooth, and a parabola between the places where a coordinate
+    /// enters or leaves the box: the signs of its slope there lead to the parabola with the minimum.
+    PointDistance closest(float& along) const {
+        Place low = {0, 1};
+        Place high = {std::int64_t{1} << bits_, 1};
+        const Int128 first = slope(low);
+        if (!first.is_negative()) high = low;
+        else if (!(Int128(0) < slope(high))) low = high;
+        for (int plane = 0; plane < 6 && low.is_before(high); ++plane) {
+            const int k = plane / 2;
+            if (edge_[k] == 0) continue;
+            const std::int64_t to_plane = (plane % 2 == 0 ? box_.from[k] : box_.to[k]) - start_[k];
+            const bool backward = edge_[k] < 0;
+            const Place place = {negate_if(to_plane, backward), negate_if(edge_[k], backward)};
+            if (!low.is_before(place) || !place.is_before(high)) continue;
+            const Int128 here = slope(place);
+            if (!here.is_negative()) high = place;
+            if (!(Int128(0) < here)) low = place;
+        }
+        // Coordinates that are in the box on all of the way from low to high do not count.
+        std::int64_t from_low[3], from_high[3];
+        gaps(low, from_low);
+        gaps(high, from_high);
+        std::int64_t offset[3], edge[3];
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t gap = from_low[k] != 0 ? from_low[k] : from_high[k];
+            offset[k] = gap == 0 ? 0 : start_[k] - (gap < 0 ? box_.from[k] : box_.to[k]);
+            edge[k] = gap == 0 ? 0 : edge_[k];
+        }
+        const Integer3 w = {offset[0], offset[1], offset[2]};
+        const Integer3 e = {edge[0], edge[1], edge[2]};
+        const std::int64_t length = dot<std::int64_t>(e, e);
+        const bool is_place = !low.is_before(high);
+        const bool is_end = is_place && (low.numerator == 0 || low.numerator == low.denominator << bits_);
+        const float share = is_place ? to_float(low.numerator) / to_float(low.denominator)
+                                     : -to_float(dot<std::int64_t>(w, e)) / to_float(length);
+        along = minimum(share * power_of_two(-bits_), 1.0f);
+        PointDistance result;
+        if (is_end) {
+            result.numerator = point_triangle::squared_length({from_low[0], from_low[1], from_low[2]});
+        } else if (length == 0) {
+            result.numerator = point_triangle::squared_length(w);
+        } else {
+            result.numerator = point_triangle::squared_length(cross(w, e));
+            result.denominator = Int128(length);
+        }
+        point_triangle::finish(result, bits_);
+        return result;
+    }
+
+private:
+    /// How far the side's coordinates are beyond the box at a place, times the denominator: below 0 where too low.
+    void gaps(const Place& place, std::int64_t* gap) const {
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t at = start_[k] * place.denominator + edge_[k] * place.numerator;
+            const std::int64_t below = at - box_.from[k] * place.denominator;
+            const std::int64_t above = at - box_.to[k] * place.denominator;
+            gap[k] = below < 0 ? below : above > 0 ? above : 0;
+        }
+    }
+    /// Half the slope of the squared distance, times the denominator.
+    [[nodiscard]] Int128 slope(const Place& place) const {
+        std::int64_t gap[3];
+        gaps(place, gap);
+        return multiply(gap[0], edge_[0]) + multiply(gap[1], edge_[1]) + multiply(gap[2], edge_[2]);
+    }
+
+    const LatticeSegment& box_;
+    int bits_;
+    std::int64_t start_[3];
+    std::int64_t edge_[3];
+};
+
+/// The diagonal of the box that leads straightest through the triangle's plane.
+LatticeSegment diagonal_across(const LatticeSegment& diagonal, const LatticeTriangle& triangle) {
+    const auto& c = triangle.corner;
+    const auto edge = [&](int to, int k) { return std::int64_t{c[to][k]} - c[0][k]; };
+    const Integer3 normal = cross({edge(1, 0), edge(1, 1), edge(1, 2)}, {edge(2, 0), edge(2, 1), edge(2, 2)});
+    const bool backward[3] = {normal.x < 0, normal.y < 0, normal.z < 0};
+    LatticeSegment across;
+    across.fraction_bits = diagonal.fraction_bits;
+    for (int k = 0; k < 3; ++k) {
+        across.from[k] = backward[k] ? diagonal.to[k] : diagonal.from[k];
+        across.to[k] = backward[k] ? diagonal.from[k] : diagonal.to[k];
+    }
+    return across;
+}
+
+/// Calls visit(distance, along) for each side in turn, a to b first.
+template <class Visitor>
+void for_each_side(const LatticeSegment& diagonal, const LatticeTriangle& triangle, Visitor visit) {
+    for (int i = 0; i < 3; ++i) {
+        float along = 0.0f;
+        const SideAndBox side(diagonal, triangle.corner[i], triangle.corner[i == 2 ? 0 : i + 1]);
+        const PointDistance distance = side.closest(along);
+        visit(i, distance, along);
+    }
+}
+
+}  // namespace
+
+SegmentDistance distance_to_box(const LatticeSegment& diagonal, const LatticeTriangle& triangle) noexcept {
+    SegmentDistance nearest = distance_to(diagonal_across(diagonal, triangle), triangle);
+    for_each_side(diagonal, triangle, [&](int i, const PointDistance& side, float along) {
+        if (side.squared < nearest.squared) nearest = at_side(side.squared, 0.0f, i, along);
+    });
+    return nearest;
+}
+
+bool is_within_radius_of_box(const LatticeSegment& diagonal, const LatticeTriangle& triangle,
+                             const SegmentDistance& distance, float radius) noexcept {
+    const float squared = radius * radius;
+    if (distance.squared > squared * distance_slack) return false;
+    if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
+    if (radius == 0.0f) return false;
+    const LatticeSegment across = diagonal_across(diagonal, triangle);
+    bool within = is_within_radius(across, triangle, distance_to(across, triangle), radius);
+    for_each_side(diagonal, triangle, [&](int, const PointDistance& side, float) {
+        within = within || is_within_radius(side, diagonal.fraction_bits, radius);
+    });
+    return within;
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,159 @@
+// The walk to the closest pair, and how shapes bound their distance from boxes. Bounds only ever reject: what they let
+// through is decided exactly (docs/numerics.md).
+#include <bit>
+
+#include <runtime/box_distance.hpp>
+#include <runtime/box_nodes.hpp>
+#include <runtime/closest_pair.hpp>
+#include <runtime/copies.hpp>
+#include <runtime/simd/lanes_scalar.hpp>
+
+namespace espalier::detail {
+namespace {
+
+namespace scalar_walk {
+using scalar::lanes;
+using scalar::prefetch;
+#include <runtime/traverse.inl>
+}  // namespace scalar_walk
+
+template <class Leaf>
+struct ClosestPair {
+    const BlobData& blob;
+    const DistantShape& shape;
+    FoundPair& best;
+    float limit_ = shape.radius * shape.radius * distance_slack;
+    bool found = false;
+
+    [[nodiscard]] float limit() const { return limit_; }
+    unsigned children(const Node& node, float* keys) const {
+        unsigned mask = 0;
+        for (unsigned left = all_children(node); left != 0; left &= left - 1) {
+            const auto child = static_cast<unsigned>(std::countr_zero(left));
+            float low[3], high[3];
+            for (int k = 0; k < 3; ++k) {
+                low[k] = static_cast<float>(node.low(k, child, blob.bits));
+                high[k] = static_cast<float>(node.high(k, child, blob.bits));
+            }
+            keys[child] = shape.squared_bound(shape, low, high);
+            mask |= (keys[child] <= limit_ ? 1u : 0u) << child;
+        }
+        return mask;
+    }
+    Visit visit_leaf(const Leaf& leaf) {
+        for (auto slots = leaf.used_slots(); slots != 0; slots &= slots - 1) {
+            const auto slot = static_cast<unsigned>(std::countr_zero(slots));
+            const LatticeTriangle triangle = leaf.triangle(slot);
+            float low[3], high[3];
+            for (int k = 0; k < 3; ++k) {
+                const std::int32_t a = triangle.corner[0][k], b = triangle.corner[1][k], c = triangle.corner[2][k];
+                const std::int32_t less = a < b ? a : b, more = a < b ? b : a;
+                low[k] = static_cast<float>(less < c ? less : c);
+                high[k] = static_cast<float>(more < c ? c : more);
+            }
+            if (shape.squared_bound(shape, low, high) > limit_) continue;
+            offer(leaf, slot, triangle);
+        }
+        return keep_going;
+    }
+
+private:
+    void offer(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle) {
+        const SegmentDistance distance = shape.distance_to(shape, triangle);
+        if (found && distance.squared > best.distance.squared) return;
+        if (!shape.is_within_radius(shape, triangle, distance, shape.radius)) return;
+        const std::uint32_t index = scalar::owner_index(leaf, slot);
+        if (found && distance.squared == best.distance.squared && index > best.index) return;
+        best = {distance, index, triangle};
+        found = true;
+        limit_ = minimum(distance.squared * distance_slack, limit_);
+    }
+};
+
+/// Between two boxes, the one given by its corners.
+float squared_gap(const float* box_low, const float* box_high, const float* low, const float* high) {
+    float squared = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        const float gap = maximum(maximum(low[k] - box_high[k], box_low[k] - high[k]), 0.0f);
+        squared += gap * gap;
+    }
+    return squared;
+}
+
+/// The most of the gaps that box and segment leave along the axes, all three together, and along a direction across the
+/// segment and one axis: of the separating axes of boxes and segments (Gottschalk, Lin and Manocha 1996), the only
+/// ones.
+float bound_of_segment(const DistantShape& shape, const float* low, const float* high) {
+    const LatticeSegment& segment = static_cast<const DistantSegment&>(shape).segment;
+    const auto& across = static_cast<const DistantSegment&>(shape).across;
+    const float* from = segment.from_steps;
+    float least[3], most[3], middle[3], size[3], reach[3];
+    for (int k = 0; k < 3; ++k) {
+        least[k] = minimum(from[k], segment.to_steps[k]);
+        most[k] = maximum(from[k], segment.to_steps[k]);
+        const float to_low = low[k] - from[k], to_high = high[k] - from[k];
+        middle[k] = to_low + to_high;  // all of these twice as large as they should be
+        size[k] = high[k] - low[k];
+        reach[k] = absolute(to_low) + absolute(to_high);
+    }
+    float bound = squared_gap(least, most, low, high);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int y = axis == 2 ? 0 : axis + 1, z = axis == 0 ? 2 : axis - 1;
+        const float at_y = across[axis][y], at_z = across[axis][z];
+        const float length_y = absolute(at_y), length_z = absolute(at_z);
+        const float apart = absolute(at_y * middle[y] + at_z * middle[z]);
+        const float covered = length_y * size[y] + length_z * size[z];
+        const float slack = (length_y * reach[y] + length_z * reach[z]) * 0x1p-19f;
+        const float gap = maximum((apart - covered) - slack, 0.0f) * 0.5f;
+        bound = maximum(gap * gap, bound);
+    }
+    return bound;
+}
+
+}  // namespace
+
+bool closest_pair(const BlobData& blob, const DistantShape& shape, FoundPair& best) noexcept {
+    return scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+        ClosestPair<Leaf> visitor = {blob, shape, best};
+        scalar_walk::traverse_nearest_first<Leaf>(blob, visitor);
+        return visitor.found;
+    });
+}
+
+void prepare(DistantSegment& shape) noexcept {
+    const LatticeSegment& segment = shape.segment;
+    float along[3];
+    for (int k = 0; k < 3; ++k) along[k] = to_float(segment.to[k] - segment.from[k]);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int y = axis == 2 ? 0 : axis + 1, z = axis == 0 ? 2 : axis - 1;
+        const float squared = along[y] * along[y] + along[z] * along[z];
+        const float inverse = squared > 0.0f ? 1.0f / square_root(squared) : 0.0f;
+        shape.across[axis][axis] = 0.0f;
+        shape.across[axis][y] = along[z] * inverse;
+        shape.across[axis][z] = -along[y] * inverse;
+    }
+    shape.squared_bound = bound_of_segment;
+    shape.distance_to = [](const DistantShape& self, const LatticeTriangle& triangle) {
+        return distance_to(static_cast<const DistantSegment&>(self).segment, triangle);
+    };
+    shape.is_within_radius = [](const DistantShape& self, const LatticeTriangle& triangle,
+                                const SegmentDistance& distance, float radius) {
+        return is_within_radius(static_cast<const DistantSegment&>(self).segment, triangle, distance, radius);
+    };
+}
+
+void prepare(DistantBox& shape) noexcept {
+    shape.squared_bound = [](const DistantShape& self, const float* low, const float* high) {
+        const LatticeSegment& diagonal = static_cast<const DistantBox&>(self).diagonal;
+        return squared_gap(diagonal.from_steps, diagonal.to_steps, low, high);
+    };
+    shape.distance_to = [](const DistantShape& self, const LatticeTriangle& triangle) {
+        return distance_to_box(static_cast<const DistantBox&>(self).diagonal, triangle);
+    };
+    shape.is_within_radius = [](const DistantShape& self, const LatticeTriangle& triangle,
+                                const SegmentDistance& distance, float radius) {
+        return is_within_radius_of_box(static_cast<const DistantBox&>(self).diagonal, triangle, distance, radius);
+    };
+}
+
+}  // namespace espalier::detail
