@@ -32,19 +32,17 @@ public:
     PointDistance closest(float& along) const {
         Place low = {0, 1};
         Place high = {std::int64_t{1} << bits_, 1};
-        const Int128 first = slope(low);
-        if (!first.is_negative()) high = low;
-        else if (!(Int128(0) < slope(high))) low = high;
-        for (int plane = 0; plane < 6 && low.is_before(high); ++plane) {
+        along = 0.0f;
+        if (!slope(low).is_negative()) return at_end(low);
+        along = 1.0f;
+        if (!(Int128(0) < slope(high))) return at_end(high);
+        for (int plane = 0; plane < 6; ++plane) {
             const int k = plane / 2;
             if (edge_[k] == 0) continue;
             const std::int64_t to_plane = (plane % 2 == 0 ? box_.from[k] : box_.to[k]) - start_[k];
             const bool backward = edge_[k] < 0;
             const Place place = {negate_if(to_plane, backward), negate_if(edge_[k], backward)};
-            if (!low.is_before(place) || !place.is_before(high)) continue;
-            const Int128 here = slope(place);
-            if (!here.is_negative()) high = place;
-            if (!(Int128(0) < here)) low = place;
+            if (low.is_before(place) && place.is_before(high)) (slope(place).is_negative() ? low : high) = place;
         }
         // Coordinates that are in the box on all of the way from low to high do not count.
         std::int64_t from_low[3], from_high[3];
@@ -58,26 +56,24 @@ public:
         }
         const Integer3 w = {offset[0], offset[1], offset[2]};
         const Integer3 e = {edge[0], edge[1], edge[2]};
-        const std::int64_t length = dot<std::int64_t>(e, e);
-        const bool is_place = !low.is_before(high);
-        const bool is_end = is_place && (low.numerator == 0 || low.numerator == low.denominator << bits_);
-        const float share = is_place ? to_float(low.numerator) / to_float(low.denominator)
-                                     : -to_float(dot<std::int64_t>(w, e)) / to_float(length);
-        along = minimum(share * power_of_two(-bits_), 1.0f);
+        const std::int64_t length = dot<std::int64_t>(e, e);  // not 0: the slope changes its sign
+        along = minimum(-to_float(dot<std::int64_t>(w, e)) / to_float(length) * power_of_two(-bits_), 1.0f);
         PointDistance result;
-        if (is_end) {
-            result.numerator = point_triangle::squared_length({from_low[0], from_low[1], from_low[2]});
-        } else if (length == 0) {
-            result.numerator = point_triangle::squared_length(w);
-        } else {
-            result.numerator = point_triangle::squared_length(cross(w, e));
-            result.denominator = Int128(length);
-        }
+        result.numerator = point_triangle::squared_length(cross(w, e));
+        result.denominator = Int128(length);
         point_triangle::finish(result, bits_);
         return result;
     }
 
 private:
+    [[nodiscard]] PointDistance at_end(const Place& end) const {
+        std::int64_t gap[3];
+        gaps(end, gap);
+        PointDistance result;
+        result.numerator = point_triangle::squared_length({gap[0], gap[1], gap[2]});
+        point_triangle::finish(result, bits_);
+        return result;
+    }
     /// How far the side's coordinates are beyond the box at a place, times the denominator: below 0 where too low.
     void gaps(const Place& place, std::int64_t* gap) const {
         for (int k = 0; k < 3; ++k) {

@@ -111,7 +111,7 @@ TEST_SUITE("distance of boxes against the oracle") {
         Random random(1);
         Rational worst = 0;
         std::uint64_t touching = 0;
-        const std::uint64_t count = scaled(200);
+        const std::uint64_t count = scaled(400);
         for (std::uint64_t i = 0; i < count; ++i) {
             const Case c = some_case(random);
             const Rational expected = exact_square(c);
@@ -150,7 +150,7 @@ TEST_SUITE("distance of boxes against the oracle") {
     TEST_CASE("whether a box is within a radius of a triangle is decided exactly, touching counts") {
         Random random(2);
         std::uint64_t exactly = 0;
-        const std::uint64_t count = scaled(100);
+        const std::uint64_t count = scaled(150);
         for (std::uint64_t i = 0; i < count; ++i) {
             const Case c = some_case(random);
             const auto triangle = tests::lattice_triangle(c.triangle);
