@@ -17,11 +17,18 @@ struct Share {
 Share share(Int128 numerator, Int128 denominator) {
     return {numerator, denominator, to_float(numerator) / to_float(denominator)};
 }
-/// Exactly; floats tell most often.
+bool is_narrow(Int128 a) { return a.high == (static_cast<std::int64_t>(a.low) < 0 ? -1 : 0); }
+bool is_narrow(const Share& a) { return is_narrow(a.numerator) && is_narrow(a.denominator); }
+
+/// Exactly. Floats tell most often; but equal ones are no exception, as several axes often tell the same.
 bool is_less(const Share& a, const Share& b) {
     constexpr float slack = 1.0f + 0x1p-20f;
     if (a.value * slack < b.value) return true;
     if (b.value * slack < a.value) return false;
+    if (is_narrow(a) && is_narrow(b)) {
+        const auto word = [](Int128 x) { return static_cast<std::int64_t>(x.low); };
+        return multiply(word(a.numerator), word(b.denominator)) < multiply(word(b.numerator), word(a.denominator));
+    }
     WideSum sum;
     sum.add_product(a.numerator, b.denominator);
     sum.add_product(-b.numerator, a.denominator);
@@ -31,32 +38,28 @@ bool is_less(const Share& a, const Share& b) {
 /// When box and triangle are not separated by any of the axes tried so far.
 class Together {
 public:
+    /// Later than at that step is never.
+    explicit Together(SweepStep most) : latest_(share_of_way(most) * (1.0f + 0x1p-20f)) {}
+
     /// False when there is no such time. The extents of box and triangle along an axis, and how far the box moves.
-    bool try_axis(unsigned axis, Int128 box_low, Int128 box_high, Int128 low, Int128 high, Int128 way) {
+    template <class Number>
+    bool try_axis(unsigned axis, Number box_low, Number box_high, Number low, Number high, Number way) {
         const bool is_before = box_high < low;
         const bool is_behind = high < box_low;
-        const bool runs_down = way.is_negative();
-        if (way.is_zero()) return !is_before && !is_behind;
+        const bool is_apart = is_before || is_behind;
+        const bool runs_down = is_negative(way);
+        if (is_zero(way)) return !is_apart;
         if (is_before ? runs_down : is_behind && !runs_down) return false;
-        const Int128 speed = runs_down ? -way : way;
-        const Int128 to_leave = runs_down ? box_high - low : high - box_low;
-        if (is_before || is_behind) {
-            const Int128 to_enter = runs_down ? box_low - high : low - box_high;
+        const Number speed = negate_if(way, runs_down);
+        const Number to_enter = runs_down ? box_low - high : low - box_high;
+        const Number to_leave = runs_down ? box_high - low : high - box_low;
+        if (is_apart) {
             if (speed < to_enter) return false;
             const Share when = share(to_enter, speed);
-            if (!has_enter_ || is_less(enter_, when)) {
-                enter_ = when;
-                last_axis_ = axis;
-                has_enter_ = true;
-            }
+            if (when.value > latest_) return false;
+            enter(axis, when);
         }
-        if (to_leave < speed) {  // else it is together until the end of the way
-            const Share when = share(to_leave, speed);
-            if (!has_leave_ || is_less(when, leave_)) {
-                leave_ = when;
-                has_leave_ = true;
-            }
-        }
+        if (to_leave < speed) leave(share(to_leave, speed));  // else it is together until the end of the way
         return !has_enter_ || !has_leave_ || !is_less(leave_, enter_);
     }
 
@@ -66,18 +69,26 @@ public:
         if (!has_enter_) return 0;
         auto ticks = static_cast<std::int64_t>(enter_.value * 0x1p24f);
         const Int128 whole = enter_.numerator << tick_bits;
-        const auto is_reached = [&](std::int64_t tick) {
-            WideSum sum;
-            sum.add_product(enter_.denominator, Int128(tick));
-            sum.add_product(-whole, Int128(1));
-            return sum.sign() >= 0;
-        };
+        const auto is_reached = [&](std::int64_t tick) { return !(multiply(enter_.denominator, tick) < whole); };
         while (is_reached(ticks - 1)) --ticks;
         while (!is_reached(ticks)) ++ticks;
         return static_cast<SweepStep>(ticks);
     }
 
 private:
+    void enter(unsigned axis, const Share& when) {
+        if (has_enter_ && !is_less(enter_, when)) return;
+        enter_ = when;
+        last_axis_ = axis;
+        has_enter_ = true;
+    }
+    void leave(const Share& when) {
+        if (has_leave_ && !is_less(when, leave_)) return;
+        leave_ = when;
+        has_leave_ = true;
+    }
+
+    float latest_;
     bool has_enter_ = false;
     bool has_leave_ = false;
     unsigned last_axis_ = 0;
@@ -103,6 +114,25 @@ Integer3 axis_of(const UnitTriangle& triangle, unsigned axis) {
     return cross(unit, difference(triangle.corner[(side + 1) % 3], triangle.corner[side]));
 }
 
+/// The normal in 128 bits, the other axes in int64, which suffices.
+template <class Number>
+bool try_axis(const MovingBox& box, const UnitTriangle& triangle, unsigned number, Together& together) {
+    const auto& c = triangle.corner;
+    const Integer3 axis = axis_of(triangle, number);
+    const auto pick = [&](const Integer3& where_up, const Integer3& where_down) {
+        return Integer3{axis.x < 0 ? where_down.x : where_up.x, axis.y < 0 ? where_down.y : where_up.y,
+                        axis.z < 0 ? where_down.z : where_up.z};
+    };
+    // A side is perpendicular to its products: its two corners are at the same place.
+    const unsigned side = number == 3 ? 0 : (number - 4) / 3;
+    const Number first = dot<Number>(axis, c[side]);
+    const Number second = number == 3 ? first : dot<Number>(axis, c[(side + 2) % 3]);
+    const bool is_up = first < second;
+    return together.try_axis(number, dot<Number>(axis, pick(box.low, box.high)),
+                             dot<Number>(axis, pick(box.high, box.low)), is_up ? first : second, is_up ? second : first,
+                             dot<Number>(axis, box.displacement));
+}
+
 bool try_axes(const MovingBox& box, const UnitTriangle& triangle, Together& together) {
     const auto& c = triangle.corner;
     for (unsigned k = 0; k < 3; ++k) {
@@ -111,23 +141,9 @@ bool try_axes(const MovingBox& box, const UnitTriangle& triangle, Together& toge
                                larger_of(a, larger_of(b, d)), component(box.displacement, k)))
             return false;
     }
-    for (unsigned number = 3; number < 13; ++number) {
-        const Integer3 axis = axis_of(triangle, number);
-        const auto pick = [&](const Integer3& where_up, const Integer3& where_down) {
-            return Integer3{axis.x < 0 ? where_down.x : where_up.x, axis.y < 0 ? where_down.y : where_up.y,
-                            axis.z < 0 ? where_down.z : where_up.z};
-        };
-        const Int128 box_low = dot<Int128>(axis, pick(box.low, box.high));
-        const Int128 box_high = dot<Int128>(axis, pick(box.high, box.low));
-        // A side is perpendicular to its products: its two corners are at the same place.
-        const unsigned side = number == 3 ? 0 : (number - 4) / 3;
-        const Int128 first = dot<Int128>(axis, c[side]);
-        const Int128 second = number == 3 ? first : dot<Int128>(axis, c[(side + 2) % 3]);
-        const bool is_up = first < second;
-        if (!together.try_axis(number, box_low, box_high, is_up ? first : second, is_up ? second : first,
-                               dot<Int128>(axis, box.displacement)))
-            return false;
-    }
+    if (!try_axis<Int128>(box, triangle, 3, together)) return false;
+    for (unsigned number = 4; number < 13; ++number)
+        if (!try_axis<std::int64_t>(box, triangle, number, together)) return false;
     return true;
 }
 
@@ -202,14 +218,14 @@ Weights middle_of_overlap(const MovingBox& box, const UnitTriangle& triangle, st
 }  // namespace
 
 SweepStep first_contact(const MovingBox& box, const UnitTriangle& triangle, SweepStep most) noexcept {
-    Together together;
+    Together together(most);
     if (!try_axes(box, triangle, together)) return no_contact;
     const SweepStep step = together.step();
     return step <= most ? step : no_contact;
 }
 
 SweepContact contact_at(const MovingBox& box, const UnitTriangle& triangle, SweepStep step) noexcept {
-    Together together;
+    Together together(step);
     (void)try_axes(box, triangle, together);
     const Integer3 axis = axis_of(triangle, together.last_axis());
     const float sign = dot<Int128>(axis, box.displacement).is_negative() ? 0x1p-30f : -0x1p-30f;
