@@ -8,6 +8,10 @@ CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& de
     return verb;
 }
 
+void add_blob(CLI::App* verb, std::string& blob) {
+    verb->add_option("blob", blob, "A blob")->required()->type_name("BLOB");
+}
+
 void add_json(CLI::App* verb, bool& json) { verb->add_flag("--json", json, "The result as one JSON object on stdout"); }
 
 void add_quiet(CLI::App* verb, bool& quiet) { verb->add_flag("-q,--quiet", quiet, "Warnings and errors only"); }

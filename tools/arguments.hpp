@@ -40,12 +40,15 @@ CLI::Validator between(Number least, Number most) {
 
 /// A verb whose help ends with the exit codes.
 CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& description);
+/// The blob that a verb reads.
+void add_blob(CLI::App* verb, std::string& blob);
 void add_json(CLI::App* verb, bool& json);
 void add_quiet(CLI::App* verb, bool& quiet);
 void add_source(CLI::App* verb, SourceArguments& source);
 
 // The verbs with the most options, each in arguments_<verb>.cpp; the others are in main.cpp.
 void add_bake(CLI::App& app, Chosen& chosen);
+void add_query(CLI::App& app, Chosen& chosen);
 void add_trade(CLI::App& app, Chosen& chosen);
 
 }  // namespace espalier::tools

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -85,21 +86,31 @@ struct VerifyArguments {
 };
 ExitCode run_verify(const VerifyArguments& arguments);
 
-/// Numbers stay text here, so that inf and nan arrive as the floats they name.
+/// Numbers and lengths stay text here, so that inf and nan arrive as the floats they name. Which of these an `espalier
+/// query` takes depends on its kind (query.hpp).
 struct QueryArguments {
     std::string blob;
-    std::vector<std::string> numbers;
+    std::vector<std::string> words;  ///< what stands after the kind
     std::string t_min = "0";
     std::string t_max = "inf";
-    std::string max_distance = "inf";
     Faces faces = Faces::both;
-    bool all = false;
     bool any = false;
+    bool all = false;
+    std::optional<std::uint32_t> first;
+    std::string accuracy;  ///< empty: exact
+    bool bounds_only = false;
+    std::optional<std::uint32_t> limit;
+    std::uint32_t from = 0;
+    std::string max_distance = "inf";
+    std::vector<std::string> rotation{"0", "0", "0", "1"};
+    std::vector<std::string> translation{"0", "0", "0"};
+    std::string scale = "1";
+    std::uint64_t work_limit = ~std::uint64_t{0};
+    unsigned depth = ~0u;
     bool json = false;
 };
-ExitCode run_query_ray(const QueryArguments& arguments);
-ExitCode run_query_sphere(const QueryArguments& arguments);
-ExitCode run_query_nearest(const QueryArguments& arguments);
+struct QueryKind;
+ExitCode run_query(const QueryKind& kind, const QueryArguments& arguments);
 
 struct RenderArguments {
     std::string blob;

@@ -13,10 +13,12 @@ enum class ExitCode : int {
     invalid_input = 3,  ///< a file was read, and what it says is broken
     internal = 4,       ///< a defect of ours, or a machine out of memory
     unsupported = 5,    ///< sound, but beyond what this version or format can do
+    no_answer = 6,      ///< a query was refused or answered in part only
 };
 
 inline constexpr const char* exit_code_help =
-    "Exit status: 0 ok, 1 usage, 2 file cannot be read or written, 3 invalid input, 4 internal, 5 unsupported.";
+    "Exit status: 0 ok, 1 usage, 2 file cannot be read or written, 3 invalid input, 4 internal, 5 unsupported, "
+    "6 query refused or answered in part.";
 
 /// Ends a verb. The message says what went wrong, where, and what to do about it.
 class CommandError : public std::runtime_error {

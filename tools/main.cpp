@@ -23,10 +23,6 @@ namespace espalier::tools {
 
 namespace {
 
-void add_blob(CLI::App* verb, std::string& blob) {
-    verb->add_option("blob", blob, "A blob")->required()->type_name("BLOB");
-}
-
 void add_info(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<InfoArguments>();
     CLI::App* verb = add_verb(app, "info", "Say what is inside a blob");
@@ -47,45 +43,6 @@ void add_verify(CLI::App& app, Chosen& chosen) {
     add_source(verb, arguments->source);
     add_json(verb, arguments->json);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verify(*arguments); }; });
-}
-
-void add_query_numbers(CLI::App* verb, QueryArguments& arguments, const std::string& names, int count) {
-    verb->add_option("numbers", arguments.numbers, names)->required()->expected(count)->type_name("NUMBER");
-    add_json(verb, arguments.json);
-}
-
-void add_query(CLI::App& app, Chosen& chosen) {
-    auto arguments = std::make_shared<QueryArguments>();
-    CLI::App* query = add_verb(app, "query", "Ask a blob one question");
-    add_blob(query, arguments->blob);
-    add_json(query, arguments->json);  // before the question's name as well as after it
-    query->require_subcommand(1);
-
-    CLI::App* ray = add_verb(*query, "ray", "What a ray hits first");
-    add_query_numbers(ray, *arguments, "Origin x y z and direction x y z; t counts in the direction's length", 6);
-    ray->add_option("--t-min", arguments->t_min, "Hits before this t do not count")
-        ->capture_default_str()
-        ->type_name("T");
-    ray->add_option("--t-max", arguments->t_max, "Hits beyond this t do not count")
-        ->capture_default_str()
-        ->type_name("T");
-    const Choices<Faces> faces{{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}};
-    add_choice(ray, "--faces", arguments->faces, faces, "Which sides of triangles the ray sees; both without it");
-    CLI::Option* all = ray->add_flag("--all", arguments->all, "Every hit, in storage order");
-    ray->add_flag("--any", arguments->any, "Only whether anything is hit")->excludes(all);
-    ray->callback([arguments, &chosen] { chosen = [arguments] { return run_query_ray(*arguments); }; });
-
-    CLI::App* sphere = add_verb(*query, "sphere", "Which triangles a sphere touches, in storage order");
-    add_query_numbers(sphere, *arguments, "Centre x y z and radius", 4);
-    sphere->add_flag("--any", arguments->any, "Only whether it touches any");
-    sphere->callback([arguments, &chosen] { chosen = [arguments] { return run_query_sphere(*arguments); }; });
-
-    CLI::App* nearest = add_verb(*query, "nearest", "The point of the surface that is closest to a point");
-    add_query_numbers(nearest, *arguments, "Point x y z", 3);
-    nearest->add_option("--max-distance", arguments->max_distance, "Nothing beyond it is found")
-        ->capture_default_str()
-        ->type_name("DISTANCE");
-    nearest->callback([arguments, &chosen] { chosen = [arguments] { return run_query_nearest(*arguments); }; });
 }
 
 void add_render(CLI::App& app, Chosen& chosen) {
@@ -127,13 +84,16 @@ void add_dump(CLI::App& app, Chosen& chosen) {
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_dump(*arguments); }; });
 }
 
-/// CLI11 takes -1 for a number, but -.5 and -inf for options. With a space before it none of them looks like one, and
-/// number parsers skip the space.
+/// CLI11 takes -1 for a number, but -.5, -inf and -2mm for options. With a space before it none of them looks like one,
+/// and number parsers skip the space.
 std::vector<std::string> with_negative_numbers_marked(int count, char** values) {
     std::vector<std::string> arguments;
     for (int i = count - 1; i > 0; --i) {  // CLI11 takes them last first
         std::string argument = values[i];
-        if (argument.size() > 1 && argument[0] == '-' && parse_double(argument)) argument.insert(0, 1, ' ');
+        const bool is_negative = argument.size() > 1 && argument[0] == '-' &&
+                                 (argument[1] == '.' || (argument[1] >= '0' && argument[1] <= '9') ||
+                                  parse_double(argument));  // -inf
+        if (is_negative) argument.insert(0, 1, ' ');
         arguments.push_back(std::move(argument));
     }
     return arguments;

@@ -1,34 +1,9 @@
 #!/usr/bin/env bash
 # Claims about the espalier command, made by running it over small meshes that this script writes itself.
 # Usage: command_test.sh PATH_TO_ESPALIER
-set -u
-espalier=$(realpath "${1:?usage: command_test.sh PATH_TO_ESPALIER}")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-claims=0
-broken=0
-claim=
+# shellcheck source=claims.sh
+. "$(dirname "$0")/claims.sh"
 
-# run EXIT_CODE ARGUMENTS...: runs the command; its output is left in ./out and ./err.
-run() {
-    local expected=$1
-    shift
-    "$espalier" "$@" >out 2>err
-    local code=$?
-    [ $code = "$expected" ] || fail "'espalier $*' ended with $code, not $expected: $(head -c 400 err)"
-}
-fail() {
-    broken=$((broken + 1))
-    echo "BROKEN: $claim: $1"
-}
-claim() {
-    claim=$1
-    claims=$((claims + 1))
-}
-err_has() { grep -qF -- "$1" err || fail "stderr lacks '$1': $(head -c 400 err)"; }
-out_has() { grep -qF -- "$1" out || fail "stdout lacks '$1': $(head -c 600 out)"; }
-same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 # The bounds that stderr names, up to what the lattice may move them.
 bounds_near() {
     sed -n 's/^bounds: \(.*\) to \(.*\), extent.*/\1 \2/p' err | awk -v expected="$*" '
@@ -41,17 +16,7 @@ absent() { [ ! -e "$1" ] || fail "$1 is there"; }
 only() { [ "$(ls -A "$1" | tr '\n' ' ')" = "$2" ] || fail "$1 holds $(ls -A "$1" | tr '\n' ' ')"; }
 
 # ---- meshes ---------------------------------------------------------------------------------------------------------
-# A closed box of 12 triangles from 0 0 0 to 1 2 3, the same triangles in three formats.
-corners=("0 0 0" "1 0 0" "0 2 0" "1 2 0" "0 0 3" "1 0 3" "0 2 3" "1 2 3")
-faces=("0 2 3" "0 3 1" "4 5 7" "4 7 6" "0 1 5" "0 5 4" "2 6 7" "2 7 3" "0 4 6" "0 6 2" "1 3 7" "1 7 5")
-write_box_obj() { # FIRST_CORNER_OFFSET
-    for corner in "${corners[@]}"; do
-        echo "$corner" | awk -v by="$1" '{ printf "v %g %g %g\n", $1 + by, $2, $3 }'
-    done
-    for face in "${faces[@]}"; do
-        echo "$face" | awk '{ printf "f %d %d %d\n", $1 + 1, $2 + 1, $3 + 1 }'
-    done
-}
+# The box of claims.sh in other formats.
 write_box_ply() {
     printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n'
     printf 'element face 12\nproperty list uchar int vertex_indices\nend_header\n'
@@ -601,81 +566,6 @@ out_has "triangles     3200"
 awk 'BEGIN { for (i = 0; i < 9999; ++i) printf "junk" }' | "$espalier" info /dev/stdin >out 2>err
 [ $? = 3 ] || fail "piped junk is not exit status 3"
 
-# ---- query ----------------------------------------------------------------------------------------------------------
-claim "a ray reports its closest hit, and negative numbers are numbers"
-run 0 query box.espl ray 0.25 1 10 0 0 -1
-out_has "hit triangle "
-out_has "t 7"
-out_has "point 0.25 1 3"
-out_has "normal 0 0 1"
-run 0 query box.espl ray -.5 1 1 2 -0.0 -.0
-out_has "t 0.25"
-run 0 query box.espl ray -5e-1 1 1 -1 0 0
-out_has "no hit"
-run 0 query box.espl ray 0.25 1 10 0 0 -1 --json
-for key in '"schema": 1' '"query": "ray"' '"hit": true' '"t": 7.0' '"u": ' '"v": ' '"normal": ' '"point": ' '"triangle": '; do
-    out_has "$key"
-done
-! grep -q original out || fail "a blob without ids names an original"
-
-claim "a ray's range, sides, all hits and any hit"
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --t-min 8
-out_has "t 10"
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --t-max 6.5
-out_has "no hit"
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --faces back
-out_has "t 10"
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --all
-out_has "2 hits"
-run 0 query box.espl --json ray 0.25 1.5 10 0 0 -1 --all
-out_has '"count": 2'
-run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --any
-out_has "occluded"
-run 0 query box.espl ray 0.25 1.5 10 0 0 1 --any
-out_has "not occluded"
-run 1 query box.espl ray 0.25 1.5 10 0 0 -1 --any --all
-
-claim "a ray names the original triangle and its material when the blob carries them"
-run 0 query sheet.espl ray 0.6 10 0.3 0 -1 0 --json
-out_has '"original": {'
-out_has '"material": '
-
-claim "queries take any number there is, and nothing else"
-for number in nan -inf 1e999 -1e-999; do
-    run 0 query box.espl ray $number 0 0 1 0 0
-    run 0 query box.espl ray 0 0 0 1 0 $number
-    run 0 query box.espl sphere 0 $number 0 1
-    run 0 query box.espl sphere 0 0 0 $number
-    run 0 query box.espl nearest 0 0 $number
-    run 0 query box.espl nearest 0 0 0 --max-distance $number
-done
-run 1 query box.espl ray 0 0 zero 1 0 0
-err_has "'zero' is no number"
-run 1 query box.espl ray 0 0 0 1 0
-run 1 query box.espl ray 0 0 0 1 0 0 0
-run 1 query box.espl sphere 0 0 0
-run 1 query box.espl box 0 0 0 1 1 1
-run 1 query box.espl
-
-claim "a sphere lists what it touches, in storage order"
-run 0 query box.espl sphere 0.5 1 1.5 100
-out_has "12 triangles"
-run 0 query box.espl sphere 0.5 1 1.5 0.4
-out_has "0 triangles"
-run 0 query box.espl sphere 0.5 1 1.5 0.5 --any
-out_has "overlaps"
-run 0 query box.espl sphere -1 -1 -1 1 --any --json
-out_has '"overlaps": false'
-
-claim "nearest finds point and distance, or nothing beyond the limit"
-run 0 query box.espl nearest 0.25 1 5
-out_has "distance 2"
-out_has "point 0.25 1 3"
-run 0 query box.espl nearest 0.25 1 5 --max-distance 1.5
-out_has "nothing within"
-run 0 query box.espl nearest 0.25 1 5 --json
-out_has '"distance": 2.0'
-
 # ---- dump, render ---------------------------------------------------------------------------------------------------
 claim "dump shows every byte once and in order"
 "$espalier" bake sheet.obj -o strips.espl -q --ids --materials 16 --profile balanced || fail "no strips"
@@ -816,5 +706,4 @@ fi
 
 only . "$(ls -A . | tr '\n' ' ')"
 ls -A . | grep -q '\.espl\.......$' && fail "a temporary was left behind"
-echo "$claims claims, $broken broken"
-[ $broken = 0 ]
+finish

@@ -1,0 +1,52 @@
+# What the claims about the command share: sourced with the path of espalier as $1. Leaves the script in a new folder.
+# shellcheck shell=bash
+set -u
+espalier=$(realpath "${1:?the path of espalier}")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+claims=0
+broken=0
+claim=
+
+# run EXIT_CODE ARGUMENTS...: runs the command; its output is left in ./out and ./err.
+run() {
+    local expected=$1
+    shift
+    "$espalier" "$@" >out 2>err
+    local code=$?
+    [ $code = "$expected" ] || fail "'espalier $*' ended with $code, not $expected: $(head -c 400 err)"
+}
+fail() {
+    broken=$((broken + 1))
+    echo "BROKEN: $claim: $1"
+}
+claim() {
+    claim=$1
+    claims=$((claims + 1))
+}
+err_has() { grep -qF -- "$1" err || fail "stderr lacks '$1': $(head -c 400 err)"; }
+out_has() { grep -qF -- "$1" out || fail "stdout lacks '$1': $(head -c 600 out)"; }
+same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
+# json FILTER: the JSON in ./out makes jq's FILTER true; nothing is looked at without jq.
+json() {
+    command -v jq >/dev/null || return 0
+    jq -e "$1" out >/dev/null || fail "not $1: $(head -c 600 out)"
+}
+# The script's last command.
+finish() {
+    echo "$claims claims, $broken broken"
+    [ $broken = 0 ]
+}
+
+# A closed box of 12 triangles from 0 0 0 to 1 2 3.
+corners=("0 0 0" "1 0 0" "0 2 0" "1 2 0" "0 0 3" "1 0 3" "0 2 3" "1 2 3")
+faces=("0 2 3" "0 3 1" "4 5 7" "4 7 6" "0 1 5" "0 5 4" "2 6 7" "2 7 3" "0 4 6" "0 6 2" "1 3 7" "1 7 5")
+write_box_obj() { # FIRST_CORNER_OFFSET
+    for corner in "${corners[@]}"; do
+        echo "$corner" | awk -v by="$1" '{ printf "v %g %g %g\n", $1 + by, $2, $3 }'
+    done
+    for face in "${faces[@]}"; do
+        echo "$face" | awk '{ printf "f %d %d %d\n", $1 + 1, $2 + 1, $3 + 1 }'
+    done
+}

@@ -1,0 +1,311 @@
+#!/usr/bin/env bash
+# Claims about `espalier query`: every kind at least once, with answers that can be seen without a computer.
+# Usage: query_test.sh PATH_TO_ESPALIER
+# shellcheck source=claims.sh
+. "$(dirname "$0")/claims.sh"
+
+write_box_obj 0 >box.obj
+awk 'BEGIN { n = 40
+    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
+    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
+        printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >sheet.obj
+printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >line.obj
+# Beams through a crowd of small triangles: what spatial splits are for.
+awk 'function unit() { s = (s * 1103 + 12345) % 65536; return s / 65536 }
+    function add(x, y, z, dx, dy, dz) { printf "v %g %g %g\nv %g %g %g\nv %g %g %g\nf -3 -2 -1\n",
+        x, y, z, x + dx, y + dy, z + dz, x + dx + 0.01, y + dy, z + dz + 0.01 }
+    BEGIN { for (i = 0; i < 60; ++i) add(unit(), 0, unit(), unit() - 0.5, 1, unit() - 0.5)
+        for (i = 0; i < 600; ++i) add(unit(), unit(), unit(), 0.01, 0.02, 0) }' >beams.obj
+"$espalier" bake box.obj -o box.espl -q || fail "the box cannot be baked"
+"$espalier" bake box.obj -o full.espl -q --ids --edge-flags --bounds obb,sphere,kdop || fail "no box with everything"
+"$espalier" bake sheet.obj -o sheet.espl -q --ids --materials 8 || fail "the sheet cannot be baked"
+"$espalier" bake beams.obj -o split.espl -q --profile fast --builder spatial_splits --duplicates 1 || fail "no splits"
+"$espalier" bake line.obj -o empty.espl -q 2>err || fail "no empty blob"
+
+claim "a ray reports its closest hit, and negative numbers are numbers"
+run 0 query box.espl ray 0.25 1 10 0 0 -1
+out_has "hit triangle "
+out_has "t 7"
+out_has "point 0.25 1 3"
+out_has "normal 0 0 1"
+run 0 query box.espl ray -.5 1 1 2 -0.0 -.0
+out_has "t 0.25"
+run 0 query box.espl ray -5e-1 1 1 -1 0 0
+out_has "no hit"
+run 0 query box.espl ray 0.25 1 10 0 0 -1 --json
+for key in '"schema": 1' '"query": "ray"' '"hit": true' '"t": 7.0' '"u": ' '"v": ' '"normal": ' '"point": ' '"triangle": '; do
+    out_has "$key"
+done
+! grep -q original out || fail "a blob without ids names an original"
+
+claim "a ray's range, sides, all hits and any hit"
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --t-min 8
+out_has "t 10"
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --t-max 6.5
+out_has "no hit"
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --faces back
+out_has "t 10"
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --all
+out_has "2 hits"
+run 0 query box.espl --json ray 0.25 1.5 10 0 0 -1 --all
+out_has '"count": 2'
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --any
+out_has "occluded"
+run 0 query box.espl ray 0.25 1.5 10 0 0 1 --any
+out_has "not occluded"
+run 1 query box.espl ray 0.25 1.5 10 0 0 -1 --any --all
+
+claim "a ray names the original triangle and its material when the blob carries them"
+run 0 query sheet.espl ray 0.6 10 0.3 0 -1 0 --json
+out_has '"original": {'
+out_has '"material": '
+
+claim "segments end, and the first few hits come sorted"
+run 0 query box.espl segment 0.25 1.5 10 0.25 1.5 -10
+out_has "t 0.35"
+run 0 query box.espl segment 0.25 1.5 10 0.25 1.5 4 --any
+out_has "not occluded"
+run 0 query box.espl ray 0.25 1.5 -10 0 0 2 --first 5 --json
+json '.status == "ok" and .count == 2 and ([.hits[].t] == [5, 6.5])'
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --first 1 --json
+json '.status == "output_full" and .count == 1 and .hits[0].t == 7'
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --first 0
+out_has "and there are more"
+
+claim "arguments are any numbers and lengths there are, and nothing else"
+for number in nan -inf 1e999 -1e-999; do
+    run 0 query box.espl ray $number 0 0 1 0 0
+    run 0 query box.espl ray 0 0 0 1 0 $number
+    run 0 query box.espl nearest 0 0 $number
+    run 0 query box.espl nearest 0 0 0 --max-distance $number
+done
+run 1 query box.espl ray 0 0 zero 1 0 0
+err_has "origin: 'zero' is no length"
+run 1 query box.espl ray 0 0 0 1 0 1mm
+err_has "direction: '1mm' is no number"
+run 1 query box.espl ray 0 0 0 1 0 -1mm
+err_has "direction: '-1mm' is no number"
+run 1 query box.espl sphere 0 0 0 1parsec
+run 1 query box.espl ray 0 0 0 1 0
+run 1 query box.espl ray 0 0 0 1 0 0 0
+run 1 query box.espl sphere 0 0 0
+run 1 query box.espl box 0 0 0 1 1
+run 1 query box.espl planes 0 0 1
+run 1 query box.espl planes 0 0 1 0 0
+err_has "once or more: normal x y z, offset"
+run 1 query box.espl cone 0 0 0 1
+run 1 query box.espl sphere 0 0 0 1 --depth 3
+run 1 query box.espl
+
+claim "lengths take units, negative ones too"
+run 0 query box.espl nearest 250mm 100cm 0.005km
+out_has "distance 2"
+run 0 query box.espl nearest -1000mm -.5m -50cm --json
+json '.distance > 1.2247 and .distance < 1.2248 and .feature[:6] == "vertex"'
+
+claim "what a query refuses it does not answer: exit status 6, the reason on stderr, the status in JSON"
+for words in "sphere 0 nan 0 1" "sphere 0 0 0 -1" "sphere -inf 0 0 1 --any" "capsule 0 0 0 inf 0 0 1" "oriented-box nan 0 0 1 0 0 0 1 0 0 0 1" \
+    "triangle 0 0 0 1 0 0 0 nan 0" "planes 0 0 0 1" "inside nan 0 0" "signed-distance 0 0 0 --max-distance -1"; do
+    # shellcheck disable=SC2086
+    run 6 query box.espl $words
+    err_has "query ${words%% *}: an argument is not a number"
+    [ ! -s out ] || fail "$words: an answer: $(head -c 200 out)"
+    # shellcheck disable=SC2086
+    run 6 query box.espl $words --json
+    json '.status == "invalid_argument" and (has("count") or has("overlaps") or has("inside") | not)'
+done
+run 6 query box.espl capsule 1e30 0 0 1e30 1 0 1 --json
+json '.status == "out_of_range"'
+run 6 query sheet.espl inside 0 0 0
+err_has "not closed"
+run 6 query split.espl ray 0 0 9 0 0 -1 --all --json
+json '.status == "has_copies"'
+run 6 query split.espl sphere 0 0 0.5 0.5 --json
+json '.status == "has_copies"'
+run 0 query split.espl sphere 0 0 0.5 0.5 --any
+out_has "overlaps"
+
+claim "a sphere lists what it touches, in storage order"
+run 0 query box.espl sphere 0.5 1 1.5 100
+out_has "12 triangles"
+run 0 query box.espl sphere 0.5 1 1.5 0.4
+out_has "0 triangles"
+run 0 query box.espl sphere 0.5 1 1.5 0.5 --any
+out_has "overlaps"
+run 0 query box.espl sphere -1 -1 -1 1 --any --json
+out_has '"overlaps": false'
+
+claim "nearest finds point and distance, or nothing beyond the limit"
+run 0 query box.espl nearest 0.25 1 5
+out_has "distance 2"
+out_has "point 0.25 1 3"
+run 0 query box.espl nearest 0.25 1 5 --max-distance 1.5
+out_has "nothing within"
+run 0 query box.espl nearest 0.25 1 5 --json
+out_has '"distance": 2.0'
+
+claim "every volume lists the triangles that it touches"
+counts() { # COUNT WORDS...
+    local count=$1
+    shift
+    run 0 query box.espl "$@"
+    out_has "$count triangle"
+    run 0 query box.espl "$@" --any --json
+    [ "$count" = 0 ] && json '.overlaps == false' || json '.overlaps'
+}
+counts 2 sphere 0.5 1 -1 1
+counts 0 sphere 0.5 1 -1 0.99
+counts 2 capsule 0.2 1 5 0.8 1 5 2
+counts 0 capsule 0.2 1 5 0.8 1 5 1.9
+counts 2 box 0.2 0.2 -1 0.8 1.8 0
+counts 0 box 0.2 0.2 1 0.8 1.8 2
+counts 12 box -inf -inf -inf inf inf inf
+counts 0 box 1 1 1 0 0 0
+counts 2 oriented-box 0.5 1 4 0 0 1 0.2 0.2 0 0.2 -0.2 0
+counts 0 oriented-box 0.5 1 4 0 0 0.9 0.2 0.2 0 0.2 -0.2 0
+counts 1 triangle 0.6 0.2 3 0.9 0.3 3 0.9 0.2 4
+counts 0 triangle 0.6 0.2 1 0.9 0.3 1 0.9 0.2 2
+counts 10 planes 0 0 1 0 # the bottom, and what ends at it
+counts 0 planes 0 0 1 -0.1
+counts 8 planes 1 0 0 0.5 -1 0 0 -0.5
+
+claim "pages of what a volume touches make up the whole"
+run 0 query sheet.espl sphere 20 0 20 9 --json
+cp out whole
+from=0
+: >pages
+for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+    run 0 query sheet.espl sphere 20 0 20 9 --limit 77 --from "$from"
+    grep '^triangle' out >>pages
+    from=$(sed -n 's/.*and there are more: --from \([0-9]*\) goes on/\1/p' out)
+    [ -n "$from" ] || break
+done
+run 0 query sheet.espl sphere 20 0 20 9
+grep '^triangle' out | cmp -s - pages || fail "the pages are not the whole"
+[ "$(wc -l <pages)" -gt 200 ] || fail "only $(wc -l <pages) triangles: nothing is tested"
+run 0 query sheet.espl sphere 20 0 20 9 --limit 3 --json
+json '.status == "output_full" and .count == 3 and .next > 2'
+run 0 query sheet.espl sphere 20 0 20 9 --limit 0
+out_has "and there are more: --from"
+run 1 query sheet.espl sphere 20 0 20 9 --limit 3 --any
+run 1 query sheet.espl sphere 20 0 20 9 --limit -3
+
+claim "the nearest triangles come sorted"
+run 0 query box.espl nearest 0.25 1 5 --first 3 --json
+json '.count == 3 and .triangles[0].distance == 2 and .triangles[1].distance >= 2 and .triangles[2].distance >= .triangles[1].distance'
+run 0 query box.espl nearest 0.25 1 5 --first 100 --json
+json '.count == 12'
+run 0 query box.espl nearest 0.25 1 5 --first 100 --max-distance 0.5 --json
+json '.count == 0'
+
+claim "segments and boxes have a closest pair of points"
+run 0 query box.espl nearest-segment 0.25 1 5 0.75 1 4 --json
+json '.found and .distance == 1 and .on_shape == [0.75, 1, 4] and .on_surface == [0.75, 1, 3]'
+run 0 query box.espl nearest-segment 0.2 1 5 0.2 1 2
+out_has "distance 0"
+run 0 query box.espl nearest-box 3 0 0 4 1 1 --json
+json '.distance == 2 and .on_shape[0] == 3 and .on_surface[0] == 1'
+run 0 query box.espl nearest-box 3 0 0 4 1 1 --max-distance 1900mm
+out_has "nothing within"
+run 0 query box.espl nearest-box 4 1 1 3 0 0 --json
+json '.status == "ok" and .found == false'
+
+claim "moving shapes stop at the first contact, and say when they start in one"
+near() { json ".t <= $1 and .t > $1 - 0.0000002"; }
+run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -4 --json
+json '.hit and .starts_overlapping == false and .normal == [0, 0, 1]'
+near 0.5
+run 0 query box.espl sweep-capsule 0.5 1 6 0.6 1 7 1 0 0 -4 --json
+near 0.5
+run 0 query box.espl sweep-box 0.2 0.8 5 0.4 1.2 6 0mm 0 -8 --json
+near 0.25
+json '.normal == [0, 0, 1]'
+run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -1.9
+out_has "no contact"
+run 0 query box.espl sweep-sphere 0.5 1 3 1 0 0 1 --json
+json '.t == 0 and .starts_overlapping'
+run 6 query box.espl sweep-sphere 0.5 1 3 -1 0 0 1 --json
+json '.status == "invalid_argument" and (has("hit") | not)'
+run 6 query box.espl sweep-box 0 0 0 1 1 1 0 0 1e30
+err_has "too far away or too large"
+run 1 query box.espl sweep-box 0 0 0 1 1 1 0 0
+
+claim "inside and outside have a sign"
+run 0 query box.espl inside 0.5 1 1.5
+out_has "inside"
+run 0 query box.espl inside 0.5 1 3.5 --json
+json '.inside == false'
+run 0 query box.espl signed-distance 0.5 1 2.75 --json
+json '.found and .distance == -0.25 and .point == [0.5, 1, 3]'
+run 0 query box.espl signed-distance 0.5 1 3.25 --json
+json '.distance == 0.25'
+run 0 query box.espl signed-distance 0.5 1 1.5 --max-distance 0.125 --json
+json '.found == false and .distance == -0.125'
+
+claim "what a blob holds: bounds, triangles with source and edges, nodes"
+run 0 query box.espl bounds --json
+json '.box == {min: [0, 0, 0], max: [1, 2, 3]} and (has("sphere") or has("oriented_box") or has("k_dop") | not)'
+run 0 query full.espl bounds --json
+json '.sphere.radius > 1.87 and .sphere.radius < 1.88 and (.oriented_box.half_axes | length) == 3 and (.k_dop | length) == 13'
+run 0 query full.espl bounds
+out_has "along 1 1 1: "
+run 0 query full.espl sphere 5 5 5 1 --bounds-only
+out_has "outside bounds"
+run 0 query full.espl box 0 0 0 1 1 1 --bounds-only
+out_has "not outside bounds"
+run 0 query full.espl show 11 --json
+json '.original.file == 0 and (.a | length) == 3 and ([.edge_ab, .edge_bc, .edge_ca] | sort) == ["convex", "convex", "flat"]'
+run 1 query full.espl show 12
+err_has "the blob has 12 triangles"
+run 1 query full.espl show 1.5
+run 1 query full.espl show -1
+err_has "'-1' is no whole number"
+run 0 query full.espl triangles --json
+json '.count == 12 and ([.triangles[].triangle] == [range(12)])'
+run 0 query full.espl triangles --from 10 --limit 1
+out_has "1 triangle, and there are more: --from 11 goes on"
+run 0 query sheet.espl tree --json
+json '(.nodes | length) > 20 and .nodes[0].depth == 1 and ([.nodes[].children[] | .triangles // 0] | add) == 3200'
+run 0 query sheet.espl tree --depth 1
+out_has "1 node"
+run 0 query empty.espl tree
+out_has "0 nodes"
+
+claim "a contact on a flat edge gets the normal of its triangle, on a ridge it keeps its own"
+run 0 query full.espl show 0 --json
+for edge in ab bc ca; do
+    kind=$(sed -n "s/.*\"edge_$edge\": \"\(.*\)\".*/\1/p" out)
+    "$espalier" query full.espl contact 0 edge_$edge 0.6 0 0.8 >contact || fail "contact on $edge"
+    case $kind in
+        flat) grep -q '^on inner edge' contact && ! grep -q 'normal 0.6 0 0.8' contact || fail "flat $edge: $(cat contact)" ;;
+        *) grep -q '^not on inner edge' contact && grep -q 'normal 0.6 0 0.8' contact || fail "$kind $edge: $(cat contact)" ;;
+    esac
+done
+run 1 query full.espl contact 0 edge 0 0 1
+err_has "is none of face, edge_ab"
+run 5 query box.espl contact 0 face 0 0 1
+err_has "--edge-flags"
+
+claim "an empty blob answers everything with nothing"
+run 0 query empty.espl ray 0 0 0 1 0 0 --first 3
+out_has "0 hits"
+run 0 query empty.espl nearest 0 0 0 --first 3
+out_has "0 triangles"
+for volume in "sphere 0 0 0 inf" "capsule 0 0 0 1 1 1 1" "box 0 0 0 1 1 1" "planes 0 0 1 0" "triangle 0 0 0 1 0 0 0 1 0"; do
+    # shellcheck disable=SC2086
+    run 0 query empty.espl $volume
+    out_has "0 triangles"
+done
+
+claim "help lists every kind, and each kind has help that names its words"
+run 0 query --help
+sed -n 's/^  \([a-z][a-z-]*\)  *[A-Z].*/\1/p' out >kinds
+[ "$(wc -l <kinds)" -ge 15 ] || fail "$(wc -l <kinds) kinds"
+while read -r kind; do
+    run 0 query x "$kind" --help
+    out_has "--json"
+done <kinds
+run 0 query x capsule --help
+out_has "from x y z, to x y z, radius"
+
+finish
