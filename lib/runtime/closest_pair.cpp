@@ -52,6 +52,7 @@ struct ClosestPair {
                 high[k] = static_cast<float>(more < c ? c : more);
             }
             if (shape.squared_bound(shape, low, high) > limit_) continue;
+            if (shape.squared_plane_bound(shape, triangle) > limit_) continue;
             offer(leaf, slot, triangle);
         }
         return keep_going;
@@ -59,16 +60,43 @@ struct ClosestPair {
 
 private:
     void offer(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle) {
+        const std::uint32_t index = scalar::owner_index(leaf, slot);
+        if (found && best.distance.squared == 0.0f && index > best.index) return;  // none is nearer
         const SegmentDistance distance = shape.distance_to(shape, triangle);
         if (found && distance.squared > best.distance.squared) return;
         if (!shape.is_within_radius(shape, triangle, distance, shape.radius)) return;
-        const std::uint32_t index = scalar::owner_index(leaf, slot);
         if (found && distance.squared == best.distance.squared && index > best.index) return;
         best = {distance, index, triangle};
         found = true;
         limit_ = minimum(distance.squared * distance_slack, limit_);
     }
 };
+
+/// Between the plane of a triangle and all that is between two points; of a box its corners farthest apart across the
+/// plane. Squared; 0 where that is not clear.
+float squared_gap_to_plane(const float* from, const float* to, bool is_box, const LatticeTriangle& triangle) {
+    const auto& c = triangle.corner;
+    const auto edge = [&](int end, int k) { return static_cast<float>(c[end][k] - c[0][k]); };
+    float from_side = 0.0f, to_side = 0.0f, slack = 0.0f, squared_length = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        const int y = k == 2 ? 0 : k + 1, z = k == 0 ? 2 : k - 1;
+        const float plus = edge(1, y) * edge(2, z), minus = edge(1, z) * edge(2, y);
+        const float normal = plus - minus, size = absolute(plus) + absolute(minus);
+        const bool backward = is_box && normal < 0.0f;
+        const float corner = static_cast<float>(c[0][k]);
+        const float to_from = (backward ? to : from)[k] - corner, to_to = (backward ? from : to)[k] - corner;
+        from_side += normal * to_from;
+        to_side += normal * to_to;
+        slack += size * (absolute(to_from) + absolute(to_to));
+        const float length = absolute(normal) + size * 0x1p-22f;
+        squared_length += length * length;
+    }
+    if ((from_side < 0.0f) != (to_side < 0.0f)) return 0.0f;
+    const float nearer = minimum(absolute(from_side), absolute(to_side)) - slack * 0x1p-20f;
+    if (!(nearer > 0.0f)) return 0.0f;
+    const float gap = nearer / square_root(squared_length);
+    return gap * gap;
+}
 
 /// Between two boxes, the one given by its corners.
 float squared_gap(const float* box_low, const float* box_high, const float* low, const float* high) {
@@ -133,6 +161,10 @@ void prepare(DistantSegment& shape) noexcept {
         shape.across[axis][z] = -along[y] * inverse;
     }
     shape.squared_bound = bound_of_segment;
+    shape.squared_plane_bound = [](const DistantShape& self, const LatticeTriangle& triangle) {
+        const LatticeSegment& ends = static_cast<const DistantSegment&>(self).segment;
+        return squared_gap_to_plane(ends.from_steps, ends.to_steps, false, triangle);
+    };
     shape.distance_to = [](const DistantShape& self, const LatticeTriangle& triangle) {
         return distance_to(static_cast<const DistantSegment&>(self).segment, triangle);
     };
@@ -146,6 +178,10 @@ void prepare(DistantBox& shape) noexcept {
     shape.squared_bound = [](const DistantShape& self, const float* low, const float* high) {
         const LatticeSegment& diagonal = static_cast<const DistantBox&>(self).diagonal;
         return squared_gap(diagonal.from_steps, diagonal.to_steps, low, high);
+    };
+    shape.squared_plane_bound = [](const DistantShape& self, const LatticeTriangle& triangle) {
+        const LatticeSegment& diagonal = static_cast<const DistantBox&>(self).diagonal;
+        return squared_gap_to_plane(diagonal.from_steps, diagonal.to_steps, true, triangle);
     };
     shape.distance_to = [](const DistantShape& self, const LatticeTriangle& triangle) {
         return distance_to_box(static_cast<const DistantBox&>(self).diagonal, triangle);

@@ -13,6 +13,8 @@ namespace espalier::detail {
 struct DistantShape {
     /// Of a box, at most 16 roundings above the square of the distance.
     float (*squared_bound)(const DistantShape& shape, const float* low, const float* high);
+    /// The same of a triangle, by its plane.
+    float (*squared_plane_bound)(const DistantShape& shape, const LatticeTriangle& triangle);
     SegmentDistance (*distance_to)(const DistantShape& shape, const LatticeTriangle& triangle);
     bool (*is_within_radius)(const DistantShape& shape, const LatticeTriangle& triangle,
                              const SegmentDistance& distance, float radius);

@@ -109,7 +109,7 @@ void check(const std::vector<TestBlob>& blobs, std::uint64_t count) {
         ShapeMaker maker(blob.decoded, 1400);
         for (std::uint64_t i = 0; i < count; ++i) check_one(blob, loop, maker, i % 2 == 0, tally);
     }
-    CHECK(tally.found > blobs.size() * count / 8);
+    CHECK(tally.found > blobs.size() * count / 12);
     CHECK(tally.touching > blobs.size() * count / 10);
     CHECK(tally.nothing > blobs.size() * count / 10);
 }
