@@ -25,7 +25,7 @@ QueryStatus round_volume(const BlobData& blob, const Box& world, LatticeBox& box
         box.bounds.high[k] = static_cast<std::int32_t>(high >> fine);
     }
     box.is_empty = false;
-    box.encloses_exactly = true;
+    box.depth_inside = 0;
     box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
         return meets(static_cast<const LatticeBox&>(volume), triangle);
     };

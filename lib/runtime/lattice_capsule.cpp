@@ -37,6 +37,49 @@ bool is_beside(const IntegerBounds& bounds, const LatticeTriangle& triangle) {
     return false;
 }
 
+float inner(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// What floats are sure of: 1 within the radius, -1 not, 0 neither. No square is a sum of more than eight roundings of
+/// numbers below `size`, so that distances are off by less than `doubt` (docs/numerics.md).
+int guess(const LatticeCapsule& capsule, const LatticeTriangle& triangle) {
+    const LatticeSegment& s = capsule.segment;
+    float along[3], corner[3][3];  // seen from the segment's start
+    float size = capsule.radius;
+    for (int k = 0; k < 3; ++k) {
+        along[k] = s.to_steps[k] - s.from_steps[k];
+        size += absolute(along[k]);
+        for (int i = 0; i < 3; ++i) {
+            corner[i][k] = static_cast<float>(triangle.corner[i][k]) - s.from_steps[k];
+            size += absolute(corner[i][k]);
+        }
+    }
+    if (!(size < 0x1p40f)) return 0;
+    const float doubt = size * 0x1p-18f;
+    // How far each corner is from some point of the segment, the closest one but for rounding.
+    float least = infinity;
+    float apart[3] = {};
+    const float length = inner(along, along);
+    for (const auto& at : corner) {
+        const float share = inner(at, along);
+        const float t = share <= 0.0f ? 0.0f : share < length ? share / length : 1.0f;
+        const float off[3] = {at[0] - t * along[0], at[1] - t * along[1], at[2] - t * along[2]};
+        const float squared = inner(off, off);
+        if (squared < least) {
+            least = squared;
+            for (int k = 0; k < 3; ++k) apart[k] = off[k];
+        }
+    }
+    if (!(least >= 0x1p-20f)) return 0;
+    const float distance = square_root(least);
+    if (distance + doubt < capsule.radius) return 1;
+    // That direction separates when all of the triangle is farther along it than all of the segment, and the radius.
+    const float end = inner(along, apart);
+    const float segment_reaches = end > 0.0f ? end : 0.0f;
+    float begins = infinity;
+    for (const auto& at : corner) begins = minimum(inner(at, apart), begins);
+    return begins - segment_reaches > (capsule.radius + doubt) * (distance + doubt) ? -1 : 0;
+}
+
 /// For each axis of space two planes along the segment and that axis: a long capsule is narrower than its bounds.
 void set_side_planes(LatticeCapsule& capsule) {
     const LatticeSegment& s = capsule.segment;
@@ -77,7 +120,10 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCaps
 }
 
 bool meets(const LatticeCapsule& capsule, const LatticeTriangle& triangle) noexcept {
-    if (capsule.bounded && is_beside(capsule.bounds, triangle)) return false;  // the distance is dear
+    if (capsule.bounded) {  // the distance is dear
+        if (is_beside(capsule.bounds, triangle)) return false;
+        if (const int sure = guess(capsule, triangle); sure != 0) return sure > 0;
+    }
     return is_within_radius(capsule.segment, triangle, distance_to(capsule.segment, triangle), capsule.radius);
 }
 

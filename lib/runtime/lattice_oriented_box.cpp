@@ -29,6 +29,8 @@ void enclose(LatticeOrientedBox& box) {
         box.face_planes[2 * i + 1] =
             bounding_plane({{-n.x, -n.y, -n.z}, box.center, box.face_reach, size}, box.fraction_bits);
     }
+    // The planes are off by up to 2 size + 1 units.
+    if (!box.face_reach.is_zero()) box.depth_inside = ((2 * size + 1) >> box.fraction_bits) + 1;
     box.planes = box.face_planes;
     box.plane_count = 6;
     box.is_empty = false;

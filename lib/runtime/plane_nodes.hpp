@@ -37,14 +37,15 @@ inline unsigned children_behind(const Node& node, unsigned bits, const LatticePl
     return behind;
 }
 
-/// Whether the whole box of a child is in the half-space.
-inline bool is_wholly_behind(const Node& node, unsigned bits, unsigned child, const LatticePlane& plane) {
+/// Whether the whole box of a child is that deep in the half-space.
+inline bool is_wholly_behind(const Node& node, unsigned bits, unsigned child, const LatticePlane& plane,
+                             std::int64_t depth) {
     std::int64_t reached = 0;
     for (int k = 0; k < 3; ++k) {
         const std::int64_t along = plane.normal[k];
         reached += along * (along < 0 ? node.low(k, child, bits) : node.high(k, child, bits));
     }
-    return reached <= plane.offset;
+    return reached <= plane.offset - depth;
 }
 
 }  // namespace espalier::detail

@@ -97,7 +97,7 @@ QueryStatus round_volume(const BlobData& blob, std::span<const Plane> world, Lat
     }
     set.planes = set.half_space;
     set.bounded = false;
-    set.encloses_exactly = true;
+    set.depth_inside = 0;
     set.is_empty = is_empty;
     set.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
         return meets(static_cast<const LatticeHalfSpaces&>(volume), triangle);

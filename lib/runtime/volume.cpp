@@ -20,14 +20,24 @@ using scalar::prefetch;
 constexpr unsigned bounds_shift = 26;
 static_assert(Volume::max_planes == 32 && bounds_shift + 6 == 32);
 
-/// Which of the bits some vertex of the leaf could have. All of them where vertices may lie outside of the leaf's box.
+/// Where the vertices of a leaf are.
+template <class Leaf>
+struct Places {
+    std::uint32_t beyond[Leaf::max_vertices];  ///< a bit for each side
+    std::uint64_t inside = 0;                  ///< a bit for each vertex that is surely in the shape
+    static_assert(Leaf::max_vertices <= 64);
+};
+
+/// Which sides do not have all vertices deep inside of them. All sides where vertices may lie outside of the leaf's
+/// box.
 template <class Leaf>
 std::uint32_t sides_that_matter(const Leaf& leaf, const Volume& volume) {
     const unsigned bits = leaf.blob->bits;
+    const std::int64_t depth = volume.depth_inside == Volume::unknown ? 0 : volume.depth_inside;
     const bool in_box = !Leaf::may_have_copies || leaf.blob->copies == nullptr;
     std::uint32_t sides = 0;
     for (unsigned i = 0; i < volume.plane_count; ++i)
-        if (!in_box || !is_wholly_behind(leaf.node, bits, leaf.child(), volume.planes[i])) sides |= 1u << i;
+        if (!in_box || !is_wholly_behind(leaf.node, bits, leaf.child(), volume.planes[i], depth)) sides |= 1u << i;
     if (!volume.bounded) return sides;
     for (int k = 0; k < 3; ++k) {
         const unsigned low_side = bounds_shift + 2 * static_cast<unsigned>(k);
@@ -37,9 +47,10 @@ std::uint32_t sides_that_matter(const Leaf& leaf, const Volume& volume) {
     return sides;
 }
 
-/// The sides that each vertex of a leaf is beyond of, of those that matter.
+/// Seen from those sides that matter.
 template <class Leaf>
-void find_sides(const Leaf& leaf, const Volume& volume, std::uint32_t matter, std::uint32_t* beyond) {
+void find_places(const Leaf& leaf, const Volume& volume, std::uint32_t matter, Places<Leaf>& places) {
+    const bool knows_inside = volume.depth_inside != Volume::unknown;
     const std::int32_t anchor[3] = {leaf.anchor(0), leaf.anchor(1), leaf.anchor(2)};
     const std::uint32_t planes = volume.bounded ? matter & ((1u << bounds_shift) - 1u) : matter;
     for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
@@ -47,6 +58,7 @@ void find_sides(const Leaf& leaf, const Volume& volume, std::uint32_t matter, st
         for (int k = 0; k < 3; ++k)
             at[k] = anchor[k] + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], vertex));
         std::uint32_t sides = 0;
+        bool is_deep = knows_inside;
         if (volume.bounded) {
             for (int k = 0; k < 3; ++k) {
                 const unsigned low_side = bounds_shift + 2 * static_cast<unsigned>(k);
@@ -60,8 +72,10 @@ void find_sides(const Leaf& leaf, const Volume& volume, std::uint32_t matter, st
             std::int64_t reached = 0;
             for (int k = 0; k < 3; ++k) reached += std::int64_t{plane.normal[k]} * at[k];
             sides |= static_cast<std::uint32_t>(reached > plane.offset) << i;
+            is_deep = is_deep && reached <= plane.offset - volume.depth_inside;
         }
-        beyond[vertex] = sides;
+        places.beyond[vertex] = sides;
+        places.inside |= std::uint64_t{is_deep && sides == 0} << vertex;
     }
 }
 
@@ -82,10 +96,10 @@ struct TrianglesIn {
     [[nodiscard]] Visit visit_leaf(const Leaf& leaf) const {
         std::uint32_t index = scalar::storage_index(leaf, 0);
         if (index + leaf.triangle_count() <= first) return keep_going;
-        std::uint32_t beyond[Leaf::max_vertices];
+        Places<Leaf> places;
         const std::uint32_t matter = sides_that_matter(leaf, volume);
-        const bool all_inside = matter == 0 && volume.encloses_exactly;
-        if (!all_inside) find_sides(leaf, volume, matter, beyond);
+        const bool all_inside = matter == 0 && volume.depth_inside != Volume::unknown;
+        if (!all_inside) find_places(leaf, volume, matter, places);
         auto corners = scalar::corners_of(leaf);
         const auto used = leaf.used_slots();
         for (unsigned slot = 0; slot < leaf.slot_count; ++slot) {
@@ -94,10 +108,11 @@ struct TrianglesIn {
             const std::uint32_t own = index++;
             if (own < first) continue;
             if (!all_inside) {
-                const std::uint32_t a = beyond[vertices.a], b = beyond[vertices.b], c = beyond[vertices.c];
-                if ((a & b & c) != 0) continue;
-                const bool has_corner_inside = volume.encloses_exactly && (a == 0 || b == 0 || c == 0);
-                if (!has_corner_inside && !volume.meets(volume, leaf.triangle(slot))) continue;
+                const std::uint32_t* beyond = places.beyond;
+                if ((beyond[vertices.a] & beyond[vertices.b] & beyond[vertices.c]) != 0) continue;
+                const std::uint64_t corners_inside =
+                    places.inside >> vertices.a | places.inside >> vertices.b | places.inside >> vertices.c;
+                if ((corners_inside & 1) == 0 && !volume.meets(volume, leaf.triangle(slot))) continue;
             }
             if (visit(Triangle{own}) == stop) return stop;
         }

@@ -25,9 +25,10 @@ struct Volume {
     unsigned plane_count = 0;
     bool bounded = true;   ///< the shape lies within the bounds; only then are these set
     bool is_empty = true;  ///< nothing overlaps it
-    /// The bounds, or the planes of a shape without bounds, are the shape itself as far as vertices are concerned: one
-    /// that they do not exclude is inside.
-    bool encloses_exactly = false;
+    /// A vertex within the bounds and this deep behind each plane is inside the shape: 0 when bounds and planes are the
+    /// shape itself, unknown when what encloses it says nothing about its inside.
+    std::int64_t depth_inside = unknown;
+    static constexpr std::int64_t unknown = -1;
     IntegerBounds bounds;
 };
 
