@@ -1,6 +1,7 @@
 // Everything that answers from a blob. No heap, no exceptions, no libc. The baker is apart: <espalier/bake.hpp>.
 #pragma once
 
+#include <espalier/approximate.hpp>
 #include <espalier/blob.hpp>
 #include <espalier/bounds.hpp>
 #include <espalier/contact.hpp>

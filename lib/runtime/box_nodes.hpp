@@ -57,4 +57,17 @@ inline unsigned children_within(const Node& node, unsigned bits, const IntegerBo
     return tops_of(inside) & all_children(node);
 }
 
+/// The children whose box is at most that many steps long along every axis; none for a negative number.
+inline unsigned children_no_larger(const Node& node, std::int32_t steps) {
+    if (steps < 0) return 0;
+    std::uint64_t small = ~std::uint64_t{0};
+    for (int k = 0; k < 3; ++k) {
+        // `open` has seen that no low plane is above its high one: no byte borrows.
+        const std::uint64_t sides = load_u64(node.high_planes(k)) - load_u64(node.low_planes(k));
+        const std::int32_t most = steps >> node.shift(k);
+        small &= bytes_at_least(eight_of(most < 255 ? most : 255), sides);
+    }
+    return tops_of(small) & all_children(node);
+}
+
 }  // namespace espalier::detail

@@ -13,12 +13,11 @@ QueryStatus round_volume(const BlobData& blob, const Box& world, LatticeBox& box
         if (flush_subnormal(min[k]) > flush_subnormal(max[k])) return QueryStatus::ok;
         // No triangle is beyond the asset's box: a step outside of it is as good as infinitely far.
         const float last = blob.extent_steps[k] + 1.0f;
-        const auto rounded = [&](float coordinate) {
-            const float steps = to_steps(blob, k, coordinate);
-            return to_grid(steps < -1.0f ? -1.0f : steps > last ? last : steps, fine);
-        };
-        const std::int64_t low = rounded(min[k]);
-        const std::int64_t high = rounded(max[k]);
+        const float low_steps = to_steps(blob, k, min[k]);
+        const float high_steps = to_steps(blob, k, max[k]);
+        if (low_steps > last || high_steps < -1.0f) return QueryStatus::ok;
+        const std::int64_t low = to_grid(low_steps < -1.0f ? -1.0f : low_steps, fine);
+        const std::int64_t high = to_grid(high_steps > last ? last : high_steps, fine);
         box.center[k] = low + high;
         box.half[k] = high - low;
         box.bounds.low[k] = static_cast<std::int32_t>(-(-low >> fine));

@@ -7,13 +7,26 @@
 #include <runtime/found.hpp>
 #include <runtime/simd/select.hpp>
 
-#define ESPALIER_DECLARE_POINT_QUERIES(instruction_set)                                                      \
-    namespace instruction_set {                                                                              \
-    bool any_overlap(const BlobData& blob, const LatticePoint& point);                                       \
-    bool every_overlap(const BlobData& blob, const LatticePoint& point, std::uint32_t first, \
-                       FunctionRef<Visit(Triangle)> visit); \
-    bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best);              \
-    void closest_triangles(const BlobData& blob, const LatticePoint& point, ClosestFew& few);                \
+namespace espalier::detail {
+
+/// Of squared distances, in lattice steps, as floats that may be off by 2^-18; infinite when there is nothing.
+struct SquaredBounds {
+    float lower = infinity;
+    float upper = infinity;
+};
+
+}  // namespace espalier::detail
+
+#define ESPALIER_DECLARE_POINT_QUERIES(instruction_set)                                                             \
+    namespace instruction_set {                                                                                     \
+    bool any_overlap(const BlobData& blob, const LatticePoint& point);                                              \
+    bool every_overlap(const BlobData& blob, const LatticePoint& point, std::uint32_t first,                        \
+                       FunctionRef<Visit(Triangle)> visit);                                                         \
+    bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNearest& best);                     \
+    void closest_triangles(const BlobData& blob, const LatticePoint& point, ClosestFew& few);                       \
+    bool may_overlap(const BlobData& blob, const LatticePoint& point, std::int32_t steps, QueryCounters& counters); \
+    SquaredBounds closest_bounds(const BlobData& blob, const LatticePoint& point, std::int32_t steps,               \
+                                 QueryCounters& counters);                                                          \
     }
 
 namespace espalier::detail {

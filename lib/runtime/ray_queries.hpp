@@ -7,13 +7,13 @@
 #include <runtime/found.hpp>
 #include <runtime/simd/select.hpp>
 
-#define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                    \
-    namespace instruction_set {                                                                          \
-    bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter); \
-    HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits,                  \
-                        const TriangleFilter* filter);                                                   \
-    bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                  \
-    bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit);     \
+#define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                                  \
+    namespace instruction_set {                                                                                        \
+    bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter);               \
+    HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter); \
+    bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                                \
+    bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit);                   \
+    bool may_hit(const BlobData& blob, const Ray& world, std::int32_t steps, QueryCounters& counters);                 \
     }
 
 namespace espalier::detail {

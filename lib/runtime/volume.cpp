@@ -120,7 +120,38 @@ struct TrianglesIn {
     }
 };
 
+/// Stops at small boxes.
+template <class Leaf>
+struct MayMeet {
+    TrianglesIn<Leaf> exactly;
+    std::int32_t steps;
+    QueryCounters& counters;
+    bool found = false;
+
+    unsigned children(const Node& node, float* keys) {
+        if (found) return 0;
+        counters.count_node();
+        const unsigned mask = exactly.children(node, keys);
+        found = (mask & children_no_larger(node, steps)) != 0;
+        return found ? 0 : mask;
+    }
+    Visit visit_leaf(const Leaf& leaf) {
+        counters.count_leaf();
+        counters.count_triangles(leaf.triangle_count());
+        found = exactly.visit_leaf(leaf) == stop;
+        return found ? stop : keep_going;
+    }
+};
+
 }  // namespace
+
+bool may_meet(const BlobData& blob, const Volume& volume, std::int32_t steps, QueryCounters& counters) {
+    return scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+        MayMeet<Leaf> visitor = {{blob, volume, 0, [](Triangle) { return stop; }}, steps, counters};
+        scalar_walk::traverse_in_storage_order<Leaf>(blob, visitor);
+        return visitor.found;
+    });
+}
 
 bool visit_triangles_in(const BlobData& blob, const Volume& volume, std::uint32_t first,
                         FunctionRef<Visit(Triangle)> visit) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <espalier/function_ref.hpp>
+#include <espalier/statistics.hpp>
 #include <espalier/types.hpp>
 #include <runtime/box_nodes.hpp>
 #include <runtime/plane_nodes.hpp>
@@ -36,5 +37,9 @@ struct Volume {
 /// stopped it.
 bool visit_triangles_in(const BlobData& blob, const Volume& volume, std::uint32_t first,
                         FunctionRef<Visit(Triangle)> visit);
+
+/// Whether the shape overlaps any triangle, or the walk comes to a box of no more than `steps` along every axis that
+/// overlaps what encloses the shape.
+bool may_meet(const BlobData& blob, const Volume& volume, std::int32_t steps, QueryCounters& counters);
 
 }  // namespace espalier::detail

@@ -221,6 +221,20 @@ inline void ask_volumes(const Blob& blob, Questions& questions, std::uint32_t co
     }
 }
 
+inline void ask_approximately(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const float accuracy = questions.distance(number + 1) * 0.0625f;
+        DistanceBounds bounds;
+        answers.fingerprint.add(may_overlap(blob, questions.sphere(number), accuracy));
+        answers.fingerprint.add(may_overlap(blob, questions.box(number), accuracy));
+        answers.fingerprint.add(may_be_occluded(blob, questions.ray(number), accuracy));
+        const Vec3 point = questions.point(number);
+        answers.fingerprint.add(distance_bounds(blob, point, questions.distance(number), accuracy, bounds));
+        answers.fingerprint.add(bounds.lower);
+        answers.fingerprint.add(bounds.upper);
+    }
+}
+
 inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
         const Vec3 point = questions.point(number);
@@ -299,6 +313,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_sweeps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_spheres(blob, questions, questions_of_a_kind, answers);
     ask_volumes(blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    ask_approximately(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_closest_points(blob, questions, questions_of_a_kind, answers);
     ask_closest_pairs(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     return answers;

@@ -141,7 +141,7 @@ TEST_SUITE("kernels of volumes") {
                 }
                 detail::LatticeBox rounded;
                 REQUIRE(round_volume(asset, box, rounded) == QueryStatus::ok);
-                REQUIRE_FALSE(rounded.is_empty);
+                if (rounded.is_empty) continue;  // clearly apart
                 const Integer3 half[3] = {{rounded.half[0], 0, 0}, {0, rounded.half[1], 0}, {0, 0, rounded.half[2]}};
                 const bool expected = meet_in_truth(to_integer3(rounded.center), half,
                                                     detail::LatticeBox::fraction_bits, bits + 8, triangle);
@@ -227,7 +227,7 @@ TEST_SUITE("kernels of volumes") {
                                  box) == QueryStatus::ok);
             REQUIRE(round_volume(asset, OrientedBox{center, {{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}},
                                  oriented) == QueryStatus::ok);
-            REQUIRE(meets(box, triangle) == (!oriented.is_empty && meets(oriented, triangle)));
+            REQUIRE((!box.is_empty && meets(box, triangle)) == (!oriented.is_empty && meets(oriented, triangle)));
         }
     }
 }

@@ -349,6 +349,29 @@ void exercise_nodes(Exercise& run) {
         return node.number % 5 == 4 ? NodeVisit::skip : NodeVisit::descend;
     });
     run.verdict.require(saw_all == (visited < until), "for_each_node says wrongly whether it saw all");
+void exercise_approximate(Exercise& run) {
+    const Blob& blob = run.blob;
+    Random& random = run.random;
+    Verdict& verdict = run.verdict;
+    const float accuracy = some_length(blob, random) * (random.coin() ? 0.01f : 1.0f);
+    const Sphere sphere{some_point(blob, random), some_length(blob, random)};
+    const Box box{some_point(blob, random), some_point(blob, random)};
+    Ray ray{some_point(blob, random), some_point(blob, random)};
+    if (random.coin()) ray.t_max = some_length(blob, random);
+    QueryCounters counters;
+    verdict.require(may_overlap(blob, sphere, accuracy, &counters) || !overlaps(blob, sphere), "a sphere was missed");
+    verdict.require(may_overlap(blob, sphere, 0.0f) == overlaps(blob, sphere), "accuracy 0 is not exact for a sphere");
+    verdict.require(may_overlap(blob, box, accuracy) || !overlaps(blob, box), "a box was missed");
+    verdict.require(may_overlap(blob, box, 0.0f) == overlaps(blob, box), "accuracy 0 is not exact for a box");
+    verdict.require(may_be_occluded(blob, ray, accuracy) || !occluded(blob, ray), "a hit was missed");
+    verdict.require(may_be_occluded(blob, ray, 0.0f) == occluded(blob, ray), "accuracy 0 is not exact for a ray");
+    DistanceBounds bounds;
+    if (distance_bounds(blob, sphere.center, sphere.radius, accuracy, bounds)) {
+        verdict.require(bounds.lower >= 0.0f && bounds.lower <= bounds.upper, "bounds of a distance are none");
+        run.hash.add(bounds.lower);
+        run.hash.add(bounds.upper);
+    }
+    run.hash.add(static_cast<std::uint32_t>(counters.nodes));
 }
 
 template <class Shape>
@@ -457,6 +480,7 @@ std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds) {
         exercise_rays(run);
         exercise_spheres(run);
         exercise_volumes(run);
+        exercise_approximate(run);
         exercise_distances(run);
         exercise_sweeps(run);
     }

@@ -21,6 +21,9 @@ struct InstructionPath {
     decltype(&detail::scalar::every_overlap) every_overlap;
     decltype(&detail::scalar::closest_triangle) closest_triangle;
     decltype(&detail::scalar::closest_triangles) closest_triangles;
+    decltype(&detail::scalar::may_overlap) may_overlap;
+    decltype(&detail::scalar::closest_bounds) closest_bounds;
+    decltype(&detail::scalar::may_hit) may_hit;
 };
 
 const std::vector<InstructionPath>& instruction_paths();

@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <runtime/point_queries.hpp>
+#include <runtime/small_boxes.hpp>
 #if ESPALIER_X86
 #include <runtime/simd/lanes_avx2.hpp>
 
@@ -12,6 +13,7 @@ namespace espalier::detail::avx2 {
 #include <runtime/point_nodes.inl>
 #include <runtime/point_bounds.inl>
 #include <runtime/point_queries.inl>
+#include <runtime/approximate_points.inl>
 }  // namespace espalier::detail::avx2
 ESPALIER_END_TARGET
 #endif

@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <runtime/point_queries.hpp>
+#include <runtime/small_boxes.hpp>
 #if defined(__x86_64__)
 #include <runtime/simd/lanes_avx512.hpp>
 
@@ -20,6 +21,7 @@ using avx2::overlap_test;
 #include <runtime/squared_distance.inl>
 #include <runtime/point_bounds.inl>
 #include <runtime/point_queries.inl>
+#include <runtime/approximate_points.inl>
 }  // namespace espalier::detail::avx512
 ESPALIER_END_TARGET
 #endif

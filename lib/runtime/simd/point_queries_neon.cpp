@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <runtime/point_queries.hpp>
+#include <runtime/small_boxes.hpp>
 #if ESPALIER_NEON
 #include <runtime/simd/lanes_neon.hpp>
 
@@ -11,5 +12,6 @@ namespace espalier::detail::neon {
 #include <runtime/point_nodes.inl>
 #include <runtime/point_bounds.inl>
 #include <runtime/point_queries.inl>
+#include <runtime/approximate_points.inl>
 }  // namespace espalier::detail::neon
 #endif

@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <runtime/point_queries.hpp>
+#include <runtime/small_boxes.hpp>
 #include <runtime/simd/lanes_scalar.hpp>
 
 namespace espalier::detail::scalar {
@@ -10,4 +11,5 @@ namespace espalier::detail::scalar {
 #include <runtime/point_nodes.inl>
 #include <runtime/point_bounds.inl>
 #include <runtime/point_queries.inl>
+#include <runtime/approximate_points.inl>
 }  // namespace espalier::detail::scalar

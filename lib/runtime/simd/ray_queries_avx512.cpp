@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <runtime/ray_queries.hpp>
+#include <runtime/small_boxes.hpp>
 #if defined(__x86_64__)
 #include <runtime/simd/lanes_avx512.hpp>
 
@@ -19,6 +20,7 @@ using avx2::slab_test;
 #include <runtime/traverse.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
+#include <runtime/approximate_rays.inl>
 }  // namespace espalier::detail::avx512
 ESPALIER_END_TARGET
 #endif

@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <runtime/ray_queries.hpp>
+#include <runtime/small_boxes.hpp>
 #if ESPALIER_NEON
 #include <runtime/simd/lanes_neon.hpp>
 
@@ -13,5 +14,6 @@ inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepare
 #include <runtime/ray_nodes.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
+#include <runtime/approximate_rays.inl>
 }  // namespace espalier::detail::neon
 #endif

@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <runtime/ray_queries.hpp>
+#include <runtime/small_boxes.hpp>
 #include <runtime/simd/lanes_scalar.hpp>
 
 namespace espalier::detail::scalar {
@@ -12,6 +13,7 @@ inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepare
 #include <runtime/ray_nodes.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
+#include <runtime/approximate_rays.inl>
 
 bool closest_hit_counted(const BlobData& blob, const Ray& world, RayHit& hit, QueryCounters& counters) {
     return closest_hit_counting(blob, world, hit, nullptr, counters);

@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <runtime/ray_queries.hpp>
+#include <runtime/small_boxes.hpp>
 #if ESPALIER_X86
 #include <runtime/simd/lanes_sse42.hpp>
 
@@ -12,6 +13,7 @@ namespace espalier::detail::sse42 {
 #include <runtime/ray_nodes.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
+#include <runtime/approximate_rays.inl>
 }  // namespace espalier::detail::sse42
 ESPALIER_END_TARGET
 #endif

@@ -1,0 +1,40 @@
+// Rays that stop at small boxes. Included once per instruction set, inside its namespace, after ray_queries.inl.
+
+template <class Leaf>
+struct MayHit {
+    const BlobData& blob;
+    const LatticeRay& ray;
+    const RayLanes& lanes_;
+    std::int32_t steps;
+    QueryCounters& counters;
+    bool found = false;
+
+    unsigned children(const Node& node, float* keys) {
+        if (found) return 0;
+        counters.count_node();
+        const unsigned mask = slab_test(node, lanes_, ray.tau_max * interval_slack, keys);
+        for (unsigned small = mask & children_no_larger(node, steps); small != 0 && !found; small &= small - 1)
+            found = passes_through(ray, node, blob.bits, static_cast<unsigned>(std::countr_zero(small)));
+        return found ? 0 : mask & ~children_no_larger(node, steps);
+    }
+    Visit visit_leaf(const Leaf& leaf) {
+        counters.count_leaf();
+        counters.count_triangles(leaf.triangle_count());
+        for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
+            TriangleHit hit;
+            found = intersect(ray, leaf.triangle(static_cast<unsigned>(std::countr_zero(candidates))), hit);
+            if (found) return stop;
+        }
+        return keep_going;
+    }
+};
+
+bool may_hit(const BlobData& blob, const Ray& world, std::int32_t steps, QueryCounters& counters) {
+    PreparedRay prepared;
+    if (!prepare(blob, world, prepared)) return false;
+    return with_leaves_of(blob, [&]<class Leaf>() {
+        MayHit<Leaf> visitor = {blob, prepared.ray, prepared.lanes, steps, counters};
+        traverse_in_storage_order<Leaf>(blob, visitor);
+        return visitor.found;
+    });
+}
