@@ -2,10 +2,9 @@
 // point_queries.inl.
 
 /// Whether anything is within the radius, or a small box is.
-template <class Leaf>
+template <class Leaf, class OnOverlap>
 struct MayOverlap {
-    const LatticePoint& point;
-    const BlobData& blob;
+    EveryOverlap<Leaf, OnOverlap> exactly;
     std::int32_t steps;
     QueryCounters& counters;
     bool found = false;
@@ -13,20 +12,15 @@ struct MayOverlap {
     unsigned children(const Node& node, float* keys) {
         if (found) return 0;
         counters.count_node();
-        const unsigned mask = distance_test(node, point, blob, point.limit, keys);
+        const unsigned mask = exactly.children(node, keys);
         found = (mask & children_no_larger(node, steps)) != 0;
         return found ? 0 : mask;
     }
     Visit visit_leaf(const Leaf& leaf) {
         counters.count_leaf();
         counters.count_triangles(leaf.triangle_count());
-        for (auto candidates = point_candidates(leaf, point, point.limit); candidates != 0;
-             candidates &= candidates - 1) {
-            const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
-            found = is_within_radius(point, distance_to(point, leaf.triangle(slot)), point.radius);
-            if (found) return stop;
-        }
-        return keep_going;
+        found = exactly.visit_leaf(leaf) == stop;
+        return found ? stop : keep_going;
     }
 };
 
@@ -55,11 +49,12 @@ struct ClosestBounds {
     Visit visit_leaf(const Leaf& leaf) {
         counters.count_leaf();
         counters.count_triangles(leaf.triangle_count());
-        for (auto candidates = point_candidates(leaf, point, limit_); candidates != 0; candidates &= candidates - 1) {
-            const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
-            const PointDistance distance = distance_to(point, leaf.triangle(slot));
-            if (is_within_radius(point, distance, point.radius)) add(distance.squared, distance.squared);
-        }
+        decide_nearest_first(
+            leaf, point, [&] { return limit_; },
+            [&](unsigned slot) {
+                const PointDistance distance = distance_to(point, leaf.triangle(slot));
+                if (is_within_radius(point, distance, point.radius)) add(distance.squared, distance.squared);
+            });
         return keep_going;
     }
     void add(float lower, float upper) {
@@ -70,8 +65,9 @@ struct ClosestBounds {
 };
 
 bool may_overlap(const BlobData& blob, const LatticePoint& point, std::int32_t steps, QueryCounters& counters) {
+    const auto at_once = [](Triangle) { return stop; };
     return with_leaves_of(blob, [&]<class Leaf>() {
-        MayOverlap<Leaf> visitor = {point, blob, steps, counters};
+        MayOverlap<Leaf, decltype(at_once)> visitor = {{point, blob, 0, at_once}, steps, counters};
         traverse_in_storage_order<Leaf>(blob, visitor);
         return visitor.found;
     });

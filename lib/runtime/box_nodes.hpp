@@ -39,8 +39,6 @@ constexpr unsigned tops_of(std::uint64_t bytes) {
     return static_cast<unsigned>(((bytes & byte_tops) >> 7) * 0x0102040810204080u >> 56);
 }
 
-inline unsigned all_children(const Node& node) { return (1u << (node.node_children() + node.leaf_children())) - 1u; }
-
 /// The children whose box meets the bounds, exactly: the bounds are moved into the node's grid once, outward from its
 /// planes.
 inline unsigned children_within(const Node& node, unsigned bits, const IntegerBounds& bounds) {

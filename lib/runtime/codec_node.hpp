@@ -42,6 +42,9 @@ struct Node {
     }
 };
 
+/// A bit for each child.
+inline unsigned all_children(const Node& node) { return (1u << (node.node_children() + node.leaf_children())) - 1u; }
+
 inline Node node_at(const BlobData& blob, std::uint32_t index) {
     return {blob.nodes + std::size_t{index} * format::node::bytes};
 }

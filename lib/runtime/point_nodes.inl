@@ -15,8 +15,6 @@ inline void planes_from_point(const Node& node, const Frame& frame, const Lattic
     }
 }
 
-inline unsigned all_children(const Node& node) { return (1u << (node.node_children() + node.leaf_children())) - 1u; }
-
 /// The children whose box is within the limit, and the squared distance of each.
 inline unsigned distance_test(const Node& node, const LatticePoint& point, const BlobData& blob, float limit,
                               float* distances) {

@@ -174,11 +174,19 @@ TEST_SUITE("promises") {
             {"for_each_overlap", 2560, sphere_row([](const Blob& blob, const Sphere& sphere) {
                  for_each_overlap(blob, sphere, [](Triangle) { return keep_going; });
              })},
-            {"overlaps and pages, a capsule", 3328, volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
-            {"overlaps and pages, a box", 1536, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
-            {"overlaps and pages, an oriented box", 3072,
+            {"may_overlap and distance_bounds", 4096, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                 DistanceBounds bounds;
+                 (void)may_overlap(blob, sphere, sphere.radius);
+                 distance_bounds(blob, sphere.center, sphere.radius, sphere.radius, bounds);
+             })},
+            {"may_be_occluded", 1664, ray_row([](const Blob& blob, const Ray& ray) {
+                 (void)may_be_occluded(blob, ray, 0.01f * (blob.bounds_max().x - blob.bounds_min().x));
+             })},
+            {"overlaps and pages, a capsule", 3584, volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
+            {"overlaps and pages, a box", 1792, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
+            {"overlaps and pages, an oriented box", 3328,
              volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
-            {"overlaps and pages, a triangle", 2304, volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
+            {"overlaps and pages, a triangle", 2560, volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
             {"overlaps and pages, planes", 3072, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
             {"closest_point", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_point(blob, sphere.center, sphere.radius, nearest);

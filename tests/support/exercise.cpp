@@ -291,20 +291,32 @@ void exercise_volumes(Exercise& run) {
     const Vec3 a = some_point(blob, random), b = some_point(blob, random), c = some_point(blob, random);
     const Vec3 d = some_point(blob, random);
     const float length = some_length(blob, random);
-    exercise_volume(run, Sphere{a, length});
-    exercise_volume(run, Capsule{a, b, length});
-    exercise_volume(run, Box{a, b});
-    exercise_volume(run, Box{{a.x, a.y, a.z}, {a.x + length, a.y + length, a.z + length}});
-    exercise_volume(run, OrientedBox{a, {b, c, d}});
-    exercise_volume(run, OrientedBox{a, {{length, 0.0f, length}, {b.x - a.x, b.y - a.y, b.z - a.z}, {}}});
-    exercise_volume(run, Corners{a, b, c});
-    std::array<Plane, max_planes + 1> planes;
-    for (Plane& plane : planes) {
-        const Vec3 on = some_point(blob, random), normal = random.below(8) == 0 ? on : random.in_cube(1.0f);
-        plane = {normal, normal.x * on.x + normal.y * on.y + normal.z * on.z + 0.1f * length};
+    // Two of them a round.
+    switch (random.below(4)) {
+        case 0:
+            exercise_volume(run, Sphere{a, length});
+            exercise_volume(run, Capsule{a, b, length});
+            break;
+        case 1:
+            exercise_volume(run, Box{a, b});
+            exercise_volume(run, Box{{a.x, a.y, a.z}, {a.x + length, a.y + length, a.z + length}});
+            break;
+        case 2:
+            exercise_volume(run, OrientedBox{a, {b, c, d}});
+            exercise_volume(run, OrientedBox{a, {{length, 0.0f, length}, {b.x - a.x, b.y - a.y, b.z - a.z}, {}}});
+            break;
+        default: {
+            exercise_volume(run, Corners{a, b, c});
+            std::array<Plane, max_planes + 1> planes;
+            for (Plane& plane : planes) {
+                const Vec3 on = some_point(blob, random);
+                const Vec3 normal = random.below(8) == 0 ? on : random.in_cube(1.0f);
+                plane = {normal, normal.x * on.x + normal.y * on.y + normal.z * on.z + 0.1f * length};
+            }
+            const std::size_t count = random.coin() ? random.below(7) : random.below(planes.size() + 1);
+            exercise_volume(run, std::span<const Plane>(planes).first(count));
+        }
     }
-    const std::size_t count = random.coin() ? random.below(7) : random.below(planes.size() + 1);
-    exercise_volume(run, std::span<const Plane>(planes).first(count));
 }
 
 void exercise_bounds(Exercise& run) {
@@ -349,6 +361,8 @@ void exercise_nodes(Exercise& run) {
         return node.number % 5 == 4 ? NodeVisit::skip : NodeVisit::descend;
     });
     run.verdict.require(saw_all == (visited < until), "for_each_node says wrongly whether it saw all");
+}
+
 void exercise_approximate(Exercise& run) {
     const Blob& blob = run.blob;
     Random& random = run.random;
