@@ -102,9 +102,7 @@ bool for_each_overlap(const Blob& blob, HalfSpaces planes, FunctionRef<Visit(Tri
 OverlapPage collect_overlaps(const Blob& blob, const Sphere& sphere, std::span<Triangle> out,
                              std::uint32_t first) noexcept {
     if (blob.copy_count() != 0) return {QueryStatus::has_copies, 0, first};
-    if (!is_finite(sphere.center) || is_nan(sphere.radius) ||
-        (is_negative(sphere.radius) && magnitude_bits(sphere.radius) != 0))
-        return {QueryStatus::invalid_argument, 0, first};
+    if (!is_finite(sphere.center) || !is_radius(sphere.radius)) return {QueryStatus::invalid_argument, 0, first};
     PageMaker maker = {out, {QueryStatus::ok, 0, blob.triangle_count()}};
     LatticePoint rounded;
     if (blob.triangle_count() != 0 && round_point(blob.data(), sphere.center, sphere.radius, rounded))
