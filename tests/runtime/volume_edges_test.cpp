@@ -8,12 +8,19 @@
 
 #include <espalier/overlap.hpp>
 #include <runtime/box_nodes.hpp>
+#include <runtime/lattice_box.hpp>
+#include <runtime/lattice_capsule.hpp>
+#include <runtime/lattice_corners.hpp>
+#include <runtime/lattice_half_spaces.hpp>
+#include <runtime/lattice_oriented_box.hpp>
 #include <runtime/plane_nodes.hpp>
 
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
 #include "../support/random.hpp"
+#include "../support/shape_maker.hpp"
 #include "../support/test_blobs.hpp"
+#include "../support/triangle_loop.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -136,11 +143,33 @@ TEST_SUITE("volumes at the edges") {
         BakeOptions options;
         options.profile = format::Profile::fast;
         options.builder = Builder::spatial_splits;
-        const OpenedBlob split(make_needle_fan(300), options);
-        if (split.blob.copy_count() == 0) {
-            MESSAGE("SKIPPED: the builder made no copies");
-            return;
+        options.duplicates = 1.0;
+        const OpenedBlob split(make_soup(400, 3), options);
+        REQUIRE(split.blob.copy_count() > 0);
+        const DecodedBlob decoded = decode(split.bytes);
+        const TriangleLoop loop(decoded);
+        ShapeMaker maker(decoded, 90);
+        std::array<int, 2> answers = {};
+        const auto check = [&](const auto& shape, auto& rounded) {
+            if (round_volume(split.blob.data(), shape, rounded) != QueryStatus::ok) return;
+            const bool expected = !rounded.is_empty && !loop.every_overlap(rounded).empty();
+            REQUIRE(overlaps(split.blob, shape) == expected);
+            ++answers[expected ? 1 : 0];
+        };
+        for (std::uint64_t i = 0; i < scaled(200); ++i) {
+            detail::LatticeBox box;
+            check(maker.box(maker.random().coin()), box);
+            detail::LatticeOrientedBox oriented;
+            check(maker.oriented_box(maker.random().coin()), oriented);
+            detail::LatticeCorners corners;
+            check(maker.corners(maker.random().coin()), corners);
+            detail::LatticeHalfSpaces half_spaces;
+            check(maker.planes(maker.random().coin()), half_spaces);
+            detail::LatticeCapsule capsule;
+            check(maker.capsule(maker.random().coin()), capsule);
         }
+        CHECK(answers[0] > 0);
+        CHECK(answers[1] > 0);
         const Box all = {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
         std::array<Triangle, 4> room;
         CHECK(overlaps(split.blob, all));
