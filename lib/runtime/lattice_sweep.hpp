@@ -53,8 +53,9 @@ struct CapsuleSweep : LatticeSweep {
 };
 struct BoxSweep : LatticeSweep {};
 
-/// Whether the shape touches the triangle at the start.
-inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle) {
+/// Whether the boxes around shape and triangle meet at the start. Out of line, so as not to lie on the stack below a
+/// kernel.
+[[gnu::noinline]] inline bool boxes_meet_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) {
     const std::int64_t low[3] = {sweep.low.x, sweep.low.y, sweep.low.z};
     const std::int64_t high[3] = {sweep.high.x, sweep.high.y, sweep.high.z};
     const auto& c = triangle.corner;
@@ -63,6 +64,12 @@ inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& t
         const auto below = [&](unsigned i) { return std::int64_t{c[i][k]} << sweep.fraction_bits < low[k]; };
         if ((beyond(0) && beyond(1) && beyond(2)) || (below(0) && below(1) && below(2))) return false;
     }
+    return true;
+}
+
+/// Whether the shape touches the triangle at the start.
+inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle) {
+    if (!boxes_meet_at_start(sweep, triangle)) return false;
     const Integer3 to = sum(sweep.from, sweep.axis);
     const LatticeSegment axis = {
         {sweep.from.x, sweep.from.y, sweep.from.z}, {to.x, to.y, to.z}, sweep.fraction_bits, {}, {}};

@@ -36,6 +36,10 @@ WideSum product_difference(Int128 a, Int128 b, Int128 c, Int128 d) {
     sum.add_product(-c, d);
     return sum;
 }
+/// Its sign. Out of line: the sum does not lie on the stack of those who ask.
+[[gnu::noinline]] int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {
+    return product_difference(a, b, c, d).sign();
+}
 bool is_zero(const Integer3& a) { return (a.x | a.y | a.z) == 0; }
 
 Vec3 to_unit(float x, float y, float z) {
@@ -132,38 +136,41 @@ private:
     void look_at(std::uint32_t tick) {
         const std::int64_t time = tick;
         const Integer3& d = sphere_.displacement;
-        Int128 from_start[3], from_end[3];  // along each side, times its length
+        Int128 forward[3];  // from each corner along its side, times the side's length
         for (unsigned i = 0; i < 3; ++i) {
             const Integer3& c = triangle_.corner[i];
             seen_[i] = {d.x * time - (c.x << tick_bits), d.y * time - (c.y << tick_bits),
                         d.z * time - (c.z << tick_bits)};
-            from_start[i] = wide_dot(seen_[i], side_[i]);
-            from_end[i] = from_start[i] - (Int128(length_[i]) << tick_bits);
+            forward[i] = wide_dot(seen_[i], side_[i]);
         }
-        const auto is_positive = [](Int128 a) { return Int128(0) < a; };
+        const auto is_before_end = [&](unsigned i) { return forward[i] < Int128(length_[i]) << tick_bits; };
+        const auto is_behind_start = [&](unsigned i) { return Int128(0) < forward[i]; };
         for (unsigned i = 0; i < 3; ++i) {
             number_ = i;
             part_ = Part::corner;
-            if (!is_positive(from_start[i]) && !from_end[(i + 2) % 3].is_negative()) return;
+            if (!is_behind_start(i) && !is_before_end((i + 2) % 3)) return;
         }
         for (unsigned i = 0; i < 3; ++i) {
+            if (!is_behind_start(i) || !is_before_end(i)) continue;  // none has length 0
             number_ = i;
             part_ = Part::side;
-            forward_ = from_start[i];
-            if (!is_positive(from_start[i]) || !from_end[i].is_negative()) continue;  // none has length 0
-            if (is_narrow_ ? !is_positive(wide_dot(inward_[i], seen_[i])) : wide_weight(i).sign() <= 0) return;
+            forward_ = forward[i];
+            if (!is_within_side(i)) return;
         }
         part_ = Part::face;
     }
-    /// How far the centre is on the inner side of a side, times length and squared area; proportional to the weight of
-    /// the corner opposite.
-    [[nodiscard]] [[gnu::noinline]] WideSum wide_weight(unsigned i) const {
-        // (s x p) . (a x b) = (s . a)(p . b) - (s . b)(p . a)
-        return product_difference(wide_dot(side_[i], side_[0]), wide_dot(seen_[i], side_[1]),
-                                  wide_dot(side_[i], side_[1]), wide_dot(seen_[i], side_[0]));
+    // How far the centre is on the inner side of a side, times length and squared area: proportional to the weight of
+    // the corner opposite. For long sides (s x p) . (a x b) = (s . a)(p . b) - (s . b)(p . a).
+    [[nodiscard]] bool is_within_side(unsigned i) const {
+        if (is_narrow_) return Int128(0) < wide_dot(inward_[i], seen_[i]);
+        return compare_products(wide_dot(side_[i], side_[0]), wide_dot(seen_[i], side_[1]),
+                                wide_dot(side_[i], side_[1]), wide_dot(seen_[i], side_[0])) > 0;
     }
     [[nodiscard]] float weight(unsigned i) const {
-        return is_narrow_ ? to_float(wide_dot(inward_[i], seen_[i])) * 0x1p-60f : wide_weight(i).to_float(-60);
+        if (is_narrow_) return to_float(wide_dot(inward_[i], seen_[i])) * 0x1p-60f;
+        return product_difference(wide_dot(side_[i], side_[0]), wide_dot(seen_[i], side_[1]),
+                                  wide_dot(side_[i], side_[1]), wide_dot(seen_[i], side_[0]))
+            .to_float(-60);
     }
 
     [[nodiscard]] Probe probe(std::uint32_t tick) {
@@ -184,8 +191,8 @@ private:
                 const float squared = dot(across, across) * 0x1p16f / to_float(length) * 0x1p16f;
                 const bool touches = is_within(squared, [&] {
                     // |p x s|^2 = |p|^2 |s|^2 - (p . s)^2
-                    return product_difference(wide_dot(seen_[number_], seen_[number_]) - radius, length, forward_,
-                                              forward_);
+                    return compare_products(wide_dot(seen_[number_], seen_[number_]) - radius, length, forward_,
+                                            forward_);
                 });
                 if (touches) return {true, false, 0.0f, 0.0f};
                 const float distance = square_root(squared);
@@ -196,9 +203,8 @@ private:
                                              absolute(across.z * way_across.z));
                 const bool closing = absolute(along) > error
                                          ? along < 0.0f
-                                         : product_difference(wide_dot(seen_[number_], sphere_.displacement), length,
-                                                              forward_, wide_dot(side, sphere_.displacement))
-                                                   .sign() < 0;
+                                         : compare_products(wide_dot(seen_[number_], sphere_.displacement), length,
+                                                            forward_, wide_dot(side, sphere_.displacement)) < 0;
                 return {false, closing, distance, (absolute(along) + error) / to_float(length) / distance * 0x1p56f};
             }
             default: {
@@ -206,7 +212,7 @@ private:
                 const Int128 above = wide_dot(normal_, seen_[0]);
                 const float length = square_root(to_float(area));
                 const float distance = absolute(to_float(above)) * 0x1p-24f / length;
-                if (is_within(distance * distance, [&] { return product_difference(above, above, radius, area); }))
+                if (is_within(distance * distance, [&] { return compare_products(above, above, radius, area); }))
                     return {true, false, 0.0f, 0.0f};
                 const Int128 along = wide_dot(normal_, sphere_.displacement);
                 return {false, !along.is_zero() && along.is_negative() != above.is_negative(), distance,
@@ -214,12 +220,12 @@ private:
             }
         }
     }
-    /// Whether a squared distance is at most the squared radius; where floats do not tell, by the sign of the exact
-    /// difference.
-    template <class Difference>
-    [[nodiscard]] bool is_within(float squared, Difference difference) const {
+    /// Whether a squared distance is at most the squared radius; where floats do not tell, by the sign that
+    /// `compare` finds of the exact difference.
+    template <class Compare>
+    [[nodiscard]] bool is_within(float squared, Compare compare) const {
         if (squared > squared_radius_ * (1.0f + slack)) return false;
-        return squared * (1.0f + slack) < squared_radius_ || difference().sign() <= 0;
+        return squared * (1.0f + slack) < squared_radius_ || compare() <= 0;
     }
 
     /// Neither at low nor at high the sphere touches, and the closest approach is between them. Moves both towards it,
@@ -288,7 +294,7 @@ private:
         for (unsigned i = 0; i < 3; ++i) {
             const Integer3& m = triangle_.corner[i];
             const Int128 along = wide_dot(m, d);
-            if (product_difference(wide_dot(m, m) - radius, way, along, along).sign() <= 0) return true;
+            if (compare_products(wide_dot(m, m) - radius, way, along, along) <= 0) return true;
             volume[i] = wide_dot(d, cross(m, side_[i]));
             positive += Int128(0) < volume[i] ? 1 : 0;
             negative += volume[i].is_negative() ? 1 : 0;
@@ -300,13 +306,12 @@ private:
             // Where on the side the line is closest, times |d x s|^2: (m x d) . (d x s) = (m . d)(d . s) - (m . s)
             // |d|^2
             const auto place = [&](const Integer3& m) {
-                return product_difference(wide_dot(m, d), both, wide_dot(m, side), way).sign();
+                return compare_products(wide_dot(m, d), both, wide_dot(m, side), way);
             };
             if (place(triangle_.corner[i]) < 0 || place(triangle_.corner[(i + 1) % 3]) > 0) continue;
             const Integer3 across = cross(d, side);
             const Int128 squared = wide_dot(across, across);
-            if (!squared.is_zero() && product_difference(volume[i], volume[i], radius, squared).sign() <= 0)
-                return true;
+            if (!squared.is_zero() && compare_products(volume[i], volume[i], radius, squared) <= 0) return true;
         }
         return false;
     }

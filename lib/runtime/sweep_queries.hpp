@@ -27,10 +27,14 @@ FoundContact first_contact(const BlobData& blob, const LatticeSweep& sweep, Firs
 inline SweepStep first_contact(const SphereSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
     return first_contact(MovingSphere{sweep.displacement, sweep.radius}, sweep.seen_from(sweep.center, triangle), most);
 }
-inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
-    if (touches_at_start(sweep, triangle)) return 0;
+/// Out of line: what it needs must not lie on the stack below the kernel of the start.
+[[gnu::noinline]] inline SweepStep first_contact_after_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle,
+                                                             SweepStep most) noexcept {
     return first_contact(MovingCapsule{{sweep.displacement, sweep.radius}, sweep.axis},
                          sweep.seen_from(sweep.from, triangle), most);
+}
+inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+    return touches_at_start(sweep, triangle) ? 0 : first_contact_after_start(sweep, triangle, most);
 }
 inline SweepStep first_contact(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
     return first_contact(MovingBox{sweep.low, sweep.high, sweep.displacement}, sweep.seen_from({0, 0, 0}, triangle),

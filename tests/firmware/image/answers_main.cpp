@@ -45,6 +45,8 @@ void print_stack_use(const Blob& blob) {
     Deepest all_hits;
     Deepest sphere_overlap;
     Deepest nearest_point;
+    Deepest moving_sphere;
+    Deepest moving_box;
     opening.measure([] {
         Blob again;
         static_cast<void>(open(firmware::blob_in_flash(), again));
@@ -61,6 +63,10 @@ void print_stack_use(const Blob& blob) {
         all_hits.measure([&] { answer = for_each_hit(blob, ray, [](const RayHit&) { return keep_going; }); });
         sphere_overlap.measure([&] { answer = overlaps(blob, sphere); });
         nearest_point.measure([&] { answer = closest_point(blob, point, __builtin_inff(), nearest); });
+        SweepHit contact;
+        const Box box = {point, {point.x + sphere.radius, point.y + sphere.radius, point.z}};
+        moving_sphere.measure([&] { answer = sweep(blob, Sphere{point, sphere.radius}, ray.direction, contact); });
+        moving_box.measure([&] { answer = sweep(blob, box, ray.direction, contact); });
         static_cast<void>(answer);
     }
     opening.print("open");
@@ -69,6 +75,8 @@ void print_stack_use(const Blob& blob) {
     all_hits.print("for_each_hit");
     sphere_overlap.print("overlaps");
     nearest_point.print("closest_point");
+    moving_sphere.print("sweep_sphere");
+    moving_box.print("sweep_box");
 }
 
 }  // namespace
