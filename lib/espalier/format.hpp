@@ -127,7 +127,8 @@ constexpr std::uint64_t bytes(std::uint32_t triangle_count) {
 
 // Bounds of the whole asset, in this order, each with its own feature bit.
 namespace bounds {
-/// Lengths of the oriented box and the sphere are whole sixteenths of a lattice step.
+/// Lengths of the oriented box and the sphere are whole sixteenths of a lattice step. All numbers but the quaternion
+/// are within +-max_length.
 inline constexpr int units_per_step = 16;
 inline constexpr std::int32_t max_length = 1 << 29;
 
@@ -151,7 +152,6 @@ inline constexpr std::int8_t k_dop_direction[k_dop_directions][3] = {{1, 1, 0}, 
                                                                      {0, 1, 1},  {0, 1, -1}, {1, 1, 1}, {1, 1, -1},
                                                                      {1, -1, 1}, {1, -1, -1}};
 inline constexpr std::size_t k_dop_bytes = 8 * k_dop_directions;
-inline constexpr std::int32_t max_k_dop = 3 << 24;
 
 constexpr std::size_t bytes(std::uint32_t features) {
     return ((features & feature::oriented_box) != 0 ? oriented_box_bytes : 0) +

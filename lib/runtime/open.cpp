@@ -12,7 +12,6 @@
 #include <runtime/id_field.hpp>
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/open_checks.hpp>
-#include <runtime/stored_bounds.hpp>
 
 namespace espalier {
 namespace detail {
@@ -26,7 +25,7 @@ struct Bytes {
     const std::byte* at;
     std::size_t left;
 
-    const std::byte* take(std::uint64_t count) {
+    [[gnu::noinline]] const std::byte* take(std::uint64_t count) {
         if (count > left) return nullptr;
         const std::byte* taken = at;
         at += static_cast<std::size_t>(count);
@@ -35,7 +34,14 @@ struct Bytes {
     }
 };
 
-std::uint64_t round_up_to_4(std::uint64_t count) { return (count + 3) & ~std::uint64_t{3}; }
+/// Takes so many bits, filled up with zeros to 4 bytes; null when they are not there or not zero.
+[[gnu::noinline]] const std::byte* take_bits(Bytes& rest, std::uint64_t bit_count) {
+    const std::uint64_t used = (bit_count + 7) / 8;
+    const std::uint64_t padded = (used + 3) & ~std::uint64_t{3};
+    const std::byte* taken = rest.take(padded);
+    if (taken == nullptr || !is_padded_with_zeros(taken, bit_count)) return nullptr;
+    return is_zero(taken + used, static_cast<std::size_t>(padded - used)) ? taken : nullptr;
+}
 
 Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
     using namespace format::header;
@@ -150,7 +156,7 @@ Status check_tree(const BlobData& blob) {
 }
 
 /// The source table and the ids that count through it.
-[[gnu::noinline]] Status check_original_ids(BlobData& blob, Bytes& rest) {
+Status check_original_ids(BlobData& blob, Bytes& rest) {
     blob.sources = rest.take(std::uint64_t{blob.source_count} * format::source::bytes);
     if (blob.sources == nullptr) return Status::bad_section;
     std::uint32_t previous = 0;
@@ -162,11 +168,8 @@ Status check_tree(const BlobData& blob) {
     if (previous > blob.source_triangles || (blob.source_count == 0 && blob.triangle_count != 0))
         return Status::bad_section;
     const unsigned corner_bits = format::first_corner_bits(blob.profile);
-    const std::uint64_t bit_count = std::uint64_t{blob.triangle_count} * (corner_bits + blob.id_bits);
-    const std::uint64_t used = (bit_count + 7) / 8;
-    blob.ids = rest.take(round_up_to_4(used));
-    if (blob.ids == nullptr || !is_padded_with_zeros(blob.ids, bit_count)) return Status::bad_section;
-    if (!is_zero(blob.ids + used, static_cast<std::size_t>(round_up_to_4(used) - used))) return Status::bad_section;
+    blob.ids = take_bits(rest, std::uint64_t{blob.triangle_count} * (corner_bits + blob.id_bits));
+    if (blob.ids == nullptr) return Status::bad_section;
     if (corner_bits != 0)
         for (std::uint32_t i = 0; i < blob.triangle_count; ++i)
             if ((id_field(blob, i) & 3u) == 3) return Status::bad_section;
@@ -200,48 +203,30 @@ Status check_tree(const BlobData& blob) {
 }
 
 /// Any flags are safe: they are hints.
-[[gnu::noinline]] Status check_edge_flags(BlobData& blob, Bytes& rest) {
+Status check_edge_flags(BlobData& blob, Bytes& rest) {
     using namespace format::edge_flags;
-    const std::uint64_t used = bytes(blob.triangle_count);
-    blob.edge_flags = rest.take(round_up_to_4(used));
-    if (blob.edge_flags == nullptr || load_u32(blob.edge_flags + flat_limit_at) > max_flat_limit)
-        return Status::bad_section;
-    const std::uint64_t bit_count = std::uint64_t{blob.triangle_count} * triangle_bits;
-    const bool padded = is_padded_with_zeros(blob.edge_flags + fields_at, bit_count) &&
-                        is_zero(blob.edge_flags + used, static_cast<std::size_t>(round_up_to_4(used) - used));
-    return padded ? Status::ok : Status::bad_section;
+    blob.edge_flags = take_bits(rest, 8 * fields_at + std::uint64_t{blob.triangle_count} * triangle_bits);
+    const bool good = blob.edge_flags != nullptr && load_u32(blob.edge_flags + flat_limit_at) <= max_flat_limit;
+    return good ? Status::ok : Status::bad_section;
 }
 
-/// That the arithmetic of whoever reads the bounds stays within its widths.
-[[gnu::noinline]] Status check_bounds(BlobData& blob, Bytes& rest) {
+/// That the arithmetic of whoever reads the bounds stays within its widths. Bounds that hold nothing are safe.
+Status check_bounds(BlobData& blob, Bytes& rest) {
     using namespace format::bounds;
-    blob.bounds = rest.take(format::bounds::bytes(blob.features));
-    if (blob.bounds == nullptr) return Status::bad_section;
+    const std::byte* at = blob.bounds = rest.take(format::bounds::bytes(blob.features));
+    if (at == nullptr) return Status::bad_section;
+    const std::byte* const end = at + format::bounds::bytes(blob.features);
     bool good = true;
-    const auto is_range = [](std::int32_t low, std::int32_t high, std::int32_t limit) {
-        return low <= high && low >= -limit && high <= limit;
-    };
-    if (const std::byte* box = stored_oriented_box(blob); box != nullptr) {
-        std::int32_t norm = 0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const std::int32_t part = load_i16(box + quaternion_at + 2 * k);
-            good &= is_range(part, part, max_quaternion);
-            norm |= part;
+    const auto check = [&](std::int32_t value, std::int32_t limit) { good &= value <= limit && value >= -limit; };
+    if ((blob.features & format::feature::oriented_box) != 0) {
+        std::int32_t any = 0;
+        for (; at != blob.bounds + lo_at; at += 2) {
+            check(load_i16(at), max_quaternion);
+            any |= load_i16(at);
         }
-        good &= norm != 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            good &= is_range(load_i32(box + lo_at + 4 * k), load_i32(box + hi_at + 4 * k), max_length);
+        good &= any != 0;
     }
-    if (const std::byte* sphere = stored_sphere(blob); sphere != nullptr) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::int32_t center = load_i32(sphere + center_at + 4 * k);
-            good &= is_range(0, center, max_length);
-        }
-        good &= load_u32(sphere + radius_at) <= std::uint32_t{max_length};
-    }
-    if (const std::byte* k_dop = stored_k_dop(blob); k_dop != nullptr)
-        for (std::size_t k = 0; k < k_dop_directions; ++k)
-            good &= is_range(load_i32(k_dop + 8 * k), load_i32(k_dop + 8 * k + 4), max_k_dop);
+    for (; at != end; at += 4) check(load_i32(at), max_length);
     return good ? Status::ok : Status::bad_section;
 }
 
@@ -257,11 +242,9 @@ Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
     if ((blob.features & format::feature::original_ids) != 0)
         if (const Status status = check_original_ids(blob, rest); status != Status::ok) return status;
     if ((blob.features & (materials_8 | materials_16)) != 0) {
-        const std::uint64_t used = std::uint64_t{blob.triangle_count} * ((blob.features & materials_16) != 0 ? 2u : 1u);
-        blob.materials = rest.take(round_up_to_4(used));
+        blob.materials =
+            take_bits(rest, std::uint64_t{blob.triangle_count} * ((blob.features & materials_16) != 0 ? 16u : 8u));
         if (blob.materials == nullptr) return Status::bad_section;
-        if (!is_zero(blob.materials + used, static_cast<std::size_t>(round_up_to_4(used) - used)))
-            return Status::bad_section;
     }
     if ((blob.features & format::feature::split_references) != 0)
         if (const Status status = check_copies(blob, rest); status != Status::ok) return status;
@@ -271,6 +254,9 @@ Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
         if (const Status status = check_bounds(blob, rest); status != Status::ok) return status;
     return rest.left == 0 ? Status::ok : Status::bad_section;
 }
+
+/// Apart, so that small cores have the code once.
+[[gnu::noinline]] void make_empty(Blob& blob) { blob = Blob(); }
 
 }  // namespace
 
@@ -284,10 +270,10 @@ void BlobData::derive() noexcept {
 
 Status open(std::span<const std::byte> bytes, Blob& blob) noexcept {
     // Straight into the caller's blob: a copy of its own would be a fifth of the stack that this takes.
-    blob = Blob();
+    detail::make_empty(blob);
     Status status = detail::read_header(bytes, blob.data_);
     if (status == Status::ok) status = detail::check_sections(bytes, blob.data_);
-    if (status != Status::ok) blob = Blob();
+    if (status != Status::ok) detail::make_empty(blob);
     return status;
 }
 
