@@ -48,8 +48,7 @@ struct SphereSweep : LatticeSweep {
 };
 struct CapsuleSweep : LatticeSweep {
     Integer3 from;
-    Integer3 axis;
-    std::int64_t radius;
+    MovingCapsule moving;
 };
 struct BoxSweep : LatticeSweep {};
 
@@ -70,11 +69,11 @@ struct BoxSweep : LatticeSweep {};
 /// Whether the shape touches the triangle at the start.
 inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle) {
     if (!boxes_meet_at_start(sweep, triangle)) return false;
-    const Integer3 to = sum(sweep.from, sweep.axis);
+    const Integer3 to = sum(sweep.from, sweep.moving.axis);
     const LatticeSegment axis = {
         {sweep.from.x, sweep.from.y, sweep.from.z}, {to.x, to.y, to.z}, sweep.fraction_bits, {}, {}};
     // The radius came from a float and is one still.
-    const float radius = to_float(sweep.radius) * power_of_two(-sweep.fraction_bits);
+    const float radius = to_float(sweep.moving.sphere.radius) * power_of_two(-sweep.fraction_bits);
     return is_within_radius(axis, triangle, distance_to(axis, triangle), radius);
 }
 
@@ -170,16 +169,17 @@ inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const
     if (!rounding.is_in_range()) return QueryStatus::out_of_range;
     sweep.fraction_bits = rounding.fraction_bits();
     sweep.displacement = rounding.to_units(way);
-    sweep.radius = rounding.to_units(radius);
+    const std::int64_t units = rounding.to_units(radius);
     sweep.from = rounding.to_units(from);
     const Integer3 end = rounding.to_units(to);
-    sweep.axis = difference(end, sweep.from);
-    for (const std::int64_t along : {sweep.axis.x, sweep.axis.y, sweep.axis.z})
+    sweep.moving = {{sweep.displacement, units}, difference(end, sweep.from)};
+    const Integer3& axis = sweep.moving.axis;
+    for (const std::int64_t along : {axis.x, axis.y, axis.z})
         if (along > longest_capsule_axis || along < -longest_capsule_axis) return QueryStatus::out_of_range;
-    sweep.low = {smaller_of(sweep.from.x, end.x) - sweep.radius, smaller_of(sweep.from.y, end.y) - sweep.radius,
-                 smaller_of(sweep.from.z, end.z) - sweep.radius};
-    sweep.high = {larger_of(sweep.from.x, end.x) + sweep.radius, larger_of(sweep.from.y, end.y) + sweep.radius,
-                  larger_of(sweep.from.z, end.z) + sweep.radius};
+    sweep.low = {smaller_of(sweep.from.x, end.x) - units, smaller_of(sweep.from.y, end.y) - units,
+                 smaller_of(sweep.from.z, end.z) - units};
+    sweep.high = {larger_of(sweep.from.x, end.x) + units, larger_of(sweep.from.y, end.y) + units,
+                  larger_of(sweep.from.z, end.z) + units};
     return QueryStatus::ok;
 }
 

@@ -30,14 +30,14 @@ Float3 rounded_cross(const Integer3& a, const Integer3& b) {
     return {difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z), difference(a.x, b.y, a.y, b.x)};
 }
 /// a * b - c * d, exactly.
-WideSum product_difference(Int128 a, Int128 b, Int128 c, Int128 d) {
+WideSum product_difference(const Int128& a, const Int128& b, const Int128& c, const Int128& d) {
     WideSum sum;
     sum.add_product(a, b);
     sum.add_product(-c, d);
     return sum;
 }
 /// Its sign. Out of line: the sum does not lie on the stack of those who ask.
-[[gnu::noinline]] int compare_products(Int128 a, Int128 b, Int128 c, Int128 d) {
+[[gnu::noinline]] int compare_products(const Int128& a, const Int128& b, const Int128& c, const Int128& d) {
     return product_difference(a, b, c, d).sign();
 }
 bool is_zero(const Integer3& a) { return (a.x | a.y | a.z) == 0; }

@@ -30,8 +30,7 @@ inline SweepStep first_contact(const SphereSweep& sweep, const LatticeTriangle& 
 /// Out of line: what it needs must not lie on the stack below the kernel of the start.
 [[gnu::noinline]] inline SweepStep first_contact_after_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle,
                                                              SweepStep most) noexcept {
-    return first_contact(MovingCapsule{{sweep.displacement, sweep.radius}, sweep.axis},
-                         sweep.seen_from(sweep.from, triangle), most);
+    return first_contact(sweep.moving, sweep.seen_from(sweep.from, triangle), most);
 }
 inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
     return touches_at_start(sweep, triangle) ? 0 : first_contact_after_start(sweep, triangle, most);
@@ -46,8 +45,7 @@ inline SweepContact contact_at(const SphereSweep& sweep, const LatticeTriangle& 
                       tick_before(step));
 }
 inline SweepContact contact_at(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
-    return contact_at(MovingCapsule{{sweep.displacement, sweep.radius}, sweep.axis},
-                      sweep.seen_from(sweep.from, triangle), step);
+    return contact_at(sweep.moving, sweep.seen_from(sweep.from, triangle), step);
 }
 inline SweepContact contact_at(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
     return contact_at(MovingBox{sweep.low, sweep.high, sweep.displacement}, sweep.seen_from({0, 0, 0}, triangle), step);
