@@ -107,12 +107,8 @@ std::string Record::text() const {
 
 Answer::Answer(const QueryCall& call, QueryStatus said) : status(said), record(call.options().json) {}
 
-Answer& Answer::yes_or_no(const char* key, bool yes) {
-    std::string words = yes ? key : text("not ", key);
-    for (char& character : words) {
-        if (character == '_') character = ' ';
-    }
-    record.title(words).add_silently(key, yes);
+Answer& Answer::yes_or_no(const char* key, bool yes, const char* words_for_yes, const char* words_for_no) {
+    record.title(yes ? words_for_yes : words_for_no).add_silently(key, yes);
     return *this;
 }
 

@@ -63,8 +63,8 @@ struct Answer {
     const char* list_name = nullptr;  ///< the key of the list in JSON; without one there is no list
     std::vector<Record> list;
 
-    /// "overlaps" or "not overlaps", and a key that is true or false.
-    Answer& yes_or_no(const char* key, bool yes);
+    /// A key that is true or false, and the words for it.
+    Answer& yes_or_no(const char* key, bool yes, const char* words_for_yes, const char* words_for_no);
     /// What a walk visited.
     Answer& work(const QueryCounters& counters);
     /// Ends a list: how many there are of what; with output_full that there are more, and from where on if it is known.

@@ -73,7 +73,8 @@ Answer ask_contact(QueryCall& call) {
                                                        "' carries no edge flags: bake it with --edge-flags."));
     }
     Vec3 normal = contact.normal;
-    answer.yes_or_no("on_inner_edge", is_on_inner_edge(call.blob(), contact, normal));
+    answer.yes_or_no("on_inner_edge", is_on_inner_edge(call.blob(), contact, normal), "on an inner edge",
+                     "not on an inner edge");
     answer.record.add("normal", normal);
     return answer;
 }

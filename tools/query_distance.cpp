@@ -22,6 +22,16 @@ Answer ask_nearest(QueryCall& call) {
     const Vec3 point = call.next_vector();
     const float limit = max_distance(call);
     Answer answer(call);
+    if (!call.options().accuracy.empty()) {
+        const float accuracy = length_argument(call.options().accuracy, "--accuracy");
+        DistanceBounds bounds;
+        QueryCounters counters;
+        const bool found = distance_bounds(call.blob(), point, limit, accuracy, bounds, &counters);
+        answer.record.add_silently("found", found);
+        if (!found) say_nothing_found(answer);
+        if (found) answer.record.title("distance").add("lower", bounds.lower).add("upper", bounds.upper);
+        return answer.work(counters);
+    }
     if (call.options().first) {
         std::vector<Nearest> places(std::min(*call.options().first, call.blob().triangle_count()));
         const std::size_t count = closest_triangles(call.blob(), point, limit, places);
@@ -75,7 +85,7 @@ Answer ask_inside(QueryCall& call) {
     bool inside = false;
     Answer answer(call);
     answer.status = contains(call.blob(), call.next_vector(), inside);
-    if (answer.status == QueryStatus::ok) answer.yes_or_no("inside", inside);
+    if (answer.status == QueryStatus::ok) answer.yes_or_no("inside", inside, "inside", "outside");
     return answer;
 }
 
@@ -104,7 +114,7 @@ QueryKinds distance_kinds() {
          "nearest",
          "The point of the surface that is closest to a point",
          {point_word("point")},
-         option_max_distance | option_first,
+         option_max_distance | option_first | option_accuracy,
          ask_nearest},
         {family,
          "nearest-segment",

@@ -35,14 +35,24 @@ template <class Shape>
 Answer any_overlap(const QueryCall& call, const Shape& shape) {
     const QueryStatus said = collect_overlaps(call.blob(), shape, {}).status;
     const bool refused = said == QueryStatus::invalid_argument || said == QueryStatus::out_of_range;
-    return Answer(call, refused ? said : QueryStatus::ok).yes_or_no("overlaps", overlaps(call.blob(), shape));
+    return Answer(call, refused ? said : QueryStatus::ok)
+        .yes_or_no("overlaps", overlaps(call.blob(), shape), "overlaps", "does not overlap");
 }
 
 template <class Shape>
 Answer overlap(const QueryCall& call, const Shape& shape) {
     if constexpr (std::is_same_v<Shape, Sphere> || std::is_same_v<Shape, Box>) {
         if (call.options().bounds_only) {
-            return Answer(call).yes_or_no("outside_bounds", is_outside_bounds(call.blob(), shape));
+            return Answer(call).yes_or_no("outside_bounds", is_outside_bounds(call.blob(), shape),
+                                          "outside of the bounds", "not outside of the bounds");
+        }
+        if (!call.options().accuracy.empty()) {
+            QueryCounters counters;
+            const float accuracy = length_argument(call.options().accuracy, "--accuracy");
+            Answer answer(call);
+            answer.yes_or_no("may_overlap", may_overlap(call.blob(), shape, accuracy, &counters), "may overlap",
+                             "does not overlap");
+            return answer.work(counters);
         }
     }
     return call.options().any ? any_overlap(call, shape) : list_overlaps(call, shape);
@@ -100,7 +110,7 @@ Answer ask_planes(QueryCall& call) {
 QueryKinds overlap_kinds() {
     constexpr const char* family = "Volumes that overlap triangles";
     constexpr unsigned options = option_any | option_limit | option_from;
-    constexpr unsigned more_options = options | option_bounds_only;
+    constexpr unsigned more_options = options | option_accuracy | option_bounds_only;
     return {
         {family,
          "sphere",

@@ -49,7 +49,14 @@ Answer cast(const QueryCall& call, Ray ray) {
     if (options.all) return all_hits(call, ray);
     if (options.first) return first_hits(call, ray, *options.first);
     Answer answer(call);
-    if (options.any) return answer.yes_or_no("occluded", occluded(call.blob(), ray));
+    if (options.any) return answer.yes_or_no("occluded", occluded(call.blob(), ray), "occluded", "not occluded");
+    if (!options.accuracy.empty()) {
+        QueryCounters counters;
+        const float accuracy = length_argument(options.accuracy, "--accuracy");
+        answer.yes_or_no("may_be_occluded", may_be_occluded(call.blob(), ray, accuracy, &counters), "may be occluded",
+                         "not occluded");
+        return answer.work(counters);
+    }
     RayHit hit;
     const bool found = raycast(call.blob(), ray, hit);
     answer.record.title("no hit").add_silently("hit", found);
@@ -76,7 +83,7 @@ Answer ask_segment(QueryCall& call) {
 }  // namespace
 
 QueryKinds ray_kinds() {
-    constexpr unsigned options = option_faces | option_any | option_all | option_first;
+    constexpr unsigned options = option_faces | option_any | option_all | option_first | option_accuracy;
     return {
         {"Rays",
          "ray",

@@ -242,6 +242,28 @@ json '.distance == 0.25'
 run 0 query box.espl signed-distance 0.5 1 1.5 --max-distance 0.125 --json
 json '.found == false and .distance == -0.125'
 
+claim "an accuracy makes answers that err on the safe side, and tells what they cost"
+run 0 query sheet.espl sphere 20 0 20 0.5 --accuracy 0 --json
+json '(.may_overlap | type) == "boolean" and .nodes_visited > 0'
+exact=$(sed -n 's/.*"may_overlap": \(.*\),/\1/p' out)
+run 0 query sheet.espl sphere 20 0 20 0.5 --any --json
+json ".overlaps == $exact"
+run 0 query box.espl box 0.2 0.2 1 0.8 1.8 2 --accuracy 10m
+out_has "may overlap"
+run 0 query box.espl box 9 9 9 10 10 10 --accuracy 1
+out_has "does not overlap"
+run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --accuracy 1mm
+out_has "may be occluded"
+run 0 query box.espl segment 0.25 1.5 10 0.25 1.5 9 --accuracy 1mm
+out_has "not occluded"
+run 0 query box.espl nearest 0.25 1 5 --accuracy 100mm --json
+json '.found and .lower <= 2 and .upper >= 2 and .upper - .lower < 0.174'
+run 0 query box.espl nearest 0.25 1 5 --accuracy 100mm --max-distance 1
+out_has "nothing within"
+run 1 query box.espl capsule 0 0 0 1 1 1 1 --accuracy 1
+run 1 query box.espl sphere 0 0 0 1 --accuracy 1 --any
+run 1 query box.espl sphere 0 0 0 1 --accuracy wide
+
 claim "what a blob holds: bounds, triangles with source and edges, nodes"
 run 0 query box.espl bounds --json
 json '.box == {min: [0, 0, 0], max: [1, 2, 3]} and (has("sphere") or has("oriented_box") or has("k_dop") | not)'
@@ -250,9 +272,9 @@ json '.sphere.radius > 1.87 and .sphere.radius < 1.88 and (.oriented_box.half_ax
 run 0 query full.espl bounds
 out_has "along 1 1 1: "
 run 0 query full.espl sphere 5 5 5 1 --bounds-only
-out_has "outside bounds"
+out_has "outside of the bounds"
 run 0 query full.espl box 0 0 0 1 1 1 --bounds-only
-out_has "not outside bounds"
+out_has "not outside of the bounds"
 run 0 query full.espl show 11 --json
 json '.original.file == 0 and (.a | length) == 3 and ([.edge_ab, .edge_bc, .edge_ca] | sort) == ["convex", "convex", "flat"]'
 run 1 query full.espl show 12
@@ -277,8 +299,8 @@ for edge in ab bc ca; do
     kind=$(sed -n "s/.*\"edge_$edge\": \"\(.*\)\".*/\1/p" out)
     "$espalier" query full.espl contact 0 edge_$edge 0.6 0 0.8 >contact || fail "contact on $edge"
     case $kind in
-        flat) grep -q '^on inner edge' contact && ! grep -q 'normal 0.6 0 0.8' contact || fail "flat $edge: $(cat contact)" ;;
-        *) grep -q '^not on inner edge' contact && grep -q 'normal 0.6 0 0.8' contact || fail "$kind $edge: $(cat contact)" ;;
+        flat) grep -q '^on an inner edge' contact && ! grep -q 'normal 0.6 0 0.8' contact || fail "flat $edge: $(cat contact)" ;;
+        *) grep -q '^not on an inner edge' contact && grep -q 'normal 0.6 0 0.8' contact || fail "$kind $edge: $(cat contact)" ;;
     esac
 done
 run 1 query full.espl contact 0 edge 0 0 1
