@@ -4,6 +4,7 @@
 #include <espalier/approximate.hpp>
 #include <espalier/blob.hpp>
 #include <espalier/bounds.hpp>
+#include <espalier/collide.hpp>
 #include <espalier/contact.hpp>
 #include <espalier/inside.hpp>
 #include <espalier/nearest.hpp>

@@ -7,7 +7,8 @@
 #set, detail::set::closest_hit, detail::set::first_hits, detail::set::any_hit, detail::set::every_hit,      \
             detail::set::closest_hits, detail::set::any_hits, detail::set::any_overlap, detail::set::every_overlap, \
             detail::set::closest_triangle, detail::set::closest_triangles,                                          \
-            detail::set::may_overlap, detail::set::closest_bounds, detail::set::may_hit                             \
+            detail::set::may_overlap, detail::set::closest_bounds, detail::set::may_hit,                            \
+            detail::set::touching_pairs, detail::set::nearest_pair                                                  \
     }
 
 namespace espalier::tests {

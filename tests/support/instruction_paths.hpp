@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <runtime/pair_queries.hpp>
 #include <runtime/point_queries.hpp>
 #include <runtime/ray_batch.hpp>
 #include <runtime/ray_queries.hpp>
@@ -24,6 +25,8 @@ struct InstructionPath {
     decltype(&detail::scalar::may_overlap) may_overlap;
     decltype(&detail::scalar::closest_bounds) closest_bounds;
     decltype(&detail::scalar::may_hit) may_hit;
+    decltype(&detail::scalar::touching_pairs) touching_pairs;
+    decltype(&detail::scalar::nearest_pair) nearest_pair;
 };
 
 const std::vector<InstructionPath>& instruction_paths();

@@ -35,6 +35,7 @@ inline Floats multiply(Floats a, Floats b) { return {vmulq_f32(a.v, b.v)}; }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return {vfmaq_f32(c.v, a.v, b.v)}; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {vfmaq_f32(vnegq_f32(c.v), a.v, b.v)}; }
 inline Floats negate(Floats a) { return {vnegq_f32(a.v)}; }
+inline Floats magnitude(Floats a) { return {vabsq_f32(a.v)}; }
 /// The number when one is not a number.
 inline Floats smaller(Floats a, Floats b) { return {vminnmq_f32(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {vmaxnmq_f32(a.v, b.v)}; }

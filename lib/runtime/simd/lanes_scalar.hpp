@@ -30,6 +30,7 @@ inline Floats multiply(Floats a, Floats b) { return a * b; }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return a * b - c; }
 inline Floats negate(Floats a) { return -a; }
+inline Floats magnitude(Floats a) { return absolute(a); }
 /// The second when one is not a number.
 inline Floats smaller(Floats a, Floats b) { return minimum(a, b); }
 inline Floats larger(Floats a, Floats b) { return maximum(a, b); }

@@ -39,6 +39,7 @@ inline Floats multiply(Floats a, Floats b) { return {_mm_mul_ps(a.v, b.v)}; }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return {_mm_add_ps(_mm_mul_ps(a.v, b.v), c.v)}; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {_mm_sub_ps(_mm_mul_ps(a.v, b.v), c.v)}; }
 inline Floats negate(Floats a) { return {_mm_xor_ps(a.v, _mm_set1_ps(-0.0f))}; }
+inline Floats magnitude(Floats a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.v)}; }
 inline Floats smaller(Floats a, Floats b) { return {_mm_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm_max_ps(a.v, b.v)}; }
 inline Floats divide(Floats a, Floats b) { return {_mm_div_ps(a.v, b.v)}; }

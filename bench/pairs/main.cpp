@@ -1,0 +1,158 @@
+// A mesh against a second one of the same kind, in many poses: whether they touch, all pairs, how far they are apart.
+// One JSON object a line for each mesh, system and question; what systems disagree about goes to stderr.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+
+#include "../../tests/support/mesh_files.hpp"
+#include "../peers/stopwatch.hpp"
+#include "pair_system.hpp"
+
+namespace {
+
+using namespace espalier;
+using namespace espalier::bench;
+
+constexpr std::uint64_t seed = 2026;
+constexpr const char* usage =
+    "usage: espalier_bench_pairs [--poses N] [--repetitions N] [--only SYSTEM]... MESH.obj|MESH.ply...\n"
+    "  --poses N        of the second mesh (200)\n"
+    "  --repetitions N  each question of each system; the median counts (5)\n"
+    "  --only SYSTEM    espalier, fcl or ode\n";
+
+struct Options {
+    std::size_t poses = 200;
+    int repetitions = 5;
+    std::vector<std::string> only;
+    std::vector<std::string> files;
+};
+
+std::vector<PairMaker> all_makers() {
+    std::vector<PairMaker> makers = espalier_pair_makers();
+    const auto append = [&](std::vector<PairMaker> more) {
+        for (PairMaker& maker : more) makers.push_back(std::move(maker));
+    };
+    (void)append;
+#ifdef ESPALIER_BENCH_FCL
+    append(fcl_pair_makers());
+#endif
+#ifdef ESPALIER_BENCH_ODE
+    append(ode_pair_makers());
+#endif
+    return makers;
+}
+
+/// What one system says of all poses, and the median of how long it takes.
+struct Measured {
+    std::vector<double> answers;
+    double milliseconds = 0.0;
+    double fastest = 0.0;
+};
+
+template <class Question>
+Measured measure(const std::vector<Placement>& poses, int repetitions, Question question) {
+    Measured result;
+    result.answers.resize(poses.size());
+    std::vector<double> times;
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
+        const Stopwatch watch;
+        for (std::size_t i = 0; i < poses.size(); ++i) result.answers[i] = static_cast<double>(question(poses[i]));
+        times.push_back(1000.0 * watch.seconds());
+    }
+    std::sort(times.begin(), times.end());
+    result.milliseconds = times[times.size() / 2];
+    result.fastest = times.front();
+    return result;
+}
+
+void print(const Mesh& mesh, const PairMaker& maker, const char* question, const Measured& measured) {
+    double sum = 0.0;
+    for (const double answer : measured.answers) sum += answer;
+    std::printf(
+        "{\"mesh\":\"%s\",\"triangles\":%zu,\"system\":\"%s\",\"profile\":\"%s\",\"question\":\"%s\","
+        "\"poses\":%zu,\"median_ms\":%.4f,\"fastest_ms\":%.4f,\"sum_of_answers\":%.9g}\n",
+        mesh.name.c_str(), mesh.triangles.size(), maker.system.c_str(), maker.profile.c_str(), question,
+        measured.answers.size(), measured.milliseconds, measured.fastest, sum);
+    std::fflush(stdout);
+}
+
+void compare(const PairMaker& maker, const char* question, const Measured& measured, std::vector<double>& reference,
+             double allowed) {
+    if (reference.empty()) {
+        reference = measured.answers;
+        return;
+    }
+    std::size_t differing = 0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+        const double difference = std::abs(reference[i] - measured.answers[i]);
+        if (difference > allowed) ++differing;
+        largest = std::max(largest, difference);
+    }
+    std::fprintf(stderr, "%s %s, %s: %zu of %zu poses differ from the first system, by at most %g\n",
+                 maker.system.c_str(), maker.profile.c_str(), question, differing, reference.size(), largest);
+}
+
+void run_mesh(const std::string& file, const Options& options) {
+    Mesh mesh = tests::read_mesh(file);
+    bring_to_common_size(mesh);
+    const auto searcher = espalier_pair_makers().front().make(mesh);
+    const std::vector<Placement> poses =
+        some_poses(mesh, options.poses, seed, [&](const Placement& pose) { return searcher->yes_no(pose); });
+    std::vector<double> touching, distances;
+    for (const PairMaker& maker : all_makers()) {
+        if (!options.only.empty() &&
+            std::find(options.only.begin(), options.only.end(), maker.system) == options.only.end())
+            continue;
+        const auto system = maker.make(mesh);
+        if (system->has_yes_no()) {
+            const Measured measured =
+                measure(poses, options.repetitions, [&](const Placement& pose) { return system->yes_no(pose); });
+            print(mesh, maker, "yes_no", measured);
+            compare(maker, "yes_no", measured, touching, 0.0);
+        }
+        if (system->has_all())
+            print(mesh, maker, "all",
+                  measure(poses, options.repetitions, [&](const Placement& pose) { return system->all(pose); }));
+        if (system->has_distance()) {
+            const Measured measured =
+                measure(poses, options.repetitions, [&](const Placement& pose) { return system->distance(pose); });
+            print(mesh, maker, "distance", measured);
+            compare(maker, "distance", measured, distances, 0.01);
+        }
+    }
+}
+
+Options parse(int count, char** words) {
+    Options options;
+    for (int i = 1; i < count; ++i) {
+        const std::string word = words[i];
+        const bool has_next = i + 1 < count;
+        if (word == "--poses" && has_next) options.poses = static_cast<std::size_t>(std::max(1, std::atoi(words[++i])));
+        else if (word == "--repetitions" && has_next) options.repetitions = std::max(1, std::atoi(words[++i]));
+        else if (word == "--only" && has_next) options.only.emplace_back(words[++i]);
+        else if (word.starts_with("-")) throw std::invalid_argument("there is no option " + word);
+        else options.files.push_back(word);
+    }
+    if (options.files.empty()) throw std::invalid_argument("there is no mesh to measure");
+    return options;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    try {
+        const Options options = parse(count, words);
+        for (const std::string& file : options.files) run_mesh(file, options);
+        return 0;
+    } catch (const std::invalid_argument& error) {
+        std::fprintf(stderr, "%s\n%s", error.what(), usage);
+        return 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
+}

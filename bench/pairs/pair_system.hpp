@@ -1,0 +1,37 @@
+// What every system is asked of a mesh and a second one of the same kind.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "poses.hpp"
+
+namespace espalier::bench {
+
+class PairSystem {
+public:
+    virtual ~PairSystem() = default;
+    [[nodiscard]] virtual bool has_yes_no() const { return true; }
+    [[nodiscard]] virtual bool has_all() const { return true; }
+    [[nodiscard]] virtual bool has_distance() const { return true; }
+    virtual bool yes_no(const Placement& pose) = 0;
+    /// How many pairs, or contacts where the system says contacts.
+    virtual std::size_t all(const Placement& pose) = 0;
+    virtual double distance(const Placement& pose) = 0;
+};
+
+struct PairMaker {
+    std::string system;
+    std::string profile;
+    std::function<std::unique_ptr<PairSystem>(const Mesh&)> make;
+};
+
+std::vector<PairMaker> espalier_pair_makers();
+std::vector<PairMaker> fcl_pair_makers();
+std::vector<PairMaker> ode_pair_makers();
+
+}  // namespace espalier::bench

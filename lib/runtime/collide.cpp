@@ -1,0 +1,147 @@
+// Two blobs in the caller's units: placed on one grid, answered there, translated back.
+#include <espalier/collide.hpp>
+#include <runtime/lattice_world.hpp>
+#include <runtime/pair_queries.hpp>
+#include <runtime/simd/dispatch.hpp>
+#include <runtime/square_root.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+/// Two blobs on their grid, or why there is no asking.
+struct PlacedPair {
+    PairFrame frame;
+    QueryStatus status = QueryStatus::ok;
+    bool is_empty;  ///< nothing to be found
+
+    PlacedPair(const Blob& a, const Blob& b, const Placement& placement)
+        : is_empty(a.triangle_count() == 0 || b.triangle_count() == 0) {
+        if (!is_empty) status = place_pair(a.data(), b.data(), placement, frame);
+        else if (!is_valid(placement)) status = QueryStatus::invalid_argument;
+    }
+};
+
+QueryStatus find_touching(const PairFrame& frame, FoundPair& best, bool& found, std::uint64_t& work) {
+    const auto keep = [&](const TrianglePair& pair, const LatticeTriangle& a, const LatticeTriangle& b) {
+        best.a = a;
+        best.b = b;
+        best.pair = pair;
+        found = true;
+        return stop;
+    };
+    return ESPALIER_DISPATCH(touching_pairs, frame, keep, work);
+}
+
+/// From farther away than this many times their size too many pairs are equally near, as far as floats tell.
+constexpr float farthest_in_spans = 1024.0f;
+
+/// Pairs at distance 0 are looked for apart: what separates boxes finds them sooner than how far apart these are.
+QueryStatus find_nearest(const PairFrame& frame, float radius, bool any, FoundPair& best, bool& found,
+                         std::uint64_t work) {
+    if (frame.gap > farthest_in_spans * frame.span)
+        return frame.gap > 2.0f * radius ? QueryStatus::ok : QueryStatus::out_of_range;
+    const QueryStatus status = find_touching(frame, best, found, work);
+    if (found) best.distance = distance_between(best.a, best.b);
+    if (found || status != QueryStatus::ok || radius == 0.0f) return status;
+    return ESPALIER_DISPATCH(nearest_pair, frame, radius, any, best, found, work);
+}
+
+/// A point of a triangle of the grid, in a's space.
+Vec3 point_in_world(const PairFrame& frame, const LatticeTriangle& triangle, const float* weights) {
+    float steps[3];
+    for (int k = 0; k < 3; ++k) steps[k] = scale_by_power_of_two(point_on(triangle, weights, k), frame.shift);
+    return to_world(*frame.a, steps[0], steps[1], steps[2]);
+}
+
+/// A distance in steps of the grid. No two triangles of it are apart by less than 2^-60 and more than 0.
+float radius_on_grid(const PairFrame& frame, float distance) {
+    const float radius = scale_by_power_of_two(distance, -(frame.a->step_exponent + frame.shift));
+    return magnitude_bits(distance) != 0 && radius < 0x1p-60f ? 0x1p-60f : radius;
+}
+
+bool is_distance(float distance) {
+    return !is_nan(distance) && (!is_negative(distance) || magnitude_bits(distance) == 0);
+}
+
+}  // namespace
+
+QueryStatus first_contact(const Blob& a, const Blob& b, const Placement& placement, TrianglePair& contact, bool& found,
+                          WorkLimit limit) noexcept {
+    const PlacedPair placed(a, b, placement);
+    if (placed.status != QueryStatus::ok) return placed.status;
+    found = false;
+    if (placed.is_empty) return QueryStatus::ok;
+    FoundPair pair;
+    const QueryStatus status = find_touching(placed.frame, pair, found, limit.pairs);
+    if (found) contact = pair.pair;
+    return status;
+}
+
+QueryStatus collides(const Blob& a, const Blob& b, const Placement& placement, bool& answer, WorkLimit limit) noexcept {
+    TrianglePair contact;
+    return first_contact(a, b, placement, contact, answer, limit);
+}
+
+QueryStatus for_each_contact(const Blob& a, const Blob& b, const Placement& placement,
+                             FunctionRef<Visit(const TrianglePair&)> visit, WorkLimit limit) {
+    if (a.copy_count() != 0 || b.copy_count() != 0) return QueryStatus::has_copies;
+    const PlacedPair placed(a, b, placement);
+    if (placed.is_empty || placed.status != QueryStatus::ok) return placed.status;
+    const auto pass_on = [&](const TrianglePair& pair, const LatticeTriangle&, const LatticeTriangle&) {
+        return visit(pair);
+    };
+    return ESPALIER_DISPATCH(touching_pairs, placed.frame, pass_on, limit.pairs);
+}
+
+QueryStatus all_contacts(const Blob& a, const Blob& b, const Placement& placement, std::span<TrianglePair> contacts,
+                         std::size_t& count, WorkLimit limit) noexcept {
+    std::size_t written = 0;
+    bool is_full = false;
+    const auto write = [&](const TrianglePair& pair) {
+        is_full = written == contacts.size();
+        if (is_full) return stop;
+        contacts[written++] = pair;
+        return keep_going;
+    };
+    const QueryStatus status = for_each_contact(a, b, placement, write, limit);
+    if (status != QueryStatus::ok && status != QueryStatus::work_limit) return status;
+    count = written;
+    return is_full ? QueryStatus::output_full : status;
+}
+
+QueryStatus minimum_distance(const Blob& a, const Blob& b, const Placement& placement, float max_distance,
+                             PairDistance& nearest, bool& found, WorkLimit limit) noexcept {
+    if (!is_distance(max_distance)) return QueryStatus::invalid_argument;
+    const PlacedPair placed(a, b, placement);
+    if (placed.status != QueryStatus::ok) return placed.status;
+    found = false;
+    if (placed.is_empty) return QueryStatus::ok;
+    const PairFrame& frame = placed.frame;
+    FoundPair best;
+    const QueryStatus status =
+        find_nearest(frame, radius_on_grid(frame, max_distance), false, best, found, limit.pairs);
+    if (!found) return status;
+    const float distance =
+        scale_by_power_of_two(square_root(best.distance.squared), frame.shift + a.data().step_exponent);
+    // That it is within max_distance was decided exactly; rounding must not say otherwise.
+    nearest = {magnitude_bits(distance) > magnitude_bits(max_distance) ? max_distance : distance,
+               point_in_world(frame, best.a, best.distance.on_a), point_in_world(frame, best.b, best.distance.on_b),
+               best.pair};
+    return status;
+}
+
+QueryStatus within_distance(const Blob& a, const Blob& b, const Placement& placement, float distance, bool& answer,
+                            WorkLimit limit) noexcept {
+    if (!is_distance(distance)) return QueryStatus::invalid_argument;
+    const PlacedPair placed(a, b, placement);
+    if (placed.status != QueryStatus::ok) return placed.status;
+    answer = false;
+    if (placed.is_empty) return QueryStatus::ok;
+    FoundPair pair;
+    return find_nearest(placed.frame, radius_on_grid(placed.frame, distance), true, pair, answer, limit.pairs);
+}
+
+}  // namespace espalier

@@ -1,0 +1,190 @@
+// A box of the one tree against the boxes of a node or the triangles of a leaf of the other, in lanes. Included once
+// per instruction set that has a way of its own, inside its namespace. Nothing here is fused: the same pairs are
+// visited on every machine.
+
+/// A box of the other tree, seen from this one's frame: its center, its half sides along its own axes, and their reach
+/// along the frame's, slack included.
+struct SeenBox {
+    float center[3];
+    float half[3];
+    float reach[3];
+    float edge_reach[3][3];  ///< along frame axis i x own axis j, slack included
+};
+
+/// A box in the lattice of its own tree: center and half sides, times 2.
+struct TwiceBox {
+    float center[3];
+    float half[3];
+};
+
+inline TwiceBox load_twice_box(const Node& node, unsigned child, const BlobData& blob) {
+    TwiceBox box;
+    for (int k = 0; k < 3; ++k) {
+        const auto low = static_cast<float>(node.low(k, child, blob.bits));
+        const auto high = static_cast<float>(node.high(k, child, blob.bits));
+        box.center[k] = low + high;
+        box.half[k] = high - low;
+    }
+    return box;
+}
+
+inline SeenBox see_box(const TwiceBox& box, const PairSide& side) {
+    SeenBox seen;
+    const float half_scale = 0.5f * side.scale;
+    for (int k = 0; k < 3; ++k) seen.half[k] = box.half[k] * half_scale;
+    for (int k = 0; k < 3; ++k) {
+        const float* axis = side.axis[k];
+        const float* absolute_axis = side.absolute_axis[k];
+        seen.center[k] =
+            (axis[0] * box.center[0] + axis[1] * box.center[1] + axis[2] * box.center[2]) * half_scale + side.offset[k];
+        seen.reach[k] = absolute_axis[0] * seen.half[0] + absolute_axis[1] * seen.half[1] +
+                        absolute_axis[2] * seen.half[2] + side.slack;
+    }
+    return seen;
+}
+
+/// Boxes in lanes.
+struct LaneBoxes {
+    Floats center[3];
+    Floats half[3];
+};
+
+/// The squared distance that the boxes are apart at least, measured along the axes of both.
+inline Floats gap_to(const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side, Floats* apart) {
+    const Floats zero = splat(0.0f);
+    Floats own = zero;
+    for (int k = 0; k < 3; ++k) {
+        apart[k] = subtract(boxes.center[k], splat(seen.center[k]));
+        const Floats gap = larger(subtract(subtract(magnitude(apart[k]), boxes.half[k]), splat(seen.reach[k])), zero);
+        own = add(own, multiply(gap, gap));
+    }
+    Floats others = zero;
+    for (int j = 0; j < 3; ++j) {
+        const auto along = [&](int i) { return splat(side.axis[i][j]); };
+        const auto absolute_along = [&](int i) { return splat(side.absolute_axis[i][j]); };
+        const Floats distance = magnitude(
+            add(add(multiply(apart[0], along(0)), multiply(apart[1], along(1))), multiply(apart[2], along(2))));
+        const Floats reach =
+            add(add(multiply(boxes.half[0], absolute_along(0)), multiply(boxes.half[1], absolute_along(1))),
+                multiply(boxes.half[2], absolute_along(2)));
+        const Floats gap = larger(subtract(subtract(distance, reach), splat(seen.half[j] + 2.0f * side.slack)), zero);
+        others = add(others, multiply(gap, gap));
+    }
+    return larger(own, others);
+}
+
+/// Whether a cross product of an axis of each has the boxes apart. Axes that are nearly parallel have a product of
+/// nearly no length: then both sides of the comparison are small, and the slack decides that they are not.
+inline unsigned not_apart_across(const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side,
+                                 const Floats* apart) {
+    Floats most = splat(-infinity);
+    for (int i = 0; i < 3; ++i) {
+        const int i1 = i == 2 ? 0 : i + 1, i2 = i == 0 ? 2 : i - 1;
+        for (int j = 0; j < 3; ++j) {
+            const int j1 = j == 2 ? 0 : j + 1, j2 = j == 0 ? 2 : j - 1;
+            const Floats distance = magnitude(
+                subtract(multiply(apart[i2], splat(side.axis[i1][j])), multiply(apart[i1], splat(side.axis[i2][j]))));
+            const Floats reach = add(multiply(boxes.half[i1], splat(side.absolute_axis[i2][j])),
+                                     multiply(boxes.half[i2], splat(side.absolute_axis[i1][j])));
+            const float other_reach = seen.half[j1] * side.absolute_axis[i][j2] +
+                                      seen.half[j2] * side.absolute_axis[i][j1] + 3.0f * side.slack;
+            most = larger(subtract(subtract(distance, reach), splat(other_reach)), most);
+        }
+    }
+    return at_most(most, splat(0.0f));
+}
+
+/// Three perpendicular directions in one tree's frame, a hair less than 1 long, of which the first is the one in which
+/// the meshes are near each other: along these, pairs that are no nearer than others show it. All 0: nothing yet.
+struct PairAxes {
+    float at[3][3] = {};
+};
+
+/// How far apart boxes are along the directions, squared.
+inline Floats gap_along(const PairAxes& axes, const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side,
+                        const Floats* apart) {
+    Floats sum = splat(0.0f);
+    for (const auto& axis : axes.at) {
+        float reach = 2.0f * side.slack;
+        for (int j = 0; j < 3; ++j)
+            reach += absolute(axis[0] * side.axis[0][j] + axis[1] * side.axis[1][j] + axis[2] * side.axis[2][j]) *
+                     seen.half[j];
+        Floats along = splat(0.0f), own_reach = splat(reach);
+        for (int k = 0; k < 3; ++k) {
+            along = add(along, multiply(apart[k], splat(axis[k])));
+            own_reach = add(own_reach, multiply(boxes.half[k], splat(absolute(axis[k]))));
+        }
+        const Floats gap = larger(subtract(magnitude(along), own_reach), splat(0.0f));
+        sum = add(sum, multiply(gap, gap));
+    }
+    return sum;
+}
+
+/// The children of a node that are within the squared distance, and how far at least; for distance 0 what orders them
+/// instead is how far apart the centers are.
+template <bool touching>
+inline unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen, const PairSide& side,
+                              [[maybe_unused]] const PairAxes& axes, float limit, float* keys) {
+    const Frame frame = load_frame(node, blob);
+    unsigned mask = 0;
+    for (unsigned first = 0; first < format::max_children; first += lanes) {
+        LaneBoxes boxes;
+        for (int k = 0; k < 3; ++k) {
+            const Floats low = bytes_to_floats(node.low_planes(k) + first);
+            const Floats high = bytes_to_floats(node.high_planes(k) + first);
+            const Floats scale = multiply(frame.scale[k], splat(0.5f * side.own_scale));
+            boxes.center[k] = add(multiply(add(low, high), scale), multiply(frame.base[k], splat(side.own_scale)));
+            boxes.half[k] = multiply(subtract(high, low), scale);
+        }
+        Floats apart[3];
+        Floats gap = gap_to(boxes, seen, side, apart);
+        if constexpr (!touching) gap = larger(gap, gap_along(axes, boxes, seen, side, apart));
+        unsigned near = at_most(gap, splat(limit));
+        if constexpr (touching) {
+            if (near != 0) near &= not_apart_across(boxes, seen, side, apart);
+            store(keys + first,
+                  add(add(multiply(apart[0], apart[0]), multiply(apart[1], apart[1])), multiply(apart[2], apart[2])));
+        } else {
+            store(keys + first, gap);
+        }
+        mask |= near << first;
+    }
+    return mask & ((1u << (node.node_children() + node.leaf_children())) - 1u);
+}
+
+/// The triangles of a leaf whose box is within the squared distance.
+template <unsigned groups, class Leaf>
+inline typename Leaf::Slots triangles_near_of(const Leaf& leaf, const SeenBox& seen, const PairSide& side,
+                                              float limit) {
+    Table<groups> coordinates[3];
+    for (unsigned k = 0; k < 3; ++k) {
+        const Floats anchor = splat(static_cast<float>(leaf.anchor(static_cast<int>(k))));
+        const Floats scale = splat(side.own_scale);
+        for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
+            const Floats offset = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
+            coordinates[k].set(group, multiply(add(offset, anchor), scale));
+        }
+    }
+    typename Leaf::Slots mask = 0;
+    auto corners = corners_of(leaf);
+    for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
+        const auto [a, b, c] = corners.next();
+        LaneBoxes boxes;
+        for (int k = 0; k < 3; ++k) {
+            const Floats at_a = coordinates[k].look_up(a), at_b = coordinates[k].look_up(b),
+                         at_c = coordinates[k].look_up(c);
+            const Floats low = smaller(at_a, smaller(at_b, at_c)), high = larger(at_a, larger(at_b, at_c));
+            boxes.center[k] = multiply(add(low, high), splat(0.5f));
+            boxes.half[k] = multiply(subtract(high, low), splat(0.5f));
+        }
+        Floats apart[3];
+        mask |= typename Leaf::Slots{at_most(gap_to(boxes, seen, side, apart), splat(limit))} << first;
+    }
+    return mask & leaf.used_slots();
+}
+
+template <class Leaf>
+inline typename Leaf::Slots triangles_near(const Leaf& leaf, const SeenBox& seen, const PairSide& side, float limit) {
+    return with_table_groups<Leaf::max_vertices>(
+        leaf.vertex_count, [&](auto groups) { return triangles_near_of<groups>(leaf, seen, side, limit); });
+}

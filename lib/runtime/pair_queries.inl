@@ -1,0 +1,193 @@
+// Two blobs: the queries as visitors. Included once per instruction set, inside its namespace.
+
+/// How many triangles of b go against a leaf of a at a time.
+inline constexpr unsigned placed_triangles = lanes > 1 ? 8 : 2;
+
+/// The squared distance of two triangles' boxes.
+inline float gap_between(const LatticeTriangle& a, const LatticeTriangle& b) {
+    float sum = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        std::int32_t below = a.corner[0][k], above = b.corner[0][k];  // a's highest, b's lowest
+        std::int32_t low = below, high = above;
+        for (int corner = 1; corner < 3; ++corner) {
+            const std::int32_t x = a.corner[corner][k], y = b.corner[corner][k];
+            below = x > below ? x : below;
+            low = x < low ? x : low;
+            above = y < above ? y : above;
+            high = y > high ? y : high;
+        }
+        const std::int32_t gap = above - below > low - high ? above - below : low - high;
+        const float length = gap > 0 ? static_cast<float>(gap) : 0.0f;
+        sum += length * length;
+    }
+    return sum;
+}
+
+/// Calls on_pair for triangles of two leaves that may touch, or may be within the squared distance: b's in storage
+/// order, for each of them a's.
+template <bool touching, class LeafA, class LeafB, class Visitor>
+[[gnu::noinline]] Visit visit_leaf_pair(const PairFrame& frame, const LeafA& a, const TwiceBox& a_box, const LeafB& b,
+                                        const TwiceBox& b_box, Visitor& visitor) {
+    const float in_b = 1.0f / (frame.sides[1].common_size * frame.sides[1].common_size);
+    (void)b_box;
+    auto waiting = triangles_near(b, see_box(a_box, frame.sides[1]), frame.sides[1], visitor.limit() * in_b);
+    while (waiting != 0) {
+        PlacedTriangle others[placed_triangles];
+        typename LeafA::Slots masks[placed_triangles];
+        unsigned count = 0;
+        const float size = static_cast<float>(a.size) * frame.a_scale + 1.0f;
+        for (; waiting != 0 && count < placed_triangles; waiting &= waiting - 1, ++count) {
+            const auto slot = static_cast<unsigned>(std::countr_zero(waiting));
+            load_placed(frame.place_b(b.triangle(slot)), slot, size, others[count]);
+        }
+        NearestCorners nearest;
+        const auto match_all = [&] {
+            if constexpr (!touching)
+                for (unsigned i = 0; i < count; ++i) set_reach_along(visitor.axes(0), others[i]);
+            float limit = visitor.limit();
+            match_triangles<touching>(a, frame, others, count, visitor.axes(0), limit, nearest, masks);
+            visitor.lower_limit(limit);
+        };
+        const auto visit = [&](unsigned other, unsigned slot) {
+            const auto pair = [&] {
+                return TrianglePair{{owner_index(a, slot)}, {owner_index(b, others[other].slot)}};
+            };
+            return visitor.visit_pair(frame.place_a(a.triangle(slot)), others[other].exact, pair);
+        };
+        match_all();
+        if constexpr (!touching) {
+            // The most promising pair first: what it finds rules most of the others out.
+            const auto bit = typename LeafA::Slots{1} << nearest.slot;
+            if (nearest.squared < infinity && (masks[nearest.other] & bit) != 0) {
+                if (visit(nearest.other, nearest.slot) == stop) return stop;
+                const NearestCorners visited = nearest;
+                match_all();
+                masks[visited.other] &= ~bit;
+            }
+        }
+        for (unsigned i = 0; i < count; ++i)
+            for (auto mask = masks[i]; mask != 0; mask &= mask - 1)
+                if (visit(i, static_cast<unsigned>(std::countr_zero(mask))) == stop) return stop;
+    }
+    return keep_going;
+}
+
+template <bool touching, class Visitor>
+inline Visit visit_pair_of_leaves(const PairFrame& frame, const LeafPlace& a, const LeafPlace& b, Visitor& visitor) {
+    return with_leaves_of(*frame.a, [&]<class LeafA>() {
+        return with_leaves_of(*frame.b, [&]<class LeafB>() {
+            return visit_leaf_pair<touching>(frame, leaf_at<LeafA>(*frame.a, a.node, a.number), a.box,
+                                             leaf_at<LeafB>(*frame.b, b.node, b.number), b.box, visitor);
+        });
+    });
+}
+
+/// Pairs that touch, handed to a callable.
+struct TouchingPairs {
+    static constexpr bool asks_again = false;
+    const PairFrame& frame;
+    OnTouching visit;
+
+    static float limit() { return 0.0f; }
+    static void lower_limit(float) {}
+    static PairAxes axes(unsigned) { return {}; }
+    unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
+        const PairSide& view = frame.sides[side];
+        return children_near<true>(node, side == 0 ? *frame.a : *frame.b, see_box(other, view), view, axes(side), 0.0f,
+                                   keys);
+    }
+    Visit visit_leaves(const LeafPlace& a, const LeafPlace& b) {
+        return visit_pair_of_leaves<true>(frame, a, b, *this);
+    }
+    template <class Pair>
+    Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
+        return triangles_meet(integer_triangle(a), integer_triangle(b)) ? visit(pair(), a, b) : keep_going;
+    }
+};
+
+QueryStatus touching_pairs(const PairFrame& frame, OnTouching visit, std::uint64_t& work) {
+    TouchingPairs visitor = {frame, visit};
+    return traverse_pair(frame, visitor, work);
+}
+
+/// The pair that is least apart; of equal ones the lowest, but the first that touches. Or any pair within the radius.
+struct NearestPair {
+    static constexpr bool asks_again = true;
+    const PairFrame& frame;
+    float radius;  ///< steps of the grid
+    bool any;      ///< whether any pair within the radius is as good
+    FoundPair& best;
+    float limit_ = radius * radius * distance_slack;
+    bool found = false;
+    PairAxes axes_[2] = {};  ///< in either tree's frame
+
+    [[nodiscard]] float limit() const { return limit_; }
+    void lower_limit(float limit) { limit_ = limit; }
+    [[nodiscard]] const PairAxes& axes(unsigned side) const { return axes_[side]; }
+    unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
+        const PairSide& view = frame.sides[side];
+        const float unit = view.common_size;
+        return children_near<false>(node, side == 0 ? *frame.a : *frame.b, see_box(other, view), view, axes_[side],
+                                    limit_ / (unit * unit), keys);
+    }
+    Visit visit_leaves(const LeafPlace& a, const LeafPlace& b) {
+        return visit_pair_of_leaves<false>(frame, a, b, *this);
+    }
+    template <class Pair>
+    Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
+        if (gap_between(a, b) > limit_) return keep_going;
+        const TriangleDistance distance = distance_between(a, b);
+        if (found && distance.squared > best.distance.squared) return keep_going;
+        if (!is_within_radius(a, b, distance, radius)) return keep_going;
+        const TrianglePair these = pair();
+        if (found && distance.squared == best.distance.squared && best.pair < these) return keep_going;
+        best = {distance, a, b, these};
+        found = true;
+        limit_ = minimum(distance.squared * distance_slack, limit_);
+        set_axes();
+        return any || distance.squared == 0.0f ? stop : keep_going;
+    }
+
+private:
+    /// The first leads from one closest point to the other.
+    void set_axes() {
+        float(&axes)[3][3] = axes_[0].at;
+        for (int k = 0; k < 3; ++k)
+            axes[0][k] = point_on(best.b, best.distance.on_b, k) - point_on(best.a, best.distance.on_a, k);
+        if (!shorten(axes[0])) return;
+        int least = 0;
+        for (int k = 1; k < 3; ++k) least = absolute(axes[0][k]) < absolute(axes[0][least]) ? k : least;
+        const int next = least == 2 ? 0 : least + 1, last = least == 0 ? 2 : least - 1;
+        axes[1][least] = 0.0f;
+        axes[1][next] = axes[0][last];
+        axes[1][last] = -axes[0][next];
+        shorten(axes[1]);
+        for (int k = 0; k < 3; ++k) {
+            const int k1 = k == 2 ? 0 : k + 1, k2 = k == 0 ? 2 : k - 1;
+            axes[2][k] = axes[0][k1] * axes[1][k2] - axes[0][k2] * axes[1][k1];
+        }
+        shorten(axes[2]);
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k) {
+                const auto& turned = frame.sides[1].axis[k];
+                axes_[1].at[i][k] = turned[0] * axes[i][0] + turned[1] * axes[i][1] + turned[2] * axes[i][2];
+            }
+    }
+    /// To a length of a hair less than 1, so that rounding never makes anything seem farther apart. False for length 0.
+    static bool shorten(float* axis) {
+        const float longest = maximum(absolute(axis[0]), maximum(absolute(axis[1]), absolute(axis[2])));
+        if (!(longest > 0.0f)) return false;
+        for (int k = 0; k < 3; ++k) axis[k] = axis[k] / longest;
+        const float length = square_root(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+        for (int k = 0; k < 3; ++k) axis[k] = axis[k] / length * (1.0f - 0x1p-18f);
+        return true;
+    }
+};
+
+QueryStatus nearest_pair(const PairFrame& frame, float radius, bool any, FoundPair& best, bool& found,
+                         std::uint64_t& work) {
+    NearestPair visitor = {frame, radius, any, best};
+    const QueryStatus status = traverse_pair(frame, visitor, work);
+    found = visitor.found;
+    return status;
+}

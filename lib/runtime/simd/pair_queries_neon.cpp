@@ -1,0 +1,15 @@
+// Queries of two blobs, neon.
+#include <bit>
+
+#include <runtime/pair_queries.hpp>
+#if ESPALIER_NEON
+#include <runtime/simd/lanes_neon.hpp>
+
+namespace espalier::detail::neon {
+#include <runtime/traverse.inl>
+#include <runtime/pair_nodes.inl>
+#include <runtime/pair_leaves.inl>
+#include <runtime/traverse_pair.inl>
+#include <runtime/pair_queries.inl>
+}  // namespace espalier::detail::neon
+#endif

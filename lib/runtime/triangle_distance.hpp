@@ -1,0 +1,26 @@
+// How far two triangles of a common integer grid are apart: zero exactly when they share a point. Where they share none
+// the distance is reached from a side of the one, so that it is the least of six distances of a segment and a triangle.
+#pragma once
+
+#include <cstdint>
+
+#include <runtime/ray_triangle.hpp>
+
+namespace espalier::detail {
+
+/// Between a and b, in steps of the grid.
+struct TriangleDistance {
+    float squared = 0.0f;  ///< within 6 ulp; 0 exactly when they share a point
+    float on_a[2] = {};    ///< weights of corners b and c at the closest point of each
+    float on_b[2] = {};
+};
+
+/// Coordinates are below 2^25.
+TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangle& b) noexcept;
+
+/// Whether they are at most `radius` apart (steps of the grid, 0 or at least 2^-100), exactly; touching counts.
+/// `distance` is theirs.
+bool is_within_radius(const LatticeTriangle& a, const LatticeTriangle& b, const TriangleDistance& distance,
+                      float radius) noexcept;
+
+}  // namespace espalier::detail

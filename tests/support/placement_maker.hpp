@@ -1,0 +1,41 @@
+// Placements of one blob against another that are hard to answer: meshes that touch in a corner, lie in each other's
+// planes, are turned by next to nothing, or differ in size and distance by powers of ten.
+#pragma once
+
+#include <string>
+
+#include <espalier/collide.hpp>
+
+#include "decoder.hpp"
+#include "random.hpp"
+
+namespace espalier::tests {
+
+class PlacementMaker {
+public:
+    PlacementMaker(const DecodedBlob& a, const DecodedBlob& b, std::uint64_t seed);
+
+    /// Any rotation, sizes within a factor of 4, so near that the boxes overlap: the kind that is not adversarial.
+    Placement random();
+    Placement adversarial();
+    [[nodiscard]] Random& numbers() { return random_; }
+
+private:
+    Quaternion any_rotation();
+    /// Which takes axes to axes, or nothing anywhere.
+    Quaternion axis_rotation();
+    /// Such that point p of b lands on point q of a.
+    static void move(Placement& placement, Vec3 p, Vec3 q);
+    Vec3 some_corner(const DecodedBlob& blob);
+    Vec3 some_place(const DecodedBlob& blob);
+
+    const DecodedBlob& a_;
+    const DecodedBlob& b_;
+    Random random_;
+    double size_a_;
+    double ratio_;  ///< of a's size to b's
+};
+
+std::string describe(const Placement& placement);
+
+}  // namespace espalier::tests
