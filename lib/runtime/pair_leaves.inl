@@ -3,8 +3,7 @@
 
 /// Triangles of b on the common grid.
 struct PlacedTriangle {
-    LatticeTriangle exact;
-    float corner[3][3];  ///< the same in float, exactly
+    float corner[3][3];  ///< integers
     float low[3];
     float high[3];
     float normal[3];
@@ -16,8 +15,8 @@ struct PlacedTriangle {
     unsigned slot;
 };
 
-inline void load_placed(const LatticeTriangle& exact, unsigned slot, float other_size, PlacedTriangle& t) {
-    t.exact = exact;
+[[gnu::noinline]] inline void load_placed(const LatticeTriangle& exact, unsigned slot, float other_size,
+                                          PlacedTriangle& t) {
     t.slot = slot;
     float size = 0.0f;
     for (int k = 0; k < 3; ++k) {
@@ -42,6 +41,13 @@ inline void load_placed(const LatticeTriangle& exact, unsigned slot, float other
 
 /// Coordinates are below 2^24, and three products with a direction of length 1 are off by less than this.
 inline constexpr float along_slack = 32.0f;
+
+inline LatticeTriangle exactly(const PlacedTriangle& t) {
+    LatticeTriangle exact;
+    for (int corner = 0; corner < 3; ++corner)
+        for (int k = 0; k < 3; ++k) exact.corner[corner][k] = static_cast<std::int32_t>(t.corner[corner][k]);
+    return exact;
+}
 
 inline void set_reach_along(const PairAxes& axes, PlacedTriangle& t) {
     for (int i = 0; i < 3; ++i) {
@@ -88,10 +94,9 @@ struct NearestCorners {
 /// Which of the triangles may touch the other one, or may be within the squared distance of it. For distances the
 /// corners also tell how far apart these triangles are at most, and the limit comes down to that.
 template <bool touching>
-[[gnu::always_inline]] inline unsigned match(const PlacedLanes& t, const PlacedTriangle& other, unsigned used,
-                                             [[maybe_unused]] const PairAxes& axes, float& limit,
-                                             [[maybe_unused]] NearestCorners& nearest_corners, unsigned first,
-                                             unsigned number) {
+[[gnu::noinline]] unsigned match(const PlacedLanes& t, const PlacedTriangle& other, unsigned used,
+                                 [[maybe_unused]] const PairAxes& axes, float& limit,
+                                 [[maybe_unused]] NearestCorners& nearest_corners, unsigned first, unsigned number) {
     Floats sum = splat(0.0f);
     for (int k = 0; k < 3; ++k) {
         const Floats gap = larger(
@@ -182,12 +187,9 @@ inline void match_triangles_of(const Leaf& leaf, const PairFrame& frame, const P
     for (unsigned i = 0; i < count; ++i) masks[i] = 0;
     auto corners = corners_of(leaf);
     for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
-        const auto numbers = corners.next();
         PlacedLanes t;
+        look_up_corners(coordinates, corners.next(), t.corner);
         for (int k = 0; k < 3; ++k) {
-            t.corner[0][k] = coordinates[k].look_up(numbers.a);
-            t.corner[1][k] = coordinates[k].look_up(numbers.b);
-            t.corner[2][k] = coordinates[k].look_up(numbers.c);
             t.low[k] = smaller(t.corner[0][k], smaller(t.corner[1][k], t.corner[2][k]));
             t.high[k] = larger(t.corner[0][k], larger(t.corner[1][k], t.corner[2][k]));
         }

@@ -123,8 +123,9 @@ inline Floats gap_along(const PairAxes& axes, const LaneBoxes& boxes, const Seen
 /// The children of a node that are within the squared distance, and how far at least; for distance 0 what orders them
 /// instead is how far apart the centers are.
 template <bool touching>
-inline unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen, const PairSide& side,
-                              [[maybe_unused]] const PairAxes& axes, float limit, float* keys) {
+[[gnu::noinline]] unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen,
+                                         const PairSide& side, [[maybe_unused]] const PairAxes& axes, float limit,
+                                         float* keys) {
     const Frame frame = load_frame(node, blob);
     unsigned mask = 0;
     for (unsigned first = 0; first < format::max_children; first += lanes) {
@@ -152,6 +153,18 @@ inline unsigned children_near(const Node& node, const BlobData& blob, const Seen
     return mask & ((1u << (node.node_children() + node.leaf_children())) - 1u);
 }
 
+/// The corners of as many triangles as there are lanes. A function of its own, so that what it spills is off the stack
+/// before the triangles are looked at.
+template <unsigned groups>
+[[gnu::noinline]] void look_up_corners(const Table<groups>* coordinates, const CornerNumbers& numbers,
+                                       Floats (*corner)[3]) {
+    for (int k = 0; k < 3; ++k) {
+        corner[0][k] = coordinates[k].look_up(numbers.a);
+        corner[1][k] = coordinates[k].look_up(numbers.b);
+        corner[2][k] = coordinates[k].look_up(numbers.c);
+    }
+}
+
 /// The triangles of a leaf whose box is within the squared distance.
 template <unsigned groups, class Leaf>
 inline typename Leaf::Slots triangles_near_of(const Leaf& leaf, const SeenBox& seen, const PairSide& side,
@@ -168,12 +181,12 @@ inline typename Leaf::Slots triangles_near_of(const Leaf& leaf, const SeenBox& s
     typename Leaf::Slots mask = 0;
     auto corners = corners_of(leaf);
     for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
-        const auto [a, b, c] = corners.next();
+        Floats corner[3][3];
+        look_up_corners(coordinates, corners.next(), corner);
         LaneBoxes boxes;
         for (int k = 0; k < 3; ++k) {
-            const Floats at_a = coordinates[k].look_up(a), at_b = coordinates[k].look_up(b),
-                         at_c = coordinates[k].look_up(c);
-            const Floats low = smaller(at_a, smaller(at_b, at_c)), high = larger(at_a, larger(at_b, at_c));
+            const Floats low = smaller(corner[0][k], smaller(corner[1][k], corner[2][k]));
+            const Floats high = larger(corner[0][k], larger(corner[1][k], corner[2][k]));
             boxes.center[k] = multiply(add(low, high), splat(0.5f));
             boxes.half[k] = multiply(subtract(high, low), splat(0.5f));
         }
@@ -184,7 +197,8 @@ inline typename Leaf::Slots triangles_near_of(const Leaf& leaf, const SeenBox& s
 }
 
 template <class Leaf>
-inline typename Leaf::Slots triangles_near(const Leaf& leaf, const SeenBox& seen, const PairSide& side, float limit) {
+[[gnu::noinline]] typename Leaf::Slots triangles_near(const Leaf& leaf, const SeenBox& seen, const PairSide& side,
+                                                      float limit) {
     return with_table_groups<Leaf::max_vertices>(
         leaf.vertex_count, [&](auto groups) { return triangles_near_of<groups>(leaf, seen, side, limit); });
 }

@@ -1,7 +1,7 @@
 // Two blobs: the queries as visitors. Included once per instruction set, inside its namespace.
 
 /// How many triangles of b go against a leaf of a at a time.
-inline constexpr unsigned placed_triangles = lanes > 1 ? 8 : 2;
+inline constexpr unsigned placed_triangles = lanes > 1 ? 4 : 2;
 
 /// The squared distance of two triangles' boxes.
 inline float gap_between(const LatticeTriangle& a, const LatticeTriangle& b) {
@@ -26,11 +26,12 @@ inline float gap_between(const LatticeTriangle& a, const LatticeTriangle& b) {
 /// Calls on_pair for triangles of two leaves that may touch, or may be within the squared distance: b's in storage
 /// order, for each of them a's.
 template <bool touching, class LeafA, class LeafB, class Visitor>
-[[gnu::noinline]] Visit visit_leaf_pair(const PairFrame& frame, const LeafA& a, const TwiceBox& a_box, const LeafB& b,
-                                        const TwiceBox& b_box, Visitor& visitor) {
+[[gnu::noinline]] Visit visit_leaf_pair(const PairFrame& frame, const LeafPlace& a_place, const LeafPlace& b_place,
+                                        Visitor& visitor) {
+    const auto a = leaf_at<LeafA>(*frame.a, a_place.node, a_place.number);
+    const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
     const float in_b = 1.0f / (frame.sides[1].common_size * frame.sides[1].common_size);
-    (void)b_box;
-    auto waiting = triangles_near(b, see_box(a_box, frame.sides[1]), frame.sides[1], visitor.limit() * in_b);
+    auto waiting = triangles_near(b, see_box(a_place.box, frame.sides[1]), frame.sides[1], visitor.limit() * in_b);
     while (waiting != 0) {
         PlacedTriangle others[placed_triangles];
         typename LeafA::Slots masks[placed_triangles];
@@ -52,7 +53,7 @@ template <bool touching, class LeafA, class LeafB, class Visitor>
             const auto pair = [&] {
                 return TrianglePair{{owner_index(a, slot)}, {owner_index(b, others[other].slot)}};
             };
-            return visitor.visit_pair(frame.place_a(a.triangle(slot)), others[other].exact, pair);
+            return visitor.visit_pair(frame.place_a(a.triangle(slot)), exactly(others[other]), pair);
         };
         match_all();
         if constexpr (!touching) {
@@ -75,10 +76,8 @@ template <bool touching, class LeafA, class LeafB, class Visitor>
 template <bool touching, class Visitor>
 inline Visit visit_pair_of_leaves(const PairFrame& frame, const LeafPlace& a, const LeafPlace& b, Visitor& visitor) {
     return with_leaves_of(*frame.a, [&]<class LeafA>() {
-        return with_leaves_of(*frame.b, [&]<class LeafB>() {
-            return visit_leaf_pair<touching>(frame, leaf_at<LeafA>(*frame.a, a.node, a.number), a.box,
-                                             leaf_at<LeafB>(*frame.b, b.node, b.number), b.box, visitor);
-        });
+        return with_leaves_of(
+            *frame.b, [&]<class LeafB>() { return visit_leaf_pair<touching, LeafA, LeafB>(frame, a, b, visitor); });
     });
 }
 
@@ -100,7 +99,7 @@ struct TouchingPairs {
         return visit_pair_of_leaves<true>(frame, a, b, *this);
     }
     template <class Pair>
-    Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
+    [[gnu::noinline]] Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
         return triangles_meet(integer_triangle(a), integer_triangle(b)) ? visit(pair(), a, b) : keep_going;
     }
 };
@@ -134,7 +133,7 @@ struct NearestPair {
         return visit_pair_of_leaves<false>(frame, a, b, *this);
     }
     template <class Pair>
-    Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
+    [[gnu::noinline]] Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
         if (gap_between(a, b) > limit_) return keep_going;
         const TriangleDistance distance = distance_between(a, b);
         if (found && distance.squared > best.distance.squared) return keep_going;

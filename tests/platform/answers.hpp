@@ -279,6 +279,32 @@ inline void ask_closest_pairs(const Blob& blob, Questions& questions, std::uint3
     }
 }
 
+/// The blob against itself, with so little work that small cores come to an end: where that is, is an answer too.
+inline void ask_pairs(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Placement placement = questions.placement(number);
+        const WorkLimit limit = {60};
+        TrianglePair pairs[8];
+        std::size_t found = 0;
+        answers.fingerprint.add(static_cast<std::uint32_t>(all_contacts(blob, blob, placement, pairs, found, limit)));
+        answers.fingerprint.add(static_cast<std::uint32_t>(found));
+        for (std::size_t i = 0; i < found; ++i) {
+            answers.fingerprint.add(pairs[i].a.index);
+            answers.fingerprint.add(pairs[i].b.index);
+        }
+        bool is_near = false;
+        PairDistance nearest;
+        answers.fingerprint.add(static_cast<std::uint32_t>(
+            minimum_distance(blob, blob, placement, __builtin_inff(), nearest, is_near, limit)));
+        answers.fingerprint.add(is_near);
+        answers.fingerprint.add(nearest.distance);
+        answers.fingerprint.add(nearest.on_a);
+        answers.fingerprint.add(nearest.on_b);
+        answers.fingerprint.add(nearest.pair.a.index);
+        answers.fingerprint.add(nearest.pair.b.index);
+    }
+}
+
 /// What `open` tells about the blob, and every triangle in it.
 inline void read_all(const Blob& blob, Answers& answers) {
     answers.fingerprint.add(blob.triangle_count());
@@ -316,6 +342,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_approximately(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_closest_points(blob, questions, questions_of_a_kind, answers);
     ask_closest_pairs(blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    ask_pairs(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     return answers;
 }
 

@@ -134,6 +134,19 @@ public:
         }
     }
 
+    /// Of the blob against itself.
+    Placement placement(std::uint32_t number) {
+        Placement placement;
+        const float x = signed_fraction(), y = signed_fraction(), z = signed_fraction();
+        if (number % 4 != 1) placement.rotation = {x, y, z, 1.0f};
+        const Vec3 from = number % 4 == 2 ? corner() : center_;
+        const Vec3 to = number % 4 == 2 ? corner() : point_around(number % 4 == 3 ? 4.0f : 1.0f);
+        placement.translation = {to.x - from.x, to.y - from.y, to.z - from.z};
+        if (number % 8 == 4) placement.scale = 0.25f + fraction();
+        if (number % 16 == 7) placement = {{any_float(), any_float(), any_float(), any_float()}, any_bits(), any_float()};
+        return placement;
+    }
+
 private:
     static constexpr std::uint32_t corner_capacity = 32;
 

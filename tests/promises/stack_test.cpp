@@ -9,6 +9,7 @@
 #include <espalier/espalier.hpp>
 
 #include "../support/instruction_paths.hpp"
+#include "../support/placement_maker.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/sanitized.hpp"
 #include "../support/shape_maker.hpp"
@@ -122,8 +123,23 @@ TEST_SUITE("promises") {
                     const auto moving = make(maker);
                     SweepHit sweep_hit;
                     most = std::max(most, stack_use([&] {
-                        sweep(blob.opened.blob, moving.shape, moving.displacement, sweep_hit);
-                    }));
+                                        sweep(blob.opened.blob, moving.shape, moving.displacement, sweep_hit);
+                                    }));
+                }
+            }
+            return most;
+        };
+        const auto placed_row = [&](auto query) {
+            std::size_t most = 0;
+            for (const TestBlob& blob : medium_test_blobs()) {
+                PlacementMaker maker(blob.decoded, blob.decoded, 8);
+                for (int i = 0; i < 6; ++i) {
+                    const Placement placement = i % 2 == 0 ? maker.random() : maker.adversarial();
+                    detail::PairFrame frame;
+                    const auto& data = blob.opened.blob.data();
+                    if (detail::place_pair(data, data, placement, frame) != QueryStatus::ok) continue;
+                    for (const InstructionPath& path : instruction_paths())
+                        most = std::max(most, stack_use([&] { query(path, blob.opened.blob, placement, frame); }));
                 }
             }
             return most;
@@ -153,10 +169,8 @@ TEST_SUITE("promises") {
                  path.closest_hit(blob.data(), ray, hit, nullptr);
              })},
             {"closest_point, every instruction set", 4096,
-             point_path_row(
-                 [&](const InstructionPath& path, const detail::BlobData& blob, const detail::LatticePoint& point) {
-                     path.closest_triangle(blob, point, found);
-                 })},
+             point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
+                                const detail::LatticePoint& point) { path.closest_triangle(blob, point, found); })},
             {"occluded", 1408, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
             {"raycast, a batch", 12288,
              batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},
@@ -166,6 +180,22 @@ TEST_SUITE("promises") {
                  for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
              })},
             {"closest_hits", 1536, ray_row([&](const Blob& blob, const Ray& ray) { closest_hits(blob, ray, hits); })},
+            {"collides", 5120,
+             placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
+                          const detail::PairFrame&) { collides(blob, blob, placement, inside); })},
+            {"minimum_distance", 5376,
+             pair_row(
+                 [&](const InstructionPath&, const Blob& blob, const Placement& placement, const detail::PairFrame&) {
+                     PairDistance distance;
+                     minimum_distance(blob, blob, placement, 1e30f, distance, inside, {20'000});
+                 })},
+            {"pairs of triangles, every instruction set", 4864,
+             placed_row([](const InstructionPath& path, const Blob&, const Placement&, const detail::PairFrame& frame) {
+                 std::uint64_t work = 20'000;
+                 const auto go_on = [](const TrianglePair&, const detail::LatticeTriangle&,
+                                       const detail::LatticeTriangle&) { return keep_going; };
+                 path.touching_pairs(frame, go_on, work);
+             })},
             {"sweep, a sphere", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
             {"sweep, a capsule", 3328, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
             {"sweep, a box", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},

@@ -434,6 +434,65 @@ void exercise_sweeps(Exercise& run) {
     exercise_sweep(run, Box{a, {a.x + length, a.y + length, a.z + length}}, way);
 }
 
+Placement some_placement(const Blob& blob, Random& random) {
+    Placement placement;
+    if (random.coin()) {
+        const Vec3 axis = random.below(4) == 0 ? some_point(blob, random) : random.in_cube(1.0f);
+        placement.rotation = {axis.x, axis.y, axis.z, random.signed_unit()};
+    }
+    placement.translation = random.below(8) == 0 ? some_point(blob, random) : random.in_cube(some_length(blob, random));
+    if (random.below(3) == 0) placement.scale = random.coin() ? random.unit() * 4.0f : some_length(blob, random);
+    return placement;
+}
+
+/// The blob against itself.
+void exercise_pairs(Exercise& run) {
+    const Blob& blob = run.blob;
+    Verdict& verdict = run.verdict;
+    const Placement placement = some_placement(blob, run.random);
+    const WorkLimit limit = {run.random.below(4) == 0 ? run.random.below(50) : 2'000};
+    const auto check_pair = [&](const TrianglePair& pair) {
+        verdict.require(pair.a.index < blob.triangle_count() && pair.b.index < blob.triangle_count(),
+                        "a triangle of a pair does not exist");
+        run.hash.add(pair.a.index);
+        run.hash.add(pair.b.index);
+    };
+    bool touching = false, found = false;
+    const QueryStatus status = collides(blob, blob, placement, touching, limit);
+    run.hash.add(static_cast<std::uint32_t>(status));
+    TrianglePair first;
+    verdict.require(first_contact(blob, blob, placement, first, found, limit) == status && found == touching,
+                    "collides and first_contact disagree");
+    if (found) check_pair(first);
+    std::array<TrianglePair, 9> pairs;
+    std::size_t count = 0;
+    const QueryStatus listed = all_contacts(blob, blob, placement, pairs, count, limit);
+    if (blob.copy_count() != 0) {
+        verdict.require(listed == QueryStatus::has_copies, "pairs of copies are listed");
+    } else {
+        verdict.require(count <= pairs.size(), "more pairs than there is room for");
+        verdict.require((count > 0) == found && (count == 0 || pairs[0] == first), "the first pair is not the first");
+        for (std::size_t i = 0; i < count; ++i) check_pair(pairs[i]);
+    }
+    PairDistance nearest;
+    const float max_distance = some_length(blob, run.random);
+    const QueryStatus answered = minimum_distance(blob, blob, placement, max_distance, nearest, found, limit);
+    run.hash.add(static_cast<std::uint32_t>(answered));
+    bool within = false;
+    const QueryStatus decided = within_distance(blob, blob, placement, max_distance, within, limit);
+    if (answered == QueryStatus::ok && decided == QueryStatus::ok)
+        verdict.require(found == within, "minimum_distance and within_distance disagree");
+    if ((answered == QueryStatus::ok || answered == QueryStatus::work_limit) && found) {
+        check_pair(nearest.pair);
+        verdict.require(nearest.distance >= 0.0f && nearest.distance <= max_distance,
+                        "a distance of two blobs is NaN or out of range");
+        verdict.require(!touching || nearest.distance == 0.0f, "blobs that touch are apart");
+        run.hash.add(nearest.distance);
+        run.hash.add(nearest.on_a);
+        run.hash.add(nearest.on_b);
+    }
+}
+
 void exercise_lookups(Exercise& run) {
     const Blob& blob = run.blob;
     Random& random = run.random;
@@ -497,6 +556,7 @@ std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds) {
         exercise_approximate(run);
         exercise_distances(run);
         exercise_sweeps(run);
+        exercise_pairs(run);
     }
     run.verdict.speak();
     return run.hash.value();
