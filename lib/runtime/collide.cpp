@@ -24,7 +24,7 @@ struct PlacedPair {
     }
 };
 
-QueryStatus find_touching(const PairFrame& frame, FoundPair& best, bool& found, std::uint64_t& work) {
+QueryStatus find_touching(const PairFrame& frame, FoundTriangles& best, bool& found, std::uint64_t& work) {
     const auto keep = [&](const TrianglePair& pair, const LatticeTriangle& a, const LatticeTriangle& b) {
         best.a = a;
         best.b = b;
@@ -39,7 +39,7 @@ QueryStatus find_touching(const PairFrame& frame, FoundPair& best, bool& found, 
 constexpr float farthest_in_spans = 1024.0f;
 
 /// Pairs at distance 0 are looked for apart: what separates boxes finds them sooner than how far apart these are.
-QueryStatus find_nearest(const PairFrame& frame, float radius, bool any, FoundPair& best, bool& found,
+QueryStatus find_nearest(const PairFrame& frame, float radius, bool any, FoundTriangles& best, bool& found,
                          std::uint64_t work) {
     if (frame.gap > farthest_in_spans * frame.span)
         return frame.gap > 2.0f * radius ? QueryStatus::ok : QueryStatus::out_of_range;
@@ -74,7 +74,7 @@ QueryStatus first_contact(const Blob& a, const Blob& b, const Placement& placeme
     if (placed.status != QueryStatus::ok) return placed.status;
     found = false;
     if (placed.is_empty) return QueryStatus::ok;
-    FoundPair pair;
+    FoundTriangles pair;
     const QueryStatus status = find_touching(placed.frame, pair, found, limit.pairs);
     if (found) contact = pair.pair;
     return status;
@@ -120,7 +120,7 @@ QueryStatus minimum_distance(const Blob& a, const Blob& b, const Placement& plac
     found = false;
     if (placed.is_empty) return QueryStatus::ok;
     const PairFrame& frame = placed.frame;
-    FoundPair best;
+    FoundTriangles best;
     const QueryStatus status =
         find_nearest(frame, radius_on_grid(frame, max_distance), false, best, found, limit.pairs);
     if (!found) return status;
@@ -140,7 +140,7 @@ QueryStatus within_distance(const Blob& a, const Blob& b, const Placement& place
     if (placed.status != QueryStatus::ok) return placed.status;
     answer = false;
     if (placed.is_empty) return QueryStatus::ok;
-    FoundPair pair;
+    FoundTriangles pair;
     return find_nearest(placed.frame, radius_on_grid(placed.frame, distance), true, pair, answer, limit.pairs);
 }
 

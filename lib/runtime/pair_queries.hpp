@@ -12,7 +12,7 @@
 namespace espalier::detail {
 
 /// The least distance so far, on the common grid.
-struct FoundPair {
+struct FoundTriangles {
     TriangleDistance distance;
     LatticeTriangle a;
     LatticeTriangle b;
@@ -32,11 +32,11 @@ inline float point_on(const LatticeTriangle& triangle, const float* weights, int
 
 }  // namespace espalier::detail
 
-#define ESPALIER_DECLARE_PAIR_QUERIES(instruction_set)                                                     \
-    namespace instruction_set {                                                                            \
-    QueryStatus touching_pairs(const PairFrame& frame, OnTouching visit, std::uint64_t& work);             \
-    QueryStatus nearest_pair(const PairFrame& frame, float radius, bool any, FoundPair& best, bool& found, \
-                             std::uint64_t& work);                                                         \
+#define ESPALIER_DECLARE_PAIR_QUERIES(instruction_set)                                                          \
+    namespace instruction_set {                                                                                 \
+    QueryStatus touching_pairs(const PairFrame& frame, OnTouching visit, std::uint64_t& work);                  \
+    QueryStatus nearest_pair(const PairFrame& frame, float radius, bool any, FoundTriangles& best, bool& found, \
+                             std::uint64_t& work);                                                              \
     }
 
 namespace espalier::detail {

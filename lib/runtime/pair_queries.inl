@@ -110,12 +110,12 @@ QueryStatus touching_pairs(const PairFrame& frame, OnTouching visit, std::uint64
 }
 
 /// The pair that is least apart; of equal ones the lowest, but the first that touches. Or any pair within the radius.
-struct NearestPair {
+struct LeastDistance {
     static constexpr bool asks_again = true;
     const PairFrame& frame;
     float radius;  ///< steps of the grid
     bool any;      ///< whether any pair within the radius is as good
-    FoundPair& best;
+    FoundTriangles& best;
     float limit_ = radius * radius * distance_slack;
     bool found = false;
     PairAxes axes_[2] = {};  ///< in either tree's frame
@@ -183,9 +183,9 @@ private:
     }
 };
 
-QueryStatus nearest_pair(const PairFrame& frame, float radius, bool any, FoundPair& best, bool& found,
+QueryStatus nearest_pair(const PairFrame& frame, float radius, bool any, FoundTriangles& best, bool& found,
                          std::uint64_t& work) {
-    NearestPair visitor = {frame, radius, any, best};
+    LeastDistance visitor = {frame, radius, any, best};
     const QueryStatus status = traverse_pair(frame, visitor, work);
     found = visitor.found;
     return status;

@@ -180,16 +180,16 @@ TEST_SUITE("promises") {
                  for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
              })},
             {"closest_hits", 1536, ray_row([&](const Blob& blob, const Ray& ray) { closest_hits(blob, ray, hits); })},
-            {"collides", 5120,
+            {"collides", 4096,
              placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
-                          const detail::PairFrame&) { collides(blob, blob, placement, inside); })},
-            {"minimum_distance", 5376,
-             pair_row(
+                            const detail::PairFrame&) { collides(blob, blob, placement, inside); })},
+            {"minimum_distance", 5120,
+             placed_row(
                  [&](const InstructionPath&, const Blob& blob, const Placement& placement, const detail::PairFrame&) {
                      PairDistance distance;
                      minimum_distance(blob, blob, placement, 1e30f, distance, inside, {20'000});
                  })},
-            {"pairs of triangles, every instruction set", 4864,
+            {"pairs of triangles, every instruction set", 4096,
              placed_row([](const InstructionPath& path, const Blob&, const Placement&, const detail::PairFrame& frame) {
                  std::uint64_t work = 20'000;
                  const auto go_on = [](const TrianglePair&, const detail::LatticeTriangle&,
@@ -234,9 +234,8 @@ TEST_SUITE("promises") {
                  const Vec3 max = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
                  closest_to_box(blob, {min, max}, capsule.radius, pair);
              })},
-            {"contains", 1536, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                 contains(blob, sphere.center, inside);
-             })},
+            {"contains", 1536,
+             sphere_row([&](const Blob& blob, const Sphere& sphere) { contains(blob, sphere.center, inside); })},
             {"signed_distance", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  signed_distance(blob, sphere.center, sphere.radius, nearest);
              })},

@@ -51,7 +51,7 @@ struct Counts {
     std::uint64_t pairs = 0;
 };
 
-bool same_bits(const detail::FoundPair& a, const detail::FoundPair& b) {
+bool same_bits(const detail::FoundTriangles& a, const detail::FoundTriangles& b) {
     const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
     bool same = a.pair == b.pair && bits(a.distance.squared) == bits(b.distance.squared);
     for (int k = 0; k < 2; ++k)
@@ -121,7 +121,7 @@ void check_placement(const TestBlob& a, const TestBlob& b, const Placement& plac
     }
     for (const InstructionPath& path : paths) {
         CAPTURE(path.name);
-        detail::FoundPair best;
+        detail::FoundTriangles best;
         std::uint64_t left = no_limit;
         REQUIRE(path.nearest_pair(frame, std::numeric_limits<float>::infinity(), false, best, found, left) ==
                 QueryStatus::ok);

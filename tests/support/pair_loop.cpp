@@ -49,7 +49,7 @@ std::vector<TrianglePair> PairLoop::every_contact() const {
     return found;
 }
 
-std::optional<detail::FoundPair> PairLoop::nearest_pair(float radius) const {
+std::optional<detail::FoundTriangles> PairLoop::nearest_pair(float radius) const {
     // Corners bound the distance from above, boxes from below: pairs that are clearly farther need no kernel.
     double bound = static_cast<double>(radius) * static_cast<double>(radius);
     for (const Placed& a : a_)
@@ -61,7 +61,7 @@ std::optional<detail::FoundPair> PairLoop::nearest_pair(float radius) const {
             }
             bound = std::min(bound, squared);
         }
-    std::optional<detail::FoundPair> best;
+    std::optional<detail::FoundTriangles> best;
     for (const Placed& a : a_)
         for (const Placed& b : b_) {
             if (gap(a, b) > bound * 1.00001) continue;

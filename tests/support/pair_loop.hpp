@@ -17,7 +17,7 @@ public:
     /// Sorted. Triangles that are copies are left out.
     [[nodiscard]] std::vector<TrianglePair> every_contact() const;
     /// The least distance within the radius (steps of the grid); of equal ones the lowest pair.
-    [[nodiscard]] std::optional<detail::FoundPair> nearest_pair(float radius) const;
+    [[nodiscard]] std::optional<detail::FoundTriangles> nearest_pair(float radius) const;
     [[nodiscard]] bool is_any_within(float radius) const;
 
 private:
