@@ -65,6 +65,7 @@ QueryKinds ray_kinds();
 QueryKinds overlap_kinds();
 QueryKinds distance_kinds();
 QueryKinds sweep_kinds();
+QueryKinds pair_kinds();
 QueryKinds blob_kinds();
 
 /// All of them, in the order in which help lists them.

@@ -264,6 +264,56 @@ run 1 query box.espl capsule 0 0 0 1 1 1 1 --accuracy 1
 run 1 query box.espl sphere 0 0 0 1 --accuracy 1 --any
 run 1 query box.espl sphere 0 0 0 1 --accuracy wide
 
+claim "two blobs touch or not, wherever the other stands"
+run 0 query box.espl collides box.espl
+out_has "collides"
+run 0 query box.espl collides box.espl --move 0 0 3
+out_has "collides"
+run 0 query box.espl collides box.espl --move 0 0 3001mm --json
+json '.collides == false'
+run 0 query box.espl collides box.espl --move 0.25 0.5 0.5 --scale 0.5
+out_has "does not collide"
+run 0 query box.espl collides box.espl --move -1 -1 -1 --scale 0.25 --rotate 0 0 0 1
+out_has "does not collide"
+run 0 query box.espl collides box.espl --rotate 0 0 1 0 --move 0 0 4 # half a turn about z
+out_has "does not collide"
+run 0 query full.espl first-contact box.espl --move 0.9 0 0 --json
+json '.found and .a.original.file == 0 and (.b.triangle | type) == "number"'
+run 0 query box.espl first-contact box.espl --move 9 0 0
+out_has "no contact"
+run 0 query box.espl contacts box.espl --move 0.9 0 0 --json
+json '.status == "ok" and .count == (.contacts | length) and .count > 10'
+run 0 query box.espl contacts box.espl --move 0.9 0 0 --limit 2
+out_has "2 contacts, and there are more"
+run 0 query box.espl distance box.espl --move 0 0 5 --json
+json '.distance == 2 and .on_a[2] == 3 and .on_b[2] == 5'
+run 0 query box.espl distance box.espl --move 0 0 5 --max-distance 1
+out_has "nothing within"
+run 0 query box.espl within box.espl 2 --move 0 0 5
+out_has "within that distance"
+run 0 query box.espl within box.espl 1999mm --move 0 0 5
+out_has "farther apart"
+
+claim "two blobs refuse what cannot be placed, and tell when the work was limited"
+run 6 query box.espl collides box.espl --rotate 0 0 0 0 --json
+json '.status == "invalid_argument" and (has("collides") | not)'
+run 6 query box.espl distance box.espl --scale -1
+run 6 query box.espl within box.espl nan
+run 6 query box.espl collides box.espl --move 1e38 0 0
+err_has "too far away"
+run 6 query split.espl contacts box.espl
+err_has "spatial splits"
+run 0 query split.espl collides split.espl
+run 6 query sheet.espl contacts sheet.espl --work-limit 5 --json
+json '.status == "work_limit" and .count >= 0'
+run 6 query sheet.espl distance sheet.espl --move 0 9 0 --work-limit 1
+err_has "limit of work"
+run 1 query box.espl collides
+run 1 query box.espl collides box.espl --rotate 0 0 1
+run 1 query box.espl collides box.espl --scale big
+run 2 query box.espl collides missing.espl
+run 3 query box.espl collides box.obj
+
 claim "what a blob holds: bounds, triangles with source and edges, nodes"
 run 0 query box.espl bounds --json
 json '.box == {min: [0, 0, 0], max: [1, 2, 3]} and (has("sphere") or has("oriented_box") or has("k_dop") | not)'
