@@ -372,7 +372,7 @@ done
 claim "help lists every kind, and each kind has help that names its words"
 run 0 query --help
 sed -n 's/^  \([a-z][a-z-]*\)  *[A-Z].*/\1/p' out >kinds
-[ "$(wc -l <kinds)" -ge 15 ] || fail "$(wc -l <kinds) kinds"
+[ "$(wc -l <kinds)" -ge 26 ] || fail "$(wc -l <kinds) kinds"
 while read -r kind; do
     run 0 query x "$kind" --help
     out_has "--json"
