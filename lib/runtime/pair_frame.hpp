@@ -58,13 +58,6 @@ struct PairFrame {
     }
 };
 
-inline IntegerTriangle integer_triangle(const LatticeTriangle& t) {
-    IntegerTriangle result;
-    for (int corner = 0; corner < 3; ++corner)
-        result.corner[corner] = {t.corner[corner][0], t.corner[corner][1], t.corner[corner][2]};
-    return result;
-}
-
 /// Finite, with a rotation of some length and a scale above 0.
 bool is_valid(const Placement& placement) noexcept;
 

@@ -65,7 +65,8 @@ public:
     [[nodiscard]] const SegmentDistance& nearest() const { return nearest_; }
     [[nodiscard]] bool is_any_within() const { return within_; }
 
-    void try_all(const LatticeSegment& segment, const LatticeTriangle& triangle) {
+    /// `inside_of_sides_only`: not the places at an end of the segment or at a corner, nor where they meet.
+    void try_all(const LatticeSegment& segment, const LatticeTriangle& triangle, bool inside_of_sides_only = false) {
         OriginRelative from_start{};
         const auto& c = triangle.corner;
         Integer3 d{}, w[3];
@@ -84,15 +85,17 @@ public:
         set(1, &Integer3::y);
         set(2, &Integer3::z);
         from_start.a = w[0];
-        OriginRelative from_end = from_start;
-        from_end.a = {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z};
 
-        if (crosses_face(from_start, from_end, d, w)) return;
-        try_end(from_start, 0.0f);
-        try_end(from_end, 1.0f);
+        if (!inside_of_sides_only) {
+            OriginRelative from_end = from_start;
+            from_end.a = {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z};
+            if (crosses_face(from_start, from_end, d, w)) return;
+            try_end(from_start, 0.0f);
+            try_end(from_end, 1.0f);
+        }
         if constexpr (has_native_int128)  // elsewhere code is dearer than time
-            if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w);
-        try_sides<Int128, WideDifference>(from_start, d, w);
+            if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w, !inside_of_sides_only);
+        try_sides<Int128, WideDifference>(from_start, d, w, !inside_of_sides_only);
     }
 
 private:
@@ -137,14 +140,14 @@ private:
     }
 
     template <class Dot, class Difference>
-    [[gnu::noinline]] void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w) {
+    [[gnu::noinline]] void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w, bool corners_too) {
         const Integer3 edges[3] = {
             t.ab, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, {-t.ac.x, -t.ac.y, -t.ac.z}};
         const Dot length = dot<Dot>(d, d);
         const Corner<Dot> corners[3] = {
             {w[0], dot<Dot>(w[0], d)}, {w[1], dot<Dot>(w[1], d)}, {w[2], dot<Dot>(w[2], d)}};
         for (int i = 0; i < 3; ++i) {
-            try_corner<Dot, Difference>(corners[i], length, i);
+            if (corners_too) try_corner<Dot, Difference>(corners[i], length, i);
             try_side<Dot, Difference>(corners[i], corners[(i + 1) % 3], edges[i], d, length, i);
         }
     }
@@ -208,6 +211,12 @@ private:
 SegmentDistance distance_to(const LatticeSegment& segment, const LatticeTriangle& triangle) noexcept {
     Candidates candidates(segment.fraction_bits);
     candidates.try_all(segment, triangle);
+    return candidates.nearest();
+}
+
+SegmentDistance distance_to_sides(const LatticeSegment& segment, const LatticeTriangle& triangle) noexcept {
+    Candidates candidates(segment.fraction_bits);
+    candidates.try_all(segment, triangle, true);
     return candidates.nearest();
 }
 

@@ -1,6 +1,7 @@
 // The kernel of two triangles' distance. Not worth a copy in every instruction set.
 #include <runtime/segment_triangle.hpp>
 #include <runtime/triangle_distance.hpp>
+#include <runtime/triangle_triangle.hpp>
 
 namespace espalier::detail {
 
@@ -27,7 +28,25 @@ void weights_on_side(int number, float share, float* weights) {
 
 }  // namespace
 
-TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangle& b) noexcept {
+namespace {
+
+/// Seen from corner `number` of the one: the other.
+OriginRelative from_corner(const LatticeTriangle& one, int number, const LatticeTriangle& other) {
+    OriginRelative seen{};
+    const auto set = [&](int k, std::int64_t Integer3::*axis) {
+        const auto& c = other.corner;
+        seen.a.*axis = std::int64_t{c[0][k]} - one.corner[number][k];
+        seen.ab.*axis = std::int64_t{c[1][k]} - c[0][k];
+        seen.ac.*axis = std::int64_t{c[2][k]} - c[0][k];
+    };
+    set(0, &Integer3::x);
+    set(1, &Integer3::y);
+    set(2, &Integer3::z);
+    return seen;
+}
+
+/// Six sides against the other triangle each: places are looked at more than once, but a common point is found.
+[[gnu::noinline]] TriangleDistance distance_of_touching(const LatticeTriangle& a, const LatticeTriangle& b) {
     TriangleDistance best;
     best.squared = infinity;
     for (int number = 0; number < 6 && best.squared != 0.0f; ++number) {
@@ -40,6 +59,34 @@ TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangl
         float* const face = of_a ? best.on_b : best.on_a;
         face[0] = distance.u;
         face[1] = distance.v;
+    }
+    return best;
+}
+
+}  // namespace
+
+TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangle& b) noexcept {
+    if (triangles_meet(integer_triangle(a), integer_triangle(b))) return distance_of_touching(a, b);
+    TriangleDistance best;
+    best.squared = infinity;
+    for (int number = 0; number < 6; ++number) {
+        const bool of_a = number < 3;
+        const int corner = of_a ? number : number - 3;
+        const PointDistance distance = distance_to(from_corner(of_a ? a : b, corner, of_a ? b : a), 0);
+        if (!(distance.squared < best.squared)) continue;
+        best.squared = distance.squared;
+        weights_on_side(corner, 0.0f, of_a ? best.on_a : best.on_b);
+        float* const face = of_a ? best.on_b : best.on_a;
+        face[0] = distance.u;
+        face[1] = distance.v;
+    }
+    for (int side = 0; side < 3; ++side) {
+        const SegmentDistance distance = distance_to_sides(side_of(a, side), b);
+        if (!(distance.squared < best.squared)) continue;
+        best.squared = distance.squared;
+        weights_on_side(side, distance.along, best.on_a);
+        best.on_b[0] = distance.u;
+        best.on_b[1] = distance.v;
     }
     return best;
 }

@@ -1,5 +1,5 @@
 // How far two triangles of a common integer grid are apart: zero exactly when they share a point. Where they share none
-// the distance is reached from a side of the one, so that it is the least of six distances of a segment and a triangle.
+// the distance is reached from one of six corners, or between the insides of two of nine pairs of sides.
 #pragma once
 
 #include <cstdint>

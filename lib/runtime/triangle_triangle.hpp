@@ -20,6 +20,13 @@ inline Integer3 operator-(const Integer3& a, const Integer3& b) { return {a.x - 
 /// Coordinates that belong to one another must differ by less than this.
 inline constexpr std::int64_t triangle_pair_reach = std::int64_t{1} << 39;
 
+inline IntegerTriangle integer_triangle(const LatticeTriangle& t) {
+    IntegerTriangle result;
+    for (int corner = 0; corner < 3; ++corner)
+        result.corner[corner] = {t.corner[corner][0], t.corner[corner][1], t.corner[corner][2]};
+    return result;
+}
+
 /// Whether the closed triangles share a point, exactly.
 [[nodiscard]] bool triangles_meet(const IntegerTriangle& p, const IntegerTriangle& q) noexcept;
 
