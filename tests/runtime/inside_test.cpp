@@ -8,8 +8,10 @@
 #include <utility>
 
 #include <espalier/inside.hpp>
+#include <runtime/nearest_world.hpp>
 #include <runtime/winding.hpp>
 
+#include "../support/mesh_files.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
@@ -165,6 +167,41 @@ std::optional<WindingRay> way_out(const Blob& blob, Vec3 point) {
     return ray;
 }
 
+/// Along one of the ways out.
+void check_winding(const TestBlob& blob, const TriangleLoop& loop, Vec3 point, Random& random) {
+    CAPTURE(describe(Sphere{point, 0.0f}));
+    std::optional<WindingRay> ray = way_out(blob.opened.blob, point);
+    if (!ray) return;
+    ray->direction = all_directions[random.below(6)];
+    const Winding expected = loop.winding(*ray);
+    const Winding winding = detail::winding_number(blob.opened.blob.data(), *ray);
+    REQUIRE(winding.on_surface == expected.on_surface);
+    if (!winding.on_surface) REQUIRE(winding.number == expected.number);
+    bool inside = false;
+    REQUIRE(contains(blob.opened.blob, point, inside) == QueryStatus::ok);
+    REQUIRE(inside == expected.is_inside());
+}
+
+/// Says whether the point is inside.
+bool check_signed_distance(const TestBlob& blob, const TriangleLoop& loop, Vec3 point) {
+    CAPTURE(describe(Sphere{point, 0.0f}));
+    const Blob& opened = blob.opened.blob;
+    LatticePoint rounded;
+    REQUIRE(detail::round_point(opened.data(), point, infinity, rounded));
+    const detail::FoundNearest found = loop.by_distance(rounded, 1).at(0);
+    const std::optional<WindingRay> ray = way_out(opened, point);
+    const bool inside = ray && loop.winding(*ray).is_inside();
+    // The runtime's own translation: what is found, not the translation, is compared here.
+    Nearest expected = detail::to_nearest(opened.data(), found);
+    expected.distance =
+        detail::to_world_distance(opened.data(), found.distance.squared, rounded.distance_offset, infinity);
+    if (inside && expected.distance != 0.0f) expected.distance = -expected.distance;
+    Nearest nearest;
+    REQUIRE(signed_distance(opened, point, infinity, nearest) == QueryStatus::ok);
+    REQUIRE(same_bits(nearest, expected));
+    return inside;
+}
+
 }  // namespace
 
 TEST_SUITE("queries against the oracle") {
@@ -206,20 +243,38 @@ TEST_SUITE("traversal against the loop") {
             CAPTURE(blob.name);
             const TriangleLoop loop(blob.decoded);
             Random random(1100);
-            for (std::uint64_t i = 0; i < scaled_share(2'000); ++i) {
-                const Vec3 point = random.coin() ? random_point(blob, random) : awkward_point(blob, random);
-                CAPTURE(describe(Sphere{point, 0.0f}));
-                std::optional<WindingRay> ray = way_out(blob.opened.blob, point);
-                if (!ray) continue;
-                ray->direction = all_directions[random.below(6)];
-                const Winding expected = loop.winding(*ray);
-                const Winding winding = detail::winding_number(blob.opened.blob.data(), *ray);
-                REQUIRE(winding.on_surface == expected.on_surface);
-                if (!winding.on_surface) REQUIRE(winding.number == expected.number);
-                bool inside = false;
-                REQUIRE(contains(blob.opened.blob, point, inside) == QueryStatus::ok);
-                REQUIRE(inside == expected.is_inside());
-            }
+            for (std::uint64_t i = 0; i < scaled_share(2'000); ++i)
+                check_winding(blob, loop, random.coin() ? random_point(blob, random) : awkward_point(blob, random),
+                              random);
+        }
+    }
+    TEST_CASE("real meshes: winding numbers and signed distances of closed ones equal the loop") {
+        const auto files = mesh_files();
+        if (files.empty()) {
+            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
+            return;
+        }
+        for (const auto& file : files) {
+            for_each_profile([&](format::Profile profile) {
+                const std::string name = file.filename().string();
+                CAPTURE(name);
+                OpenedBlob opened(read_mesh(file), with_profile(profile));
+                if (!opened.blob.closed()) return;
+                DecodedBlob decoded = decode(opened.bytes);
+                const TestBlob blob = {name, std::move(opened), std::move(decoded)};
+                const TriangleLoop loop(blob.decoded);
+                Random random(1150 + static_cast<std::uint64_t>(profile));
+                // Times a scale of 1,000 these are at least the counts that a release must show.
+                const std::uint64_t count = scaled_share(blob.decoded.triangles.size() > 200'000 ? 3 : 112);
+                std::uint64_t inside = 0;
+                for (std::uint64_t i = 0; i < count; ++i) {
+                    const Vec3 point = i % 10 == 9 ? awkward_point(blob, random) : random_point(blob, random);
+                    check_winding(blob, loop, point, random);
+                    inside += check_signed_distance(blob, loop, point) ? 1u : 0u;
+                }
+                MESSAGE(name, ", profile ", name_of(profile), ": ", count - count / 10, " random and ", count / 10,
+                        " awkward points equal the loop; ", inside, " inside");
+            });
         }
     }
 }

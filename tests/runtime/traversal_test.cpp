@@ -2,8 +2,6 @@
 // gives.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <string>
 
@@ -51,21 +49,7 @@ void check_spheres(const std::vector<TestBlob>& blobs, std::uint64_t count) {
     }
 }
 
-struct RealMesh {
-    const char* file;
-    std::uint64_t rays;
-};
 /// Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
-constexpr std::array real_meshes = {RealMesh{"bunny.obj", 1'000}, RealMesh{"fandisk.obj", 100},
-                                    RealMesh{"dragon.ply", 30}};
-
-/// The counts of a named mesh, and 100 for any other file of the folder.
-std::uint64_t ray_count(const std::string& file) {
-    const auto known =
-        std::find_if(real_meshes.begin(), real_meshes.end(), [&](const RealMesh& m) { return file == m.file; });
-    return scaled_share(known == real_meshes.end() ? 100 : known->rays);
-}
-
 void check_real_mesh(const std::filesystem::path& file, format::Profile profile) {
     const std::string name = file.filename().string();
     CAPTURE(name);
@@ -73,21 +57,29 @@ void check_real_mesh(const std::filesystem::path& file, format::Profile profile)
     const DecodedBlob decoded = decode(opened.bytes);
     const TriangleLoop loop(decoded);
     QueryMaker maker(decoded, 300 + static_cast<std::uint64_t>(profile));
-    const std::uint64_t count = ray_count(name);
+    const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 10 : 101);
     std::uint64_t hits = 0;
-    for (std::uint64_t i = 0; i < count; ++i) {
-        Ray ray = maker.any_ray();
+    std::uint64_t found = 0;
+    const auto check_ray = [&](RayKind kind) {
+        Ray ray = maker.ray(kind);
         if (maker.random().below(4) == 0) maker.restrict(ray);
         const auto difference = ray_difference(opened.blob, loop, ray, hits);
         REQUIRE_MESSAGE(!difference, *difference);
-    }
-    std::uint64_t found = 0;
-    for (std::uint64_t i = 0; i < (count + 9) / 10; ++i) {
-        const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), found);
+    };
+    const auto check_sphere = [&](const Sphere& sphere) {
+        const auto difference = sphere_difference(opened.blob, loop, sphere, found);
         REQUIRE_MESSAGE(!difference, *difference);
+    };
+    for (std::uint64_t i = 0; i < count; ++i) {
+        check_ray(RayKind::incoherent);
+        check_ray(all_ray_kinds[1 + maker.random().below(all_ray_kinds.size() - 1)]);
     }
-    MESSAGE(name, ", profile ", name_of(profile), ": ", count, " rays and ", (count + 9) / 10,
-            " spheres equal the loop; ", hits, " triangles hit, ", found, " overlapped");
+    const std::uint64_t awkward_spheres = (count + 4) / 5;
+    for (std::uint64_t i = 0; i < count; ++i) check_sphere(maker.random_sphere());
+    for (std::uint64_t i = 0; i < awkward_spheres; ++i) check_sphere(maker.sphere());
+    MESSAGE(name, ", profile ", name_of(profile), ": ", count, " random and as many awkward rays, ", count,
+            " random and ", awkward_spheres, " awkward spheres equal the loop; ", hits, " triangles hit, ", found,
+            " overlapped");
     if (count >= 20) CHECK(hits > 0);  // fewer may all miss
 }
 

@@ -181,10 +181,10 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
         return std::nullopt;
     }
     const std::vector<std::uint32_t> expected = loop.every_overlap(rounded);
-    const std::vector<detail::FoundNearest> by_distance = loop.by_distance(rounded);
+    const std::size_t places = places_for(sphere.center.x, sphere.center.y);
+    const std::vector<detail::FoundNearest> by_distance = loop.by_distance(rounded, std::max<std::size_t>(places, 1));
     const bool any_closest = !by_distance.empty();
     hits += expected.size();
-    const std::size_t places = places_for(sphere.center.x, sphere.center.y);
     std::vector<Nearest> row;
     for (std::size_t i = 0; i < std::min(places, by_distance.size()); ++i) {
         // The runtime's own translation: the traversal, not the translation, is compared here.

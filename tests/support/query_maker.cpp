@@ -217,6 +217,15 @@ Sphere QueryMaker::sphere() {
     return sphere;
 }
 
+Sphere QueryMaker::random_sphere() {
+    const auto along = [&](unsigned k) {
+        return (static_cast<double>(random_.unit()) * 1.5 - 0.25) * decoded_.extent[k];
+    };
+    const double x = along(0), y = along(1), z = along(2);
+    const auto size = static_cast<float>(size_) * random_.unit();
+    return {to_world(x, y, z), std::ldexp(size, -random_.between(0, 8))};
+}
+
 std::string describe(const Ray& ray) {
     char text[256];
     const auto d = [](float x) { return static_cast<double>(x); };

@@ -38,6 +38,8 @@ public:
     /// The window and the faces set to something else than everything.
     void restrict(Ray& ray);
     Sphere sphere();
+    /// Anywhere near the asset, of any size up to its own, mostly small.
+    Sphere random_sphere();
 
     /// A lattice point in the world, rounded to float.
     [[nodiscard]] Vec3 to_world(const GridPoint& point) const { return to_world(point[0], point[1], point[2]); }
