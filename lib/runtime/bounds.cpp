@@ -183,9 +183,8 @@ bool is_outside_bounds(const Blob& blob, const Box& box) noexcept {
     const float high_world[3] = {box.max.x, box.max.y, box.max.z};
     float center[3];
     float half[3];
-    if (data.triangle_count == 0) return true;
+    if (data.triangle_count == 0 || is_nan(box.min) || is_nan(box.max) || is_empty(box)) return true;
     for (int k = 0; k < 3; ++k) {
-        if (!(low_world[k] <= high_world[k])) return true;
         // Cut off well outside of the asset: what is left touches it as before.
         const float reach = data.extent_steps[k] + 1.0f;
         const auto to_steps = [&](float world) {

@@ -6,11 +6,11 @@ namespace espalier::detail {
 
 QueryStatus round_volume(const BlobData& blob, const Box& world, LatticeBox& box) noexcept {
     if (is_nan(world.min) || is_nan(world.max)) return QueryStatus::invalid_argument;
+    if (is_empty(world)) return QueryStatus::ok;
     const float min[3] = {world.min.x, world.min.y, world.min.z};
     const float max[3] = {world.max.x, world.max.y, world.max.z};
     constexpr int fine = LatticeBox::fraction_bits - 1;
     for (int k = 0; k < 3; ++k) {
-        if (flush_subnormal(min[k]) > flush_subnormal(max[k])) return QueryStatus::ok;
         // No triangle is beyond the asset's box: a step outside of it is as good as infinitely far.
         const float last = blob.extent_steps[k] + 1.0f;
         const float low_steps = to_steps(blob, k, min[k]);

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
+#include <espalier/shapes.hpp>
 #include <runtime/float_bits.hpp>
 
 namespace espalier::detail {
@@ -29,5 +30,11 @@ inline bool is_radius(float radius) { return !is_nan(radius) && (!is_negative(ra
 
 inline bool is_finite(const Vec3& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
 inline bool is_nan(const Vec3& v) { return is_nan(v.x) || is_nan(v.y) || is_nan(v.z); }
+
+/// Whether a coordinate of `min` is above that of `max`; subnormal ones are zero, here as everywhere.
+inline bool is_empty(const Box& box) {
+    const auto is_above = [](float a, float b) { return flush_subnormal(a) > flush_subnormal(b); };
+    return is_above(box.min.x, box.max.x) || is_above(box.min.y, box.max.y) || is_above(box.min.z, box.max.z);
+}
 
 }  // namespace espalier::detail

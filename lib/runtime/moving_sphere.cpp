@@ -205,7 +205,9 @@ private:
                                          ? along < 0.0f
                                          : compare_products(wide_dot(seen_[number_], sphere_.displacement), length,
                                                             forward_, wide_dot(side, sphere_.displacement)) < 0;
-                return {false, closing, distance, (absolute(along) + error) / to_float(length) / distance * 0x1p56f};
+                // Times 2^56, in two halves: beside a long side what lies between would be subnormal.
+                return {false, closing, distance,
+                        (absolute(along) + error) * 0x1p28f / to_float(length) / distance * 0x1p28f};
             }
             default: {
                 const Int128 area = wide_dot(normal_, normal_);

@@ -71,10 +71,7 @@ QueryStatus closest_to_box(const Blob& blob, const Box& box, float max_distance,
     DistantBox shape;
     const QueryStatus status = round_segment(blob.data(), {box.min, box.max}, shape.diagonal);
     if (status != QueryStatus::ok) return status;
-    const auto is_above = [](float a, float b) { return flush_subnormal(a) > flush_subnormal(b); };
-    const bool is_empty =
-        is_above(box.min.x, box.max.x) || is_above(box.min.y, box.max.y) || is_above(box.min.z, box.max.z);
-    find_pair(blob.data(), shape, is_empty, max_distance, pair,
+    find_pair(blob.data(), shape, is_empty(box), max_distance, pair,
               [&](const SegmentDistance&, const float* on_surface, float* point) {
                   const float* low = shape.diagonal.from_steps;
                   const float* high = shape.diagonal.to_steps;

@@ -2,6 +2,7 @@
 #include <bit>
 
 #include <espalier/sweep.hpp>
+#include <runtime/lattice_round.hpp>
 #include <runtime/simd/lanes_scalar.hpp>
 #include <runtime/sweep_queries.hpp>
 
@@ -67,8 +68,6 @@ bool sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacement,
     return blob.triangle_count() != 0 && round_sweep(blob.data(), shape, displacement, rounded) == QueryStatus::ok &&
            sweep_rounded(blob, rounded, hit, filter);
 }
-
-bool is_empty(const Box& box) { return box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z; }
 
 }  // namespace
 

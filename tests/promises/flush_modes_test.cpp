@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
+#include <runtime/moving_sphere.hpp>
 
 #include "../support/hostile_values.hpp"
 #include "../support/mesh_makers.hpp"
@@ -159,6 +160,36 @@ TEST_SUITE("promises") {
             REQUIRE(raycast(blob.blob, ray, flushed));
         }
         CHECK(same_bits(plain, flushed));
+    }
+
+    TEST_CASE("a box whose sides are subnormal is flat to every query, with subnormals flushed or not") {
+        const OpenedBlob cube(make_cube(0.0f, 16.0f));
+        const Box box{{0x1p-149f, 1.0f, 1.0f}, {0.0f, 2.0f, 2.0f}};  // min.x is above max.x, but both are zero
+        for (const unsigned flags : {0u, 0x8040u}) {
+            CAPTURE(flags);
+            const FloatMode mode(flags);
+            CHECK(overlaps(cube.blob, box));
+            CHECK(may_overlap(cube.blob, box, 0.0f));
+            CHECK_FALSE(is_outside_bounds(cube.blob, box));
+            NearestPair pair;
+            CHECK(closest_to_box(cube.blob, box, 1.0f, pair) == QueryStatus::ok);
+            CHECK(pair.triangle != no_triangle);
+            SweepHit hit;
+            CHECK(sweep(cube.blob, box, {1.0f, 0.0f, 0.0f}, hit));
+            CHECK(sweep(cube.blob, box, {1.0f, 0.0f, 0.0f}, hit, [](Triangle) { return true; }));
+        }
+    }
+
+    TEST_CASE("a point that moves across a long side between two ticks is not missed with subnormals flushed") {
+        // The path crosses the first side at a third of its way: the tick before is 2^-48 lattice steps away, and the
+        // speed there a quotient of numbers that are as small.
+        const detail::UnitTriangle triangle = {
+            {{-2591347, -2586889, 0}, {14184980, 14160577, 0}, {3467013, -6347440, 8388608}}};
+        const detail::MovingSphere point = {{25778613, 25734265, 0}, 0};
+        constexpr detail::SweepStep a_third = 5592406;
+        CHECK(first_contact(point, triangle, detail::whole_way) == a_third);
+        const FloatMode mode(0x8040);
+        CHECK(first_contact(point, triangle, detail::whole_way) == a_third);
     }
 
     TEST_CASE("a closest point whose coordinate is subnormal is the same with subnormals flushed") {
