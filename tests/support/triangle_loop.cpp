@@ -79,10 +79,16 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Volume& volume,
 }
 
 TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeCapsule& capsule) const {
+    // Not by the capsule's own `meets`, which spares itself distances by the bounds that the walk culls with.
     const detail::LatticeSegment& segment = capsule.segment;
-    return every_overlap(capsule, bounds_.closest_to_segment(place(segment.from, segment.fraction_bits),
-                                                             place(segment.to, segment.fraction_bits),
-                                                             static_cast<double>(capsule.radius)));
+    Indices found;
+    for (const std::uint32_t i :
+         bounds_.closest_to_segment(place(segment.from, segment.fraction_bits),
+                                    place(segment.to, segment.fraction_bits), static_cast<double>(capsule.radius))) {
+        const detail::SegmentDistance distance = detail::distance_to(segment, triangles_[i]);
+        if (detail::is_within_radius(segment, triangles_[i], distance, capsule.radius)) found.push_back(indices_[i]);
+    }
+    return found;
 }
 
 TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeBox& box) const {
@@ -194,7 +200,12 @@ detail::FoundContact TriangleLoop::first_contact(const detail::SphereSweep& swee
 }
 detail::FoundContact TriangleLoop::first_contact(const detail::CapsuleSweep& sweep, Filter filter) const {
     const detail::Integer3 reach = all_three(sweep.moving.sphere.radius), to = sum(sweep.from, sweep.moving.axis);
-    return first_contact_of(sweep, difference(lower(sweep.from, to), reach), sum(higher(sweep.from, to), reach),
+    // The kernel spares itself the start by the box that the walk culls with: it is asked with one that spares nothing.
+    constexpr std::int64_t everywhere = std::int64_t{1} << 60;
+    detail::CapsuleSweep unspared = sweep;
+    unspared.low = all_three(-everywhere);
+    unspared.high = all_three(everywhere);
+    return first_contact_of(unspared, difference(lower(sweep.from, to), reach), sum(higher(sweep.from, to), reach),
                             filter);
 }
 detail::FoundContact TriangleLoop::first_contact(const detail::BoxSweep& sweep, Filter filter) const {
