@@ -57,7 +57,8 @@ struct NearestPair {
 /// out_of_range for a shape that reaches more than 2^36 lattice steps from any vertex of the asset along an axis.
 /// `pair` is untouched unless ok. The shape is rounded as finely as its farthest coordinate allows, to 2^-6 of a
 /// lattice step at most. Distances are ordered, and numbers as exact, as closest_point's; the coordinates of on_shape
-/// are within 14 ulp of the largest one of the shape and of the asset.
+/// are within 14 ulp of the largest one of the shape and of the asset. Distances of segments between 0 and 2^-63
+/// lattice steps, which take segments of 2^26 steps and more, are told as 2^-63 steps.
 QueryStatus closest_to_segment(const Blob& blob, const Segment& segment, float max_distance,
                                NearestPair& pair) noexcept;
 QueryStatus closest_to_box(const Blob& blob, const Box& box, float max_distance, NearestPair& pair) noexcept;

@@ -43,6 +43,9 @@ int sign_of_difference(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
     const auto difference = product_difference(a, b, c, d);
     return is_zero(difference) ? 0 : is_negative(difference) ? -1 : 1;
 }
+/// Lines of huge segments may pass a side by less than 2^-63 steps: told as that much, so as not to be subnormal or 0.
+constexpr float least_squared = 0x1p-126f;
+
 /// Both scaled down alike: the largest numerator then fits, and 1 over the largest denominator stays normal.
 float quotient(const WideDifference& numerator, const WideDifference& denominator) {
     return to_float(numerator.magnitude, -30) / to_float(denominator.magnitude, -30);
@@ -181,9 +184,10 @@ private:
         Int128 volume = dot<Int128>(from.at, cross(d, e));
         if (volume.is_negative()) volume = -volume;
         const float per_area = quotient(Difference(volume), denominator);
-        offer(
-            per_area * to_float(volume) * scale_, along, number, share * power_of_two(-fraction_bits_),
-            [&](auto decide) { decide(Unsigned256::product(Unsigned256(volume), Unsigned256(volume)), denominator); });
+        const float squared = volume.is_zero() ? 0.0f : maximum(per_area * to_float(volume) * scale_, least_squared);
+        offer(squared, along, number, share * power_of_two(-fraction_bits_), [&](auto decide) {
+            decide(Unsigned256::product(Unsigned256(volume), Unsigned256(volume)), denominator);
+        });
     }
 
     /// `share` is how far along side `number`. `exactly` hands the exact square to what it is given.
@@ -223,7 +227,7 @@ SegmentDistance distance_to_sides(const LatticeSegment& segment, const LatticeTr
 bool is_within_radius(const LatticeSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
                       float radius) noexcept {
     const float squared = radius * radius;
-    if (distance.squared > squared * distance_slack) return false;
+    if (distance.squared > squared * distance_slack && distance.squared != least_squared) return false;
     if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
     if (radius == 0.0f) return false;
     Candidates candidates(segment.fraction_bits, radius);

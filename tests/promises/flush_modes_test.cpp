@@ -7,6 +7,7 @@
 
 #include <espalier/espalier.hpp>
 #include <runtime/moving_sphere.hpp>
+#include <runtime/segment_triangle.hpp>
 
 #include "../support/hostile_values.hpp"
 #include "../support/mesh_makers.hpp"
@@ -190,6 +191,22 @@ TEST_SUITE("promises") {
         CHECK(first_contact(point, triangle, detail::whole_way) == a_third);
         const FloatMode mode(0x8040);
         CHECK(first_contact(point, triangle, detail::whole_way) == a_third);
+    }
+
+    TEST_CASE("a segment that passes a side by next to nothing does not touch it, with subnormals flushed or not") {
+        // 2^30 steps long, and 2^-67.4 steps away: the square of that is subnormal.
+        const detail::LatticeTriangle triangle = {{{0, 0, 0}, {9696974, 9377736, 14976601}, {1125151, 0, 0}}};
+        const detail::LatticeSegment segment = {
+            {52803576937, -56540579173, -47683688657}, {-40262203119, 43493936486, 36817496848}, 6, {}, {}};
+        for (const unsigned flags : {0u, 0x8040u}) {
+            CAPTURE(flags);
+            const FloatMode mode(flags);
+            const detail::SegmentDistance distance = distance_to(segment, triangle);
+            CHECK(distance.squared == 0x1p-126f);
+            CHECK_FALSE(is_within_radius(segment, triangle, distance, 0.0f));
+            CHECK_FALSE(is_within_radius(segment, triangle, distance, 0x1p-68f));
+            CHECK(is_within_radius(segment, triangle, distance, 0x1p-67f));
+        }
     }
 
     TEST_CASE("a closest point whose coordinate is subnormal is the same with subnormals flushed") {
