@@ -11,6 +11,7 @@
 #include <runtime/lattice_point.hpp>
 #include <runtime/small_boxes.hpp>
 
+#include "../support/test_scale.hpp"
 #include "../support/instruction_paths.hpp"
 #include "../support/mesh_files.hpp"
 #include "../support/mesh_makers.hpp"
@@ -46,6 +47,7 @@ struct Tally {
     std::uint64_t no = 0;
     void add(bool maybe, bool exact) { ++(!maybe ? no : exact ? yes : wrong_yes); }
     void check() const {
+        if (!asks_enough()) return;
         CHECK(yes > 0);
         CHECK(wrong_yes > 0);
         CHECK(no > 0);

@@ -90,7 +90,7 @@ TEST_SUITE("first hits of a ray") {
             const auto difference = ray_difference(opened.blob, loop, maker.any_ray(), hits);
             REQUIRE_MESSAGE(!difference, *difference);
         }
-        CHECK(hits > 1000);
+        if (asks_enough()) CHECK(hits > 1000);
     }
 }
 

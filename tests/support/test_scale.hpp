@@ -9,4 +9,7 @@ namespace espalier::tests {
 /// 1.
 std::uint64_t scaled(std::uint64_t count);
 
+/// Whether enough is asked that each kind of answer must come up: not under the sanitizers, nor at a scale below 1.
+inline bool asks_enough() { return scaled(64) >= 64; }
+
 }  // namespace espalier::tests
