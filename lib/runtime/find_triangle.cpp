@@ -8,7 +8,6 @@ namespace {
 
 namespace scalar_find {
 using scalar::lanes;
-using scalar::prefetch;
 #include <runtime/traverse.inl>
 }  // namespace scalar_find
 

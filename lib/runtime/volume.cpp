@@ -10,7 +10,6 @@ namespace {
 
 namespace scalar_walk {
 using scalar::lanes;
-using scalar::prefetch;
 #include <runtime/traverse.inl>
 }  // namespace scalar_walk
 
