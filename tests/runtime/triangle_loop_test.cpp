@@ -7,6 +7,8 @@
 
 #include <runtime/lattice_round.hpp>
 
+#include "../support/pair_loop.hpp"
+#include "../support/placement_maker.hpp"
 #include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/same_bits.hpp"
@@ -150,5 +152,43 @@ TEST_SUITE("the loop over all triangles") {
         CHECK(volumes > asked);
         CHECK(distances > asked / 5);
         CHECK(sweeps > asked / 5);
+    }
+
+    TEST_CASE("what a loop over pairs leaves out would not have changed its answer") {
+        const std::vector<TestBlob>& blobs = small_test_blobs();
+        std::uint64_t contacts = 0, distances = 0;
+        for (std::size_t i = 0; i < blobs.size(); ++i) {
+            const TestBlob& a = blobs[i];
+            const TestBlob& b = blobs[(i + 4) % blobs.size()];
+            CAPTURE(a.name);
+            CAPTURE(b.name);
+            PlacementMaker maker(a.decoded, b.decoded, 1710 + i);
+            for (std::uint64_t n = 0; n < scaled_share(2); ++n) {
+                const Placement placement = (i + n) % 2 == 0 ? maker.random() : maker.adversarial();
+                CAPTURE(describe(placement));
+                detail::PairFrame frame;
+                if (place_pair(a.opened.blob.data(), b.opened.blob.data(), placement, frame) != QueryStatus::ok)
+                    continue;
+                const PairLoop quick(frame, a.decoded, b.decoded);
+                const PairLoop whole(frame, a.decoded, b.decoded, LeftOut::nothing);
+                const auto pairs = quick.every_contact();
+                REQUIRE(pairs == whole.every_contact());
+                contacts += pairs.size();
+                const auto least = quick.nearest_pair(std::numeric_limits<float>::infinity());
+                const auto expected = whole.nearest_pair(std::numeric_limits<float>::infinity());
+                REQUIRE(least.has_value());
+                REQUIRE(expected.has_value());
+                REQUIRE(same_bits(least->distance.squared, expected->distance.squared));
+                REQUIRE(least->pair == expected->pair);
+                const float radius = std::sqrt(least->distance.squared);
+                for (const float within : {std::nextafter(radius, 0.0f), radius, radius * 1.00001f})
+                    REQUIRE(quick.is_any_within(within) == whole.is_any_within(within));
+                if (radius == 0.0f) continue;
+                ++distances;
+                REQUIRE_FALSE(quick.nearest_pair(radius * 0.99999f).has_value());
+            }
+        }
+        CHECK(contacts > 0);
+        CHECK(distances > 0);
     }
 }

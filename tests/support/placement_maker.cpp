@@ -93,6 +93,15 @@ Placement PlacementMaker::random() {
     return placement;
 }
 
+Placement PlacementMaker::apart() {
+    Placement placement = random();
+    const Vec3 off =
+        random_.in_cube(static_cast<float>(std::max(1.0, static_cast<double>(placement.scale) / ratio_) * size_a_));
+    Vec3& place = placement.translation;
+    place = {place.x + off.x, place.y + off.y, place.z + off.z};
+    return placement;
+}
+
 Placement PlacementMaker::adversarial() {
     Placement placement;
     // A power of two keeps lattice points on lattice points.

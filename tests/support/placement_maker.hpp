@@ -17,6 +17,8 @@ public:
 
     /// Any rotation, sizes within a factor of 4, so near that the boxes overlap: the kind that is not adversarial.
     Placement random();
+    /// The same, but farther away by up to the larger one's size: most do not touch.
+    Placement apart();
     Placement adversarial();
     [[nodiscard]] Random& numbers() { return random_; }
 
