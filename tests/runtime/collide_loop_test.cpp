@@ -12,6 +12,7 @@
 #include <runtime/lattice_world.hpp>
 #include <runtime/pair_queries.hpp>
 
+#include "../support/calls.hpp"
 #include "../support/instruction_paths.hpp"
 #include "../support/mesh_files.hpp"
 #include "../support/pair_loop.hpp"
@@ -189,8 +190,9 @@ void check_placement(const TestBlob& a, const TestBlob& b, const Placement& plac
 
 enum class Kind { random, apart, adversarial };
 
-std::string word_for(Kind kind) {
-    return kind == Kind::random ? "random" : kind == Kind::apart ? "random, mostly disjoint" : "adversarial";
+void tell_calls(const std::string& mesh, std::uint64_t random, std::uint64_t adversarial, bool with_distance) {
+    MESSAGE(calls_made("two blobs: collides, first contact, all contacts", mesh, random, adversarial));
+    if (with_distance) MESSAGE(calls_made("two blobs: minimum distance, within distance", mesh, random, adversarial));
 }
 
 Placement make(PlacementMaker& maker, Kind kind) {
@@ -207,8 +209,10 @@ void check_blobs(const std::vector<TestBlob>& blobs, std::uint64_t count, Kind k
                 check_placement(blobs[i], blobs[j], make(maker, kind), with_distance, counts);
         }
     }
-    MESSAGE(counts.asked, " ", word_for(kind), " placements equal the loop: ", counts.touching, " touch, in ",
-            counts.pairs, " pairs; ", counts.distances, " distances above 0; ", counts.refused, " out of range");
+    const std::uint64_t adversarial = kind == Kind::adversarial ? counts.asked : 0;
+    tell_calls(generated_meshes, counts.asked - adversarial, adversarial, with_distance);
+    MESSAGE(counts.touching, " touch, in ", counts.pairs, " pairs; ", counts.distances, " distances above 0; ",
+            counts.refused, " out of range");
     CHECK(counts.touching > counts.asked / 10);
     CHECK(counts.touching < counts.asked);
     CHECK(counts.refused < counts.asked / 10);
@@ -237,10 +241,10 @@ void check_real_mesh(const std::filesystem::path& file) {
             check_placement(a, b, maker.adversarial(), true, adversarial);
         }
     }
-    MESSAGE(mesh.name, ": ", random.asked, " random and ", adversarial.asked,
-            " adversarial placements equal the loop: ", random.touching, " and ", adversarial.touching, " touch, in ",
-            random.pairs, " and ", adversarial.pairs, " pairs; ", random.distances, " and ", adversarial.distances,
-            " distances above 0; ", adversarial.refused, " out of range");
+    tell_calls(mesh.name, random.asked, adversarial.asked, true);
+    MESSAGE(random.touching, " and ", adversarial.touching, " touch, in ", random.pairs, " and ", adversarial.pairs,
+            " pairs; ", random.distances, " and ", adversarial.distances, " distances above 0; ", adversarial.refused,
+            " out of range");
 }
 
 }  // namespace

@@ -1,23 +1,24 @@
-// Claims about inside and outside as the header words them.
+// Claims about inside and outside as the header words them; that they equal the loop, inside_loop_test.cpp shows.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <espalier/inside.hpp>
 #include <runtime/nearest_world.hpp>
 #include <runtime/winding.hpp>
 
-#include "../support/mesh_files.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/same_bits.hpp"
 #include "../support/test_blobs.hpp"
-#include "../support/triangle_loop.hpp"
+#include "../support/winding_points.hpp"
 #include "exact_query.hpp"
 
 using namespace espalier;
@@ -34,101 +35,6 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 constexpr AxisDirection all_directions[] = {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}};
-
-Mesh joined(Mesh mesh, const Mesh& other) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
-    for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
-    mesh.name += " and " + other.name;
-    return mesh;
-}
-
-Mesh turned_inside_out(Mesh mesh) {
-    for (TriangleVertices& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-    mesh.name += " inside out";
-    return mesh;
-}
-
-/// Closed blobs: of one shell and of several, nested, overlapping, inside out, touching in many lattice points.
-const std::vector<TestBlob>& closed_blobs() {
-    static const std::vector<TestBlob> blobs = [] {
-        std::vector<TestBlob> made;
-        const auto add = [&](const Mesh& mesh, unsigned bits) {
-            for_each_profile([&](format::Profile profile) {
-                BakeOptions options = with_profile(profile);
-                options.bits = bits;
-                OpenedBlob opened(mesh, options);
-                REQUIRE(opened.blob.closed());
-                DecodedBlob decoded = decode(opened.bytes);
-                made.push_back({mesh.name + ", profile " + name_of(profile), std::move(opened), std::move(decoded)});
-            });
-        };
-        const auto sphere = [](double radius, Vec3 center) { return make_icosphere(1, radius, center); };
-        add(make_cube(-1.0f, 1.0f), 16);
-        add(make_cube(0.0f, 1.0f), 1);
-        add(make_torus(16, 8, 2.0, 0.7), 5);
-        add(make_torus(24, 12, 2.0, 0.7), 24);
-        add(make_uv_sphere(8, 12, 1.0, {0.0f, 0.0f, 0.0f}), 12);
-        add(make_icosphere(2, 2.0, {148376.0f, 1234.0f, -223423.0f}), 16);
-        add(turned_inside_out(sphere(1.0, {0.0f, 0.0f, 0.0f})), 10);
-        add(joined(make_cube(-2.0f, 2.0f), turned_inside_out(make_cube(-1.0f, 1.0f))), 8);
-        add(joined(joined(make_cube(-4.0f, 4.0f), turned_inside_out(sphere(3.0, {0.0f, 0.0f, 0.0f}))),
-                   sphere(1.5, {0.5f, 0.25f, 0.0f})),
-            16);
-        add(joined(sphere(1.0, {0.0f, 0.0f, 0.0f}), sphere(1.0, {0.75f, 0.5f, 0.0f})), 16);
-        add(joined(make_cube(0.0f, 2.0f), turned_inside_out(make_cube(1.0f, 3.0f))), 4);
-        return made;
-    }();
-    return blobs;
-}
-
-/// Points whose ways out meet corners, sides and faces: coordinates of vertices and of the middles of sides, together
-/// and mixed.
-Vec3 awkward_point(const TestBlob& blob, Random& random) {
-    const auto some_vertex = [&] {
-        const GridTriangle& t =
-            blob.decoded.triangles[random.below(static_cast<std::uint32_t>(blob.decoded.triangles.size()))];
-        const std::uint32_t corner = random.below(3);
-        return corner == 0 ? t.a : corner == 1 ? t.b : t.c;
-    };
-    const GridTriangle& t =
-        blob.decoded.triangles[random.below(static_cast<std::uint32_t>(blob.decoded.triangles.size()))];
-    const std::uint32_t kind = random.below(5);
-    double at[3];
-    for (unsigned k = 0; k < 3; ++k) {
-        switch (kind) {
-            case 0:
-                at[k] = t.a[k];
-                break;
-            case 1:
-                at[k] = 0.5 * (t.a[k] + t.b[k]);
-                break;
-            case 2:
-                at[k] = 0.25 * t.a[k] + 0.25 * t.b[k] + 0.5 * t.c[k];
-                break;
-            default:
-                at[k] = some_vertex()[k];
-        }
-    }
-    if (kind < 3 && random.below(4) != 0) {
-        const std::uint32_t axis = random.below(3);
-        at[axis] = random.coin() ? some_vertex()[axis] : static_cast<double>(random.unit()) * blob.decoded.extent[axis];
-    }
-    const double step = std::ldexp(1.0, blob.decoded.step_exponent);
-    const auto world = [&](unsigned k) {
-        return static_cast<float>(static_cast<double>(blob.decoded.origin[k]) + at[k] * step);
-    };
-    return {world(0), world(1), world(2)};
-}
-
-Vec3 random_point(const TestBlob& blob, Random& random) {
-    const Vec3 low = blob.opened.blob.bounds_min();
-    const Vec3 high = blob.opened.blob.bounds_max();
-    const auto between = [&](float from, float to) { return from + (to - from) * (random.unit() * 1.1f - 0.05f); };
-    const float x = between(low.x, high.x);
-    const float y = between(low.y, high.y);
-    return {x, y, between(low.z, high.z)};
-}
 
 bool is_on(const oracle::Triangle& triangle, const oracle::Point& point) {
     if (oracle::normal_of(triangle).dot(point - triangle.a).sign() != 0) return false;
@@ -158,50 +64,6 @@ std::optional<int> exact_winding(const TestBlob& blob, const oracle::Point& poin
     }
 }
 
-/// Where the asset's box does not hold the point nothing winds around it.
-std::optional<WindingRay> way_out(const Blob& blob, Vec3 point) {
-    LatticePoint rounded;
-    WindingRay ray;
-    if (!detail::round_point(blob.data(), point, infinity, rounded)) return std::nullopt;
-    if (!detail::shortest_way_out(blob.data(), rounded, ray)) return std::nullopt;
-    return ray;
-}
-
-/// Along one of the ways out.
-void check_winding(const TestBlob& blob, const TriangleLoop& loop, Vec3 point, Random& random) {
-    CAPTURE(describe(Sphere{point, 0.0f}));
-    std::optional<WindingRay> ray = way_out(blob.opened.blob, point);
-    if (!ray) return;
-    ray->direction = all_directions[random.below(6)];
-    const Winding expected = loop.winding(*ray);
-    const Winding winding = detail::winding_number(blob.opened.blob.data(), *ray);
-    REQUIRE(winding.on_surface == expected.on_surface);
-    if (!winding.on_surface) REQUIRE(winding.number == expected.number);
-    bool inside = false;
-    REQUIRE(contains(blob.opened.blob, point, inside) == QueryStatus::ok);
-    REQUIRE(inside == expected.is_inside());
-}
-
-/// Says whether the point is inside.
-bool check_signed_distance(const TestBlob& blob, const TriangleLoop& loop, Vec3 point) {
-    CAPTURE(describe(Sphere{point, 0.0f}));
-    const Blob& opened = blob.opened.blob;
-    LatticePoint rounded;
-    REQUIRE(detail::round_point(opened.data(), point, infinity, rounded));
-    const detail::FoundNearest found = loop.by_distance(rounded, 1).at(0);
-    const std::optional<WindingRay> ray = way_out(opened, point);
-    const bool inside = ray && loop.winding(*ray).is_inside();
-    // The runtime's own translation: what is found, not the translation, is compared here.
-    Nearest expected = detail::to_nearest(opened.data(), found);
-    expected.distance =
-        detail::to_world_distance(opened.data(), found.distance.squared, rounded.distance_offset, infinity);
-    if (inside && expected.distance != 0.0f) expected.distance = -expected.distance;
-    Nearest nearest;
-    REQUIRE(signed_distance(opened, point, infinity, nearest) == QueryStatus::ok);
-    REQUIRE(same_bits(nearest, expected));
-    return inside;
-}
-
 }  // namespace
 
 TEST_SUITE("queries against the oracle") {
@@ -220,7 +82,7 @@ TEST_SUITE("queries against the oracle") {
                 bool inside = false;
                 REQUIRE(contains(blob.opened.blob, point, inside) == QueryStatus::ok);
                 REQUIRE(inside == (!expected || *expected != 0));
-                std::optional<WindingRay> ray = way_out(blob.opened.blob, point);
+                std::optional<WindingRay> ray = shortest_way_out(blob.opened.blob, point);
                 if (!ray) continue;
                 for (const AxisDirection& direction : all_directions) {
                     ray->direction = direction;
@@ -234,49 +96,6 @@ TEST_SUITE("queries against the oracle") {
         }
         CHECK(inside_count > closed_blobs().size() * scaled_share(60) / 10);
         CHECK(on_surface > closed_blobs().size() * scaled_share(60) / 10);
-    }
-}
-
-TEST_SUITE("traversal against the loop") {
-    TEST_CASE("winding numbers: every way out equals the loop") {
-        for (const TestBlob& blob : closed_blobs()) {
-            CAPTURE(blob.name);
-            const TriangleLoop loop(blob.decoded);
-            Random random(1100);
-            for (std::uint64_t i = 0; i < scaled_share(2'000); ++i)
-                check_winding(blob, loop, random.coin() ? random_point(blob, random) : awkward_point(blob, random),
-                              random);
-        }
-    }
-    TEST_CASE("real meshes: winding numbers and signed distances of closed ones equal the loop") {
-        const auto files = mesh_files();
-        if (files.empty()) {
-            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
-            return;
-        }
-        for (const auto& file : files) {
-            const Mesh mesh = read_mesh(file);
-            CAPTURE(mesh.name);
-            if (mesh.triangles.size() > 200'000) continue;  // baking it takes longer than asking it
-            for_each_profile([&](format::Profile profile) {
-                OpenedBlob opened(mesh, with_profile(profile));
-                if (!opened.blob.closed()) return;
-                DecodedBlob decoded = decode(opened.bytes);
-                const TestBlob blob = {mesh.name, std::move(opened), std::move(decoded)};
-                const TriangleLoop loop(blob.decoded);
-                Random random(1150 + static_cast<std::uint64_t>(profile));
-                // Times a scale of 1,000 these are at least the counts that a release must show.
-                const std::uint64_t count = scaled_share(112);
-                std::uint64_t inside = 0;
-                for (std::uint64_t i = 0; i < count; ++i) {
-                    const Vec3 point = i % 10 == 9 ? awkward_point(blob, random) : random_point(blob, random);
-                    check_winding(blob, loop, point, random);
-                    inside += check_signed_distance(blob, loop, point) ? 1u : 0u;
-                }
-                MESSAGE(mesh.name, ", profile ", name_of(profile), ": ", count - count / 10, " random and ", count / 10,
-                        " awkward points equal the loop; ", inside, " inside");
-            });
-        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "../support/calls.hpp"
 #include "../support/differences.hpp"
 #include "../support/instruction_paths.hpp"
 #include "../support/mesh_files.hpp"
@@ -18,6 +19,23 @@ using namespace espalier::tests;
 
 namespace {
 
+constexpr const char* ray_queries = "rays: closest, any, all, first few";
+constexpr const char* segment_queries = "rays: segments";
+constexpr const char* sphere_queries = "spheres: any, all; closest point, k nearest";
+
+void check_ray(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::uint64_t& hits) {
+    const auto difference = ray_difference(blob, loop, ray, hits);
+    REQUIRE_MESSAGE(!difference, *difference);
+    const Vec3 &from = ray.origin, &way = ray.direction;
+    const auto along_segment = segment_difference(blob, loop, {from, {from.x + way.x, from.y + way.y, from.z + way.z}});
+    REQUIRE_MESSAGE(!along_segment, *along_segment);
+}
+
+void check_sphere(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere, std::uint64_t& overlaps) {
+    const auto difference = sphere_difference(blob, loop, sphere, overlaps);
+    REQUIRE_MESSAGE(!difference, *difference);
+}
+
 void check_rays_of_kind(const std::vector<TestBlob>& blobs, RayKind kind, std::uint64_t count) {
     std::uint64_t hits = 0;
     for (const TestBlob& blob : blobs) {
@@ -27,26 +45,31 @@ void check_rays_of_kind(const std::vector<TestBlob>& blobs, RayKind kind, std::u
         for (std::uint64_t i = 0; i < count; ++i) {
             Ray ray = maker.ray(kind);
             if (maker.random().below(3) == 0) maker.restrict(ray);
-            const auto difference = ray_difference(blob.opened.blob, loop, ray, hits);
-            REQUIRE_MESSAGE(!difference, *difference);
+            check_ray(blob.opened.blob, loop, ray, hits);
         }
     }
+    const std::uint64_t asked = count * blobs.size();
+    const std::uint64_t random = kind == RayKind::incoherent ? asked : 0;
+    for (const char* queries : {ray_queries, segment_queries})
+        MESSAGE(calls_made(queries, generated_meshes, random, asked - random));
     // Queries that all miss would prove nothing.
-    CHECK(hits > count * blobs.size() / 5);
+    CHECK(hits > asked / 5);
 }
 
+/// As many random spheres as awkward ones.
 void check_spheres(const std::vector<TestBlob>& blobs, std::uint64_t count) {
     for (const TestBlob& blob : blobs) {
         CAPTURE(blob.name);
         const TriangleLoop loop(blob.decoded);
         QueryMaker maker(blob.decoded, 200);
-        std::uint64_t hits = 0;
+        std::uint64_t overlaps = 0;
         for (std::uint64_t i = 0; i < count; ++i) {
-            const auto difference = sphere_difference(blob.opened.blob, loop, maker.sphere(), hits);
-            REQUIRE_MESSAGE(!difference, *difference);
+            check_sphere(blob.opened.blob, loop, maker.sphere(), overlaps);
+            check_sphere(blob.opened.blob, loop, maker.random_sphere(), overlaps);
         }
-        CHECK(hits > count / 10);
+        CHECK(overlaps > count / 10);
     }
+    MESSAGE(calls_made(sphere_queries, generated_meshes, count * blobs.size(), count * blobs.size()));
 }
 
 /// Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
@@ -59,27 +82,20 @@ void check_real_mesh(const std::filesystem::path& file, format::Profile profile)
     QueryMaker maker(decoded, 300 + static_cast<std::uint64_t>(profile));
     const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 10 : 101);
     std::uint64_t hits = 0;
-    std::uint64_t found = 0;
-    const auto check_ray = [&](RayKind kind) {
-        Ray ray = maker.ray(kind);
-        if (maker.random().below(4) == 0) maker.restrict(ray);
-        const auto difference = ray_difference(opened.blob, loop, ray, hits);
-        REQUIRE_MESSAGE(!difference, *difference);
-    };
-    const auto check_sphere = [&](const Sphere& sphere) {
-        const auto difference = sphere_difference(opened.blob, loop, sphere, found);
-        REQUIRE_MESSAGE(!difference, *difference);
-    };
+    std::uint64_t overlaps = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
-        check_ray(RayKind::incoherent);
-        check_ray(all_ray_kinds[1 + maker.random().below(all_ray_kinds.size() - 1)]);
+        for (const RayKind kind :
+             {RayKind::incoherent, all_ray_kinds[1 + maker.random().below(all_ray_kinds.size() - 1)]}) {
+            Ray ray = maker.ray(kind);
+            if (maker.random().below(4) == 0) maker.restrict(ray);
+            check_ray(opened.blob, loop, ray, hits);
+        }
     }
     const std::uint64_t awkward_spheres = (count + 4) / 5;
-    for (std::uint64_t i = 0; i < count; ++i) check_sphere(maker.random_sphere());
-    for (std::uint64_t i = 0; i < awkward_spheres; ++i) check_sphere(maker.sphere());
-    MESSAGE(name, ", profile ", name_of(profile), ": ", count, " random and as many awkward rays, ", count,
-            " random and ", awkward_spheres, " awkward spheres equal the loop; ", hits, " triangles hit, ", found,
-            " overlapped");
+    for (std::uint64_t i = 0; i < count; ++i) check_sphere(opened.blob, loop, maker.random_sphere(), overlaps);
+    for (std::uint64_t i = 0; i < awkward_spheres; ++i) check_sphere(opened.blob, loop, maker.sphere(), overlaps);
+    for (const char* queries : {ray_queries, segment_queries}) MESSAGE(calls_made(queries, name, count, count));
+    MESSAGE(calls_made(sphere_queries, name, count, awkward_spheres));
     if (count >= 20) CHECK(hits > 0);  // fewer may all miss
 }
 

@@ -12,6 +12,7 @@
 #include <runtime/lattice_oriented_box.hpp>
 #include <runtime/segment_triangle.hpp>
 
+#include "../support/calls.hpp"
 #include "../support/mesh_files.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
@@ -40,11 +41,11 @@ std::vector<std::uint32_t> every_overlap(const Blob& blob, const Shape& shape) {
     return found;
 }
 
-/// All pages, of sizes that change.
+/// All pages, of sizes that change; some tens of them when there are that many overlaps.
 template <class Shape>
-std::vector<std::uint32_t> all_pages(const Blob& blob, const Shape& shape, Random& random) {
+std::vector<std::uint32_t> all_pages(const Blob& blob, const Shape& shape, std::size_t overlaps, Random& random) {
     std::vector<std::uint32_t> found;
-    std::vector<Triangle> room(1 + random.below(40));
+    std::vector<Triangle> room(1 + random.below(40 + static_cast<std::uint32_t>(overlaps / 8)));
     for (std::uint32_t first = 0;;) {
         const std::span<Triangle> part =
             std::span(room).first(1 + random.below(static_cast<std::uint32_t>(room.size())));
@@ -66,16 +67,23 @@ struct Tally {
     std::uint64_t asked = 0;
     std::uint64_t awkward = 0;
     std::uint64_t overlapping = 0;  ///< queries with an overlap
-    std::uint64_t triangles = 0;
     std::uint64_t out_of_range = 0;
 };
+
+template <class Shape>
+void check_answers(const Blob& blob, const Shape& shape, const std::vector<std::uint32_t>& expected, Random& random,
+                   Tally& tally) {
+    REQUIRE(overlaps(blob, shape) == !expected.empty());
+    REQUIRE(every_overlap(blob, shape) == expected);
+    REQUIRE(all_pages(blob, shape, expected.size(), random) == expected);
+    tally.overlapping += expected.empty() ? 0u : 1u;
+}
 
 template <class Rounded, class Shape>
 void check_against_loop(const Blob& blob, const TriangleLoop& loop, const Shape& shape, Random& random, Tally& tally) {
     CAPTURE(describe(shape));
     Rounded rounded;
     const QueryStatus status = round_volume(blob.data(), shape, rounded);
-    ++tally.asked;
     if (status != QueryStatus::ok) {
         ++tally.out_of_range;
         Triangle room[1];
@@ -83,51 +91,78 @@ void check_against_loop(const Blob& blob, const TriangleLoop& loop, const Shape&
         REQUIRE_FALSE(overlaps(blob, shape));
         return;
     }
-    const std::vector<std::uint32_t> expected =
-        rounded.is_empty ? std::vector<std::uint32_t>() : loop.every_overlap(rounded);
-    REQUIRE(overlaps(blob, shape) == !expected.empty());
-    REQUIRE(every_overlap(blob, shape) == expected);
-    if (expected.size() < 400) REQUIRE(all_pages(blob, shape, random) == expected);
-    tally.overlapping += expected.empty() ? 0u : 1u;
-    tally.triangles += expected.size();
+    check_answers(blob, shape, rounded.is_empty ? std::vector<std::uint32_t>() : loop.every_overlap(rounded), random,
+                  tally);
 }
+
+void check_sphere(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere, Random& random, Tally& tally) {
+    CAPTURE(describe(sphere));
+    detail::LatticePoint rounded;
+    const bool is_near = detail::round_point(blob.data(), sphere.center, sphere.radius, rounded);
+    check_answers(blob, sphere, is_near ? loop.every_overlap(rounded) : std::vector<std::uint32_t>(), random, tally);
+}
+
+struct Makers {
+    Makers(const DecodedBlob& decoded, std::uint64_t seed) : spheres(decoded, seed), shapes(decoded, seed) {}
+    QueryMaker spheres;
+    ShapeMaker shapes;
+};
 
 struct ShapeKind {
     const char* name;
-    void (*check)(const Blob&, const TriangleLoop&, ShapeMaker&, bool awkward, Tally&);
+    void (*check)(const Blob&, const TriangleLoop&, Makers&, bool awkward, Tally&);
 };
 constexpr ShapeKind shape_kinds[] = {
+    {"spheres",
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         check_sphere(blob, loop, awkward ? makers.spheres.sphere() : makers.spheres.random_sphere(),
+                      makers.shapes.random(), tally);
+     }},
     {"capsules",
-     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
          check_against_loop<detail::LatticeCapsule>(blob, loop, maker.capsule(awkward), maker.random(), tally);
      }},
     {"boxes",
-     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
          check_against_loop<detail::LatticeBox>(blob, loop, maker.box(awkward), maker.random(), tally);
      }},
     {"oriented boxes",
-     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
          check_against_loop<detail::LatticeOrientedBox>(blob, loop, maker.oriented_box(awkward), maker.random(), tally);
      }},
     {"triangles",
-     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
          check_against_loop<detail::LatticeCorners>(blob, loop, maker.corners(awkward), maker.random(), tally);
      }},
     {"sets of planes",
-     [](const Blob& blob, const TriangleLoop& loop, ShapeMaker& maker, bool awkward, Tally& tally) {
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
          check_against_loop<detail::LatticeHalfSpaces>(blob, loop, maker.planes(awkward), maker.random(), tally);
      }},
 };
+
+void tell_calls(const ShapeKind& kind, const std::string& mesh, const Tally& tally) {
+    MESSAGE(calls_made(std::string(kind.name) + ": any, all, pages", mesh, tally.asked - tally.awkward, tally.awkward));
+}
 
 void check_shapes(const std::vector<TestBlob>& blobs, const ShapeKind& kind, std::uint64_t count) {
     Tally tally;
     for (const TestBlob& blob : blobs) {
         CAPTURE(blob.name);
         const TriangleLoop loop(blob.decoded);
-        ShapeMaker maker(blob.decoded, 40);
-        for (std::uint64_t i = 0; i < count; ++i)
-            kind.check(blob.opened.blob, loop, maker, maker.random().coin(), tally);
+        Makers makers(blob.decoded, 40);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const bool awkward = makers.shapes.random().coin();
+            kind.check(blob.opened.blob, loop, makers, awkward, tally);
+            ++tally.asked;
+            tally.awkward += awkward ? 1u : 0u;
+        }
     }
+    tell_calls(kind, generated_meshes, tally);
     CHECK(tally.overlapping > tally.asked / 5);
     CHECK(tally.overlapping < tally.asked);
     CHECK(tally.out_of_range < tally.asked / 10);
@@ -147,23 +182,21 @@ void check_real_mesh(const std::filesystem::path& file, format::Profile profile)
     const OpenedBlob opened(read_mesh(file), with_profile(profile));
     const DecodedBlob decoded = decode(opened.bytes);
     const TriangleLoop loop(decoded);
-    std::string report;
     for (const ShapeKind& kind : shape_kinds) {
         const std::string kind_name = kind.name;
         CAPTURE(kind_name);
-        ShapeMaker maker(decoded, 50 + static_cast<std::uint64_t>(profile));
+        Makers makers(decoded, 50 + static_cast<std::uint64_t>(profile));
         Tally tally;
         const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 3 : 112);
         for (std::uint64_t i = 0; i < count; ++i) {
             const bool awkward = i % 10 == 9;
-            kind.check(opened.blob, loop, maker, awkward, tally);
+            kind.check(opened.blob, loop, makers, awkward, tally);
+            ++tally.asked;
             tally.awkward += awkward ? 1u : 0u;
         }
-        report.append(std::to_string(tally.asked - tally.awkward)).append(" random and ");
-        report.append(std::to_string(tally.awkward)).append(" awkward ").append(kind_name).append(" with ");
-        report.append(std::to_string(tally.triangles)).append(" triangles; ");
+        tell_calls(kind, name, tally);
+        if (count >= 20) CHECK(tally.overlapping > 0);  // fewer may all be beside it
     }
-    MESSAGE(name, ", profile ", name_of(profile), ", equal to the loop: ", report);
 }
 
 }  // namespace
@@ -192,22 +225,12 @@ TEST_SUITE("volumes against the loop") {
         }
         CHECK(near > 100);
     }
+    TEST_CASE("spheres: any, all and pages equal the loop") { check_shapes("spheres"); }
     TEST_CASE("capsules: any, all and pages equal the loop") { check_shapes("capsules"); }
     TEST_CASE("boxes: any, all and pages equal the loop") { check_shapes("boxes"); }
     TEST_CASE("oriented boxes: any, all and pages equal the loop") { check_shapes("oriented boxes"); }
     TEST_CASE("triangles: any, all and pages equal the loop") { check_shapes("triangles"); }
     TEST_CASE("sets of planes: any, all and pages equal the loop") { check_shapes("sets of planes"); }
-    TEST_CASE("spheres: pages equal the visitor") {
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            QueryMaker maker(blob.decoded, 60);
-            for (std::uint64_t i = 0; i < scaled_share(150); ++i) {
-                const Sphere sphere = maker.sphere();
-                CAPTURE(describe(sphere));
-                REQUIRE(all_pages(blob.opened.blob, sphere, maker.random()) == every_overlap(blob.opened.blob, sphere));
-            }
-        }
-    }
     TEST_CASE("real meshes: volumes of every kind equal the loop") {
         const auto files = mesh_files();
         if (files.empty()) {

@@ -167,6 +167,18 @@ std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& 
     return std::nullopt;
 }
 
+std::optional<std::string> segment_difference(const Blob& blob, const TriangleLoop& loop, const Segment& segment) {
+    const Ray ray = along(segment);
+    std::uint64_t hits = 0;
+    const RayAnswers expected = ask(loop, blob.data(), ray, hits);
+    RayHit hit;
+    if (raycast(blob, segment, hit) != expected.any) return difference("raycast", "whether a segment hits", ray);
+    if (expected.closest && !same_bits(hit, *expected.closest))
+        return difference("raycast", "the closest hit of a segment", ray);
+    if (occluded(blob, segment) != expected.any) return difference("occluded", "whether a segment hits", ray);
+    return std::nullopt;
+}
+
 std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere,
                                              std::uint64_t& hits) {
     const auto difference_at = [&](const char* path, const char* what) {

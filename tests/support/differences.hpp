@@ -17,6 +17,9 @@ namespace espalier::tests {
 std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray,
                                           std::uint64_t& hits);
 
+/// The same of the closest hit and any hit along a segment.
+std::optional<std::string> segment_difference(const Blob& blob, const TriangleLoop& loop, const Segment& segment);
+
 /// The same for overlaps, and for the closest point within the radius of the centre.
 std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere,
                                              std::uint64_t& hits);

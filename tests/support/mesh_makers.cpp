@@ -259,4 +259,18 @@ Mesh scaled_by(Mesh mesh, float factor) {
     return mesh;
 }
 
+Mesh joined(Mesh mesh, const Mesh& other) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+    for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+    mesh.name += " and " + other.name;
+    return mesh;
+}
+
+Mesh turned_inside_out(Mesh mesh) {
+    for (TriangleVertices& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+    mesh.name += " inside out";
+    return mesh;
+}
+
 }  // namespace espalier::tests

@@ -33,4 +33,8 @@ Mesh make_soup(unsigned count, std::uint64_t seed);
 /// The same mesh with every coordinate multiplied.
 Mesh scaled_by(Mesh mesh, float factor);
 
+/// Both meshes as one.
+Mesh joined(Mesh mesh, const Mesh& other);
+Mesh turned_inside_out(Mesh mesh);
+
 }  // namespace espalier::tests
