@@ -133,6 +133,11 @@ std::vector<detail::FoundNearest> TriangleLoop::by_distance(const detail::Lattic
     return found;
 }
 
+std::optional<detail::FoundNearest> TriangleLoop::closest_within(const detail::LatticePoint& point) const {
+    const std::vector<detail::FoundNearest> found = by_distance(point, 1);
+    return found.empty() ? std::nullopt : std::optional(found[0]);
+}
+
 std::optional<detail::FoundPair> TriangleLoop::closest_pair(const detail::DistantShape& shape,
                                                             const TriangleBounds::Numbers& numbers) const {
     std::optional<detail::FoundPair> best;

@@ -42,6 +42,8 @@ public:
     /// The first `count` of those within the radius, sorted by distance and index.
     [[nodiscard]] std::vector<detail::FoundNearest> by_distance(const detail::LatticePoint& point,
                                                                 std::size_t count = TriangleBounds::all) const;
+    /// The first of them.
+    [[nodiscard]] std::optional<detail::FoundNearest> closest_within(const detail::LatticePoint& point) const;
     [[nodiscard]] std::optional<detail::FoundPair> closest_pair(const detail::DistantSegment& segment) const;
     [[nodiscard]] std::optional<detail::FoundPair> closest_pair(const detail::DistantBox& box) const;
     /// Along the ray's direction.
