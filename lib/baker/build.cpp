@@ -1,8 +1,6 @@
 #include "build.hpp"
 
-#include <algorithm>
 #include <array>
-#include <thread>
 
 #include "build_agglomerative.hpp"
 #include "build_insertion.hpp"
@@ -10,6 +8,7 @@
 #include "build_sah.hpp"
 #include "build_spatial.hpp"
 #include "build_sweep.hpp"
+#include "threads.hpp"
 
 namespace espalier::baker {
 
@@ -23,7 +22,7 @@ BuildSettings build_settings(unsigned effort, unsigned threads) {
     settings.exact_below = exact_below[effort];
     settings.clusters_from = clusters_from[effort];
     settings.most_insert_places = most_insert_places[effort];
-    settings.threads = threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+    settings.threads = threads != 0 ? threads : machine_threads();
     return settings;
 }
 

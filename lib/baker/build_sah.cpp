@@ -1,9 +1,9 @@
 #include "build_sah.hpp"
 
 #include <atomic>
-#include <thread>
 
 #include "in_two_threads.hpp"
+#include "threads.hpp"
 
 namespace espalier::baker {
 
@@ -17,7 +17,7 @@ public:
         : references_(references),
           nodes_(nodes),
           settings_(settings),
-          caller_(std::this_thread::get_id()) {}
+          caller_(this_thread()) {}
 
     void build(const SplitRange& range, std::size_t node, unsigned depth, unsigned threads) {
         const auto references = references_.subspan(range.first, range.count);
@@ -48,7 +48,7 @@ private:
     void report_placed() {
         if (!settings_.progress) return;
         const std::uint32_t placed = placed_.fetch_add(1, std::memory_order_relaxed) + 1;
-        if (std::this_thread::get_id() != caller_ || placed < next_report_) return;
+        if (this_thread() != caller_ || placed < next_report_) return;
         next_report_ = placed + progress_interval;
         settings_.progress(static_cast<double>(placed) / static_cast<double>(references_.size()));
     }
@@ -56,7 +56,7 @@ private:
     std::span<Reference> references_;
     BinaryNode* nodes_;
     const BuildSettings& settings_;
-    std::thread::id caller_;
+    ThreadId caller_;
     std::atomic<std::uint32_t> placed_ = 0;
     std::uint32_t next_report_ = progress_interval;  // the calling thread's alone
 };

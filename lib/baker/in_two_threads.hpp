@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
-#include <thread>
+
+#include "threads.hpp"
 
 namespace espalier::baker {
 
@@ -22,13 +22,8 @@ void in_two_threads(unsigned threads, std::uint32_t left_count, std::uint32_t ri
     }
     const double share = static_cast<double>(left_count) / count;
     const unsigned left_threads = std::clamp(static_cast<unsigned>(share * threads + 0.5), 1u, threads - 1);
-    std::jthread helper;  // joins on every way out
-    try {
-        helper = std::jthread([&, left_threads] { left(left_threads); });
-    } catch (const std::exception&) {
-        // The machine gives no more threads: the same work in this one.
-        left(1u);
-    }
+    Helper helper;
+    if (!helper.start([&, left_threads] { left(left_threads); })) left(1u);  // the same work in this one
     right(threads - left_threads);
 }
 

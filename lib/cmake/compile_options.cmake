@@ -6,6 +6,9 @@ function(espalier_compile_options target)
   target_compile_options(${target} PRIVATE
     -ffp-contract=off -fno-math-errno
     -Wall -Wextra -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Wcast-align -Wundef)
+  if(ESPALIER_WARNINGS_ARE_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
   if(ESPALIER_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)

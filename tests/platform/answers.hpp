@@ -5,33 +5,12 @@
 #include <cstdint>
 #include <span>
 
-#include "fingerprint.hpp"
+#include "answer_counts.hpp"
+#include "pair_answers.hpp"
 #include "questions.hpp"
+#include "ray_answers.hpp"
 
 namespace espalier::platform {
-
-/// What was asked and found. The counts show that the hash is not one of "nothing" a thousand times.
-struct Answers {
-    Fingerprint fingerprint;
-    std::uint32_t rays = 0;
-    std::uint32_t rays_hit = 0;
-    std::uint32_t hits = 0;
-    std::uint32_t spheres = 0;
-    std::uint32_t overlaps = 0;
-    std::uint32_t points = 0;
-    std::uint32_t points_found = 0;
-};
-
-inline void add_triangle(Fingerprint& fingerprint, const Blob& blob, Triangle triangle) {
-    OriginalTriangle original;
-    fingerprint.add(triangle.index);
-    fingerprint.add(original_triangle(blob, triangle, original));
-    fingerprint.add(original.file);
-    fingerprint.add(original.mesh);
-    fingerprint.add(original.triangle);
-    fingerprint.add(original.first_corner);
-    fingerprint.add(std::uint32_t{material(blob, triangle)});
-}
 
 /// Edges, bounds and nodes.
 inline void read_extras(const Blob& blob, Fingerprint& fingerprint) {
@@ -78,69 +57,13 @@ inline void read_extras(const Blob& blob, Fingerprint& fingerprint) {
     });
 }
 
-inline void add_hit(Fingerprint& fingerprint, const Blob& blob, const RayHit& hit) {
-    fingerprint.add(hit.t);
-    fingerprint.add(hit.u);
-    fingerprint.add(hit.v);
-    fingerprint.add(hit.normal);
-    add_triangle(fingerprint, blob, hit.triangle);
-}
-
-inline void ask_closest_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        RayHit hit;
-        const bool found = raycast(blob, questions.ray(number), hit);
-        ++answers.rays;
-        answers.rays_hit += found ? 1u : 0u;
-        answers.fingerprint.add(found);
-        add_hit(answers.fingerprint, blob, hit);
-    }
-}
-
-inline void ask_filtered_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    const auto odd = [](Triangle triangle) { return (triangle.index & 1u) != 0; };
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const Ray ray = questions.ray(number);
-        RayHit hit;
-        ++answers.rays;
-        answers.fingerprint.add(raycast(blob, ray, hit, odd));
-        add_hit(answers.fingerprint, blob, hit);
-        answers.fingerprint.add(occluded(blob, ray));
-        answers.fingerprint.add(occluded(blob, ray, odd));
-    }
-}
-
-inline void ask_all_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        std::uint32_t left = 6;  // so that stopping early is asked for too
-        const bool saw_all = for_each_hit(blob, questions.ray(number), [&](const RayHit& hit) {
-            ++answers.hits;
-            add_hit(answers.fingerprint, blob, hit);
-            return --left == 0 ? stop : keep_going;
-        });
-        ++answers.rays;
-        answers.fingerprint.add(saw_all);
-    }
-}
-
-inline void ask_first_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const Ray ray = questions.ray(number);
-        RayHit hits[3];
-        const HitCount found = closest_hits(blob, ray, std::span<RayHit>(hits).first(number % 4));
-        ++answers.rays;
-        answers.fingerprint.add(static_cast<std::uint32_t>(found.count));
-        answers.fingerprint.add(static_cast<std::uint32_t>(found.status));
-        for (std::size_t i = 0; i < found.count; ++i) add_hit(answers.fingerprint, blob, hits[i]);
-        RayHit hit;
-        answers.fingerprint.add(raycast(blob, Segment{ray.origin, ray.direction}, hit));
-        add_hit(answers.fingerprint, blob, hit);
-    }
-}
-
 template <class Shape>
 void ask_sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Answers& answers) {
     SweepHit hit;
+    answers.calls += 3;
+    answers.fingerprint.add(
+        sweep(blob, shape, displacement, hit, [](Triangle triangle) { return triangle.index % 3 != 0; }));
+    answers.fingerprint.add(hit.t);
     answers.fingerprint.add(sweep(blob, shape, displacement, hit));
     answers.fingerprint.add(static_cast<std::uint32_t>(check_sweep(blob, shape, displacement)));
     answers.fingerprint.add(hit.t);
@@ -174,6 +97,7 @@ inline void ask_spheres(const Blob& blob, Questions& questions, std::uint32_t co
             return --left == 0 ? stop : keep_going;
         });
         ++answers.spheres;
+        answers.calls += 2;
         answers.fingerprint.add(saw_all);
     }
 }
@@ -191,6 +115,7 @@ template <class Shape>
 void ask_volume(const Blob& blob, const Shape& shape, Answers& answers) {
     Triangle page[3];
     std::uint32_t left = 12;
+    answers.calls += 5;
     answers.fingerprint.add(overlaps(blob, shape));
     answers.fingerprint.add(for_each_overlap(blob, shape, [&](Triangle triangle) {
         ++answers.overlaps;
@@ -225,6 +150,7 @@ inline void ask_approximately(const Blob& blob, Questions& questions, std::uint3
     for (std::uint32_t number = 0; number < count; ++number) {
         const float accuracy = questions.distance(number + 1) * 0.0625f;
         DistanceBounds bounds;
+        answers.calls += 4;
         answers.fingerprint.add(may_overlap(blob, questions.sphere(number), accuracy));
         answers.fingerprint.add(may_overlap(blob, questions.box(number), accuracy));
         answers.fingerprint.add(may_be_occluded(blob, questions.ray(number), accuracy));
@@ -242,6 +168,7 @@ inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint
         Nearest nearest;
         const bool found = closest_point(blob, point, max_distance, nearest);
         ++answers.points;
+        answers.calls += 4;
         answers.points_found += found ? 1u : 0u;
         answers.fingerprint.add(found);
         add_nearest(answers.fingerprint, blob, nearest);
@@ -272,36 +199,11 @@ inline void ask_closest_pairs(const Blob& blob, Questions& questions, std::uint3
         const Capsule capsule = questions.capsule(number);
         const float max_distance = questions.distance(number);
         NearestPair pair;
+        answers.calls += 2;
         const QueryStatus segment = closest_to_segment(blob, {capsule.from, capsule.to}, max_distance, pair);
         add_pair(answers.fingerprint, segment, pair);
         const QueryStatus box = closest_to_box(blob, questions.box(number), max_distance, pair);
         add_pair(answers.fingerprint, box, pair);
-    }
-}
-
-/// The blob against itself, with so little work that small cores come to an end: where that is, is an answer too.
-inline void ask_pairs(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    for (std::uint32_t number = 0; number < count; ++number) {
-        const Placement placement = questions.placement(number);
-        const WorkLimit limit = {60};
-        TrianglePair pairs[8];
-        std::size_t found = 0;
-        answers.fingerprint.add(static_cast<std::uint32_t>(all_contacts(blob, blob, placement, pairs, found, limit)));
-        answers.fingerprint.add(static_cast<std::uint32_t>(found));
-        for (std::size_t i = 0; i < found; ++i) {
-            answers.fingerprint.add(pairs[i].a.index);
-            answers.fingerprint.add(pairs[i].b.index);
-        }
-        bool is_near = false;
-        PairDistance nearest;
-        answers.fingerprint.add(static_cast<std::uint32_t>(
-            minimum_distance(blob, blob, placement, __builtin_inff(), nearest, is_near, limit)));
-        answers.fingerprint.add(is_near);
-        answers.fingerprint.add(nearest.distance);
-        answers.fingerprint.add(nearest.on_a);
-        answers.fingerprint.add(nearest.on_b);
-        answers.fingerprint.add(nearest.pair.a.index);
-        answers.fingerprint.add(nearest.pair.b.index);
     }
 }
 
@@ -336,13 +238,14 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_filtered_hits(blob, questions, questions_of_a_kind, answers);
     ask_all_hits(blob, questions, questions_of_a_kind, answers);
     ask_first_hits(blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    ask_batches(blob, questions, (questions_of_a_kind + 15) / 16, answers);
     ask_sweeps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_spheres(blob, questions, questions_of_a_kind, answers);
     ask_volumes(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_approximately(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_closest_points(blob, questions, questions_of_a_kind, answers);
     ask_closest_pairs(blob, questions, (questions_of_a_kind + 3) / 4, answers);
-    ask_pairs(blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    ask_pairs(blob, blob, questions, (questions_of_a_kind + 3) / 4, answers);
     return answers;
 }
 

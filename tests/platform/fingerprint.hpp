@@ -1,8 +1,11 @@
-// A hash of answers, bit for bit the same on every machine that gives the same answers. FNV-1a over little-endian words.
+// A hash of answers, bit for bit the same on every machine that gives the same answers. FNV-1a over little-endian
+// words.
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <espalier/types.hpp>
 
@@ -11,9 +14,10 @@ namespace espalier::platform {
 class Fingerprint {
 public:
     constexpr void add(std::uint32_t word) {
-        for (int shift = 0; shift < 32; shift += 8) {
-            value_ = (value_ ^ ((word >> shift) & 0xFFu)) * 0x100000001B3u;
-        }
+        for (int shift = 0; shift < 32; shift += 8) add_byte((word >> shift) & 0xFFu);
+    }
+    constexpr void add(std::span<const std::byte> bytes) {
+        for (const std::byte byte : bytes) add_byte(std::to_integer<std::uint32_t>(byte));
     }
     constexpr void add(bool yes) { add(std::uint32_t{yes}); }
     constexpr void add(float number) { add(std::bit_cast<std::uint32_t>(number)); }
@@ -22,9 +26,15 @@ public:
         add(vector.y);
         add(vector.z);
     }
+    constexpr void add(const Fingerprint& part) {
+        add(static_cast<std::uint32_t>(part.value_));
+        add(static_cast<std::uint32_t>(part.value_ >> 32));
+    }
     [[nodiscard]] constexpr std::uint64_t value() const { return value_; }
 
 private:
+    constexpr void add_byte(std::uint32_t byte) { value_ = (value_ ^ byte) * 0x100000001B3u; }
+
     std::uint64_t value_ = 0xCBF29CE484222325u;
 };
 

@@ -1,6 +1,7 @@
-// make_blobs FOLDER: bakes the blobs that the emulated machines are asked about, as .espl files, and two small ones
-// also as lists of numbers that a firmware image can include. The meshes are made here, from integers: a landscape and a
-// lumpy closed body above it, so that ids, materials and several inputs have something to say.
+// make_blobs FOLDER: bakes the blobs that every machine is asked about, as .espl files, and two small ones also as
+// lists of numbers that a firmware image can include: five of everything that a blob may carry, and one by each builder
+// in each profile. The meshes are made here, from integers: a landscape and a lumpy closed body above it, so that ids,
+// materials and several inputs have something to say.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -127,6 +128,40 @@ bool bake_to(const std::string& path, const std::vector<espalier::MeshView>& mes
            (number_list_path.empty() || write_number_list(number_list_path, baked->blob));
 }
 
+bool bake_by_every_builder(const std::string& folder, const std::vector<espalier::MeshView>& meshes) {
+    using espalier::Builder;
+    using espalier::format::Profile;
+    struct Name {
+        Builder builder;
+        const char* text;
+    };
+    constexpr Name builders[] = {{Builder::binned_sah, "binned_sah"},
+                                 {Builder::sweep_sah, "sweep_sah"},
+                                 {Builder::spatial_splits, "spatial_splits"},
+                                 {Builder::agglomerative, "agglomerative"},
+                                 {Builder::linear, "linear"},
+                                 {Builder::insertion, "insertion"}};
+    constexpr Profile profiles[] = {Profile::fast, Profile::balanced, Profile::small};
+    constexpr const char* profile_names[] = {"fast", "balanced", "small"};
+    unsigned number = 0;
+    for (const Name& builder : builders) {
+        for (unsigned profile = 0; profile < 3; ++profile) {
+            if (builder.builder == Builder::spatial_splits && profiles[profile] != Profile::fast) continue;
+            espalier::BakeOptions options;
+            options.builder = builder.builder;
+            options.profile = profiles[profile];
+            options.bits = 8 + number;
+            options.effort = number % 10;
+            options.threads = 1 + number % 2;
+            options.original_ids = number % 2 == 0;
+            const std::string name = std::string("by_") + builder.text + "_" + profile_names[profile] + ".espl";
+            if (!bake_to(folder + name, meshes, options)) return false;
+            number = number == 15 ? 1 : number + 1;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -163,5 +198,8 @@ int main(int argument_count, char** arguments) {
     options.bits = 22;
     const bool dense =
         bake_to(folder + "dense.espl", {view(body, 0, "body"), view(landscape, 1, "landscape")}, options);
-    return small && fine && coarse && strips && dense ? 0 : 2;
+    const Mesh meadow = make_landscape(16);
+    const Mesh stone = make_body(6, 2.0f, {7.0f, 8.0f, 2.0f});
+    const bool built = bake_by_every_builder(folder, {view(meadow, 0, "meadow"), view(stone, 1, "stone")});
+    return small && fine && coarse && strips && dense && built ? 0 : 2;
 }

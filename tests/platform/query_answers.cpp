@@ -1,12 +1,16 @@
-// query_answers QUESTIONS BLOB...: opens each blob, asks it, prints one line of answers for each. Uses the runtime and C
-// streams only, so that it runs wherever a C++ compiler reaches.
+// query_answers [--set NAME] QUESTIONS BLOB...: opens each blob, asks it, prints one line of answers for each; then
+// asks every two that follow each other about both, and prints one line about everything. NAME is one of scalar, sse42,
+// avx2 and avx512, to ask with that instruction set where the machine has it. Uses the runtime and C streams only, so
+// that it runs wherever a C++ compiler reaches.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <span>
 #include <vector>
 
 #include <espalier/espalier.hpp>
+#include <runtime/simd/select.hpp>
 
 #include "answers.hpp"
 #include "report.hpp"
@@ -25,28 +29,72 @@ std::vector<std::byte> read_file(const char* path) {
     return bytes;
 }
 
-bool answer(const char* path, std::uint32_t questions_of_a_kind) {
-    namespace platform = espalier::platform;
-    const std::vector<std::byte> bytes = read_file(path);
+struct Asset {
+    std::vector<std::byte> bytes;
     espalier::Blob blob;
-    if (const espalier::Status status = espalier::open(bytes, blob); status != espalier::Status::ok) {
-        std::fprintf(stderr, "%s: %s\n", path, espalier::describe(status));
-        return false;
+};
+
+bool read_assets(std::span<char*> paths, std::vector<Asset>& assets) {
+    assets.resize(paths.size());
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        assets[i].bytes = read_file(paths[i]);
+        if (const auto status = espalier::open(assets[i].bytes, assets[i].blob); status != espalier::Status::ok) {
+            std::fprintf(stderr, "%s: %s\n", paths[i], espalier::describe(status));
+            return false;
+        }
     }
-    std::fputs(platform::report(platform::ask_everything(blob, questions_of_a_kind)).c_str(), stdout);
     return true;
+}
+
+void answer(const std::vector<Asset>& assets, std::uint32_t questions_of_a_kind) {
+    namespace platform = espalier::platform;
+    platform::Fingerprint bytes;
+    platform::Answers all;
+    for (const Asset& asset : assets) {
+        const platform::Answers answers = platform::ask_everything(asset.blob, questions_of_a_kind);
+        std::fputs(platform::report(answers).c_str(), stdout);
+        bytes.add(std::span<const std::byte>(asset.bytes));
+        all.calls += answers.calls;
+        all.fingerprint.add(answers.fingerprint);
+    }
+    for (std::size_t i = 0; i + 1 < assets.size(); ++i) {
+        platform::Questions questions(assets[i].blob);
+        platform::ask_pairs(assets[i].blob, assets[i + 1].blob, questions, (questions_of_a_kind + 3) / 4, all);
+    }
+    const auto count = static_cast<std::uint32_t>(assets.size());
+    std::fputs(platform::summary(questions_of_a_kind, count, bytes, all).c_str(), stdout);
+}
+
+/// False when this machine has no such set.
+bool choose_instruction_set(const char* name) {
+#if ESPALIER_X86
+    using espalier::detail::InstructionSet;
+    const char* const names[] = {"scalar", "sse42", "avx2", "avx512"};
+    for (std::uint8_t set = 0; set <= static_cast<std::uint8_t>(espalier::detail::detect_instruction_set()); ++set) {
+        if (std::strcmp(name, names[set]) == 0) {
+            espalier::detail::known_instruction_set = static_cast<std::uint8_t>(set + 1);
+            return true;
+        }
+    }
+#endif
+    std::fprintf(stderr, "query_answers: this machine has no %s\n", name);
+    return false;
 }
 
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-    if (argument_count < 3) {
-        std::fputs("usage: query_answers QUESTIONS BLOB...\n", stderr);
+    std::span<char*> rest(arguments + 1, static_cast<std::size_t>(argument_count - 1));
+    if (rest.size() >= 2 && std::strcmp(rest[0], "--set") == 0) {
+        if (!choose_instruction_set(rest[1])) return 77;
+        rest = rest.subspan(2);
+    }
+    if (rest.size() < 2) {
+        std::fputs("usage: query_answers [--set NAME] QUESTIONS BLOB...\n", stderr);
         return 1;
     }
-    const auto questions_of_a_kind = static_cast<std::uint32_t>(std::strtoul(arguments[1], nullptr, 10));
-    for (int index = 2; index < argument_count; ++index) {
-        if (!answer(arguments[index], questions_of_a_kind)) return 2;
-    }
+    std::vector<Asset> assets;
+    if (!read_assets(rest.subspan(1), assets)) return 2;
+    answer(assets, static_cast<std::uint32_t>(std::strtoul(rest[0], nullptr, 10)));
     return 0;
 }

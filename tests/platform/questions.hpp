@@ -24,33 +24,33 @@ public:
     Ray ray(std::uint32_t number) {
         Ray ray;
         switch (number % 8) {
-        case 0:
-            ray = towards({point_around(2.0f), point_around(1.0f)});
-            break;
-        case 1:
-            ray = {.origin = point_around(1.0f), .direction = axis()};
-            break;
-        case 2:
-            ray = towards({point_around(4096.0f), surface_point()});
-            break;
-        case 3:
-            ray = towards({surface_point(), point_around(1.0f)});
-            break;
-        case 4:
-            ray = towards({point_around(2.0f), corner()});
-            break;
-        case 5:
-            ray = {.origin = corner(), .direction = axis()};
-            step_back(ray);
-            break;
-        case 6:
-            ray = {.origin = any_bits(), .direction = any_bits()};
-            break;
-        default:
-            ray = towards({corner(), corner()});
-            ray.t_min = fraction() * 0.25f;
-            ray.t_max = 0.5f + fraction();
-            break;
+            case 0:
+                ray = towards({point_around(2.0f), point_around(1.0f)});
+                break;
+            case 1:
+                ray = {.origin = point_around(1.0f), .direction = axis()};
+                break;
+            case 2:
+                ray = towards({point_around(4096.0f), surface_point()});
+                break;
+            case 3:
+                ray = towards({surface_point(), point_around(1.0f)});
+                break;
+            case 4:
+                ray = towards({point_around(2.0f), corner()});
+                break;
+            case 5:
+                ray = {.origin = corner(), .direction = axis()};
+                step_back(ray);
+                break;
+            case 6:
+                ray = {.origin = any_bits(), .direction = any_bits()};
+                break;
+            default:
+                ray = towards({corner(), corner()});
+                ray.t_min = fraction() * 0.25f;
+                ray.t_max = 0.5f + fraction();
+                break;
         }
         ray.faces = static_cast<Faces>(word() % 3);
         return ray;
@@ -58,14 +58,14 @@ public:
 
     Sphere sphere(std::uint32_t number) {
         switch (number % 4) {
-        case 0:
-            return {point_around(1.0f), size() * 0.125f * fraction()};
-        case 1:
-            return {surface_point(), 0.0f};
-        case 2:
-            return {corner(), size() * 0.03125f * fraction()};
-        default:
-            return {any_bits(), any_float()};
+            case 0:
+                return {point_around(1.0f), size() * 0.125f * fraction()};
+            case 1:
+                return {surface_point(), 0.0f};
+            case 2:
+                return {corner(), size() * 0.03125f * fraction()};
+            default:
+                return {any_bits(), any_float()};
         }
     }
 
@@ -112,38 +112,42 @@ public:
 
     Vec3 point(std::uint32_t number) {
         switch (number % 4) {
-        case 0:
-            return point_around(1.0f);
-        case 1:
-            return surface_point();
-        case 2:
-            return point_around(1024.0f);
-        default:
-            return any_bits();
+            case 0:
+                return point_around(1.0f);
+            case 1:
+                return surface_point();
+            case 2:
+                return point_around(1024.0f);
+            default:
+                return any_bits();
         }
     }
 
     float distance(std::uint32_t number) {
         switch (number % 3) {
-        case 0:
-            return __builtin_inff();
-        case 1:
-            return size() * fraction();
-        default:
-            return any_float();
+            case 0:
+                return __builtin_inff();
+            case 1:
+                return size() * fraction();
+            default:
+                return any_float();
         }
     }
 
-    /// Of the blob against itself.
-    Placement placement(std::uint32_t number) {
+    /// Of another blob, or of the same: near this one, or with a corner on a corner where both are one.
+    Placement placement(std::uint32_t number, const Blob& other) {
         Placement placement;
         const float x = signed_fraction(), y = signed_fraction(), z = signed_fraction();
         if (number % 4 != 1) placement.rotation = {x, y, z, 1.0f};
-        const Vec3 from = number % 4 == 2 ? corner() : center_;
+        if (number % 8 == 4) placement.scale = 0.25f + fraction();
+        const Vec3 low = other.bounds_min();
+        const Vec3 high = other.bounds_max();
+        const Vec3 middle = {(low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f, (low.z + high.z) * 0.5f};
+        const Vec3 from = turned(placement, number % 4 == 2 ? corner() : middle);
         const Vec3 to = number % 4 == 2 ? corner() : point_around(number % 4 == 3 ? 4.0f : 1.0f);
         placement.translation = {to.x - from.x, to.y - from.y, to.z - from.z};
-        if (number % 8 == 4) placement.scale = 0.25f + fraction();
-        if (number % 16 == 7) placement = {{any_float(), any_float(), any_float(), any_float()}, any_bits(), any_float()};
+        if (number % 16 == 7)
+            placement = {{any_float(), any_float(), any_float(), any_float()}, any_bits(), any_float()};
         return placement;
     }
 
@@ -185,16 +189,31 @@ private:
         const std::uint32_t choice = word();
         const float length = (choice & 1u) != 0 ? 1.0f : -1.0f;
         switch ((choice >> 8) % 3) {
-        case 0:
-            return {length, 0.0f, 0.0f};
-        case 1:
-            return {-0.0f, length, 0.0f};
-        default:
-            return {0.0f, -0.0f, length};
+            case 0:
+                return {length, 0.0f, 0.0f};
+            case 1:
+                return {-0.0f, length, 0.0f};
+            default:
+                return {0.0f, -0.0f, length};
         }
     }
 
     static Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+    /// Where a placement without its translation takes a point.
+    static Vec3 turned(const Placement& placement, const Vec3& point) {
+        const Quaternion& q = placement.rotation;
+        const float scale = placement.scale / (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+        const float x = point.x * scale;
+        const float y = point.y * scale;
+        const float z = point.z * scale;
+        const float diagonal = q.w * q.w - q.x * q.x - q.y * q.y - q.z * q.z;
+        const float along = 2.0f * (q.x * x + q.y * y + q.z * z);
+        const float twice = 2.0f * q.w;
+        return {diagonal * x + along * q.x + twice * (q.y * z - q.z * y),
+                diagonal * y + along * q.y + twice * (q.z * x - q.x * z),
+                diagonal * z + along * q.z + twice * (q.x * y - q.y * x)};
+    }
 
     void step_back(Ray& ray) const {
         ray.origin.x -= ray.direction.x * size();

@@ -35,6 +35,23 @@ private:
     std::size_t length_ = 0;
 };
 
+/// What tests/platform/golden.txt holds: "questions 40: 24 blobs 0123456789abcdef, 50000 answers 0123456789abcdef"
+inline Line summary(std::uint32_t questions, std::uint32_t blobs, const Fingerprint& bytes, const Answers& answers) {
+    Line line;
+    line.text("questions ");
+    line.decimal(questions);
+    line.text(": ");
+    line.decimal(blobs);
+    line.text(" blobs ");
+    line.hexadecimal(bytes.value());
+    line.text(", ");
+    line.decimal(answers.calls);
+    line.text(" answers ");
+    line.hexadecimal(answers.fingerprint.value());
+    line.text("\n");
+    return line;
+}
+
 /// "answers 0123456789abcdef: 2000 rays, ..."
 inline Line report(const Answers& answers) {
     Line line;
@@ -54,7 +71,11 @@ inline Line report(const Answers& answers) {
     line.decimal(answers.points);
     line.text(" points (");
     line.decimal(answers.points_found);
-    line.text(" found)\n");
+    line.text(" found), ");
+    line.decimal(answers.pairs_near);
+    line.text(" placed blobs near, ");
+    line.decimal(answers.calls);
+    line.text(" calls\n");
     return line;
 }
 

@@ -47,13 +47,15 @@ inline InstructionSet detect_instruction_set() {
     return InstructionSet::avx2;
 }
 
+/// 0: not yet asked, else the answer + 1. Tests write it to ask every query on a lesser set.
+inline std::uint8_t known_instruction_set = 0;
+
 /// Asked once: the question is slow on virtual machines. Every thread that races to answer stores the same.
 inline InstructionSet instruction_set() {
-    static std::uint8_t known = 0;  // 0: not yet asked, else the answer + 1
-    std::uint8_t value = __atomic_load_n(&known, __ATOMIC_RELAXED);
+    std::uint8_t value = __atomic_load_n(&known_instruction_set, __ATOMIC_RELAXED);
     if (value == 0) {
         value = static_cast<std::uint8_t>(static_cast<unsigned>(detect_instruction_set()) + 1u);
-        __atomic_store_n(&known, value, __ATOMIC_RELAXED);
+        __atomic_store_n(&known_instruction_set, value, __ATOMIC_RELAXED);
     }
     return static_cast<InstructionSet>(value - 1);
 }

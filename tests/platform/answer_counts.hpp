@@ -1,0 +1,37 @@
+// What was asked and found, and how a triangle enters the hash.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/espalier.hpp>
+
+#include "fingerprint.hpp"
+
+namespace espalier::platform {
+
+/// What was asked and found. The counts show that the hash is not one of "nothing" a thousand times.
+struct Answers {
+    Fingerprint fingerprint;
+    std::uint32_t calls = 0;  // of any function that answers
+    std::uint32_t rays = 0;
+    std::uint32_t rays_hit = 0;
+    std::uint32_t hits = 0;
+    std::uint32_t spheres = 0;
+    std::uint32_t overlaps = 0;
+    std::uint32_t points = 0;
+    std::uint32_t points_found = 0;
+    std::uint32_t pairs_near = 0;  // of two placed blobs
+};
+
+inline void add_triangle(Fingerprint& fingerprint, const Blob& blob, Triangle triangle) {
+    OriginalTriangle original;
+    fingerprint.add(triangle.index);
+    fingerprint.add(original_triangle(blob, triangle, original));
+    fingerprint.add(original.file);
+    fingerprint.add(original.mesh);
+    fingerprint.add(original.triangle);
+    fingerprint.add(original.first_corner);
+    fingerprint.add(std::uint32_t{material(blob, triangle)});
+}
+
+}  // namespace espalier::platform

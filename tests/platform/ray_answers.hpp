@@ -1,0 +1,103 @@
+// Asks a blob about rays: one at a time, filtered, listed, the first few, and in batches.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "answer_counts.hpp"
+#include "questions.hpp"
+
+namespace espalier::platform {
+
+inline void add_hit(Fingerprint& fingerprint, const Blob& blob, const RayHit& hit) {
+    fingerprint.add(hit.t);
+    fingerprint.add(hit.u);
+    fingerprint.add(hit.v);
+    fingerprint.add(hit.normal);
+    add_triangle(fingerprint, blob, hit.triangle);
+}
+
+inline void ask_closest_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        RayHit hit;
+        const bool found = raycast(blob, questions.ray(number), hit);
+        ++answers.rays;
+        ++answers.calls;
+        answers.rays_hit += found ? 1u : 0u;
+        answers.fingerprint.add(found);
+        add_hit(answers.fingerprint, blob, hit);
+    }
+}
+
+inline void ask_filtered_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    const auto odd = [](Triangle triangle) { return (triangle.index & 1u) != 0; };
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Ray ray = questions.ray(number);
+        RayHit hit;
+        ++answers.rays;
+        answers.calls += 3;
+        answers.fingerprint.add(raycast(blob, ray, hit, odd));
+        add_hit(answers.fingerprint, blob, hit);
+        answers.fingerprint.add(occluded(blob, ray));
+        answers.fingerprint.add(occluded(blob, ray, odd));
+    }
+}
+
+inline void ask_all_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        std::uint32_t left = 6;  // so that stopping early is asked for too
+        const bool saw_all = for_each_hit(blob, questions.ray(number), [&](const RayHit& hit) {
+            ++answers.hits;
+            add_hit(answers.fingerprint, blob, hit);
+            return --left == 0 ? stop : keep_going;
+        });
+        ++answers.rays;
+        ++answers.calls;
+        answers.fingerprint.add(saw_all);
+    }
+}
+
+inline void ask_first_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Ray ray = questions.ray(number);
+        RayHit hits[3];
+        const HitCount found = closest_hits(blob, ray, std::span<RayHit>(hits).first(number % 4));
+        ++answers.rays;
+        answers.calls += 3;
+        answers.fingerprint.add(static_cast<std::uint32_t>(found.count));
+        answers.fingerprint.add(static_cast<std::uint32_t>(found.status));
+        for (std::size_t i = 0; i < found.count; ++i) add_hit(answers.fingerprint, blob, hits[i]);
+        RayHit hit;
+        answers.fingerprint.add(raycast(blob, Segment{ray.origin, ray.direction}, hit));
+        add_hit(answers.fingerprint, blob, hit);
+        answers.fingerprint.add(occluded(blob, Segment{ray.origin, ray.direction}));
+    }
+}
+
+/// Batches of 0 to 24 rays: of one kind of direction, as a camera has them, and of every kind at once.
+inline void ask_batches(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    constexpr std::uint32_t capacity = 24;
+    Ray rays[capacity];
+    RayHit hits[capacity];
+    std::uint8_t yes[capacity];
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const std::uint32_t size = number * 5 % (capacity + 1);
+        const Ray first = questions.ray(number);
+        for (std::uint32_t i = 0; i < size; ++i) {
+            rays[i] = number % 3 == 0 ? questions.ray(i) : first;
+            const float turn = static_cast<float>(i) * 0x1p-7f;
+            if (number % 3 == 1) rays[i].direction.x += turn * first.direction.y;
+            if (number % 3 == 2) rays[i].origin.z += turn * first.direction.z;
+        }
+        const auto asked = std::span<const Ray>(rays).first(size);
+        answers.fingerprint.add(static_cast<std::uint32_t>(raycast(blob, asked, hits)));
+        for (std::uint32_t i = 0; i < size; ++i) add_hit(answers.fingerprint, blob, hits[i]);
+        answers.fingerprint.add(static_cast<std::uint32_t>(occluded(blob, asked, yes)));
+        for (std::uint32_t i = 0; i < size; ++i) answers.fingerprint.add(std::uint32_t{yes[i]});
+        answers.rays += 2 * size;
+        answers.calls += 2;
+    }
+}
+
+}  // namespace espalier::platform

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# run_platform.sh PLATFORM QUESTIONS BUILD_FOLDER CMAKE GENERATOR
+# Builds both libraries for the platform, bakes the blobs and asks them there (under an emulator if need be), and compares
+# bytes and answers with golden.txt. PLATFORM is another machine, i686 armhf aarch64 riscv64 s390x wasm32, or a compiler
+# and its options for this one, as in gcc-O2 and clang-O3-native.
+# Exit status: 0 the same bits, 1 other bits or a failure, 77 a tool is missing.
+set -euo pipefail
+
+platform=$1 questions=$2 build=$3 cmake=$4 generator=$5
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+emulator=()
+options=()
+needed=()
+use_machine() {  # TOOLCHAIN COMPILER [EMULATOR...]
+    options=(-DCMAKE_TOOLCHAIN_FILE="$here/../../lib/cmake/toolchains/$1.cmake" -DCMAKE_BUILD_TYPE=Release)
+    needed=("$2" "${@:3:1}")
+    emulator=("${@:3}")
+}
+case $platform in
+    i686) use_machine i686-linux-gnu i686-linux-gnu-g++ ;;
+    armhf) use_machine arm-linux-gnueabihf arm-linux-gnueabihf-g++ qemu-arm ;;
+    aarch64 | riscv64 | s390x) use_machine "$platform-linux-gnu" "$platform-linux-gnu-g++" "qemu-$platform" ;;
+    wasm32) use_machine wasm32-wasi wasm-ld node --no-warnings "$here/other/run_wasm.mjs" ;;
+    gcc-* | clang-*)
+        compiler=g++
+        [[ $platform == clang-* ]] && compiler=clang++
+        needed=("$compiler")
+        flags=-${platform#*-}
+        # no build type: these flags and no others, so that the compiler vectorises too where it likes
+        options=(-DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=${flags/-native/ -march=native}")
+        ;;
+    *)
+        echo "failed: no such platform: $platform"
+        exit 1
+        ;;
+esac
+for tool in "${needed[@]}"; do
+    if ! command -v "$tool" >/dev/null; then
+        echo "skipped: $tool is not installed (tools/dev platforms installs it)"
+        exit 77
+    fi
+done
+
+mkdir -p "$build"
+"$cmake" -S "$here/other" -B "$build" -G "$generator" "${options[@]}" >"$build/configure.log" 2>&1 ||
+    { cat "$build/configure.log"; exit 1; }
+"$cmake" --build "$build" --parallel 2 >"$build/build.log" 2>&1 || { tail -n 60 "$build/build.log"; exit 1; }
+
+rm -rf "$build/blobs"
+mkdir -p "$build/blobs"
+cd "$build"
+programs=$PWD
+(cd blobs && "${emulator[@]}" "$programs/make_blobs" . 2>/dev/null) || { echo "failed: nothing was baked"; exit 1; }
+"$here/check_golden.sh" "$questions" "$PWD/blobs" "${emulator[@]}" "$programs/query_answers"
