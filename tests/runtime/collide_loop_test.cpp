@@ -229,7 +229,7 @@ void check_real_mesh(const std::filesystem::path& file) {
         DecodedBlob decoded = decode(opened.bytes);
         blobs.push_back({mesh.name + ", profile " + name_of(profile), std::move(opened), std::move(decoded)});
     }
-    // Both loops over pairs take their time: as many as are asked in some minutes, at a scale of 1,000.
+    // Loops over pairs take their time: meshes are asked alike long, not alike often.
     const std::uint64_t count = scaled_share(std::max<std::uint64_t>(3, 120'000 / mesh.triangles.size()));
     Counts random, adversarial;
     for (std::size_t i = 0; i < blobs.size(); ++i) {

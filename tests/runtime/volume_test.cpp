@@ -98,8 +98,18 @@ void check_against_loop(const Blob& blob, const TriangleLoop& loop, const Shape&
 void check_sphere(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere, Random& random, Tally& tally) {
     CAPTURE(describe(sphere));
     detail::LatticePoint rounded;
-    const bool is_near = detail::round_point(blob.data(), sphere.center, sphere.radius, rounded);
-    check_answers(blob, sphere, is_near ? loop.every_overlap(rounded) : std::vector<std::uint32_t>(), random, tally);
+    if (detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) {
+        check_answers(blob, sphere, loop.every_overlap(rounded), random, tally);
+        return;
+    }
+    // Too far away for its radius, or one that a hair's breadth made negative.
+    ++tally.out_of_range;
+    const bool is_valid = sphere.radius >= 0.0f;
+    Triangle room[1];
+    const OverlapPage page = collect_overlaps(blob, sphere, room);
+    REQUIRE(page.status == (is_valid ? QueryStatus::ok : QueryStatus::invalid_argument));
+    REQUIRE(page.count == 0);
+    REQUIRE_FALSE(overlaps(blob, sphere));
 }
 
 struct Makers {
