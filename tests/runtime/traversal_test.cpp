@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "../support/calls.hpp"
 #include "../support/differences.hpp"
@@ -11,6 +12,7 @@
 #include "../support/mesh_files.hpp"
 #include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
+#include "../support/same_bits.hpp"
 #include "../support/test_blobs.hpp"
 #include "../support/test_scale.hpp"
 
@@ -21,6 +23,7 @@ namespace {
 
 constexpr const char* ray_queries = "rays: closest, any, all, first few";
 constexpr const char* segment_queries = "rays: segments";
+constexpr const char* batch_queries = "rays: many in one call";
 constexpr const char* sphere_queries = "spheres: any, all; closest point, k nearest";
 
 void check_ray(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::uint64_t& hits) {
@@ -29,6 +32,33 @@ void check_ray(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::
     const Vec3 &from = ray.origin, &way = ray.direction;
     const auto along_segment = segment_difference(blob, loop, {from, {from.x + way.x, from.y + way.y, from.z + way.z}});
     REQUIRE_MESSAGE(!along_segment, *along_segment);
+}
+
+/// Many rays in one call against one call for each, which are held against the loop; a few in bundles, which share
+/// their way through the tree.
+void check_batch(const Blob& blob, std::vector<Ray> rays, Random& random) {
+    for (std::size_t i = 0, single = rays.size(); i < single; i += 64) {
+        const Ray ray = rays[i];
+        const auto beside = [&](float x) { return x * (1.0f + 0x1p-10f * random.signed_unit()); };
+        for (int k = 0; k < 16; ++k) {
+            rays.push_back(ray);
+            rays.back().direction = {beside(ray.direction.x), beside(ray.direction.y), beside(ray.direction.z)};
+        }
+    }
+    std::vector<RayHit> hits(rays.size());
+    std::vector<std::uint8_t> answers(rays.size());
+    std::size_t count = 0;
+    REQUIRE(raycast(blob, rays, hits) == occluded(blob, rays, answers));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        CAPTURE(describe(rays[i]));
+        RayHit hit;
+        const bool found = raycast(blob, rays[i], hit);
+        REQUIRE((hits[i].triangle != no_triangle) == found);
+        if (found) REQUIRE(same_bits(hits[i], hit));
+        REQUIRE(answers[i] == (found ? 1 : 0));
+        count += answers[i];
+    }
+    REQUIRE(raycast(blob, rays, hits) == count);
 }
 
 void check_sphere(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere, std::uint64_t& overlaps) {
@@ -42,15 +72,17 @@ void check_rays_of_kind(const std::vector<TestBlob>& blobs, RayKind kind, std::u
         CAPTURE(blob.name);
         const TriangleLoop loop(blob.decoded);
         QueryMaker maker(blob.decoded, 100 + static_cast<std::uint64_t>(kind));
+        std::vector<Ray> rays;
         for (std::uint64_t i = 0; i < count; ++i) {
-            Ray ray = maker.ray(kind);
-            if (maker.random().below(3) == 0) maker.restrict(ray);
-            check_ray(blob.opened.blob, loop, ray, hits);
+            rays.push_back(maker.ray(kind));
+            if (maker.random().below(3) == 0) maker.restrict(rays.back());
+            check_ray(blob.opened.blob, loop, rays.back(), hits);
         }
+        check_batch(blob.opened.blob, rays, maker.random());
     }
     const std::uint64_t asked = count * blobs.size();
     const std::uint64_t random = kind == RayKind::incoherent ? asked : 0;
-    for (const char* queries : {ray_queries, segment_queries})
+    for (const char* queries : {ray_queries, segment_queries, batch_queries})
         MESSAGE(calls_made(queries, generated_meshes, random, asked - random));
     // Queries that all miss would prove nothing.
     CHECK(hits > asked / 5);
@@ -83,18 +115,21 @@ void check_real_mesh(const std::filesystem::path& file, format::Profile profile)
     const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 10 : 101);
     std::uint64_t hits = 0;
     std::uint64_t overlaps = 0;
+    std::vector<Ray> rays;
     for (std::uint64_t i = 0; i < count; ++i) {
         for (const RayKind kind :
              {RayKind::incoherent, all_ray_kinds[1 + maker.random().below(all_ray_kinds.size() - 1)]}) {
-            Ray ray = maker.ray(kind);
-            if (maker.random().below(4) == 0) maker.restrict(ray);
-            check_ray(opened.blob, loop, ray, hits);
+            rays.push_back(maker.ray(kind));
+            if (maker.random().below(4) == 0) maker.restrict(rays.back());
+            check_ray(opened.blob, loop, rays.back(), hits);
         }
     }
+    check_batch(opened.blob, rays, maker.random());
     const std::uint64_t awkward_spheres = (count + 4) / 5;
     for (std::uint64_t i = 0; i < count; ++i) check_sphere(opened.blob, loop, maker.random_sphere(), overlaps);
     for (std::uint64_t i = 0; i < awkward_spheres; ++i) check_sphere(opened.blob, loop, maker.sphere(), overlaps);
-    for (const char* queries : {ray_queries, segment_queries}) MESSAGE(calls_made(queries, name, count, count));
+    for (const char* queries : {ray_queries, segment_queries, batch_queries})
+        MESSAGE(calls_made(queries, name, count, count));
     MESSAGE(calls_made(sphere_queries, name, count, awkward_spheres));
     if (count >= 20) CHECK(hits > 0);  // fewer may all miss
 }
