@@ -1,7 +1,5 @@
-// Any bytes as a mesh and options: refused with a reason, or baked to a blob that opens, passes the deep check and
-// answers every query as the loop over all its triangles does.
-#include <cstdio>
-#include <cstdlib>
+// Any bytes as a mesh and options: refused with a reason, or baked to a blob that opens, passes the deep check, is
+// sound and answers every query as the loop over all its triangles does.
 #include <cstring>
 #include <span>
 
@@ -9,10 +7,8 @@
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
-#include "support/decoder.hpp"
-#include "support/differences.hpp"
+#include "judge.hpp"
 #include "support/mesh.hpp"
-#include "support/query_maker.hpp"
 #include "target.hpp"
 
 using namespace espalier;
@@ -42,11 +38,6 @@ public:
 private:
     std::span<const std::uint8_t> rest_;
 };
-
-[[noreturn]] void fail(const char* what, const std::string& detail) {
-    std::fprintf(stderr, "%s: %s\n", what, detail.c_str());
-    std::abort();
-}
 
 struct Question {
     Mesh mesh;
@@ -111,23 +102,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const MeshView view = question.mesh.view();
     const auto baked = bake(std::span(&view, 1), question.options);
     if (!baked) {
-        if (baked.error().kind == BakeError::Kind::internal) fail("internal error", baked.error().message);
-        if (baked.error().message.empty()) fail("refused", "without a reason");
+        if (baked.error().kind == BakeError::Kind::internal) fuzz::fail("internal error", baked.error().message);
+        if (baked.error().message.empty()) fuzz::fail("refused", "without a reason");
         return 0;
     }
     Blob blob;
-    if (const Status status = open(baked->blob, blob); status != Status::ok) fail("open", describe(status));
-    if (const auto problem = baker::verify_deep(baked->blob)) fail("verify_deep", *problem);
-    const DecodedBlob decoded = decode(baked->blob);
-    if (decoded.triangles.empty()) return 0;
-    const TriangleLoop loop(decoded);
-    QueryMaker maker(decoded, size);
-    std::uint64_t hits = 0;
-    for (int i = 0; i < 12; ++i) {
-        Ray ray = maker.any_ray();
-        if (maker.random().coin()) maker.restrict(ray);
-        if (const auto difference = ray_difference(blob, loop, ray, hits)) fail("ray", *difference);
-        if (const auto difference = sphere_difference(blob, loop, maker.sphere(), hits)) fail("sphere", *difference);
-    }
+    if (const Status status = open(baked->blob, blob); status != Status::ok) fuzz::fail("open", describe(status));
+    if (const auto problem = baker::verify_deep(baked->blob)) fuzz::fail("verify_deep", *problem);
+    Random random(size);
+    fuzz::judge(baked->blob, blob, random, fuzz::Maker::baker);
     return 0;
 }

@@ -7,6 +7,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
+#include <runtime/step_counter.hpp>
 
 namespace espalier::detail {
 

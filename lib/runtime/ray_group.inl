@@ -76,6 +76,7 @@ private:
     void visit(const BlobData& blob, const Node& node, GroupMask rays) {
         std::uint64_t by_ray[rays_in_group / 8] = {};
         for_each_bit(rays, [&](unsigned number) {
+            count_node_step();
             by_ray[number / 8] |= std::uint64_t{rays_[number].visitor.children(node, keys_[number])} << number % 8 * 8;
         });
         static_assert(rays_in_group == 16);
@@ -110,6 +111,7 @@ private:
 
     /// First what lanes can reject, for all rays, then the rest in integers: so the branches come together.
     void visit_leaf(const Leaf& leaf, GroupMask rays) {
+        count_leaf_step();
         typename Leaf::Slots candidates[rays_in_group];
         const GroupMask with_candidates = with_table_groups<Leaf::max_vertices>(
             leaf.vertex_count, [&](auto groups) { return reject<groups>(leaf, rays, candidates); });

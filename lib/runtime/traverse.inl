@@ -66,6 +66,7 @@ struct NearestFirst {
 
     /// First half: which children are worth a visit.
     [[gnu::always_inline]] unsigned test(const BlobData& blob, Visitor& visitor) {
+        count_node_step();
         return visitor.children(node_at(blob, index), keys) & among;
     }
 
@@ -91,6 +92,7 @@ struct NearestFirst {
                 const auto number = static_cast<unsigned>(std::countr_zero(leaves));
                 const Node node = node_at(blob, parent);
                 if (parent == index && keys[node.node_children() + number] > visitor.limit()) continue;
+                count_leaf_step();
                 if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, number)) == stop) return false;
             }
             Waiting next;
@@ -161,11 +163,14 @@ template <class Leaf, class Visitor>
     for (;;) {
         const Node node = node_at(blob, index);
         alignas(32) float keys[format::max_children];
+        count_node_step();
         const unsigned mask = visitor.children(node, keys);
         const unsigned node_children = node.node_children();
-        for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1)
+        for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1) {
+            count_leaf_step();
             if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop)
                 return stop;
+        }
         if (const unsigned nodes = mask & ((1u << node_children) - 1u); nodes != 0)
             stack[depth++] = {node.first_child(), nodes};
         if (depth == 0) return keep_going;

@@ -66,6 +66,7 @@ template <class Visitor>
                 const Node node = node_at(*blobs[of], items[of].parent());
                 return LeafPlace{node, items[of].child() - node.node_children(), boxes[of]};
             };
+            count_leaf_step();
             if (visitor.visit_leaves(place(0), place(1)) == stop) return QueryStatus::ok;
         } else {
             const auto size = [&](unsigned of) {
@@ -74,6 +75,7 @@ template <class Visitor>
             side = items[0].is_leaf() || (!items[1].is_leaf() && size(0) < size(1)) ? 1u : 0u;
             const PairItem item = items[side];
             index = item.is_root() ? 0 : node_at(*blobs[side], item.parent()).first_child() + item.child();
+            count_node_step();
             mask = visitor.children(side, node_at(*blobs[side], index), boxes[1 - side], keys);
         }
         while (mask == 0) {
@@ -85,6 +87,7 @@ template <class Visitor>
             items[1 - side] = {level.other_and_side & ~PairLevel::side_bit};
             load(1 - side);
             if constexpr (Visitor::asks_again) {
+                count_node_step();
                 mask &= visitor.children(side, node_at(*blobs[side], index), boxes[1 - side], keys);
                 --depth;
             } else {

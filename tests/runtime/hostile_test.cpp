@@ -15,6 +15,7 @@
 #include "../support/hostile_values.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
+#include "../support/soundness.hpp"
 #include "../support/test_blobs.hpp"
 #include "../support/test_scale.hpp"
 
@@ -52,7 +53,7 @@ bool open_and_exercise(std::span<const std::byte> bytes, std::uint64_t seed, uns
         return false;
     }
     Random random(seed);
-    REQUIRE_NOTHROW(exercise(blob, random, rounds));
+    REQUIRE_NOTHROW(exercise(blob, random, rounds, is_sound(bytes)));
     return true;
 }
 

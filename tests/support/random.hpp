@@ -1,7 +1,9 @@
 // Random numbers that are the same on every machine and with every standard library.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <espalier/types.hpp>
 
@@ -11,8 +13,11 @@ namespace espalier::tests {
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
+    /// Words of these bytes first, so that a fuzzer can choose what is drawn.
+    Random(std::uint64_t seed, std::span<const std::byte> bytes) : state_(seed), bytes_(bytes) {}
 
     std::uint64_t next() {
+        if (bytes_.size() >= 4) return from_bytes();
         state_ += 0x9E3779B97F4A7C15u;
         std::uint64_t z = state_;
         z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -45,7 +50,16 @@ public:
     }
 
 private:
+    /// The same word high and low: whoever draws looks at one of the two.
+    std::uint64_t from_bytes() {
+        std::uint64_t word = 0;
+        for (std::size_t i = 0; i < 4; ++i) word |= std::to_integer<std::uint64_t>(bytes_[i]) << (8 * i);
+        bytes_ = bytes_.subspan(4);
+        return word << 32 | word;
+    }
+
     std::uint64_t state_;
+    std::span<const std::byte> bytes_;
 };
 
 }  // namespace espalier::tests

@@ -1,0 +1,112 @@
+// Mesh files, mostly damaged, through the command's own reader and then the baker: refused with a reason, or baked to a
+// blob that opens and passes the deep check. The first byte says which format the rest is called, the second how it is
+// baked. Each input is read in a process of its own, as crashes of assimp are none of ours.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <string>
+
+#include <baker/verify.hpp>
+#include <espalier/bake.hpp>
+#include <espalier/espalier.hpp>
+
+#include "exit_code.hpp"
+#include "import_assimp.hpp"
+#include "importer_crash.hpp"
+#include "judge.hpp"
+#include "shared_coverage.hpp"
+#include "target.hpp"
+
+using namespace espalier;
+
+namespace {
+
+constexpr std::array formats = {"obj", "ply", "stl", "off", "gltf", "glb", "dae", "fbx"};
+constexpr unsigned seconds = 20;
+
+BakeOptions options_from(std::uint8_t choices) {
+    BakeOptions options;
+    options.repair = (choices & 1) != 0;
+    options.profile = static_cast<format::Profile>((choices >> 1 & 3u) % 3u);
+    options.original_ids = (choices & 8) != 0;
+    options.bits = (choices & 16) != 0 ? 24 : 8;
+    options.effort = (choices & 32) != 0 ? 9 : 1;
+    if ((choices & 64) != 0) options.materials = Materials::bits_16;
+    if ((choices & 128) != 0) {
+        options.edge_flags = 5.0;
+        options.bounds = {true, true, true};
+    }
+    return options;
+}
+
+void read_and_bake(const std::string& path, const BakeOptions& options) {
+    try {
+        const tools::Imported imported = tools::import_files(std::span(&path, 1), {});
+        const auto views = imported.views();
+        const auto baked = bake(views, options);
+        if (!baked) {
+            if (baked.error().kind == BakeError::Kind::internal) fuzz::fail("internal error", baked.error().message);
+            if (baked.error().message.empty()) fuzz::fail("refused", "without a reason");
+            return;
+        }
+        Blob blob;
+        if (const Status status = open(baked->blob, blob); status != Status::ok) fuzz::fail("open", describe(status));
+        if (const auto problem = baker::verify_deep(baked->blob)) fuzz::fail("verify_deep", *problem);
+    } catch (const tools::CommandError& error) {
+        if (std::string(error.what()).empty()) fuzz::fail("refused", "without a reason");
+        if (error.code() != tools::ExitCode::invalid_input && error.code() != tools::ExitCode::unsupported)
+            fuzz::fail("exit status", error.what());
+    } catch (const std::bad_alloc&) {
+        return;  // the command says that memory ran out
+    } catch (const std::exception& error) {
+        fuzz::fail("exception", error.what());
+    }
+}
+
+/// 0, or what the process of this input died of.
+int run_apart(const std::string& path, const BakeOptions& options) {
+    static const fuzz::SharedCoverage coverage;
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    if (child < 0) {
+        std::perror("fork");
+        std::exit(1);
+    }
+    if (child == 0) {
+        fuzz::expect_importer_crashes(seconds);
+        read_and_bake(path, options);
+        coverage.hand_over();
+        ::_exit(static_cast<int>(fuzz::ImportEnd::done));
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0) {
+    }
+    coverage.take();
+    return status;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size < 2 || size > 65536) return 0;
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() /
+        ("espalier_fuzz_import_" + std::to_string(getpid()) + "." + formats[data[0] % formats.size()]);
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(data) + 2, static_cast<std::streamsize>(size - 2));
+    const int status = run_apart(path.string(), options_from(data[1]));
+    std::filesystem::remove(path);
+    using fuzz::ImportEnd;
+    for (const ImportEnd end : {ImportEnd::done, ImportEnd::crashed, ImportEnd::too_slow})
+        if (WIFEXITED(status) && WEXITSTATUS(status) == static_cast<int>(end)) return 0;
+    fuzz::fail("the process that read the file", WIFSIGNALED(status)
+                                                     ? "died of signal " + std::to_string(WTERMSIG(status))
+                                                     : "ended with status " + std::to_string(WEXITSTATUS(status)));
+}

@@ -1,0 +1,31 @@
+// How much a walk does, counted where a build asks for it (the CMake option ESPALIER_COUNT_STEPS), so that tests can
+// hold every query to the bound that it states. Elsewhere nothing is counted and no code is made.
+#pragma once
+
+#include <cstdint>
+
+#ifndef ESPALIER_COUNT_STEPS
+#define ESPALIER_COUNT_STEPS 0
+#endif
+
+namespace espalier::detail {
+
+#if ESPALIER_COUNT_STEPS
+
+struct StepCounter {
+    std::uint64_t nodes = 0;   ///< tests of a node's children, by one ray, shape or box
+    std::uint64_t leaves = 0;  ///< visits of a leaf
+};
+inline thread_local constinit StepCounter step_counter;
+
+inline void count_node_step() { ++step_counter.nodes; }
+inline void count_leaf_step() { ++step_counter.leaves; }
+
+#else
+
+constexpr void count_node_step() {}
+constexpr void count_leaf_step() {}
+
+#endif
+
+}  // namespace espalier::detail

@@ -1,0 +1,276 @@
+#include "blob_encoder.hpp"
+
+#include <bit>
+#include <cstring>
+
+#include "checksum.hpp"
+
+namespace espalier::tests {
+
+namespace {
+
+class Writer {
+public:
+    void put(std::uint64_t value, unsigned size) {
+        for (unsigned i = 0; i < size; ++i) bytes.push_back(static_cast<std::byte>(value >> (8 * i)));
+    }
+    void pad_to(std::size_t multiple) {
+        while (bytes.size() % multiple != 0) bytes.push_back(std::byte{0});
+    }
+    /// A bit at a time, low bits first; `end_stream` fills the last byte up.
+    void put_bits(std::uint64_t value, unsigned width) {
+        for (unsigned i = 0; i < width; ++i, ++bit_) {
+            if (bit_ % 8 == 0) bytes.push_back(std::byte{0});
+            bytes.back() |= static_cast<std::byte>((value >> i & 1u) << (bit_ % 8));
+        }
+    }
+    void end_stream() { bit_ = 0; }
+    void append(const Writer& other) { bytes.insert(bytes.end(), other.bytes.begin(), other.bytes.end()); }
+
+    std::vector<std::byte> bytes;
+
+private:
+    std::size_t bit_ = 0;
+};
+
+unsigned bits_for(std::uint32_t number) {
+    unsigned count = 0;
+    for (; number != 0; number /= 2) ++count;
+    return count;
+}
+
+void put_axis(Writer& out, const PlainLeaf& leaf, std::size_t axis, std::int32_t start, unsigned width) {
+    for (const GridPoint& vertex : leaf.vertices) out.put_bits(static_cast<std::uint32_t>(vertex[axis] - start), width);
+    out.end_stream();
+}
+
+class Encoder {
+public:
+    explicit Encoder(const PlainBlob& blob) : blob_(blob), head_(blob.decoded) {}
+
+    std::vector<std::byte> run() {
+        if (!blob_.nodes.empty()) {
+            nodes_.resize(1);
+            node_count_ = 1;
+            visit(0, 0, 1);
+        }
+        Writer sections;
+        put_sections(sections);
+        Writer out;
+        put_header(out, sections.bytes.size());
+        for (const Writer& node : nodes_) out.append(node);
+        out.append(leaves_);
+        for (std::size_t i = 0; i < 64; ++i) out.put(0, 1);
+        out.append(sections);
+        repair_checksum(out.bytes);
+        return std::move(out.bytes);
+    }
+
+private:
+    void visit(std::size_t place, std::uint32_t number, unsigned depth) {
+        const PlainNode& node = blob_.nodes[place];
+        depth_ = depth > depth_ ? depth : depth_;
+        std::uint32_t node_children = 0;
+        for (const PlainChild& child : node.children) node_children += child.leaf ? 0u : 1u;
+        const auto leaf_children = static_cast<std::uint32_t>(node.children.size()) - node_children;
+        const std::uint32_t first = node_children == 0 ? 0 : node_count_;
+        node_count_ += node_children;
+        nodes_.resize(node_count_);
+
+        Writer out;
+        for (const std::uint32_t base : node.base) out.put(base, 2);
+        out.put(node.shift[0] | node.shift[1] << 5 | node.shift[2] << 10, 2);
+        out.put(first | node_children << 24 | leaf_children << 28, 4);
+        out.put(leaf_children == 0 ? 0 : leaves_.bytes.size() / 4, 4);
+        for (const bool high : {false, true})
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                for (std::size_t i = 0; i < 8; ++i) {
+                    const bool there = i < node.children.size();
+                    out.put(!there ? 0 : high ? node.children[i].high[axis] : node.children[i].low[axis], 1);
+                }
+        nodes_[number] = std::move(out);
+
+        if (leaf_children != 0) put_block(node);
+        std::uint32_t next = first;
+        for (const PlainChild& child : node.children)
+            if (!child.leaf) visit(child.node, next++, depth + 1);
+    }
+
+    void put_block(const PlainNode& node) {
+        const bool indexed = head_.profile == format::Profile::fast;
+        Writer descriptors, data;
+        std::uint32_t first = 0;
+        leaves_.put(triangles_, 4);
+        for (const PlainChild& child : node.children) {
+            if (!child.leaf) continue;
+            const PlainLeaf& leaf = *child.leaf;
+            const GridBox box = node.box_of(child, head_.bits);
+            if (indexed) put_indexed(descriptors, data, leaf, box);
+            else put_strip(descriptors, data, leaf, box, first);
+            first += static_cast<std::uint32_t>(leaf.corners().size());
+        }
+        triangles_ += first;
+        leaves_.append(descriptors);
+        leaves_.append(data);
+        leaves_.pad_to(4);
+    }
+
+    void put_indexed(Writer& descriptors, Writer& data, const PlainLeaf& leaf, const GridBox& box) const {
+        data.pad_to(2);
+        const auto triangles = static_cast<std::uint32_t>(leaf.triangles.size());
+        const auto vertices = static_cast<std::uint32_t>(leaf.vertices.size());
+        descriptors.put(static_cast<std::uint32_t>(data.bytes.size() / 2) | (triangles - 1) << 11 |
+                            (vertices - 1) << 15 | leaf.codes[0] << 20 | leaf.codes[1] << 24 | leaf.codes[2] << 28,
+                        4);
+        const bool has_copies = (head_.features & 1u << 4) != 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const unsigned code = leaf.codes[axis];
+            const unsigned width = code == 0 ? 0 : head_.bits <= 15 ? code : code + head_.bits - 15;
+            put_axis(data, leaf, axis, has_copies && width == head_.bits ? 0 : box.low[axis], width);
+        }
+        const unsigned corner = vertices <= 8 ? 3 : vertices <= 16 ? 4 : 5;
+        for (const auto& triangle : leaf.triangles)
+            for (const std::uint8_t vertex : triangle) data.put_bits(vertex, corner);
+        data.end_stream();
+    }
+
+    void put_strip(Writer& descriptors, Writer& data, const PlainLeaf& leaf, const GridBox& box,
+                   std::uint32_t first) const {
+        const std::size_t joints = leaf.entries.size() - 3;
+        descriptors.put(
+            static_cast<std::uint32_t>(data.bytes.size()) | static_cast<std::uint32_t>(joints) << 13 | first << 19, 4);
+        for (std::size_t i = 1; i <= joints; ++i) data.put_bits(leaf.entries[i].is_pivot ? 1 : 0, 1);
+        for (std::size_t i = 1; i <= joints; ++i) data.put_bits(leaf.entries[i].is_triangle ? 1 : 0, 1);
+        std::vector<unsigned> references;
+        unsigned used = 3;
+        for (std::size_t i = 3; i < leaf.entries.size(); ++i) {
+            const bool is_first = leaf.entries[i].vertex == used;
+            data.put_bits(is_first ? 1 : 0, 1);
+            if (is_first) ++used;
+            else references.push_back(leaf.entries[i].vertex);
+        }
+        const unsigned width = bits_for(static_cast<std::uint32_t>(leaf.vertices.size()) - 1);
+        for (const unsigned reference : references) data.put_bits(reference, width);
+        data.end_stream();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const unsigned side = bits_for(static_cast<std::uint32_t>(box.high[axis] - box.low[axis]));
+            put_axis(data, leaf, axis, box.low[axis], side < head_.bits ? side : head_.bits);
+        }
+    }
+
+    void put_sections(Writer& out) const {
+        const std::uint32_t features = head_.features;
+        if ((features & 1u << 0) != 0) {
+            for (const DecodedSource& source : head_.sources)
+                for (const std::uint32_t number : {source.first, source.file, source.mesh}) out.put(number, 4);
+            for (std::size_t i = 0; i < triangles_; ++i) {
+                if (head_.profile != format::Profile::fast) out.put_bits(head_.first_corners[i], 2);
+                out.put_bits(head_.original_ids[i], blob_.id_bits);
+            }
+            out.end_stream();
+            out.pad_to(4);
+        }
+        if ((features & (1u << 1 | 1u << 2)) != 0) {
+            for (const std::uint16_t material : head_.materials) out.put(material, (features & 1u << 1) != 0 ? 1 : 2);
+            out.pad_to(4);
+        }
+        if ((features & 1u << 4) != 0) put_copies(out);
+        if ((features & 1u << 5) != 0) {
+            out.put(head_.flat_limit, 4);
+            for (const auto& flags : head_.edge_flags)
+                for (const std::uint8_t flag : flags) out.put_bits(flag, 2);
+            out.end_stream();
+            out.pad_to(4);
+        }
+        for (std::size_t i = 0; i < head_.oriented_box.size(); ++i)
+            out.put(static_cast<std::uint32_t>(head_.oriented_box[i]), i < 4 ? 2 : 4);
+        for (const std::int32_t number : head_.sphere) out.put(static_cast<std::uint32_t>(number), 4);
+        for (const std::int32_t number : head_.k_dop) out.put(static_cast<std::uint32_t>(number), 4);
+    }
+
+    void put_copies(Writer& out) const {
+        std::vector<std::uint32_t> owners;
+        Writer blocks;
+        for (std::size_t begin = 0; begin < triangles_; begin += 256) {
+            blocks.put(owners.size(), 4);
+            for (std::size_t i = begin; i < begin + 256; ++i) {
+                const bool is_copy = i < triangles_ && head_.owners[i] != i;
+                blocks.put_bits(is_copy ? 1 : 0, 1);
+                if (is_copy) owners.push_back(head_.owners[i]);
+            }
+            blocks.end_stream();
+        }
+        out.put(owners.size(), 4);
+        out.append(blocks);
+        for (const std::uint32_t owner : owners) out.put(owner, 4);
+    }
+
+    void put_header(Writer& out, std::size_t section_bytes) const {
+        const std::size_t total = 128 + std::size_t{64} * node_count_ + leaves_.bytes.size() + 64 + section_bytes;
+        out.put(0x4C505345u, 4);
+        out.put(1, 2);
+        out.put((head_.features >> 5) != 0 ? 1 : 0, 2);
+        out.put(total, 4);
+        out.put(0, 4);  // the checksum comes last
+        out.put(head_.features, 4);
+        out.put(static_cast<std::uint8_t>(head_.profile), 1);
+        out.put(head_.bits, 1);
+        out.put(static_cast<std::uint16_t>(head_.step_exponent), 2);
+        out.put(triangles_, 4);
+        out.put(head_.vertex_count, 4);
+        out.put(node_count_, 4);
+        out.put(leaves_.bytes.size(), 4);
+        for (const float origin : head_.origin) out.put(std::bit_cast<std::uint32_t>(origin), 4);
+        for (const std::uint32_t extent : head_.extent) out.put(extent, 4);
+        out.put(std::bit_cast<std::uint32_t>(head_.max_error), 4);
+        out.put(depth_, 1);
+        out.put(blob_.id_bits, 1);
+        out.put(0, 2);
+        out.put(head_.sources.size(), 4);
+        out.put(head_.source_triangles, 4);
+        for (int i = 0; i < 12; ++i) out.put(0, 4);
+    }
+
+    const PlainBlob& blob_;
+    const DecodedBlob& head_;
+    std::vector<Writer> nodes_;
+    Writer leaves_;
+    std::uint32_t node_count_ = 0;
+    std::uint32_t triangles_ = 0;
+    unsigned depth_ = 0;
+};
+
+}  // namespace
+
+std::vector<GridTriangle> PlainLeaf::corners() const {
+    std::vector<GridTriangle> result;
+    for (const auto& [a, b, c] : triangles) result.push_back({vertices[a], vertices[b], vertices[c]});
+    std::size_t pivot = 0;
+    bool swapped = true;
+    for (std::size_t window = 0; window + 2 < entries.size(); ++window) {
+        if (entries[window].is_pivot) {
+            pivot = window;
+            swapped = !swapped;
+        }
+        if (!entries[window].is_triangle) continue;
+        const GridPoint& before = vertices[entries[window + 1].vertex];
+        const GridPoint& last = vertices[entries[window + 2].vertex];
+        result.push_back({vertices[entries[pivot].vertex], swapped ? last : before, swapped ? before : last});
+    }
+    return result;
+}
+
+GridBox PlainNode::box_of(const PlainChild& child, unsigned bits) const {
+    GridBox box{};
+    const unsigned unit = bits > 16 ? bits - 16 : 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint32_t from = base[axis] << unit;
+        box.low[axis] = static_cast<std::int32_t>(from + (std::uint32_t{child.low[axis]} << shift[axis]));
+        box.high[axis] = static_cast<std::int32_t>(from + (std::uint32_t{child.high[axis]} << shift[axis]));
+    }
+    return box;
+}
+
+std::vector<std::byte> encode(const PlainBlob& blob) { return Encoder(blob).run(); }
+
+}  // namespace espalier::tests

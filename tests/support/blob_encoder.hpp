@@ -1,0 +1,59 @@
+// An encoder of blobs that was written from docs/format.md alone and shares no code with the baker: it writes any tree
+// that it is given, also one that no baker would make.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <espalier/format.hpp>
+
+#include "decoder.hpp"
+
+namespace espalier::tests {
+
+/// A leaf of either kind: indexed leaves have triangles, strips have entries.
+struct PlainLeaf {
+    std::vector<GridPoint> vertices;
+    std::vector<std::array<std::uint8_t, 3>> triangles;
+    /// Indexed: the width code of each axis; the encoder takes it as it is.
+    std::array<unsigned, 3> codes{};
+    struct Entry {
+        unsigned vertex = 0;       ///< one more than all before means a first use
+        bool is_pivot = false;     ///< of entry 0: true
+        bool is_triangle = false;  ///< the window that begins here; of the last two entries: false
+    };
+    std::vector<Entry> entries;
+
+    [[nodiscard]] std::vector<GridTriangle> corners() const;
+};
+
+/// A child's box in planes of its node; below it a node or a leaf.
+struct PlainChild {
+    std::array<std::uint8_t, 3> low{};
+    std::array<std::uint8_t, 3> high{};
+    std::size_t node = 0;  ///< of a node: its place in PlainBlob::nodes
+    std::optional<PlainLeaf> leaf;
+};
+
+struct PlainNode {
+    std::array<std::uint32_t, 3> base{};  ///< in units of 2^max(0, bits - 16)
+    std::array<unsigned, 3> shift{};
+    std::vector<PlainChild> children;  ///< nodes first
+
+    [[nodiscard]] GridBox box_of(const PlainChild& child, unsigned bits) const;
+};
+
+/// What a blob holds. `decoded` gives the header and the optional sections; its nodes and triangles are not looked at.
+struct PlainBlob {
+    DecodedBlob decoded;
+    unsigned id_bits = 0;
+    std::vector<PlainNode> nodes;  ///< the root first; each is the child of one other
+};
+
+/// The bytes, in the order of section 6, with the counts that follow and the checksum.
+std::vector<std::byte> encode(const PlainBlob& blob);
+
+}  // namespace espalier::tests

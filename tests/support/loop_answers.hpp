@@ -1,0 +1,21 @@
+// One question of every kind that has no lanes, against the loop over all triangles: what differences.hpp is for rays
+// and spheres.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <espalier/blob.hpp>
+
+#include "shape_maker.hpp"
+#include "sweep_maker.hpp"
+#include "triangle_loop.hpp"
+
+namespace espalier::tests {
+
+/// Volumes, the distances of a segment and of a box, sweeps, and whether a point is inside: what differs first, and for
+/// which shape. The blob has triangles, and no copies of them.
+std::optional<std::string> loop_difference(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shapes,
+                                           SweepMaker& sweeps);
+
+}  // namespace espalier::tests

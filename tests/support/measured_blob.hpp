@@ -1,0 +1,70 @@
+// A blob that counts what each query on it does, and holds it against the bound that docs/queries.md states. Counts
+// only in builds with ESPALIER_COUNT_STEPS, as those with sanitizers are; in others it is the blob and nothing more.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/codec_node.hpp>
+#include <runtime/step_counter.hpp>
+
+namespace espalier::tests {
+
+class MeasuredBlob {
+public:
+    explicit MeasuredBlob(const Blob& blob) : blob_(blob) {
+        for (std::uint32_t i = 0; i < blob.data().node_count; ++i)
+            leaves_ += detail::node_at(blob.data(), i).leaf_children();
+    }
+
+    /// For a query that walks the tree once, as nearly all do. The one before is measured then.
+    operator const Blob&() const { return for_walks(1); }  // NOLINT(google-explicit-constructor)
+    /// For one that may walk so many times: a batch, once for each ray.
+    [[nodiscard]] const Blob& for_walks(std::uint64_t walks) const {
+        // A node's children are asked about at most four times, a leaf is visited at most once.
+        return allow(4 * walks * blob_.data().node_count, walks * leaves_);
+    }
+    /// For two blobs under a limit of work.
+    [[nodiscard]] const Blob& for_pairs(std::uint64_t pairs) const { return allow(2 * pairs, pairs); }
+    /// What else a query is given.
+    [[nodiscard]] const Blob& unmeasured() const { return blob_; }
+
+    /// Whether every query so far kept to its bound.
+    [[nodiscard]] bool is_within_bounds() const {
+        settle();
+        return within_bounds_;
+    }
+
+    [[nodiscard]] std::uint32_t triangle_count() const { return blob_.triangle_count(); }
+    [[nodiscard]] std::uint32_t copy_count() const { return blob_.copy_count(); }
+    [[nodiscard]] unsigned depth() const { return blob_.depth(); }
+    [[nodiscard]] float step() const { return blob_.step(); }
+    [[nodiscard]] Vec3 bounds_min() const { return blob_.bounds_min(); }
+    [[nodiscard]] Vec3 bounds_max() const { return blob_.bounds_max(); }
+
+private:
+    const Blob& allow(std::uint64_t nodes, std::uint64_t leaves) const {
+        settle();
+        most_nodes_ = nodes;
+        most_leaves_ = leaves;
+        return blob_;
+    }
+#if ESPALIER_COUNT_STEPS
+    void settle() const {
+        const detail::StepCounter& counted = detail::step_counter;
+        within_bounds_ = within_bounds_ && counted.nodes <= most_nodes_ && counted.leaves <= most_leaves_;
+        detail::step_counter = {};
+    }
+#else
+    void settle() const {}
+#endif
+
+    const Blob& blob_;
+    std::uint64_t leaves_ = 0;
+    // Of the query that was asked last; whatever ran before the first one is none of ours.
+    mutable std::uint64_t most_nodes_ = ~std::uint64_t{0};
+    mutable std::uint64_t most_leaves_ = ~std::uint64_t{0};
+    mutable bool within_bounds_ = true;
+};
+
+}  // namespace espalier::tests

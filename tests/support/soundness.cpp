@@ -1,0 +1,64 @@
+#include "soundness.hpp"
+
+#include <stdexcept>
+
+namespace espalier::tests {
+
+namespace {
+
+bool has_area(const GridTriangle& triangle) {
+    const auto edge = [&](const GridPoint& to, std::size_t k) { return std::int64_t{to[k]} - triangle.a[k]; };
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        if (edge(triangle.b, k) * edge(triangle.c, next) != edge(triangle.b, next) * edge(triangle.c, k)) return true;
+    }
+    return false;
+}
+
+bool holds(const GridBox& box, const GridPoint& point) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (point[k] < box.low[k] || point[k] > box.high[k]) return false;
+    return true;
+}
+
+/// The boxes on the way down to a node: what is below it must be in all of them, so in what they share.
+GridBox shared(const GridBox& a, const GridBox& b) {
+    GridBox result = a;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (b.low[k] > result.low[k]) result.low[k] = b.low[k];
+        if (b.high[k] < result.high[k]) result.high[k] = b.high[k];
+    }
+    return result;
+}
+
+}  // namespace
+
+bool is_sound(const DecodedBlob& decoded) {
+    for (const GridTriangle& triangle : decoded.triangles)
+        if (!has_area(triangle)) return false;
+    if ((decoded.features & format::feature::split_references) != 0) return false;  // parts of triangles in boxes
+    constexpr std::int32_t everything = 0x7FFFFFFF;
+    std::vector<GridBox> around(decoded.nodes.size());
+    if (!around.empty()) around[0] = {{0, 0, 0}, {everything, everything, everything}};
+    for (std::size_t node = 0; node < decoded.nodes.size(); ++node) {  // children come after their parents
+        for (const DecodedChild& child : decoded.nodes[node].children) {
+            const GridBox box = shared(around[node], child.box);
+            if (child.is_node) around[child.node] = box;
+            for (std::uint32_t i = 0; !child.is_node && i < child.triangle_count; ++i) {
+                const GridTriangle& triangle = decoded.triangles[child.first_triangle + i];
+                if (!holds(box, triangle.a) || !holds(box, triangle.b) || !holds(box, triangle.c)) return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool is_sound(std::span<const std::byte> blob) {
+    try {
+        return is_sound(decode(blob));
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
+}  // namespace espalier::tests

@@ -1,0 +1,15 @@
+// Whether a blob keeps the rules that `open` does not check: those that no query's safety hangs on, but its answers do.
+#pragma once
+
+#include "decoder.hpp"
+
+namespace espalier::tests {
+
+/// Every box on the way to a triangle holds it, and every triangle has area. False also of a blob with copies, whose
+/// boxes hold parts of triangles.
+/// On a sound blob every query must equal the loop over all triangles; on others it must be safe.
+bool is_sound(const DecodedBlob& decoded);
+/// The same of bytes; false too when the decoder cannot make sense of them.
+bool is_sound(std::span<const std::byte> blob);
+
+}  // namespace espalier::tests
