@@ -80,6 +80,18 @@ private:
 
     /// Some of a region: all of it, a point of it, or any part.
     GridBox part_of(const GridBox& region) {
+        GridBox part = any_part_of(region);
+        for (int attempt = 0; attempt < 10 && !flat_triangles_ && !has_room(part); ++attempt)
+            part = any_part_of(region);
+        return part;
+    }
+    /// For triangles with area.
+    static bool has_room(const GridBox& part) {
+        int sides = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) sides += part.low[axis] != part.high[axis] ? 1 : 0;
+        return sides >= 2;
+    }
+    GridBox any_part_of(const GridBox& region) {
         GridBox part = region;
         const unsigned kind = random_.below(8);
         for (std::size_t axis = 0; axis < 3 && kind > 1; ++axis) {
