@@ -119,7 +119,7 @@ void check(const std::vector<TestBlob>& blobs, std::uint64_t count) {
     }
     tell_calls(generated_meshes, blobs.size() * (count / 2), blobs.size() * ((count + 1) / 2));
     if (!asks_enough()) return;
-    CHECK(tally.found > blobs.size() * count / 12);
+    CHECK(tally.found > blobs.size() * count / 20);
     CHECK(tally.touching > blobs.size() * count / 10);
     CHECK(tally.nothing > blobs.size() * count / 10);
 }

