@@ -64,12 +64,12 @@ std::string points_of(const std::vector<Place>& places) {
 
 }  // namespace
 
-Svg::Svg(double width, double height) {
-    body_ =
-        text("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"",
-             attribute("width", width), attribute("height", height),
-             attribute("viewBox", text("0 0 ", number(width), ' ', number(height))),
-             " font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n");
+Svg::Svg(double width, double height)
+    : body_(
+          text("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"",
+               attribute("width", width), attribute("height", height),
+               attribute("viewBox", text("0 0 ", number(width), ' ', number(height))),
+               " font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n")) {
     rectangle({0.0, 0.0}, width, height, "#ffffff", "none");
 }
 

@@ -55,7 +55,7 @@ struct Question {
 
 bool count_triangle(RTCPointQueryFunctionArguments* arguments) {
     Question& question = *static_cast<Question*>(arguments->userPtr);
-    question.count += question.to(arguments) <= question.squared_radius ? 1 : 0;
+    question.count += question.to(arguments) <= question.squared_radius ? 1u : 0u;
     return false;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "threads.hpp"
@@ -21,7 +22,7 @@ void in_two_threads(unsigned threads, std::uint32_t left_count, std::uint32_t ri
         return;
     }
     const double share = static_cast<double>(left_count) / count;
-    const unsigned left_threads = std::clamp(static_cast<unsigned>(share * threads + 0.5), 1u, threads - 1);
+    const unsigned left_threads = std::clamp(static_cast<unsigned>(std::lround(share * threads)), 1u, threads - 1);
     Helper helper;
     if (!helper.start([&, left_threads] { left(left_threads); })) left(1u);  // the same work in this one
     right(threads - left_threads);

@@ -7,7 +7,6 @@ namespace espalier::detail {
 namespace {
 
 namespace scalar_find {
-using scalar::lanes;
 #include <runtime/traverse.inl>
 }  // namespace scalar_find
 

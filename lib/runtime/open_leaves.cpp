@@ -58,8 +58,8 @@ std::size_t checked_size(const BlobData& blob, const StripLeaf& leaf, std::size_
     const std::byte* block = node.leaf_block(blob);
     for (unsigned number = 0; number < count; ++number) {
         const std::uint32_t descriptor = load_u32(block + descriptors_at + descriptor_bytes * std::size_t{number});
-        if (used % 2 != 0) {
-            if (left == used || !is_zero(block + descriptors_at + descriptor_bytes * std::size_t{count} + used, 1))
+        if (used % 2 != 0) {  // then a byte is left: all that is left when a block begins is words
+            if (!is_zero(block + descriptors_at + descriptor_bytes * std::size_t{count} + used, 1))
                 return Status::bad_leaf;
             ++used;
         }
@@ -116,8 +116,10 @@ Status check_leaves(const BlobData& blob, const Node& node, OpenProgress& seen) 
         if constexpr (reads_strip_leaves) status = check_strip_leaves(blob, node, left, used, seen);
     }
     if (status != Status::ok) return status;
+    // Head and section are whole words, so that the padding is in the section too.
+    static_assert(descriptors_at % 4 == 0 && descriptor_bytes % 4 == 0);
     const std::size_t padding = (4 - (head + used) % 4) % 4;
-    if (padding > left - used || !is_zero(block + head + used, padding)) return Status::bad_leaf;
+    if (!is_zero(block + head + used, padding)) return Status::bad_leaf;
     seen.leaf_words += static_cast<std::uint32_t>((head + used + padding) / 4);
     return Status::ok;
 }

@@ -13,7 +13,6 @@ namespace detail {
 namespace {
 
 namespace scalar_walk {
-using scalar::lanes;
 #include <runtime/traverse.inl>
 }  // namespace scalar_walk
 

@@ -11,7 +11,6 @@ namespace espalier::detail {
 namespace {
 
 namespace scalar_walk {
-using scalar::lanes;
 #include <runtime/traverse.inl>
 }  // namespace scalar_walk
 

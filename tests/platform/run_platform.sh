@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # run_platform.sh PLATFORM QUESTIONS BUILD_FOLDER CMAKE GENERATOR
 # Builds both libraries for the platform, bakes the blobs and asks them there (under an emulator if need be), and compares
-# bytes and answers with golden.txt. PLATFORM is another machine, i686 armhf aarch64 riscv64 s390x wasm32, or a compiler
-# and its options for this one, as in gcc-O2 and clang-O3-native.
+# bytes and answers with golden.txt; asks the blobs of old format versions too. PLATFORM is another machine (i686 armhf
+# aarch64 riscv64 s390x wasm32), or a compiler and its options for this one, as in gcc-O2 and clang-O3-native.
 # Exit status: 0 the same bits, 1 other bits or a failure, 77 a tool is missing.
 set -euo pipefail
 
@@ -52,4 +52,6 @@ mkdir -p "$build/blobs"
 cd "$build"
 programs=$PWD
 (cd blobs && "${emulator[@]}" "$programs/make_blobs" . 2>/dev/null) || { echo "failed: nothing was baked"; exit 1; }
-"$here/check_golden.sh" "$questions" "$PWD/blobs" "${emulator[@]}" "$programs/query_answers"
+check() { "$here/check_golden.sh" "$@" "${emulator[@]}" "$programs/query_answers"; }
+check "$here/golden.txt" "$questions" "$PWD/blobs"
+check "$here/../format_versions/golden.txt" 100 "$here/../format_versions"

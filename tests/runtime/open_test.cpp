@@ -8,6 +8,7 @@
 
 #include <espalier/espalier.hpp>
 
+#include "../support/blob_edits.hpp"
 #include "../support/checksum.hpp"
 #include "../support/decoder.hpp"
 #include "../support/exact_buffer.hpp"
@@ -25,28 +26,6 @@ using namespace espalier::tests;
 namespace {
 
 using Bytes = std::vector<std::byte>;
-
-void put(Bytes& bytes, std::size_t at, std::uint64_t value, unsigned size) {
-    for (unsigned i = 0; i < size; ++i) bytes.at(at + i) = static_cast<std::byte>(value >> (8 * i));
-}
-
-std::uint64_t get(const Bytes& bytes, std::size_t at, unsigned size) {
-    std::uint64_t value = 0;
-    for (unsigned i = 0; i < size; ++i) value |= std::to_integer<std::uint64_t>(bytes.at(at + i)) << (8 * i);
-    return value;
-}
-
-Status status_of(const Bytes& bytes) {
-    Blob blob;
-    return open(bytes, blob);
-}
-
-/// The status after a change to the header, with the checksum repaired.
-Status status_with(Bytes bytes, std::size_t at, std::uint64_t value, unsigned size) {
-    put(bytes, at, value, size);
-    repair_checksum(bytes);
-    return status_of(bytes);
-}
 
 bool is_empty(const Blob& blob) {
     RayHit hit;

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include <runtime/triangle_triangle.hpp>
 
@@ -40,10 +41,9 @@ IntegerTriangle nth_triangle(std::uint32_t number, std::uint32_t x, std::uint32_
 }
 
 std::string describe(const IntegerTriangle& t) {
-    std::string text;
-    for (const Integer3& v : t.corner)
-        text += "(" + std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z) + ") ";
-    return text;
+    std::ostringstream text;
+    for (const Integer3& v : t.corner) text << '(' << v.x << ' ' << v.y << ' ' << v.z << ") ";
+    return text.str();
 }
 
 Integer3 moved(const Integer3& v, const Integer3& by) { return {v.x + by.x, v.y + by.y, v.z + by.z}; }

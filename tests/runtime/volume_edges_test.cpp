@@ -38,7 +38,6 @@ QueryStatus status_of(const Blob& blob, const Shape& shape) {
     return page.status;
 }
 
-constexpr QueryStatus yes = QueryStatus::output_full;
 constexpr QueryStatus no = QueryStatus::ok;
 
 }  // namespace

@@ -1,0 +1,241 @@
+// Claims about opening: each rule of the header, the ids, the copies and the padding, broken alone, is why a blob is
+// refused. open_test.cpp has those of nodes, leaves, edge flags and bounds.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdint>
+
+#include <espalier/espalier.hpp>
+
+#include "../support/baking.hpp"
+#include "../support/blob_edits.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+namespace at = format::header;
+namespace feature = format::feature;
+using Bytes = std::vector<std::byte>;
+
+Bytes plain_blob(format::Profile profile) {
+    return bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}), with_profile(profile));
+}
+
+/// Of three sources with a triangle each.
+Bytes three_sources(format::Profile profile) {
+    std::array<Mesh, 3> meshes = {make_cube(0.0f, 1.0f), make_cube(2.0f, 3.0f), make_cube(4.0f, 5.0f)};
+    std::vector<MeshView> views;
+    for (Mesh& mesh : meshes) {
+        mesh.triangles.resize(1);
+        views.push_back(mesh.view());
+    }
+    BakeOptions options = with_profile(profile);
+    options.original_ids = true;
+    auto baked = bake(views, options);
+    REQUIRE(baked.has_value());
+    return baked->blob;
+}
+
+Bytes without(Bytes bytes, std::size_t first, std::size_t count) {
+    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(first);
+    bytes.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+    return bytes;
+}
+
+std::size_t leaves_of(const Bytes& bytes) { return at::bytes + get(bytes, at::node_count_at, 4) * format::node::bytes; }
+
+/// Where the first optional section begins.
+std::size_t sections_of(const Bytes& bytes) {
+    return leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4) + format::guard_bytes;
+}
+
+}  // namespace
+
+TEST_SUITE("open") {
+    TEST_CASE("each rule of the header is enforced where it is broken") {
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = plain_blob(profile);
+            REQUIRE(status_of(bytes) == Status::ok);
+            const std::uint64_t features = get(bytes, at::features_at, 4);
+            const auto refused = [&](std::size_t field, std::uint64_t value, unsigned size) {
+                return status_with(bytes, field, value, size) == Status::bad_header;
+            };
+            CHECK(refused(at::triangle_count_at, std::uint64_t{format::max_triangles} + 1, 4));
+            CHECK(refused(at::node_count_at, std::uint64_t{format::max_nodes} + 1, 4));
+            CHECK(refused(at::triangle_count_at, 0, 4));  // no triangles, and all the rest
+            CHECK(refused(at::node_count_at, 0, 4));
+            CHECK(refused(at::leaf_bytes_at, 0, 4));
+            CHECK(refused(at::vertex_count_at, 0, 4));
+            CHECK(refused(at::depth_at, 0, 1));
+            CHECK(refused(at::leaf_bytes_at, get(bytes, at::leaf_bytes_at, 4) + 2, 4));  // no whole words
+            CHECK(refused(at::features_at, features | feature::materials_8 | feature::materials_16, 4));
+            CHECK((refused(at::features_at, features | feature::split_references, 4) ||
+                   profile == format::Profile::fast));
+            CHECK(refused(at::id_bits_at, 1, 1));  // ids that are not there
+            CHECK(refused(at::source_count_at, 1, 4));
+            CHECK(refused(at::id_bits_at + 1, 1, 1));
+            CHECK(refused(at::id_bits_at + 2, 1, 1));
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                CHECK(refused(at::origin_at + 4 * axis, 0x00000001u, 4));  // a subnormal number
+                CHECK(refused(at::origin_at + 4 * axis, 0x7F800000u, 4));
+                CHECK(refused(at::extent_at + 4 * axis, std::uint64_t{1} << get(bytes, at::bits_at, 1), 4));
+            }
+            CHECK(status_with(three_sources(profile), at::id_bits_at, 33, 1) == Status::bad_header);
+
+            const Bytes empty = bake_or_throw(Mesh{}, with_profile(profile));
+            REQUIRE(status_of(empty) == Status::ok);
+            for (const std::size_t field :
+                 {at::triangle_count_at, at::node_count_at, at::leaf_bytes_at, at::vertex_count_at}) {
+                CHECK(status_with(empty, field, 4, 4) == Status::bad_header);
+            }
+            CHECK(status_with(empty, at::depth_at, 1, 1) == Status::bad_header);
+            CHECK(status_with(empty, at::features_at, feature::closed, 4) == Status::bad_header);
+        });
+    }
+
+    TEST_CASE("a node that no other leads to is refused") {
+        for_each_profile([](format::Profile profile) {
+            Bytes bytes = plain_blob(profile);
+            const std::size_t end = leaves_of(bytes);
+            bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(end), format::node::bytes, std::byte{});
+            put(bytes, at::node_count_at, get(bytes, at::node_count_at, 4) + 1, 4);
+            CHECK(status_resized(bytes) == Status::bad_node);
+        });
+    }
+
+    TEST_CASE("each part that ends too early is refused") {
+        for_each_profile([](format::Profile profile) {
+            for (const Materials materials : {Materials::bits_8, Materials::bits_16}) {
+                Mesh mesh = make_cube(0.0f, 1.0f);
+                mesh.materials.assign(mesh.triangles.size(), 7);
+                BakeOptions options = with_profile(profile);
+                options.materials = materials;
+                options.edge_flags = 5.0;
+                options.bounds = {true, true, true};
+                const Bytes bytes = bake_or_throw(mesh, options);
+                REQUIRE(status_of(bytes) == Status::ok);
+                for (std::size_t end = at::bytes; end < bytes.size(); end += 4)
+                    CHECK(status_resized(without(bytes, end, bytes.size() - end)) == Status::bad_section);
+            }
+        });
+    }
+
+    TEST_CASE("each rule of sources and ids is enforced where it is broken") {
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = three_sources(profile);
+            REQUIRE(status_of(bytes) == Status::ok);
+            REQUIRE(get(bytes, at::source_count_at, 4) == 3);
+            const std::size_t table = sections_of(bytes);
+            const auto with_first = [&](std::size_t source, std::uint64_t first) {
+                return status_with(bytes, table + source * format::source::bytes, first, 4);
+            };
+            CHECK(with_first(1, 1) == Status::ok);
+            CHECK(with_first(0, 1) == Status::bad_section);  // the first begins at 0
+            CHECK(with_first(1, 3) == Status::bad_section);  // later than the next
+            CHECK(with_first(2, 3) == Status::ok);           // the last without a triangle
+            CHECK(with_first(2, 4) == Status::bad_section);  // more than there are
+            CHECK(status_with(bytes, at::source_triangles_at, 1, 4) == Status::bad_section);
+            CHECK(status_with(bytes, at::source_count_at, 0xFFFFFFFFu, 4) == Status::bad_section);
+            Bytes no_sources = without(bytes, table, 3 * format::source::bytes);
+            put(no_sources, at::source_count_at, 0, 4);
+            CHECK(status_resized(no_sources) == Status::bad_section);
+            CHECK(status_resized(without(bytes, bytes.size() - 4, 4)) == Status::bad_section);
+            CHECK((status_with(bytes, table + 3 * format::source::bytes, 3, 1) == Status::bad_section ||
+                   profile == format::Profile::fast));  // the corner that comes first is one of three
+
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            const auto nothing = bake({}, options);
+            REQUIRE(nothing.has_value());
+            REQUIRE(get(nothing->blob, at::source_count_at, 4) == 0);
+            CHECK(status_of(nothing->blob) == Status::ok);
+        });
+    }
+
+    TEST_CASE("each rule of copies is enforced where it is broken") {
+        BakeOptions options = with_profile(format::Profile::fast);
+        options.builder = Builder::spatial_splits;
+        options.duplicates = 1.0;
+        const Bytes bytes = bake_or_throw(make_soup(60, 1), options);
+        REQUIRE(status_of(bytes) == Status::ok);
+        REQUIRE((get(bytes, at::features_at, 4) & feature::split_references) != 0);
+        const std::size_t section = sections_of(bytes);
+        CHECK(status_with(bytes, section, 0, 4) == Status::bad_section);  // none, though the map has some
+        CHECK(status_with(bytes, section, 1u << 30, 4) == Status::bad_section);
+        const std::uint64_t count = get(bytes, section, 4);
+        CHECK(status_with(bytes, section, count - 1, 4) == Status::bad_section);
+        // Cut short: before the section, after the count, before the last owner.
+        const std::size_t size = bytes.size() - section;
+        CHECK(status_resized(without(bytes, section, size)) == Status::bad_section);
+        CHECK(status_resized(without(bytes, section + 4, size - 4)) == Status::bad_section);
+        CHECK(status_resized(without(bytes, bytes.size() - 4, 4)) == Status::bad_section);
+    }
+
+    TEST_CASE("each rule of an indexed leaf's streams is enforced where it is broken") {
+        namespace leaf = format::indexed_leaf;
+        const Bytes bytes = plain_blob(format::Profile::fast);
+        const auto bits = static_cast<unsigned>(get(bytes, at::bits_at, 1));
+        const std::size_t end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
+        std::size_t blocks = 0, without_block = 0, paddings = 0, gaps = 0;
+        for (std::size_t node = at::bytes; node < leaves_of(bytes); node += format::node::bytes) {
+            const std::uint64_t children = get(bytes, node + format::node::children_at, 4);
+            const std::size_t leaves = children >> 28;
+            const std::uint64_t words = get(bytes, node + format::node::leaf_block_at, 4);
+            if (leaves == 0) {  // then it has no block either
+                CHECK(status_with(bytes, node + format::node::leaf_block_at, 1, 4) == Status::bad_node);
+                ++without_block;
+                continue;
+            }
+            ++blocks;
+            const std::size_t descriptors = leaves_of(bytes) + 4 * words + leaf::descriptors_at;
+            const std::size_t data = descriptors + leaf::descriptor_bytes * leaves;
+            for (std::size_t number = 0; number < leaves; ++number) {
+                const auto descriptor =
+                    static_cast<std::uint32_t>(get(bytes, descriptors + leaf::descriptor_bytes * number, 4));
+                const unsigned vertices = (descriptor >> leaf::vertices_shift & 31u) + 1;
+                const unsigned slots = (descriptor >> leaf::triangles_shift & 15u) + 1;
+                std::size_t stream = data + 2 * (descriptor & ((1u << leaf::offset_bits) - 1u));
+                for (unsigned axis = 0; axis < 3; ++axis) {
+                    const unsigned code = descriptor >> (leaf::widths_shift + 4 * axis) & 15u;
+                    const unsigned used = vertices * leaf::coordinate_width(code, bits);
+                    stream += (used + 7) / 8;
+                    if (used % 8 == 0) continue;
+                    ++paddings;
+                    CHECK(status_with(bytes, stream - 1, get(bytes, stream - 1, 1) | 0x80u, 1) == Status::bad_leaf);
+                }
+                stream += leaf::stream_bytes(slots, 3 * leaf::corner_width(vertices));
+                if ((stream - data) % 2 == 0 || stream == end) continue;
+                ++gaps;  // the next leaf, or the end of the block
+                CHECK(status_with(bytes, stream, 1, 1) == Status::bad_leaf);
+            }
+        }
+        CHECK(blocks > 4);
+        CHECK(without_block > 0);
+        CHECK(paddings > 20);
+        CHECK(gaps > 4);
+    }
+
+    TEST_CASE("coordinates wider than the lattice are refused though their values are not") {
+        namespace leaf = format::indexed_leaf;
+        for (const unsigned bits : {7u, 8u}) {
+            BakeOptions options = with_profile(format::Profile::fast);
+            options.bits = bits;
+            Bytes bytes = bake_or_throw(make_plane_grid(1), options);  // 4 vertices with a constant z
+            REQUIRE(get(bytes, at::bits_at, 1) == bits);
+            const std::size_t descriptor_at = leaves_of(bytes) + leaf::descriptors_at;
+            const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
+            std::size_t z_stream = descriptor_at + leaf::descriptor_bytes;
+            for (unsigned axis = 0; axis < 2; ++axis)
+                z_stream += leaf::stream_bytes(4, descriptor >> (leaf::widths_shift + 4 * axis) & 15u);
+            REQUIRE((descriptor >> (leaf::widths_shift + 8) & 15u) == 0);
+            put(bytes, descriptor_at, descriptor | 8u << (leaf::widths_shift + 8), 4);
+            bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(z_stream), 4, std::byte{});  // of 8 bits, all 0
+            put(bytes, at::leaf_bytes_at, get(bytes, at::leaf_bytes_at, 4) + 4, 4);
+            CHECK(status_resized(bytes) == (bits < 8 ? Status::bad_leaf : Status::ok));
+        }
+    }
+}
