@@ -11,6 +11,7 @@ std::vector<bool> pareto_front(const std::vector<TradePoint>& points, const Time
         return a.bytes < b.bytes || time(a) < time(b) || a.max_error < b.max_error;
     };
     std::vector<bool> front;
+    front.reserve(points.size());
     for (const TradePoint& point : points) {
         front.push_back(std::none_of(points.begin(), points.end(),
                                      [&](const TradePoint& other) { return dominates(other, point); }));

@@ -126,7 +126,8 @@ FittedBox fit_box(std::span<const LatticePoint> points, std::span<const LatticeP
     double best_area = half_area(best, outermost);
     for (int start = 0; start < 27; ++start) {
         // A box looks the same after a quarter turn around an axis: these are all there is, give or take 20 degrees.
-        Quaternion at = {2.0, start % 3 - 1.0, start / 3 % 3 - 1.0, start / 9 - 1.0};
+        const int x = start % 3, y = start / 3 % 3, z = start / 9;
+        Quaternion at = {2.0, x - 1.0, y - 1.0, z - 1.0};
         double area = half_area(rounded(at), outermost);
         for (double turn = first_turn; turn >= last_turn;) {
             Quaternion next = at;
