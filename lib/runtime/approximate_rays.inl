@@ -22,7 +22,7 @@ struct MayHit {
         counters.count_triangles(leaf.triangle_count());
         for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
             TriangleHit hit;
-            found = intersect(ray, leaf.triangle(static_cast<unsigned>(std::countr_zero(candidates))), hit);
+            found = hits_slot(leaf, static_cast<unsigned>(std::countr_zero(candidates)), ray, hit);
             if (found) return stop;
         }
         return keep_going;

@@ -17,9 +17,9 @@ struct IndexedLeaf : LeafVertices<true> {
     static constexpr unsigned max_vertices = format::indexed_leaf::max_vertices;
     static constexpr unsigned max_slots = format::indexed_leaf::max_triangles;
 
+    std::uint8_t corner_width;
+    std::uint8_t slot_count;
     const std::byte* triangles;
-    unsigned corner_width;
-    unsigned slot_count;
 
     [[nodiscard]] Slots used_slots() const { return (1u << slot_count) - 1u; }
     [[nodiscard]] unsigned triangle_count() const { return slot_count; }
@@ -38,21 +38,22 @@ inline IndexedLeaf indexed_leaf(const BlobData& blob, const Node& node, unsigned
     IndexedLeaf leaf;
     leaf.node = node;
     leaf.block = node.leaf_block(blob);
-    leaf.number = number;
+    leaf.number = static_cast<std::uint8_t>(number);
     leaf.blob = &blob;
     const std::uint32_t descriptor = load_u32(leaf.block + descriptors_at + descriptor_bytes * std::size_t{number});
-    leaf.slot_count = ((descriptor >> triangles_shift) & 15u) + 1;
-    leaf.vertex_count = ((descriptor >> vertices_shift) & 31u) + 1;
-    leaf.corner_width = format::indexed_leaf::corner_width(leaf.vertex_count);
+    leaf.slot_count = static_cast<std::uint8_t>(((descriptor >> triangles_shift) & 15u) + 1);
+    leaf.vertex_count = static_cast<std::uint8_t>(((descriptor >> vertices_shift) & 31u) + 1);
+    leaf.corner_width = static_cast<std::uint8_t>(format::indexed_leaf::corner_width(leaf.vertex_count));
     const std::byte* at = leaf.block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
                           2 * std::size_t{descriptor & ((1u << offset_bits) - 1u)};
     unsigned longest = 0;
     for (int k = 0; k < 3; ++k) {
-        leaf.width[k] =
+        const unsigned width =
             coordinate_width((descriptor >> (widths_shift + 4 * static_cast<unsigned>(k))) & 15u, blob.bits);
+        leaf.width[k] = static_cast<std::uint8_t>(width);
         leaf.coordinates[k] = at;
-        at += stream_bytes(leaf.vertex_count, leaf.width[k]);
-        longest = leaf.width[k] > longest ? leaf.width[k] : longest;
+        at += stream_bytes(leaf.vertex_count, width);
+        longest = width > longest ? width : longest;
     }
     leaf.triangles = at;
     leaf.size = 1u << longest;

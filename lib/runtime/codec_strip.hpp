@@ -19,11 +19,11 @@ struct StripLeaf : LeafVertices<false> {
     static constexpr unsigned max_vertices = format::strip_leaf::max_small_entries;
     static constexpr unsigned max_slots = format::strip_leaf::max_small_entries - 2;
 
-    const std::byte* marks;
-    unsigned slot_count;
-    unsigned references_at;  ///< in bits, in the marks
-    unsigned reference_width;
+    std::uint8_t slot_count;
+    std::uint8_t references_at;  ///< in bits, in the marks
+    std::uint8_t reference_width;
     std::uint32_t first;  ///< storage index of its first triangle
+    const std::byte* marks;
     // A bit for each entry or window.
     std::uint64_t pivots;
     std::uint64_t windows;
@@ -55,29 +55,30 @@ inline StripLeaf strip_leaf(const BlobData& blob, const Node& node, unsigned num
     StripLeaf leaf;
     leaf.node = node;
     leaf.block = node.leaf_block(blob);
-    leaf.number = number;
+    leaf.number = static_cast<std::uint8_t>(number);
     leaf.blob = &blob;
     const std::uint32_t descriptor = load_u32(leaf.block + descriptors_at + descriptor_bytes * std::size_t{number});
     leaf.marks = leaf.block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
                  (descriptor & ((1u << offset_bits) - 1u));
     leaf.first = load_u32(leaf.block) + (descriptor >> first_shift & 511u);
     const unsigned marked = descriptor >> entries_shift & 63u;
-    leaf.slot_count = marked + 1;
+    leaf.slot_count = static_cast<std::uint8_t>(marked + 1);
     leaf.pivots = load_bits(leaf.marks, 0, marked) << 1 | 1u;
     leaf.windows = load_bits(leaf.marks, marked, marked) << 1 | 1u;
     leaf.first_uses = load_bits(leaf.marks, 2 * marked, marked) << 3 | 7u;
-    leaf.vertex_count = static_cast<unsigned>(std::popcount(leaf.first_uses));
-    leaf.references_at = 3 * marked;
-    leaf.reference_width = reference_width(leaf.vertex_count);
+    leaf.vertex_count = static_cast<std::uint8_t>(std::popcount(leaf.first_uses));
+    leaf.references_at = static_cast<std::uint8_t>(3 * marked);
+    leaf.reference_width = static_cast<std::uint8_t>(reference_width(leaf.vertex_count));
     const std::byte* at = leaf.marks + (mark_bits(marked + 3, leaf.vertex_count) + 7) / 8;
     std::uint32_t longest = 0;
     for (int k = 0; k < 3; ++k) {
         const std::uint32_t planes =
             load_u8(node.high_planes(k) + leaf.child()) - load_u8(node.low_planes(k) + leaf.child());
-        leaf.width[k] = coordinate_width(planes << node.shift(k), blob.bits);
+        const unsigned width = coordinate_width(planes << node.shift(k), blob.bits);
+        leaf.width[k] = static_cast<std::uint8_t>(width);
         leaf.coordinates[k] = at;
-        at += (leaf.vertex_count * leaf.width[k] + 7) / 8;
-        longest = leaf.width[k] > longest ? leaf.width[k] : longest;
+        at += (leaf.vertex_count * width + 7) / 8;
+        longest = width > longest ? width : longest;
     }
     leaf.size = 1u << longest;
     return leaf;

@@ -28,10 +28,11 @@ struct FoundNearest {
 
 /// Counts nothing, costs nothing.
 struct NoCounters {
-    void count_node() {}
-    void count_leaf() {}
-    void count_triangles(unsigned) {}
-    void count_candidates(unsigned) {}
+    void count_node() const {}
+    void count_leaf() const {}
+    void count_triangles(unsigned) const {}
+    void count_candidates(unsigned) const {}
 };
+inline constexpr NoCounters no_counters;
 
 }  // namespace espalier::detail

@@ -16,33 +16,33 @@ inline constexpr float interval_slack = 1.0f + 0x1p-21f;
 
 struct LatticeRay {
     // The ray, exactly: point(tau) = origin * 2^-fraction_bits + tau * direction, in lattice steps from lattice point 0
-    // 0 0. Vectors have a fourth element, which is zero or means nothing, so that one register fills them.
-    alignas(
-        16) std::int32_t origin[4];  ///< |origin - 2^fraction_bits * v| <= 2^24 for every lattice point v of the asset
-    alignas(16) std::int32_t direction[4];  ///< the largest is in [2^23, 2^24)
+    // 0 0. What follows each vector fills its register, so that one load fetches it and no room is lost.
+    alignas(16) std::int32_t origin[3];  ///< |origin - 2^fraction_bits * v| <= 2^24 for every lattice point v
+    std::int32_t fraction_bits;          ///< 0..6
+    std::int32_t direction[3];           ///< the largest is in [2^23, 2^24)
+    std::int32_t t_exponent;             ///< see tau_offset
 
-    // The same in float, exactly.
-    alignas(16) float origin_steps[4];
-    alignas(16) float inverse[4];  ///< 1 / direction, rounded; see `still` for 0
-
-    int fraction_bits;  ///< 0..6
-    float tau_min;      ///< >= 0
-    float tau_max;      ///< may be infinite
+    float tau_min;  ///< >= 0
+    float tau_max;  ///< may be infinite
 
     // Back to the caller: t = (tau_offset + tau) * 2^t_exponent. The offset is not 0 for rays from far away, whose
     // origin was moved along them to the asset.
     float tau_offset;
-    int t_exponent;
 
     // For the filters that reject triangles without deciding: axes with the longest component of the direction last,
     // the shear that turns the ray into that axis, and a bound on the error of sheared coordinates.
-    unsigned axis[3];
     float shear[2];
     float shear_error;
-    float
-        slack_steps;  ///< how far the slab test moves planes outward, in lattice steps: 16 roundings of the ray's reach
+    std::uint8_t axis[3];
 
     Faces faces;
+};
+
+/// What is known of a ray once it is rounded and only its test against boxes needs.
+struct RaySlope {
+    alignas(16) float inverse[4];  ///< 1 / direction, rounded; see `still` for 0. The fourth means nothing
+    float
+        slack_steps;  ///< how far the slab test moves planes outward, in lattice steps: 16 roundings of the ray's reach
 };
 
 /// The inverse of a component that is zero: every plane that is not exactly at the origin is farther away than any hit,
@@ -71,7 +71,7 @@ inline float reach(const float* origin, const BlobData& blob) {
 
 /// Moves an origin far outside the asset along the ray to the asset's box, grown by its own size where the lattice has
 /// room. False when the ray passes the box by.
-inline bool approach(const BlobData& blob, LatticeRay& ray, float* origin) {
+inline bool approach(const BlobData& blob, LatticeRay& ray, const RaySlope& slope, float* origin) {
     const std::int32_t size = blob.extent[0] > blob.extent[1] ? blob.extent[0] : blob.extent[1];
     const std::int32_t largest = size > blob.extent[2] ? size : blob.extent[2];
     const std::int32_t room = (1 << format::max_bits) - 1 - largest;
@@ -88,8 +88,8 @@ inline bool approach(const BlobData& blob, LatticeRay& ray, float* origin) {
             continue;
         }
         const bool negative = ray.direction[k] < 0;
-        const float enter = ((negative ? high[k] : low[k]) - origin[k]) * ray.inverse[k];
-        const float leave = ((negative ? low[k] : high[k]) - origin[k]) * ray.inverse[k];
+        const float enter = ((negative ? high[k] : low[k]) - origin[k]) * slope.inverse[k];
+        const float leave = ((negative ? low[k] : high[k]) - origin[k]) * slope.inverse[k];
         if (enter > near) {
             near = enter;
             entry = k;
@@ -116,19 +116,19 @@ inline float to_tau(float t, int t_exponent) {
 }  // namespace lattice_ray
 
 /// Turns the ray into its longest axis.
-inline void set_shear(LatticeRay& ray, unsigned longest_axis, float reach) {
+inline void set_shear(LatticeRay& ray, RaySlope& slope, unsigned longest_axis, float reach) {
     constexpr std::uint8_t after[5] = {0, 1, 2, 0, 1};  // looked up: no processor could foresee a branch on it
     ray.axis[0] = after[longest_axis + 1];
     ray.axis[1] = after[longest_axis + 2];
-    ray.axis[2] = longest_axis;
+    ray.axis[2] = static_cast<std::uint8_t>(longest_axis);
     for (int i = 0; i < 2; ++i)
-        ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * ray.inverse[longest_axis];
+        ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * slope.inverse[longest_axis];
     ray.shear_error = (reach + 1.0f) * (6.0f * 0x1p-24f);
-    ray.slack_steps = (reach + 1.0f) * 0x1p-20f;
+    slope.slack_steps = (reach + 1.0f) * 0x1p-20f;
 }
 
 /// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by.
-inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
+inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
     const float origin_world[3] = {world.origin.x, world.origin.y, world.origin.z};
     const float direction_world[3] = {world.direction.x, world.direction.y, world.direction.z};
     std::uint32_t longest = 0;
@@ -161,7 +161,7 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     for (int k = 0; k < 3; ++k) {
         const float rounded = round_to_integer(scaled[k]);
         ray.direction[k] = static_cast<std::int32_t>(rounded);
-        ray.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
+        slope.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
     }
 
     float origin[3];
@@ -175,17 +175,15 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     ray.tau_offset = 0.0f;
     float reach = lattice_ray::reach(origin, blob);
     if (reach >= 0x1p23f) {
-        if (!lattice_ray::approach(blob, ray, origin)) return false;
+        if (!lattice_ray::approach(blob, ray, slope, origin)) return false;
         reach = lattice_ray::reach(origin, blob);
     }
-    ray.origin[3] = ray.direction[3] = 0;
-    ray.origin_steps[3] = ray.inverse[3] = 0.0f;
+    slope.inverse[3] = 0.0f;
     const int spare = 23 - exponent_of(reach);
     ray.fraction_bits = spare > 6 ? 6 : spare;
     for (int k = 0; k < 3; ++k) {
         const float rounded = round_to_integer(origin[k] * power_of_two(ray.fraction_bits));
         ray.origin[k] = static_cast<std::int32_t>(rounded);
-        ray.origin_steps[k] = static_cast<float>(ray.origin[k]) * power_of_two(-ray.fraction_bits);
     }
 
     ray.t_exponent = blob.step_exponent - exponent + 23;
@@ -201,13 +199,22 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
     const auto length = [&](int k) { return ray.direction[k] < 0 ? -ray.direction[k] : ray.direction[k]; };
     const std::int32_t longer = length(0) > length(1) ? length(0) : length(1);
     const unsigned last = length(2) > longer ? 2u : length(1) > length(0) ? 1u : 0u;
-    set_shear(ray, last, reach);
+    set_shear(ray, slope, last, reach);
     ray.faces = world.faces;
     return true;
 }
+inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
+    RaySlope slope;
+    return round_ray(blob, world, ray, slope);
+}
 
-/// A hit at least as good as one of this tau, counted from the caller's origin, has its box's interval begin at or before
-/// what this answers (docs/numerics.md, 5).
+/// The origin in lattice steps, exactly.
+inline float origin_steps(const LatticeRay& ray, unsigned axis) {
+    return static_cast<float>(ray.origin[axis]) * power_of_two(-ray.fraction_bits);
+}
+
+/// A hit at least as good as one of this tau, counted from the caller's origin, has its box's interval begin at or
+/// before what this answers (docs/numerics.md, 5).
 inline float hit_limit(const LatticeRay& ray, float whole_tau) {
     return (whole_tau * interval_slack - ray.tau_offset) * interval_slack;
 }

@@ -24,10 +24,10 @@ struct LeafVertices {
     const std::byte* block;  ///< of the node's leaves
     const BlobData* blob;
     const std::byte* coordinates[3];
-    unsigned width[3];
-    unsigned vertex_count;
-    unsigned number;     ///< among the node's leaves
     std::uint32_t size;  ///< more than the distance of any two vertices along an axis
+    std::uint8_t width[3];
+    std::uint8_t vertex_count;
+    std::uint8_t number;  ///< among the node's leaves
 
     /// Among the children of its node.
     [[nodiscard]] unsigned child() const { return node.node_children() + number; }

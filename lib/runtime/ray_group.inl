@@ -126,7 +126,7 @@ private:
         constexpr unsigned slots = 8 * sizeof(typename Leaf::Slots);
         Floats decoded[3][(Leaf::max_vertices + lanes - 1) / lanes];
         CornerNumbers numbers[(slots + lanes - 1) / lanes];
-        const unsigned used = Table<groups>::groups_of(leaf.vertex_count);
+        const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
         for (unsigned k = 0; k < 3; ++k)
             for (unsigned group = 0; group < used; ++group)
                 decoded[k][group] = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
@@ -140,17 +140,15 @@ private:
             const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]);
             const Floats offset_z = splat(corner.at[kz]);
             const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
-            Table<groups> xs, ys;
+            SeenVertices<groups> vertices(leaf, ray);
             for (unsigned group = 0; group < used; ++group) {
                 const Floats z = add(decoded[kz][group], offset_z);
-                xs.set(group, multiply_add(z, shear_x, add(decoded[kx][group], offset_x)));
-                ys.set(group, multiply_add(z, shear_y, add(decoded[ky][group], offset_y)));
+                vertices.set(group, multiply_add(z, shear_x, add(decoded[kx][group], offset_x)),
+                             multiply_add(z, shear_y, add(decoded[ky][group], offset_y)));
             }
-            const float error = edge_error(leaf, ray);
-            const Floats above = splat(error), below = splat(-error);
             typename Leaf::Slots mask = 0;
             for (unsigned first = 0; first < leaf.slot_count; first += lanes)
-                mask |= typename Leaf::Slots{edges_allow(xs, ys, numbers[first / lanes], above, below)} << first;
+                mask |= typename Leaf::Slots{vertices.allow(numbers[first / lanes])} << first;
             candidates[number] = mask & leaf.used_slots();
             result |= static_cast<GroupMask>(candidates[number] != 0) << number;
         });

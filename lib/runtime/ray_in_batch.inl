@@ -19,7 +19,7 @@ struct BatchAnswers {
 /// The closest hit, or the first that is found: one visitor for both, since twice as much code would be slower than a
 /// branch that is always the same.
 template <class Leaf>
-struct BatchHit : ClosestHit<Leaf, NoCounters> {
+struct BatchHit : ClosestHit<Leaf, const NoCounters> {
     bool any_will_do = false;
 
     Visit visit_leaf(const Leaf& leaf) {
@@ -30,31 +30,38 @@ struct BatchHit : ClosestHit<Leaf, NoCounters> {
         return keep_going;
     }
     void decide(const Leaf& leaf, unsigned slot) {
-        ClosestHit<Leaf, NoCounters>::decide(leaf, slot);
+        ClosestHit<Leaf, const NoCounters>::decide(leaf, slot);
         if (is_over()) this->limit_ = -1.0f;  // no key is as small
     }
-    [[nodiscard]] bool is_over() const { return any_will_do && this->found; }
+    [[nodiscard]] bool is_over() const { return any_will_do && this->found(); }
 };
 
 template <class Leaf>
 struct RayInBatch {
     PreparedRay prepared = {};
-    NoCounters counters;
-    BatchHit<Leaf> visitor = {{prepared.ray, prepared.lanes, nullptr, counters}};
+    RayHit best;
+    BatchHit<Leaf> visitor = {{prepared.ray, prepared.lanes, nullptr, no_counters, best}};
 
     /// Readies the ray for its walk. False when it can hit nothing.
     bool begin(const BlobData& blob, const Ray& world, bool any_will_do) {
         if (!prepare(blob, world, prepared)) return false;
         visitor.limit_ = prepared.ray.tau_max * interval_slack;
-        visitor.found = false;
+        visitor.volume = 0.0f;
         visitor.any_will_do = any_will_do;
         return true;
     }
     /// 1 for a hit, else 0.
     unsigned answer(const Ray& world, const BatchAnswers& answers, std::size_t number) const {
-        if (!visitor.found) answers.miss(number);
-        else if (answers.any_will_do()) answers.occluded[number] = 1;
-        else answers.hits[number] = to_ray_hit(prepared.ray, world, visitor.best.hit, visitor.best.index);
-        return visitor.found ? 1 : 0;
+        if (!visitor.found()) {
+            answers.miss(number);
+            return 0;
+        }
+        if (answers.any_will_do()) {
+            answers.occluded[number] = 1;
+        } else {
+            visitor.finish(world);
+            answers.hits[number] = best;
+        }
+        return 1;
     }
 };

@@ -41,14 +41,14 @@ struct RayLanes {
     const PlaneOrder* planes;
 };
 
-inline RayLanes spread_ray(const BlobData& blob, const LatticeRay& ray) {
+inline RayLanes spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope) {
     RayLanes lanes{};
     unsigned signs = 0;
     for (unsigned k = 0; k < 3; ++k) {
-        const float middle = -ray.origin_steps[k] * ray.inverse[k];
-        const float slack = absolute(ray.inverse[k]) * ray.slack_steps;
-        lanes.inverse[k] = ray.inverse[k];
-        lanes.base_inverse[k] = ray.inverse[k] * blob.base_unit;
+        const float middle = -origin_steps(ray, k) * slope.inverse[k];
+        const float slack = absolute(slope.inverse[k]) * slope.slack_steps;
+        lanes.inverse[k] = slope.inverse[k];
+        lanes.base_inverse[k] = slope.inverse[k] * blob.base_unit;
         lanes.near_offset[k] = middle - slack;
         lanes.far_offset[k] = middle + slack;
         signs |= (static_cast<std::uint32_t>(ray.direction[k]) >> 31) << k;
@@ -76,10 +76,19 @@ struct PreparedRay {
     RayLanes lanes;
 };
 
+/// The same pointer or number, as if it could be another one each time: what it leads to is in the cache, and fetched
+/// ahead of a loop it would overflow the registers and be kept on the stack a second time.
+template <class T>
+[[gnu::always_inline]] inline T as_if_changed(T x) {
+    __asm__ volatile("" : "+r"(x));
+    return x;
+}
+
 /// False when the ray can hit nothing.
 inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
-    if (!round_ray(blob, world, prepared.ray)) return false;
-    prepared.lanes = spread_ray(blob, prepared.ray);
+    RaySlope slope;
+    if (!round_ray(blob, world, prepared.ray, slope)) return false;
+    prepared.lanes = spread_ray(blob, prepared.ray, slope);
     return meets_asset(blob, prepared.ray, prepared.lanes);
 }
 

@@ -2,7 +2,8 @@
 // namespace.
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
-[[gnu::always_inline]] inline unsigned slab_test(const Node& node, const RayLanes& ray, float limit, float* near) {
+[[gnu::always_inline]] inline unsigned slab_test(const Node& node, const RayLanes& lanes_, float limit, float* near) {
+    const RayLanes& ray = *as_if_changed(&lanes_);
     const SlabFrame frame = load_slab_frame(node, ray);
     unsigned mask = 0;
     for (unsigned first = 0; first < format::max_children; first += lanes) {

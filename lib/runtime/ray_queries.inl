@@ -6,10 +6,11 @@ template <class Leaf, class Counters>
                                              const TriangleFilter* filter, Counters& counters) {
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
-    ClosestHit<Leaf, Counters> visitor = {prepared.ray, prepared.lanes, filter, counters};
+    ClosestHit<Leaf, Counters> visitor = {prepared.ray, prepared.lanes, filter, counters, hit};
     traverse_nearest_first<Leaf>(blob, visitor);
-    if (visitor.found) hit = to_ray_hit(prepared.ray, world, visitor.best.hit, visitor.best.index);
-    return visitor.found;
+    if (!visitor.found()) return false;
+    visitor.finish(world);
+    return true;
 }
 
 template <class Counters>
@@ -18,18 +19,21 @@ inline bool closest_hit_counting(const BlobData& blob, const Ray& world, RayHit&
     return with_leaves_of(blob, [&]<class Leaf>() { return closest_hit_in<Leaf>(blob, world, hit, filter, counters); });
 }
 
-/// True when the callable stopped it.
+/// The same. True when the callable, which is told of the ray and the hit, stopped it.
+template <class Leaf, class OnHit>
+[[gnu::noinline]] inline bool every_hit_in(const BlobData& blob, const Ray& world, OnHit on_hit) {
+    PreparedRay prepared;
+    if (!prepare(blob, world, prepared)) return false;
+    EveryHit<Leaf, OnHit> visitor = {prepared.ray, prepared.lanes, on_hit};
+    return walk_in_storage_order<Leaf>(blob, visitor) == stop;
+}
 template <class OnHit>
-inline bool visit_every_hit(const BlobData& blob, const PreparedRay& prepared, OnHit on_hit) {
-    return with_leaves_of(blob, [&]<class Leaf>() {
-        EveryHit<Leaf, OnHit> visitor = {prepared.ray, prepared.lanes, on_hit};
-        return traverse_in_storage_order<Leaf>(blob, visitor) == stop;
-    });
+inline bool visit_every_hit(const BlobData& blob, const Ray& world, OnHit on_hit) {
+    return with_leaves_of(blob, [&]<class Leaf>() { return every_hit_in<Leaf>(blob, world, on_hit); });
 }
 
 bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter) {
-    NoCounters counters;
-    return closest_hit_counting(blob, world, hit, filter, counters);
+    return closest_hit_counting(blob, world, hit, filter, no_counters);
 }
 
 HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter) {
@@ -44,15 +48,13 @@ HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hi
 }
 
 bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
-    PreparedRay prepared;
-    return prepare(blob, world, prepared) && visit_every_hit(blob, prepared, [&](const FoundHit& found) {
-               return filter == nullptr || (*filter)(Triangle{found.index}) ? stop : keep_going;
-           });
+    return visit_every_hit(blob, world, [filter](const LatticeRay&, const FoundHit& found) {
+        return filter == nullptr || (*filter)(Triangle{found.index}) ? stop : keep_going;
+    });
 }
 
 bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit) {
-    PreparedRay prepared;
-    return !prepare(blob, world, prepared) || !visit_every_hit(blob, prepared, [&](const FoundHit& found) {
-        return visit(to_ray_hit(prepared.ray, world, found.hit, found.index));
+    return !visit_every_hit(blob, world, [&](const LatticeRay& ray, const FoundHit& found) {
+        return visit(to_ray_hit(ray, world, found.hit, found.index));
     });
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include <runtime/lattice_ray.hpp>
 #include <runtime/square_root.hpp>
@@ -26,7 +27,7 @@ struct TriangleHit {
     float whole_tau;  ///< counted from the caller's origin, within 4 ulp: hits are ordered by this
     float b, c;       ///< weights of corners b and c, times the volume
     float volume;     ///< > 0
-    Integer3 normal;
+    float normal[3];  ///< each coordinate rounded
 };
 inline Integer3 cross(const Integer3& a, const Integer3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -54,8 +55,12 @@ struct OriginRelative {
 template <class Query>
 inline OriginRelative relative_to(const Query& query, const LatticeTriangle& triangle) {
     const auto& c = triangle.corner;
-    const auto from_origin = [&](int k) { return (std::int64_t{c[0][k]} << query.fraction_bits) - query.origin[k]; };
-    const auto edge = [&](int to, int k) { return std::int64_t{c[to][k]} - c[0][k]; };
+    // In the width of the query's own coordinates, which suffices: narrow numbers take less room on the stack.
+    using Coordinate = std::remove_cvref_t<decltype(query.origin[0])>;
+    const auto from_origin = [&](int k) -> std::int64_t {
+        return (Coordinate{c[0][k]} << query.fraction_bits) - query.origin[k];
+    };
+    const auto edge = [&](int to, int k) -> std::int64_t { return c[to][k] - c[0][k]; };
     return {{from_origin(0), from_origin(1), from_origin(2)},
             {edge(1, 0), edge(1, 1), edge(1, 2)},
             {edge(2, 0), edge(2, 1), edge(2, 2)}};
@@ -115,41 +120,46 @@ inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hi
     hit.whole_tau = ray.tau_offset + hit.tau;
     hit.b = to_float(b);
     hit.c = to_float(c);
-    hit.normal = normal;
+    hit.normal[0] = to_float(normal.x);
+    hit.normal[1] = to_float(normal.y);
+    hit.normal[2] = to_float(normal.z);
     return is_within(numerator, denominator, hit.tau, ray.tau_min, ray.tau_max);
 }
 
-/// The same for long edges, apart: where they are rare, they stay out of the way.
-[[gnu::noinline]] inline bool wide_hits(const LatticeRay& ray, const LatticeTriangle& triangle, TriangleHit& hit) {
-    const OriginRelative t = relative_to(ray, triangle);
-    if constexpr (has_native_int128)  // elsewhere code is dearer than time
-        if (edges_are_below<18>(t)) return hits<std::int64_t, Int128>(ray, t, hit);
-    return hits<Int128, Int128>(ray, t, hit);
-}
+/// Edges below 2^narrow_bits steps keep every determinant, and the sum of two that is formed of them, below 2^63; edges
+/// below 2^middle_bits still those with the normal (docs/numerics.md).
+inline constexpr unsigned narrow_bits = 12;
+inline constexpr unsigned middle_bits = 18;
 
 }  // namespace ray_triangle
 
 /// Whether the ray hits the triangle with ray.tau_min <= tau <= ray.tau_max, exactly.
 inline bool intersect(const LatticeRay& ray, const LatticeTriangle& triangle, TriangleHit& hit) {
+    using namespace ray_triangle;
     const OriginRelative t = relative_to(ray, triangle);
-    // Edges below 2^12 steps keep every determinant, and the sum of two that is formed of them, below 2^63; edges below
-    // 2^18 still those with the normal (docs/numerics.md).
-    if (ray_triangle::edges_are_below<12>(t)) return ray_triangle::hits<std::int64_t, std::int64_t>(ray, t, hit);
-    return ray_triangle::wide_hits(ray, triangle, hit);
+    if (edges_are_below<narrow_bits>(t)) return hits<std::int64_t, std::int64_t>(ray, t, hit);
+    if constexpr (has_native_int128)  // elsewhere code is dearer than time
+        if (edges_are_below<middle_bits>(t)) return hits<std::int64_t, Int128>(ray, t, hit);
+    return hits<Int128, Int128>(ray, t, hit);
 }
 
-/// What the caller sees of a hit but for t, which is the whole tau: weights within 3 ulp, the unit normal's coordinates
-/// within 4 ulp of 1.
+/// A hit in the place where the caller sees it, but not yet divided: t is the whole tau, the weights are times the
+/// volume, and the normal has any length.
+inline RayHit undivided(const TriangleHit& hit, std::uint32_t index) {
+    return {hit.whole_tau, hit.b, hit.c, {hit.normal[0], hit.normal[1], hit.normal[2]}, Triangle{index}};
+}
+/// What the caller sees of it but for t: weights within 3 ulp, the unit normal's coordinates within 4 ulp of 1.
+inline void divide_hit(RayHit& hit, float volume) {
+    const Vec3 n = hit.normal;
+    const float length = square_root(n.x * n.x + n.y * n.y + n.z * n.z);
+    hit.u /= volume;
+    hit.v /= volume;
+    hit.normal = {n.x / length, n.y / length, n.z / length};
+}
 inline RayHit to_ray_hit(const TriangleHit& hit, std::uint32_t index) {
-    const float x = to_float(hit.normal.x);
-    const float y = to_float(hit.normal.y);
-    const float z = to_float(hit.normal.z);
-    const float length = square_root(x * x + y * y + z * z);
-    return {hit.whole_tau,
-            hit.b / hit.volume,
-            hit.c / hit.volume,
-            {x / length, y / length, z / length},
-            Triangle{index}};
+    RayHit result = undivided(hit, index);
+    divide_hit(result, hit.volume);
+    return result;
 }
 
 /// All that the caller sees of a hit: t within 4 ulp and in the window that he asked for.

@@ -56,7 +56,7 @@ struct NearestFirst {
     unsigned size = 0;
     std::uint32_t index = 0;       ///< of the node that is next
     unsigned among = every_child;  ///< the children of it that are still to be visited
-    alignas(32) float keys[format::max_children];
+    alignas(16) float keys[format::max_children];
 
     void begin(std::uint32_t node) {
         size = 0;
@@ -150,9 +150,9 @@ template <class Leaf, class Visitor>
 }
 
 /// Children in storage order: for queries that enumerate, or that are done at the first find. `stop` when the visitor
-/// said so.
+/// said so. In the caller's frame.
 template <class Leaf, class Visitor>
-[[gnu::noinline]] Visit traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
+[[gnu::always_inline]] inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
     struct Level {
         std::uint32_t first_child;
         std::uint32_t waiting;
@@ -162,7 +162,7 @@ template <class Leaf, class Visitor>
     std::uint32_t index = 0;
     for (;;) {
         const Node node = node_at(blob, index);
-        alignas(32) float keys[format::max_children];
+        alignas(16) float keys[format::max_children];
         count_node_step();
         const unsigned mask = visitor.children(node, keys);
         const unsigned node_children = node.node_children();
@@ -179,4 +179,10 @@ template <class Leaf, class Visitor>
         level.waiting &= level.waiting - 1;
         if (level.waiting == 0) --depth;
     }
+}
+
+/// The same, in a frame of its own.
+template <class Leaf, class Visitor>
+[[gnu::noinline]] Visit traverse_in_storage_order(const BlobData& blob, Visitor& visitor) {
+    return walk_in_storage_order<Leaf>(blob, visitor);
 }

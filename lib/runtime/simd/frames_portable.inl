@@ -1,13 +1,14 @@
 // How nodes and rays become lanes, axis by axis, for instruction sets without a better way. Included inside their
 // namespaces.
 
-/// The low corner of a child's box, seen from a point.
+/// The low corner of a child's box, seen from a ray's origin.
 struct Corner {
     float at[3];
 };
-inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& blob, const float* origin) {
+inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& blob, const LatticeRay& ray) {
     Corner corner;
-    for (int k = 0; k < 3; ++k) corner.at[k] = static_cast<float>(node.low(k, child, blob.bits)) - origin[k];
+    for (int k = 0; k < 3; ++k)
+        corner.at[k] = static_cast<float>(node.low(k, child, blob.bits)) - origin_steps(ray, static_cast<unsigned>(k));
     return corner;
 }
 

@@ -28,6 +28,9 @@ struct Floats {
 struct Ints {
     __m256i v;
 };
+struct SignedInts {
+    __m256i v;
+};
 /// Vertices of one triangle in each lane.
 struct CornerNumbers {
     Ints a, b, c;
@@ -69,6 +72,32 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
         _mm256_srlv_epi32(spread, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.shift)));
     return {_mm256_and_si256(shifted, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entry.mask)))};
 }
+inline SignedInts splat_integer(std::int32_t x) { return {_mm256_set1_epi32(x)}; }
+inline SignedInts add(SignedInts a, SignedInts b) { return {_mm256_add_epi32(a.v, b.v)}; }
+template <int bits>
+inline SignedInts shift_right(SignedInts a) {
+    return {_mm256_srai_epi32(a.v, bits)};
+}
+inline SignedInts negate(SignedInts a) { return {_mm256_sub_epi32(_mm256_setzero_si256(), a.v)}; }
+inline SignedInts smaller(SignedInts a, SignedInts b) { return {_mm256_min_epi32(a.v, b.v)}; }
+inline SignedInts larger(SignedInts a, SignedInts b) { return {_mm256_max_epi32(a.v, b.v)}; }
+inline unsigned at_most(SignedInts a, SignedInts b) {
+    return 255u & ~static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(a.v, b.v))));
+}
+inline Ints pair_of(Floats x, Floats y) {
+    return {_mm256_blend_epi16(_mm256_castps_si256(x.v), _mm256_slli_epi32(_mm256_castps_si256(y.v), 16), 0xAA)};
+}
+inline SignedInts cross_pairs(Ints p, Ints q) {
+    const __m256i swap =
+        _mm256_set_epi64x(0x0D0C0F0E09080B0A, 0x0504070601000302, 0x0D0C0F0E09080B0A, 0x0504070601000302);
+    const __m256i signs = _mm256_set1_epi32(static_cast<int>(0xFFFF0001u));
+    return {_mm256_madd_epi16(p.v, _mm256_sign_epi16(_mm256_shuffle_epi8(q.v, swap), signs))};
+}
+inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) {
+    const __m256i two = _mm256_adds_epi16(_mm256_abs_epi16(a.v), _mm256_abs_epi16(b.v));
+    return {_mm256_madd_epi16(_mm256_adds_epi16(two, _mm256_abs_epi16(c.v)),
+                              _mm256_set1_epi16(static_cast<short>(weight)))};
+}
 inline Ints load_ints(const std::uint32_t* from) {
     return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))};
 }
@@ -95,6 +124,12 @@ private:
                                     _mm256_castsi256_ps(_mm256_slli_epi32(index, bit_above)));
         }
     }
+};
+/// Pairs of integers by vertex.
+template <unsigned groups>
+struct PairTable : Table<groups> {
+    void set(unsigned number, Ints pair) { Table<groups>::set(number, {_mm256_castsi256_ps(pair.v)}); }
+    [[nodiscard]] Ints look_up(Ints index) const { return {_mm256_castps_si256(Table<groups>::look_up(index).v)}; }
 };
 template <unsigned max_vertices, class Function>
 inline auto with_table_groups(unsigned vertex_count, Function function) {

@@ -3,6 +3,7 @@
 
 #include <arm_neon.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -21,6 +22,9 @@ struct Floats {
 };
 struct Ints {
     uint32x4_t v;
+};
+struct SignedInts {
+    int32x4_t v;
 };
 /// Vertices of one triangle in each lane.
 struct CornerNumbers {
@@ -64,6 +68,32 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const int32x4_t shift = vreinterpretq_s32_u32(vld1q_u32(entry.shift + 4 * half));
     return {vandq_u32(vshlq_u32(spread, vnegq_s32(shift)), vld1q_u32(entry.mask))};
 }
+inline SignedInts splat_integer(std::int32_t x) { return {vdupq_n_s32(x)}; }
+inline SignedInts add(SignedInts a, SignedInts b) { return {vaddq_s32(a.v, b.v)}; }
+template <int bits>
+inline SignedInts shift_right(SignedInts a) {
+    return {vshrq_n_s32(a.v, bits)};
+}
+inline SignedInts negate(SignedInts a) { return {vnegq_s32(a.v)}; }
+inline SignedInts smaller(SignedInts a, SignedInts b) { return {vminq_s32(a.v, b.v)}; }
+inline SignedInts larger(SignedInts a, SignedInts b) { return {vmaxq_s32(a.v, b.v)}; }
+inline unsigned at_most(SignedInts a, SignedInts b) {
+    const uint32x4_t bit = {1u, 2u, 4u, 8u};
+    return vaddvq_u32(vandq_u32(vcleq_s32(a.v, b.v), bit));
+}
+inline Ints pair_of(Floats x, Floats y) {
+    return {vsliq_n_u32(vreinterpretq_u32_f32(x.v), vreinterpretq_u32_f32(y.v), 16)};
+}
+inline SignedInts cross_pairs(Ints p, Ints q) {
+    const auto x = [](Ints pair) { return vshrq_n_s32(vshlq_n_s32(vreinterpretq_s32_u32(pair.v), 16), 16); };
+    const auto y = [](Ints pair) { return vshrq_n_s32(vreinterpretq_s32_u32(pair.v), 16); };
+    return {vmlsq_s32(vmulq_s32(x(p), y(q)), y(p), x(q))};
+}
+inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) {
+    const auto magnitudes = [](Ints pair) { return vabsq_s16(vreinterpretq_s16_u32(pair.v)); };
+    const int16x8_t sum = vqaddq_s16(vqaddq_s16(magnitudes(a), magnitudes(b)), magnitudes(c));
+    return {vmulq_n_s32(vpaddlq_s16(sum), weight)};
+}
 inline Ints load_ints(const std::uint32_t* from) { return {vld1q_u32(from)}; }
 inline void prefetch(const std::byte* at) { __builtin_prefetch(at); }
 
@@ -74,19 +104,27 @@ struct Table {
     static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
     void set(unsigned number, Floats a) { vst1q_f32(value + lanes * number, a.v); }
     [[nodiscard]] Floats look_up(Ints index) const {
-        const uint32x4_t vertex = vandq_u32(index.v, vdupq_n_u32(groups * lanes - 1));
+        // Any index must stay inside.
+        const uint32x4_t last = vdupq_n_u32(groups * lanes - 1);
+        const uint32x4_t vertex = std::has_single_bit(groups) ? vandq_u32(index.v, last) : vminq_u32(index.v, last);
         const float32x4_t result = {value[vgetq_lane_u32(vertex, 0)], value[vgetq_lane_u32(vertex, 1)],
                                     value[vgetq_lane_u32(vertex, 2)], value[vgetq_lane_u32(vertex, 3)]};
         return {result};
     }
 };
-/// Exactly as many entries as the numbers of the vertices can name.
+/// Pairs of integers by vertex.
+template <unsigned groups>
+struct PairTable : Table<groups> {
+    void set(unsigned number, Ints pair) { Table<groups>::set(number, {vreinterpretq_f32_u32(pair.v)}); }
+    [[nodiscard]] Ints look_up(Ints index) const { return {vreinterpretq_u32_f32(Table<groups>::look_up(index).v)}; }
+};
+/// As many entries as the numbers of the vertices can name, or as there are vertices at most.
 template <unsigned max_vertices, class Function>
 inline auto with_table_groups(unsigned vertex_count, Function function) {
     if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
     if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
     if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});
-    return function(std::integral_constant<unsigned, 16>{});
+    return function(std::integral_constant<unsigned, 14>{});
 }
 
 inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }

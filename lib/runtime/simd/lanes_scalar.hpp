@@ -16,6 +16,7 @@ namespace espalier::detail::scalar {
 inline constexpr unsigned lanes = 1;
 using Floats = float;
 using Ints = std::uint32_t;
+using SignedInts = std::int32_t;
 /// Vertices of one triangle in each lane.
 struct CornerNumbers {
     Ints a, b, c;
@@ -45,6 +46,35 @@ inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
     return (triangles >> (corner * width)) & ((1u << width) - 1u);
 }
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { return load_field(stream, width, first); }
+inline SignedInts splat_integer(std::int32_t x) { return x; }
+inline SignedInts add(SignedInts a, SignedInts b) { return a + b; }
+template <int bits>
+inline SignedInts shift_right(SignedInts a) {
+    return a >> bits;
+}
+inline SignedInts negate(SignedInts a) { return -a; }
+inline SignedInts smaller(SignedInts a, SignedInts b) { return a < b ? a : b; }
+inline SignedInts larger(SignedInts a, SignedInts b) { return a < b ? b : a; }
+inline unsigned at_most(SignedInts a, SignedInts b) { return a <= b ? 1u : 0u; }
+/// The low halves of the bits of two floats, as one word.
+inline Ints pair_of(Floats x, Floats y) {
+    return (std::bit_cast<std::uint32_t>(x) & 0xFFFFu) | std::bit_cast<std::uint32_t>(y) << 16;
+}
+/// x of p times y of q less y of p times x of q, of pairs of integers: exact within +-32767.
+inline SignedInts cross_pairs(Ints p, Ints q) {
+    const auto x = [](Ints pair) { return std::int32_t{static_cast<std::int16_t>(pair)}; };
+    const auto y = [](Ints pair) { return static_cast<std::int32_t>(pair) >> 16; };
+    return x(p) * y(q) - y(p) * x(q);
+}
+/// The same for all of |a| + |b| + |c|: the sum of both coordinates' times the weight, below 2^15.
+inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) {
+    const auto magnitudes = [](Ints pair) {
+        const std::int32_t x = static_cast<std::int16_t>(pair), y = static_cast<std::int32_t>(pair) >> 16;
+        return (x < 0 ? -x : x) + (y < 0 ? -y : y);
+    };
+    const std::int32_t sum = magnitudes(a) + magnitudes(b) + magnitudes(c);
+    return (sum < 0xFFFF ? sum : 0xFFFF) * weight;
+}
 inline Ints load_ints(const std::uint32_t* from) { return *from; }
 inline void prefetch(const std::byte*) {}
 
@@ -55,6 +85,14 @@ struct Table {
     static unsigned groups_of(unsigned vertex_count) { return vertex_count; }
     void set(unsigned group, Floats a) { value[group] = a; }
     [[nodiscard]] Floats look_up(Ints index) const { return value[index]; }
+};
+/// Pairs of integers by vertex.
+template <unsigned groups>
+struct PairTable {
+    Ints value[groups];
+    static unsigned groups_of(unsigned vertex_count) { return vertex_count; }
+    void set(unsigned group, Ints pair) { value[group] = pair; }
+    [[nodiscard]] Ints look_up(Ints index) const { return value[index]; }
 };
 template <unsigned max_vertices, class Function>
 inline auto with_table_groups(unsigned, Function function) {

@@ -3,6 +3,7 @@
 
 #include <immintrin.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -24,6 +25,9 @@ struct Floats {
     __m128 v;
 };
 struct Ints {
+    __m128i v;
+};
+struct SignedInts {
     __m128i v;
 };
 /// Vertices of one triangle in each lane.
@@ -67,6 +71,29 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const __m128i raised = _mm_mullo_epi32(spread, _mm_cvttps_epi32(_mm_castsi128_ps(power)));
     return {_mm_and_si128(_mm_srli_epi32(raised, 7), _mm_loadu_si128(reinterpret_cast<const __m128i*>(entry.mask)))};
 }
+inline SignedInts splat_integer(std::int32_t x) { return {_mm_set1_epi32(x)}; }
+inline SignedInts add(SignedInts a, SignedInts b) { return {_mm_add_epi32(a.v, b.v)}; }
+template <int bits>
+inline SignedInts shift_right(SignedInts a) {
+    return {_mm_srai_epi32(a.v, bits)};
+}
+inline SignedInts negate(SignedInts a) { return {_mm_sub_epi32(_mm_setzero_si128(), a.v)}; }
+inline SignedInts smaller(SignedInts a, SignedInts b) { return {_mm_min_epi32(a.v, b.v)}; }
+inline SignedInts larger(SignedInts a, SignedInts b) { return {_mm_max_epi32(a.v, b.v)}; }
+inline unsigned at_most(SignedInts a, SignedInts b) {
+    return 15u & ~static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpgt_epi32(a.v, b.v))));
+}
+inline Ints pair_of(Floats x, Floats y) {
+    return {_mm_blend_epi16(_mm_castps_si128(x.v), _mm_slli_epi32(_mm_castps_si128(y.v), 16), 0xAA)};
+}
+inline SignedInts cross_pairs(Ints p, Ints q) {
+    const __m128i swapped = _mm_shufflehi_epi16(_mm_shufflelo_epi16(q.v, 0xB1), 0xB1);
+    return {_mm_madd_epi16(p.v, _mm_sign_epi16(swapped, _mm_set1_epi32(static_cast<int>(0xFFFF0001u))))};
+}
+inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) {
+    const __m128i sum = _mm_adds_epi16(_mm_adds_epi16(_mm_abs_epi16(a.v), _mm_abs_epi16(b.v)), _mm_abs_epi16(c.v));
+    return {_mm_madd_epi16(sum, _mm_set1_epi16(static_cast<short>(weight)))};
+}
 inline Ints load_ints(const std::uint32_t* from) { return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))}; }
 inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
 
@@ -77,19 +104,27 @@ struct Table {
     static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
     void set(unsigned number, Floats a) { _mm_store_ps(value + lanes * number, a.v); }
     [[nodiscard]] Floats look_up(Ints index) const {
-        const __m128i vertex = _mm_and_si128(index.v, _mm_set1_epi32(groups * lanes - 1));
+        // Any index must stay inside.
+        const __m128i vertex = std::has_single_bit(groups) ? _mm_and_si128(index.v, _mm_set1_epi32(groups * lanes - 1))
+                                                           : _mm_min_epu32(index.v, _mm_set1_epi32(groups * lanes - 1));
         const auto at = [&](int lane) { return value[lane]; };
         return {_mm_setr_ps(at(_mm_extract_epi32(vertex, 0)), at(_mm_extract_epi32(vertex, 1)),
                             at(_mm_extract_epi32(vertex, 2)), at(_mm_extract_epi32(vertex, 3)))};
     }
 };
-/// Exactly as many entries as the numbers of the vertices can name.
+/// Pairs of integers by vertex.
+template <unsigned groups>
+struct PairTable : Table<groups> {
+    void set(unsigned number, Ints pair) { Table<groups>::set(number, {_mm_castsi128_ps(pair.v)}); }
+    [[nodiscard]] Ints look_up(Ints index) const { return {_mm_castps_si128(Table<groups>::look_up(index).v)}; }
+};
+/// As many entries as the numbers of the vertices can name, or as there are vertices at most.
 template <unsigned max_vertices, class Function>
 inline auto with_table_groups(unsigned vertex_count, Function function) {
     if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
     if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
     if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});
-    return function(std::integral_constant<unsigned, 16>{});
+    return function(std::integral_constant<unsigned, 14>{});
 }
 
 inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }

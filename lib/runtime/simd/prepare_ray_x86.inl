@@ -3,7 +3,7 @@
 // does.
 
 /// False when the case is not ordinary: an argument out of the domain, a subnormal direction, an origin from far away.
-inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
+inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
     const __m128i magnitudes = _mm_setr_epi32(0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF, 0);
     const __m128i xyz = _mm_setr_epi32(-1, -1, -1, 0);
     const auto three = [](const float* at) { return _mm_loadu_ps(at); };  // what follows in the structure is masked off
@@ -38,45 +38,42 @@ inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRa
     const __m128i reach = largest_of(reaches);
     const __m128i fraction_scale = _mm_min_epi32(to_24_bits(reach), _mm_set1_epi32((6 + 127) << 23));
     const __m128i fine = _mm_cvtps_epi32(_mm_mul_ps(origin, _mm_castsi128_ps(fraction_scale)));
-    const __m128 steps =
-        _mm_mul_ps(_mm_cvtepi32_ps(fine), _mm_castsi128_ps(_mm_sub_epi32(_mm_set1_epi32(254 << 23), fraction_scale)));
 
     const int exponent = (_mm_cvtsi128_si32(longest) >> 23) - 127;
-    ray.fraction_bits = (_mm_cvtsi128_si32(fraction_scale) >> 23) - 127;
+    const int fraction_bits = (_mm_cvtsi128_si32(fraction_scale) >> 23) - 127;
     const std::uint32_t t_min = std::bit_cast<std::uint32_t>(world.t_min);
     const std::uint32_t t_max = std::bit_cast<std::uint32_t>(world.t_max);
-    if (exponent < -100 || exponent > 127 || ray.fraction_bits <= 0 || t_min != 0 || t_max > infinity_bits)
-        return false;
+    if (exponent < -100 || exponent > 127 || fraction_bits <= 0 || t_min != 0 || t_max > infinity_bits) return false;
 
     // A finite t_max is scaled in its exponent, while that stays in the middle of its range.
-    ray.t_exponent = blob.step_exponent - exponent + 23;
+    const int t_exponent = blob.step_exponent - exponent + 23;
     ray.tau_min = 0.0f;
     ray.tau_max = world.t_max;
     if (t_max != infinity_bits) {
-        const int biased = static_cast<int>(t_max >> 23) - ray.t_exponent;
+        const int biased = static_cast<int>(t_max >> 23) - t_exponent;
         if (t_max < 0x00800000u || biased < 64 || biased > 250) return false;
         ray.tau_max = std::bit_cast<float>((static_cast<std::uint32_t>(biased) << 23) | (t_max & 0x007FFFFFu));
     }
     ray.tau_offset = 0.0f;
 
-    _mm_store_si128(reinterpret_cast<__m128i*>(ray.direction), integers);
-    _mm_store_si128(reinterpret_cast<__m128i*>(ray.origin), _mm_and_si128(fine, xyz));
-    _mm_store_ps(ray.inverse, inverse);
-    _mm_store_ps(ray.origin_steps, steps);
+    // Each fills its register together with the number behind it.
+    _mm_store_si128(reinterpret_cast<__m128i*>(ray.direction), _mm_insert_epi32(integers, t_exponent, 3));
+    _mm_store_si128(reinterpret_cast<__m128i*>(ray.origin), _mm_insert_epi32(fine, fraction_bits, 3));
+    _mm_store_ps(slope.inverse, inverse);
     // Where rounding makes two components equally long this may choose the other one: only the filter sees it.
     const __m128 longest_axes = _mm_castsi128_ps(_mm_cmpeq_epi32(lengths, longest));
-    set_shear(ray, static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(_mm_movemask_ps(longest_axes)))),
+    set_shear(ray, slope, static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(_mm_movemask_ps(longest_axes)))),
               _mm_cvtss_f32(_mm_castsi128_ps(reach)));
     ray.faces = world.faces;
     return true;
 }
 
 /// spread_ray.
-inline RayLanes spread_in_lanes(const BlobData& blob, const LatticeRay& ray) {
+inline RayLanes spread_in_lanes(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope) {
     RayLanes result;
-    const __m128 inverse = _mm_load_ps(ray.inverse);
-    const __m128 away = _mm_xor_ps(_mm_mul_ps(_mm_load_ps(ray.origin_steps), inverse), _mm_set1_ps(-0.0f));
-    const __m128 slack = _mm_mul_ps(_mm_andnot_ps(_mm_set1_ps(-0.0f), inverse), _mm_set1_ps(ray.slack_steps));
+    const __m128 inverse = _mm_load_ps(slope.inverse);
+    const __m128 away = _mm_xor_ps(_mm_mul_ps(load_origin_steps(ray), inverse), _mm_set1_ps(-0.0f));
+    const __m128 slack = _mm_mul_ps(_mm_andnot_ps(_mm_set1_ps(-0.0f), inverse), _mm_set1_ps(slope.slack_steps));
     _mm_store_ps(result.inverse, inverse);
     _mm_store_ps(result.base_inverse, _mm_mul_ps(inverse, _mm_set1_ps(blob.base_unit)));
     _mm_store_ps(result.near_offset, _mm_sub_ps(away, slack));
@@ -99,7 +96,8 @@ inline bool meets_asset_in_lanes(const BlobData& blob, const LatticeRay& ray, co
 }
 
 [[gnu::noinline]] inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
-    if (!round_ordinary_ray(blob, world, prepared.ray)) return prepare_ray(blob, world, prepared);
-    prepared.lanes = spread_in_lanes(blob, prepared.ray);
+    RaySlope slope;
+    if (!round_ordinary_ray(blob, world, prepared.ray, slope)) return prepare_ray(blob, world, prepared);
+    prepared.lanes = spread_in_lanes(blob, prepared.ray, slope);
     return meets_asset_in_lanes(blob, prepared.ray, prepared.lanes);
 }

@@ -12,6 +12,9 @@ inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepare
 }
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
+#include <runtime/float_vertices.inl>
+#include <runtime/pair_vertices.inl>
+#include <runtime/ray_filter.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_in_batch.inl>
 #include <runtime/ray_group.inl>

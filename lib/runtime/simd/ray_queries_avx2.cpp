@@ -11,6 +11,9 @@ namespace espalier::detail::avx2 {
 #include <runtime/simd/prepare_ray_x86.inl>
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
+#include <runtime/float_vertices.inl>
+#include <runtime/pair_vertices.inl>
+#include <runtime/ray_filter.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
 #include <runtime/approximate_rays.inl>

@@ -18,6 +18,11 @@ namespace espalier::detail::avx512 {
 using avx2::prepare;
 using avx2::slab_test;
 #include <runtime/traverse.inl>
+#include <runtime/float_vertices.inl>
+/// Registers hold all of a leaf.
+template <unsigned groups>
+using SeenVertices = FloatVertices<groups>;
+#include <runtime/ray_filter.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
 #include <runtime/approximate_rays.inl>

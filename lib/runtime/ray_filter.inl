@@ -1,0 +1,48 @@
+// Rays: which triangles of a leaf a ray may hit, in lanes. Included once per instruction set, inside its namespace,
+// after float_vertices.inl and what says where others are used. Lanes only ever reject; what they let through is
+// decided by ray_triangle.hpp. Shearing the ray into an axis is from Woop, Benthin and Wald (2013); docs/numerics.md
+// bounds the errors.
+
+/// What a leaf's coordinates count from, seen from the ray's origin.
+template <class Leaf>
+[[gnu::always_inline]] inline Corner corner_from_origin(const Leaf& leaf, const LatticeRay& ray) {
+    Corner corner = load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray);
+    if (Leaf::may_have_copies && leaf.blob->copies != nullptr) {
+        for (int k = 0; k < 3; ++k)
+            if (leaf.counts_from_zero(k)) corner.at[k] = -origin_steps(ray, static_cast<unsigned>(k));
+    }
+    return corner;
+}
+
+/// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
+template <unsigned groups, class Leaf>
+inline typename Leaf::Slots ray_candidates_of(const Leaf& leaf, const LatticeRay& ray) {
+    const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
+    const Corner corner = corner_from_origin(leaf, ray);
+    const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]), offset_z = splat(corner.at[kz]);
+    const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
+    SeenVertices<groups> vertices(leaf, ray);
+    for (unsigned group = 0; group < SeenVertices<groups>::groups_of(leaf.vertex_count); ++group) {
+        const auto coordinate = [&](unsigned k, Floats from) {
+            return add(
+                to_floats(unpack(leaf.coordinates[k], SeenVertices<groups>::width_of(leaf.width[k]), group * lanes)),
+                from);
+        };
+        const Floats z = coordinate(kz, offset_z);
+        vertices.set(group, multiply_add(z, shear_x, coordinate(kx, offset_x)),
+                     multiply_add(z, shear_y, coordinate(ky, offset_y)));
+    }
+    typename Leaf::Slots mask = 0;
+    auto corners = corners_of(leaf);
+    for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
+        const typename Leaf::Slots hit = vertices.allow(corners.next());
+        mask |= hit << first;
+    }
+    return mask & leaf.used_slots();
+}
+
+template <class Leaf>
+inline typename Leaf::Slots ray_candidates(const Leaf& leaf, const LatticeRay& ray) {
+    return with_table_groups<Leaf::max_vertices>(leaf.vertex_count,
+                                                 [&](auto groups) { return ray_candidates_of<groups>(leaf, ray); });
+}
