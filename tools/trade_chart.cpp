@@ -112,6 +112,7 @@ private:
         std::stable_sort(members.begin(), members.end(),
                          [](const TradePoint* a, const TradePoint* b) { return a->bytes < b->bytes; });
         std::vector<Place> places;
+        places.reserve(members.size());
         for (const TradePoint* member : members) {
             places.push_back(panel.at(member->bytes_per_triangle(), member->*timed.nanoseconds));
         }

@@ -132,9 +132,9 @@ private:
     }
 
     [[nodiscard]] float leaf_cost(const BinaryNode& node, const LeafSize& size) const {
-        const auto groups = static_cast<float>((size.slots + 7) / 8);
-        const float visit =
-            model_.leaf_visit + model_.leaf_group * groups + model_.triangle * static_cast<float>(size.slots);
+        const unsigned groups = (size.slots + 7) / 8;
+        const float visit = model_.leaf_visit + model_.leaf_group * static_cast<float>(groups) +
+                            model_.triangle * static_cast<float>(size.slots);
         return area_of(node) * visit + byte_cost_ * static_cast<float>(size.bytes);
     }
 
