@@ -63,7 +63,10 @@ public:
         const auto low = static_cast<std::int64_t>(box.lo[axis]);
         const auto side = static_cast<std::int64_t>(box.hi[axis]) - low;
         count_ = static_cast<unsigned>(std::min<std::int64_t>(spatial_bins, side));
-        for (unsigned i = 1; i < count_; ++i) planes_[i] = static_cast<float>(low + side * i / count_);
+        for (unsigned i = 1; i < count_; ++i) {
+            const std::int64_t plane = low + side * i / count_;
+            planes_[i] = static_cast<float>(plane);
+        }
     }
 
     void add(const LatticeMesh& mesh, const Reference& reference) {
@@ -251,6 +254,7 @@ private:
         const double left = double(parts.first.cost());
         const double right = double(parts.second.cost());
         const double share = left + right > 0.0 ? left / (left + right) : 0.5;
+        // NOLINTNEXTLINE(bugprone-incorrect-roundings): std::lround's long has 32 bits on some machines
         parts.first.spare = std::min(spare, static_cast<std::uint32_t>(share * spare + 0.5));
         parts.second.spare = spare - parts.first.spare;
     }
