@@ -84,10 +84,10 @@ constexpr std::uint32_t hostile_integers[] = {0,          1,          2,        
 /// A word of the header, of a node or of the leaves: one more, one less, a bit, or a number that breaks careless code.
 void change_a_word(std::span<std::byte> blob, Random& random) {
     const std::uint32_t nodes = std::min(get(blob, header::node_count_at), 64u);
-    std::size_t at = 4 * std::size_t{random.below(header::bytes / 4)};
-    if (random.below(4) != 0 && nodes != 0) {
-        at = header::bytes + format::node::bytes * std::size_t{random.below(nodes)} + 4 * random.below(16);
-        if (random.coin()) at = header::bytes + format::node::bytes * std::size_t{nodes} + 4 * random.below(16);
+    std::size_t at = 4 * std::size_t{random.below(static_cast<std::uint32_t>(blob.size() / 4))};
+    if (random.coin()) {
+        at = 4 * std::size_t{random.below(header::bytes / 4)};
+        if (random.coin()) at += header::bytes + format::node::bytes * std::size_t{random.below(nodes + 1)};
     }
     if (at + 4 > blob.size()) return;
     std::uint32_t word = get(blob, at);

@@ -84,6 +84,11 @@ void exercise_rays(Exercise& run) {
     const bool found = raycast(blob, ray, hit);
     if (found) check_hit(run, hit);
     verdict.require(occluded(blob, ray) == found, "occluded and raycast disagree");
+    QueryCounters counters;
+    RayHit counted;
+    verdict.require(raycast_counted(blob, ray, counted, counters) == found || !run.sound,
+                    "the counted query and raycast disagree");
+    verdict.require(!found || !run.sound || counted.triangle == hit.triangle, "the counted query hit something else");
     if (parity != 0) {
         std::array<Ray, 20> rays;  // a group, and strangers
         rays.fill(ray);
@@ -436,6 +441,17 @@ void exercise_pairs(Exercise& run) {
         verdict.require((count > 0) == found && (count == 0 || pairs[0] == first), "the first pair is not the first");
         for (std::size_t i = 0; i < count; ++i) check_pair(pairs[i]);
     }
+    std::uint32_t visited = 0;
+    const QueryStatus enumerated = for_each_contact(
+        blob.for_pairs(limit.pairs), other, placement,
+        [&](const TrianglePair& pair) {
+            verdict.require(visited >= count || pairs[visited] == pair, "a list and a visitor disagree");
+            return ++visited == 64 ? stop : keep_going;
+        },
+        limit);
+    verdict.require(
+        visited >= count && (enumerated == QueryStatus::ok || enumerated == QueryStatus::work_limit || visited == 0),
+        "a refused query visits pairs");
     PairDistance nearest;
     const float max_distance = some_length(blob, run.random);
     const QueryStatus answered =

@@ -18,6 +18,7 @@ namespace {
 constexpr std::uint64_t most_work = 60;  ///< pairs of boxes; where it is reached must be the same too
 
 struct Questions {
+    bool sound = true;
     std::vector<Ray> rays;  ///< the first 17 alike, so that a batch has a group
     detail::LatticePoint point;
     bool has_point = false;
@@ -114,6 +115,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
         });
     });
     about([&](AnswerHash& hash) {
+        if (!questions.sound) return;
         std::vector<RayHit> hits(questions.rays.size());
         std::vector<std::uint8_t> occluded(questions.rays.size());
         path.closest_hits(data, questions.rays.data(), hits.data(), hits.size());
@@ -205,6 +207,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
 std::optional<std::string> path_difference(const Blob& blob, Random& random, bool sound) {
     if (blob.triangle_count() == 0) return std::nullopt;
     Questions questions = draw_questions(blob, random);
+    questions.sound = sound;
     questions.is_apart = questions.is_apart && sound;
     const Answers expected = ask(instruction_paths().front(), blob.data(), questions);
     for (const InstructionPath& path : instruction_paths()) {
