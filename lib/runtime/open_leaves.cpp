@@ -40,7 +40,7 @@ std::size_t checked_size(const BlobData& blob, const IndexedLeaf& leaf, std::siz
 std::size_t checked_size(const BlobData& blob, const StripLeaf& leaf, std::size_t left) {
     const unsigned mark_bits = format::strip_leaf::mark_bits(leaf.entry_count(), leaf.vertex_count);
     std::size_t size = (mark_bits + 7) / 8;
-    for (int k = 0; k < 3; ++k) size += (leaf.vertex_count * leaf.width[k] + 7) / 8;
+    for (int k = 0; k < 3; ++k) size += (std::size_t{leaf.vertex_count} * leaf.width[k] + 7) / 8;
     if (size > left) return 0;
     if (!is_padded_with_zeros(leaf.marks, mark_bits) || !are_vertices_inside(blob, leaf)) return 0;
     unsigned used = 0;
