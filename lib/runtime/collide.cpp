@@ -1,5 +1,7 @@
 // Two blobs in the caller's units: placed on one grid, answered there, translated back.
 #include <espalier/collide.hpp>
+#include <runtime/copies.hpp>
+#include <runtime/find_triangle.hpp>
 #include <runtime/lattice_world.hpp>
 #include <runtime/pair_queries.hpp>
 #include <runtime/simd/dispatch.hpp>
@@ -24,15 +26,26 @@ struct PlacedPair {
     }
 };
 
-QueryStatus find_touching(const PairFrame& frame, FoundTriangles& best, bool& found, std::uint64_t& work) {
-    const auto keep = [&](const TrianglePair& pair, const LatticeTriangle& a, const LatticeTriangle& b) {
-        best.a = a;
-        best.b = b;
-        best.pair = pair;
+/// The triangles that a pair stands for, where it is one of copies.
+TrianglePair owners(const PairFrame& frame, const TrianglePair& pair) {
+    return {{owner_of(*frame.a, pair.a.index)}, {owner_of(*frame.b, pair.b.index)}};
+}
+
+QueryStatus find_touching(const PairFrame& frame, TrianglePair& pair, bool& found, std::uint64_t& work) {
+    const auto keep = [&](const TrianglePair& touching) {
+        pair = touching;
         found = true;
         return stop;
     };
     return ESPALIER_DISPATCH(touching_pairs, frame, keep, work);
+}
+
+/// Where the triangles of a pair touch. What this takes of the stack is not needed beside the walk.
+[[gnu::noinline]] void find_common_point(const PairFrame& frame, FoundTriangles& touching) {
+    touching.a = frame.place_a(find_triangle(*frame.a, touching.pair.a.index));
+    touching.b = frame.place_b(find_triangle(*frame.b, touching.pair.b.index));
+    touching.distance = distance_between(touching.a, touching.b);
+    touching.pair = owners(frame, touching.pair);
 }
 
 /// From farther away than this many times their size too many pairs are equally near, as far as floats tell.
@@ -43,8 +56,8 @@ QueryStatus find_nearest(const PairFrame& frame, float radius, bool any, FoundTr
                          std::uint64_t work) {
     if (frame.gap > farthest_in_spans * frame.span)
         return frame.gap > 2.0f * radius ? QueryStatus::ok : QueryStatus::out_of_range;
-    const QueryStatus status = find_touching(frame, best, found, work);
-    if (found) best.distance = distance_between(best.a, best.b);
+    const QueryStatus status = find_touching(frame, best.pair, found, work);
+    if (found) find_common_point(frame, best);
     if (found || status != QueryStatus::ok || radius == 0.0f) return status;
     return ESPALIER_DISPATCH(nearest_pair, frame, radius, any, best, found, work);
 }
@@ -74,9 +87,9 @@ QueryStatus first_contact(const Blob& a, const Blob& b, const Placement& placeme
     if (placed.status != QueryStatus::ok) return placed.status;
     found = false;
     if (placed.is_empty) return QueryStatus::ok;
-    FoundTriangles pair;
+    TrianglePair pair;
     const QueryStatus status = find_touching(placed.frame, pair, found, limit.pairs);
-    if (found) contact = pair.pair;
+    if (found) contact = owners(placed.frame, pair);
     return status;
 }
 
@@ -90,10 +103,7 @@ QueryStatus for_each_contact(const Blob& a, const Blob& b, const Placement& plac
     if (a.copy_count() != 0 || b.copy_count() != 0) return QueryStatus::has_copies;
     const PlacedPair placed(a, b, placement);
     if (placed.is_empty || placed.status != QueryStatus::ok) return placed.status;
-    const auto pass_on = [&](const TrianglePair& pair, const LatticeTriangle&, const LatticeTriangle&) {
-        return visit(pair);
-    };
-    return ESPALIER_DISPATCH(touching_pairs, placed.frame, pass_on, limit.pairs);
+    return ESPALIER_DISPATCH(touching_pairs, placed.frame, visit, limit.pairs);
 }
 
 QueryStatus all_contacts(const Blob& a, const Blob& b, const Placement& placement, std::span<TrianglePair> contacts,

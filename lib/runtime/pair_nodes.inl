@@ -1,4 +1,4 @@
-// A box of the one tree against the boxes of a node or the triangles of a leaf of the other, in lanes. Included once
+// A box of the one tree against the boxes of a node of the other, in lanes. Included once
 // per instruction set that has a way of its own, inside its namespace. Nothing here is fused: the same pairs are
 // visited on every machine.
 
@@ -151,54 +151,4 @@ template <bool touching>
         mask |= near << first;
     }
     return mask & ((1u << (node.node_children() + node.leaf_children())) - 1u);
-}
-
-/// The corners of as many triangles as there are lanes. A function of its own, so that what it spills is off the stack
-/// before the triangles are looked at.
-template <unsigned groups>
-[[gnu::noinline]] void look_up_corners(const Table<groups>* coordinates, const CornerNumbers& numbers,
-                                       Floats (*corner)[3]) {
-    for (int k = 0; k < 3; ++k) {
-        corner[0][k] = coordinates[k].look_up(numbers.a);
-        corner[1][k] = coordinates[k].look_up(numbers.b);
-        corner[2][k] = coordinates[k].look_up(numbers.c);
-    }
-}
-
-/// The triangles of a leaf whose box is within the squared distance.
-template <unsigned groups, class Leaf>
-inline typename Leaf::Slots triangles_near_of(const Leaf& leaf, const SeenBox& seen, const PairSide& side,
-                                              float limit) {
-    Table<groups> coordinates[3];
-    for (unsigned k = 0; k < 3; ++k) {
-        const Floats anchor = splat(static_cast<float>(leaf.anchor(static_cast<int>(k))));
-        const Floats scale = splat(side.own_scale);
-        for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
-            const Floats offset = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
-            coordinates[k].set(group, multiply(add(offset, anchor), scale));
-        }
-    }
-    typename Leaf::Slots mask = 0;
-    auto corners = corners_of(leaf);
-    for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
-        Floats corner[3][3];
-        look_up_corners(coordinates, corners.next(), corner);
-        LaneBoxes boxes;
-        for (int k = 0; k < 3; ++k) {
-            const Floats low = smaller(corner[0][k], smaller(corner[1][k], corner[2][k]));
-            const Floats high = larger(corner[0][k], larger(corner[1][k], corner[2][k]));
-            boxes.center[k] = multiply(add(low, high), splat(0.5f));
-            boxes.half[k] = multiply(subtract(high, low), splat(0.5f));
-        }
-        Floats apart[3];
-        mask |= typename Leaf::Slots{at_most(gap_to(boxes, seen, side, apart), splat(limit))} << first;
-    }
-    return mask & leaf.used_slots();
-}
-
-template <class Leaf>
-[[gnu::noinline]] typename Leaf::Slots triangles_near(const Leaf& leaf, const SeenBox& seen, const PairSide& side,
-                                                      float limit) {
-    return with_table_groups<Leaf::max_vertices>(
-        leaf.vertex_count, [&](auto groups) { return triangles_near_of<groups>(leaf, seen, side, limit); });
 }

@@ -19,8 +19,8 @@ struct FoundTriangles {
     TrianglePair pair;
 };
 
-/// Takes a pair that touches, and its triangles on the common grid.
-using OnTouching = FunctionRef<Visit(const TrianglePair&, const LatticeTriangle&, const LatticeTriangle&)>;
+/// Takes a pair that touches: storage indices, which may be those of copies.
+using OnTouching = FunctionRef<Visit(const TrianglePair&)>;
 
 /// A coordinate of the point with these weights of corners b and c.
 inline float point_on(const LatticeTriangle& triangle, const float* weights, int axis) {

@@ -1,8 +1,5 @@
 // Two blobs: the queries as visitors. Included once per instruction set, inside its namespace.
 
-/// How many triangles of b go against a leaf of a at a time.
-inline constexpr unsigned placed_triangles = lanes > 1 ? 4 : 2;
-
 /// The squared distance of two triangles' boxes.
 inline float gap_between(const LatticeTriangle& a, const LatticeTriangle& b) {
     float sum = 0.0f;
@@ -23,61 +20,10 @@ inline float gap_between(const LatticeTriangle& a, const LatticeTriangle& b) {
     return sum;
 }
 
-/// Calls on_pair for triangles of two leaves that may touch, or may be within the squared distance: b's in storage
-/// order, for each of them a's.
-template <bool touching, class LeafA, class LeafB, class Visitor>
-[[gnu::noinline]] Visit visit_leaf_pair(const PairFrame& frame, const LeafPlace& a_place, const LeafPlace& b_place,
-                                        Visitor& visitor) {
-    const auto a = leaf_at<LeafA>(*frame.a, a_place.node, a_place.number);
-    const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
-    const float in_b = 1.0f / (frame.sides[1].common_size * frame.sides[1].common_size);
-    auto waiting = triangles_near(b, see_box(a_place.box, frame.sides[1]), frame.sides[1], visitor.limit() * in_b);
-    while (waiting != 0) {
-        PlacedTriangle others[placed_triangles];
-        typename LeafA::Slots masks[placed_triangles];
-        unsigned count = 0;
-        const float size = static_cast<float>(a.size) * frame.a_scale + 1.0f;
-        for (; waiting != 0 && count < placed_triangles; waiting &= waiting - 1, ++count) {
-            const auto slot = static_cast<unsigned>(std::countr_zero(waiting));
-            load_placed(frame.place_b(b.triangle(slot)), slot, size, others[count]);
-        }
-        NearestCorners nearest;
-        const auto match_all = [&] {
-            if constexpr (!touching)
-                for (unsigned i = 0; i < count; ++i) set_reach_along(visitor.axes(0), others[i]);
-            float limit = visitor.limit();
-            match_triangles<touching>(a, frame, others, count, visitor.axes(0), limit, nearest, masks);
-            visitor.lower_limit(limit);
-        };
-        const auto visit = [&](unsigned other, unsigned slot) {
-            const auto pair = [&] {
-                return TrianglePair{{owner_index(a, slot)}, {owner_index(b, others[other].slot)}};
-            };
-            return visitor.visit_pair(frame.place_a(a.triangle(slot)), exactly(others[other]), pair);
-        };
-        match_all();
-        if constexpr (!touching) {
-            // The most promising pair first: what it finds rules most of the others out.
-            const auto bit = typename LeafA::Slots{1} << nearest.slot;
-            if (nearest.squared < infinity && (masks[nearest.other] & bit) != 0) {
-                if (visit(nearest.other, nearest.slot) == stop) return stop;
-                const NearestCorners visited = nearest;
-                match_all();
-                masks[visited.other] &= ~bit;
-            }
-        }
-        for (unsigned i = 0; i < count; ++i)
-            for (auto mask = masks[i]; mask != 0; mask &= mask - 1)
-                if (visit(i, static_cast<unsigned>(std::countr_zero(mask))) == stop) return stop;
-    }
-    return keep_going;
-}
-
-template <bool touching, class Visitor>
-inline Visit visit_pair_of_leaves(const PairFrame& frame, const LeafPlace& a, const LeafPlace& b, Visitor& visitor) {
+template <class Function>
+inline Visit with_leaf_kinds(const PairFrame& frame, Function function) {
     return with_leaves_of(*frame.a, [&]<class LeafA>() {
-        return with_leaves_of(
-            *frame.b, [&]<class LeafB>() { return visit_leaf_pair<touching, LeafA, LeafB>(frame, a, b, visitor); });
+        return with_leaves_of(*frame.b, [&]<class LeafB>() { return function.template operator()<LeafA, LeafB>(); });
     });
 }
 
@@ -87,20 +33,14 @@ struct TouchingPairs {
     const PairFrame& frame;
     OnTouching visit;
 
-    static float limit() { return 0.0f; }
-    static void lower_limit(float) {}
-    static PairAxes axes(unsigned) { return {}; }
     unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
         const PairSide& view = frame.sides[side];
-        return children_near<true>(node, side == 0 ? *frame.a : *frame.b, see_box(other, view), view, axes(side), 0.0f,
+        return children_near<true>(node, side == 0 ? *frame.a : *frame.b, see_box(other, view), view, PairAxes{}, 0.0f,
                                    keys);
     }
     Visit visit_leaves(const LeafPlace& a, const LeafPlace& b) {
-        return visit_pair_of_leaves<true>(frame, a, b, *this);
-    }
-    template <class Pair>
-    [[gnu::noinline]] Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
-        return triangles_meet(integer_triangle(a), integer_triangle(b)) ? visit(pair(), a, b) : keep_going;
+        return with_leaf_kinds(
+            frame, [&]<class LeafA, class LeafB>() { return visit_touching<LeafA, LeafB>(frame, a, b, visit); });
     }
 };
 
@@ -130,7 +70,8 @@ struct LeastDistance {
                                     limit_ / (unit * unit), keys);
     }
     Visit visit_leaves(const LeafPlace& a, const LeafPlace& b) {
-        return visit_pair_of_leaves<false>(frame, a, b, *this);
+        return with_leaf_kinds(
+            frame, [&]<class LeafA, class LeafB>() { return visit_near<LeafA, LeafB>(frame, a, b, *this); });
     }
     template <class Pair>
     [[gnu::noinline]] Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {

@@ -183,7 +183,7 @@ TEST_SUITE("promises") {
             {"collides", 4096,
              placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
                             const detail::PairFrame&) { collides(blob, blob, placement, inside); })},
-            {"minimum_distance", 5120,
+            {"minimum_distance", 4096,
              placed_row(
                  [&](const InstructionPath&, const Blob& blob, const Placement& placement, const detail::PairFrame&) {
                      PairDistance distance;
@@ -192,8 +192,7 @@ TEST_SUITE("promises") {
             {"pairs of triangles, every instruction set", 4096,
              placed_row([](const InstructionPath& path, const Blob&, const Placement&, const detail::PairFrame& frame) {
                  std::uint64_t work = 20'000;
-                 const auto go_on = [](const TrianglePair&, const detail::LatticeTriangle&,
-                                       const detail::LatticeTriangle&) { return keep_going; };
+                 const auto go_on = [](const TrianglePair&) { return keep_going; };
                  path.touching_pairs(frame, go_on, work);
              })},
             {"sweep, a sphere", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},

@@ -38,7 +38,7 @@ struct Touching {
 Touching find_touching(const InstructionPath& path, const detail::PairFrame& frame) {
     Touching result;
     std::uint64_t left = no_limit;
-    const auto add = [&](const TrianglePair& pair, const detail::LatticeTriangle&, const detail::LatticeTriangle&) {
+    const auto add = [&](const TrianglePair& pair) {
         result.pairs.push_back(pair);
         return keep_going;
     };

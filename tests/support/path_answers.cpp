@@ -59,7 +59,7 @@ Questions draw_questions(const Blob& blob, Random& random) {
     if (questions.has_frame) {
         std::uint64_t work = most_work;
         bool touches = false;
-        const auto touch = [&](const TrianglePair&, const detail::LatticeTriangle&, const detail::LatticeTriangle&) {
+        const auto touch = [&](const TrianglePair&) {
             touches = true;
             return stop;
         };
@@ -169,8 +169,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
     if (questions.has_frame) {
         about([&](AnswerHash& hash) {
             std::uint64_t work = most_work;
-            const auto touch = [&](const TrianglePair& pair, const detail::LatticeTriangle&,
-                                   const detail::LatticeTriangle&) {
+            const auto touch = [&](const TrianglePair& pair) {
                 hash.add(pair.a.index);
                 hash.add(pair.b.index);
                 return keep_going;

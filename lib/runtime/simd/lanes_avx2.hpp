@@ -57,6 +57,7 @@ inline unsigned at_most(Floats a, Floats b) {
 inline Floats bytes_to_floats(const std::byte* at) {
     return {_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at))))};
 }
+inline Ints add(Ints a, std::uint32_t b) { return {_mm256_add_epi32(a.v, _mm256_set1_epi32(static_cast<int>(b)))}; }
 inline Floats to_floats(Ints a) { return {_mm256_cvtepi32_ps(a.v)}; }
 inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
     return {_mm256_srl_epi32(triangles.v, _mm_cvtsi32_si128(static_cast<int>(corner * width)))};
@@ -103,6 +104,29 @@ inline Ints load_ints(const std::uint32_t* from) {
 }
 inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
 
+/// row . (x, y, z) + moved, of the even lanes.
+inline __m256i place_even(const std::int32_t* row, std::int64_t moved, __m256i x, __m256i y, __m256i z) {
+    const __m256i xy = _mm256_add_epi64(_mm256_mul_epi32(x, _mm256_set1_epi32(row[0])),
+                                        _mm256_mul_epi32(y, _mm256_set1_epi32(row[1])));
+    return _mm256_add_epi64(
+        xy, _mm256_add_epi64(_mm256_mul_epi32(z, _mm256_set1_epi32(row[2])), _mm256_set1_epi64x(moved)));
+}
+/// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
+inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {
+    // Words of 64 bits have no arithmetic shift here: 2^62 keeps them above zero, and is taken away again modulo 2^32.
+    constexpr std::int64_t above = std::int64_t{1} << 62;
+    const __m128i shift = _mm_cvtsi32_si128(fraction_bits);
+    const __m256i even_lanes =
+        _mm256_srl_epi64(place_even(row, moved + above, vertex[0].v, vertex[1].v, vertex[2].v), shift);
+    const __m256i odd_lanes =
+        _mm256_srl_epi64(place_even(row, moved + above, _mm256_srli_epi64(vertex[0].v, 32),
+                                    _mm256_srli_epi64(vertex[1].v, 32), _mm256_srli_epi64(vertex[2].v, 32)),
+                         shift);
+    const __m256i both = _mm256_blend_epi32(even_lanes, _mm256_slli_epi64(odd_lanes, 32), 0xAA);
+    const auto too_much = static_cast<std::uint32_t>(above >> fraction_bits);
+    return {_mm256_cvtepi32_ps(_mm256_sub_epi32(both, _mm256_set1_epi32(static_cast<int>(too_much))))};
+}
+
 /// Values by vertex, in registers.
 template <unsigned groups>
 struct Table {
@@ -111,6 +135,11 @@ struct Table {
     void set(unsigned number, Floats a) { group[number] = a.v; }
     /// By the low bits of each index; bits above those that number the vertices are ignored.
     [[nodiscard]] Floats look_up(Ints index) const { return {pick<0, groups>(index.v)}; }
+    /// Where only the first groups are set.
+    template <unsigned used>
+    [[nodiscard]] Floats look_up_among(Ints index) const {
+        return {pick<0, used>(index.v)};
+    }
 
 private:
     template <unsigned first, unsigned count>
@@ -132,7 +161,7 @@ struct PairTable : Table<groups> {
     [[nodiscard]] Ints look_up(Ints index) const { return {_mm256_castps_si256(Table<groups>::look_up(index).v)}; }
 };
 template <unsigned max_vertices, class Function>
-inline auto with_table_groups(unsigned vertex_count, Function function) {
+constexpr auto with_table_groups(unsigned vertex_count, Function function) {
     if (vertex_count <= 8) return function(std::integral_constant<unsigned, 1>{});
     if (vertex_count <= 16) return function(std::integral_constant<unsigned, 2>{});
     if (vertex_count <= 24) return function(std::integral_constant<unsigned, 3>{});

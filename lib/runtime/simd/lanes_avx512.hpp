@@ -97,7 +97,7 @@ struct Table {
     }
 };
 template <unsigned max_vertices, class Function>
-inline auto with_table_groups(unsigned vertex_count, Function function) {
+constexpr auto with_table_groups(unsigned vertex_count, Function function) {
     if (vertex_count <= 16) return function(std::integral_constant<unsigned, 1>{});
     if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 2>{});
     if (vertex_count <= 48) return function(std::integral_constant<unsigned, 3>{});

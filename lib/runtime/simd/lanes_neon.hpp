@@ -55,6 +55,7 @@ inline Floats bytes_to_floats(const std::byte* at) {
     const uint8x8_t bytes = vreinterpret_u8_u32(vdup_n_u32(load_u32(at)));
     return {vcvtq_f32_u32(vmovl_u16(vget_low_u16(vmovl_u8(bytes))))};
 }
+inline Ints add(Ints a, std::uint32_t b) { return {vaddq_u32(a.v, vdupq_n_u32(b))}; }
 inline Floats to_floats(Ints a) { return {vcvtq_f32_u32(a.v)}; }
 inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
     return {vshlq_u32(triangles.v, vdupq_n_s32(-static_cast<int>(corner * width)))};
@@ -97,16 +98,31 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
 inline Ints load_ints(const std::uint32_t* from) { return {vld1q_u32(from)}; }
 inline void prefetch(const std::byte* at) { __builtin_prefetch(at); }
 
+/// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
+inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {
+    const auto place = [&](auto half) {
+        int64x2_t sum = vdupq_n_s64(moved);
+        for (int k = 0; k < 3; ++k) sum = vmlal_s32(sum, half(vreinterpretq_s32_u32(vertex[k].v)), vdup_n_s32(row[k]));
+        return vmovn_s64(vshlq_s64(sum, vdupq_n_s64(-fraction_bits)));
+    };
+    const int32x2_t low = place([](int32x4_t v) { return vget_low_s32(v); });
+    const int32x2_t high = place([](int32x4_t v) { return vget_high_s32(v); });
+    return {vcvtq_f32_s32(vcombine_s32(low, high))};
+}
+
 /// Values by vertex, in memory.
 template <unsigned groups>
 struct Table {
     alignas(16) float value[groups * lanes] = {};
     static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
     void set(unsigned number, Floats a) { vst1q_f32(value + lanes * number, a.v); }
-    [[nodiscard]] Floats look_up(Ints index) const {
+    [[nodiscard]] Floats look_up(Ints index) const { return look_up_among<groups>(index); }
+    /// Where only the first groups are set.
+    template <unsigned used>
+    [[nodiscard]] Floats look_up_among(Ints index) const {
         // Any index must stay inside.
-        const uint32x4_t last = vdupq_n_u32(groups * lanes - 1);
-        const uint32x4_t vertex = std::has_single_bit(groups) ? vandq_u32(index.v, last) : vminq_u32(index.v, last);
+        const uint32x4_t last = vdupq_n_u32(used * lanes - 1);
+        const uint32x4_t vertex = std::has_single_bit(used) ? vandq_u32(index.v, last) : vminq_u32(index.v, last);
         const float32x4_t result = {value[vgetq_lane_u32(vertex, 0)], value[vgetq_lane_u32(vertex, 1)],
                                     value[vgetq_lane_u32(vertex, 2)], value[vgetq_lane_u32(vertex, 3)]};
         return {result};
@@ -120,7 +136,7 @@ struct PairTable : Table<groups> {
 };
 /// As many entries as the numbers of the vertices can name, or as there are vertices at most.
 template <unsigned max_vertices, class Function>
-inline auto with_table_groups(unsigned vertex_count, Function function) {
+constexpr auto with_table_groups(unsigned vertex_count, Function function) {
     if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
     if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
     if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});

@@ -40,6 +40,7 @@ inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
 /// One bit a lane: a <= b.
 inline unsigned at_most(Floats a, Floats b) { return a <= b ? 1u : 0u; }
 inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
+inline Ints add(Ints a, std::uint32_t b) { return a + b; }
 inline Floats to_floats(Ints a) { return static_cast<float>(a); }
 /// Corner 0, 1 or 2 of triangles; bits above the corner's may stay where look_up ignores them.
 inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
@@ -78,6 +79,14 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
 inline Ints load_ints(const std::uint32_t* from) { return *from; }
 inline void prefetch(const std::byte*) {}
 
+/// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
+inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {
+    return static_cast<float>(
+        static_cast<std::int32_t>((std::int64_t{row[0]} * vertex[0] + std::int64_t{row[1]} * vertex[1] +
+                                   std::int64_t{row[2]} * vertex[2] + moved) >>
+                                  fraction_bits));
+}
+
 /// Values by vertex.
 template <unsigned groups>
 struct Table {
@@ -85,6 +94,10 @@ struct Table {
     static unsigned groups_of(unsigned vertex_count) { return vertex_count; }
     void set(unsigned group, Floats a) { value[group] = a; }
     [[nodiscard]] Floats look_up(Ints index) const { return value[index]; }
+    template <unsigned>
+    [[nodiscard]] Floats look_up_among(Ints index) const {
+        return value[index];
+    }
 };
 /// Pairs of integers by vertex.
 template <unsigned groups>
@@ -95,7 +108,7 @@ struct PairTable {
     [[nodiscard]] Ints look_up(Ints index) const { return value[index]; }
 };
 template <unsigned max_vertices, class Function>
-inline auto with_table_groups(unsigned, Function function) {
+constexpr auto with_table_groups(unsigned, Function function) {
     return function(std::integral_constant<unsigned, max_vertices>{});
 }
 

@@ -54,6 +54,7 @@ inline unsigned at_most(Floats a, Floats b) { return static_cast<unsigned>(_mm_m
 inline Floats bytes_to_floats(const std::byte* at) {
     return {_mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(at)))))};
 }
+inline Ints add(Ints a, std::uint32_t b) { return {_mm_add_epi32(a.v, _mm_set1_epi32(static_cast<int>(b)))}; }
 inline Floats to_floats(Ints a) { return {_mm_cvtepi32_ps(a.v)}; }
 inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
     return {_mm_srl_epi32(triangles.v, _mm_cvtsi32_si128(static_cast<int>(corner * width)))};
@@ -97,16 +98,41 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
 inline Ints load_ints(const std::uint32_t* from) { return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))}; }
 inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
 
+/// row . (x, y, z) + moved, of the even lanes.
+inline __m128i place_even(const std::int32_t* row, std::int64_t moved, __m128i x, __m128i y, __m128i z) {
+    const __m128i xy =
+        _mm_add_epi64(_mm_mul_epi32(x, _mm_set1_epi32(row[0])), _mm_mul_epi32(y, _mm_set1_epi32(row[1])));
+    return _mm_add_epi64(xy, _mm_add_epi64(_mm_mul_epi32(z, _mm_set1_epi32(row[2])), _mm_set1_epi64x(moved)));
+}
+/// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
+inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {
+    // Words of 64 bits have no arithmetic shift here: 2^62 keeps them above zero, and is taken away again modulo 2^32.
+    constexpr std::int64_t above = std::int64_t{1} << 62;
+    const __m128i shift = _mm_cvtsi32_si128(fraction_bits);
+    const __m128i even_lanes =
+        _mm_srl_epi64(place_even(row, moved + above, vertex[0].v, vertex[1].v, vertex[2].v), shift);
+    const __m128i odd_lanes =
+        _mm_srl_epi64(place_even(row, moved + above, _mm_srli_epi64(vertex[0].v, 32), _mm_srli_epi64(vertex[1].v, 32),
+                                 _mm_srli_epi64(vertex[2].v, 32)),
+                      shift);
+    const __m128i both = _mm_blend_epi16(even_lanes, _mm_slli_epi64(odd_lanes, 32), 0xCC);
+    const auto too_much = static_cast<std::uint32_t>(above >> fraction_bits);
+    return {_mm_cvtepi32_ps(_mm_sub_epi32(both, _mm_set1_epi32(static_cast<int>(too_much))))};
+}
+
 /// Values by vertex, in memory: there is no permutation over several registers.
 template <unsigned groups>
 struct Table {
     alignas(16) float value[groups * lanes] = {};
     static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
     void set(unsigned number, Floats a) { _mm_store_ps(value + lanes * number, a.v); }
-    [[nodiscard]] Floats look_up(Ints index) const {
+    [[nodiscard]] Floats look_up(Ints index) const { return look_up_among<groups>(index); }
+    /// Where only the first groups are set.
+    template <unsigned used>
+    [[nodiscard]] Floats look_up_among(Ints index) const {
         // Any index must stay inside.
-        const __m128i vertex = std::has_single_bit(groups) ? _mm_and_si128(index.v, _mm_set1_epi32(groups * lanes - 1))
-                                                           : _mm_min_epu32(index.v, _mm_set1_epi32(groups * lanes - 1));
+        const __m128i last = _mm_set1_epi32(used * lanes - 1);
+        const __m128i vertex = std::has_single_bit(used) ? _mm_and_si128(index.v, last) : _mm_min_epu32(index.v, last);
         const auto at = [&](int lane) { return value[lane]; };
         return {_mm_setr_ps(at(_mm_extract_epi32(vertex, 0)), at(_mm_extract_epi32(vertex, 1)),
                             at(_mm_extract_epi32(vertex, 2)), at(_mm_extract_epi32(vertex, 3)))};
@@ -120,7 +146,7 @@ struct PairTable : Table<groups> {
 };
 /// As many entries as the numbers of the vertices can name, or as there are vertices at most.
 template <unsigned max_vertices, class Function>
-inline auto with_table_groups(unsigned vertex_count, Function function) {
+constexpr auto with_table_groups(unsigned vertex_count, Function function) {
     if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
     if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
     if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});

@@ -9,8 +9,10 @@ ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace espalier::detail::avx2 {
 #include <runtime/traverse.inl>
 #include <runtime/pair_nodes.inl>
-#include <runtime/pair_leaves.inl>
 #include <runtime/traverse_pair.inl>
+#include <runtime/pair_leaves.inl>
+#include <runtime/pair_touching.inl>
+#include <runtime/pair_near.inl>
 #include <runtime/pair_queries.inl>
 }  // namespace espalier::detail::avx2
 ESPALIER_END_TARGET

@@ -8,8 +8,10 @@
 namespace espalier::detail::neon {
 #include <runtime/traverse.inl>
 #include <runtime/pair_nodes.inl>
-#include <runtime/pair_leaves.inl>
 #include <runtime/traverse_pair.inl>
+#include <runtime/pair_leaves.inl>
+#include <runtime/pair_touching.inl>
+#include <runtime/pair_near.inl>
 #include <runtime/pair_queries.inl>
 }  // namespace espalier::detail::neon
 #endif

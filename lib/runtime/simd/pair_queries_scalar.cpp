@@ -7,7 +7,9 @@
 namespace espalier::detail::scalar {
 #include <runtime/traverse.inl>
 #include <runtime/pair_nodes.inl>
-#include <runtime/pair_leaves.inl>
 #include <runtime/traverse_pair.inl>
+#include <runtime/pair_leaves.inl>
+#include <runtime/pair_touching.inl>
+#include <runtime/pair_near.inl>
 #include <runtime/pair_queries.inl>
 }  // namespace espalier::detail::scalar

@@ -9,8 +9,10 @@ ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
 namespace espalier::detail::sse42 {
 #include <runtime/traverse.inl>
 #include <runtime/pair_nodes.inl>
-#include <runtime/pair_leaves.inl>
 #include <runtime/traverse_pair.inl>
+#include <runtime/pair_leaves.inl>
+#include <runtime/pair_touching.inl>
+#include <runtime/pair_near.inl>
 #include <runtime/pair_queries.inl>
 }  // namespace espalier::detail::sse42
 ESPALIER_END_TARGET
