@@ -8,17 +8,14 @@ Rows of several runs may follow each other in one file: a figure is then the med
 the largest beside it; of one run it is the median of its repetitions, with theirs. Standard library only.
 """
 
-import argparse
-import json
 import pathlib
-import re
 import statistics
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
 import report_plot  # noqa: E402
+from report_page import ROOT, fail, fill, links, read_objects, run, table  # noqa: E402
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "benchmarks.md"
 KINDS = ("incoherent", "coherent", "any", "build")
 SETTINGS = ("bits", "effort", "builder", "rays", "seed", "repetitions", "builds", "instruction_set", "processor",
@@ -77,27 +74,12 @@ class Mesh:
         return [system for system in self.systems if not system.own]
 
 
-def fail(message):
-    sys.exit(f"bench/report.py: {message}")
+def needed(_):
+    return ("system", "profile", "mesh", "date", "load", "any_contradictions")
 
 
 def read_rows(files):
-    rows = []
-    for file in files:
-        try:
-            lines = file.read_text(encoding="utf-8").splitlines()
-        except OSError as error:
-            fail(f"{file}: {error.strerror}")
-        for number, line in enumerate(lines, 1):
-            try:
-                rows.append(json.loads(line))
-            except ValueError as error:
-                fail(f"{file}, line {number}: no JSON object ({error}); rows come from espalier_bench_peers --json")
-            missing = [f for f in ("system", "profile", "mesh", "date", "load", "any_contradictions") if f not in rows[-1]]
-            if missing:
-                fail(f"{file}, line {number}: no field {', '.join(missing)}; measure again with this version")
-    if not rows:
-        fail("no rows to report")
+    rows = read_objects(files, "espalier_bench_peers --json", needed)
     for field in SETTINGS:
         values = {row.get(field) for row in rows}
         if len(values) > 1:
@@ -129,11 +111,6 @@ def count(value):
     return "–" if value is None else f"{value:,}"
 
 
-def table(header, rows):
-    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
-
-
 def conditions(rows, meshes, files):
     row = rows[0]
     runs = len(meshes[0].systems[0].rows)
@@ -144,12 +121,11 @@ def conditions(rows, meshes, files):
     loads = [r["load"] for r in rows if r["load"] is not None]
     noise = (f" **The machine was busy with other work (load {min(loads):.1f} to {max(loads):.1f} on {row['processors']} "
              "processors): take these figures as noisy.**" if loads and max(loads) > BUSY else "")
-    names = ", ".join(f"[{file.name}](../{file.relative_to(ROOT).as_posix()})" for file in files)
     return (f"Measured {' and '.join(dates)} on {row['processor'] or 'an unnamed processor'} ({row['instruction_set']}), "
             f"one thread, {row['compiler']}; {', '.join(versions) or 'no peers'}. "
             f"{spread} of {row['repetitions']} repetitions in which the systems take turns ({row['builds']} for *build*). "
             f"{row['rays']:,} incoherent rays, {row['bits']}-bit lattice, effort {row['effort']}"
-            + (f", builder {row['builder']}" if row.get("builder") else "") + f". The rows: {names}.{noise}")
+            + (f", builder {row['builder']}" if row.get("builder") else "") + f". The rows: {links(files)}.{noise}")
 
 
 def by_system(pairs):
@@ -218,56 +194,16 @@ def plots(meshes):
 # ---- where it is written ----------------------------------------------------------------------------------------------
 
 
-def fill(document, name, text):
-    begin, end = f"<!-- begin {name} -->", f"<!-- end {name} -->"
-    pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
-    if len(pattern.findall(document)) != 1:
-        fail(f"{DOCUMENT} has no pair of lines '{begin}' and '{end}'")
-    return pattern.sub(lambda _: f"{begin}\n{text}\n{end}", document)
-
-
 def outputs(files):
     """Everything that the rows decide: path and text."""
     rows = read_rows(files)
     meshes = group(rows)
-    document = DOCUMENT.read_text(encoding="utf-8")
-    document = fill(document, "conditions", conditions(rows, meshes, files))
-    document = fill(document, "slower", slower(meshes))
-    document = fill(document, "tables", tables(meshes))
-    result = {DOCUMENT: document}
+    texts = {"conditions": conditions(rows, meshes, files), "slower": slower(meshes), "tables": tables(meshes)}
+    result = {DOCUMENT: fill(DOCUMENT, texts)}
     for name, text in plots(meshes).items():
         result[ROOT / "bench" / "results" / name] = text
     return result
 
 
-def named_files():
-    """The rows that the document was made from."""
-    block = DOCUMENT.read_text(encoding="utf-8").partition("<!-- begin conditions -->")[2].partition("<!-- end")[0]
-    names = re.findall(r"\]\(\.\./([^)]*\.jsonl)\)", block)
-    if not names:
-        fail(f"{DOCUMENT} names no rows; name a file")
-    return [ROOT / name for name in names]
-
-
-def main():
-    parser = argparse.ArgumentParser(description="Tables and plots from rows of espalier_bench_peers --json.")
-    parser.add_argument("--check", action="store_true", help="write nothing; fail when something would change")
-    parser.add_argument("files", nargs="*", type=pathlib.Path, help="rows; without any, those that the document names")
-    arguments = parser.parse_args()
-    files = [file.resolve() for file in arguments.files] or named_files()
-    outside = [str(file) for file in files if not file.is_relative_to(ROOT)]
-    if outside:
-        fail(f"{', '.join(outside)}: the document links to its rows; put them into bench/results")
-    stale = [path for path, text in outputs(files).items()
-             if not path.exists() or path.read_text(encoding="utf-8") != text]
-    if arguments.check:
-        for path in stale:
-            print(f"{path.relative_to(ROOT)} is not what its rows say; run bench/report.py", file=sys.stderr)
-        sys.exit(1 if stale else 0)
-    for path, text in outputs(files).items():
-        path.write_text(text, encoding="utf-8")
-        print(path.relative_to(ROOT))
-
-
 if __name__ == "__main__":
-    main()
+    run(DOCUMENT, "Tables and plots from rows of espalier_bench_peers --json.", outputs)

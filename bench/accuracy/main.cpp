@@ -1,0 +1,155 @@
+// How far a blob's answers are from the source mesh, for every lattice from 8 to 20 bits, and how far those of the
+// approximate queries: JSON, an object a line. The source is judged by a tree in double precision that shares no code
+// with the library.
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <espalier/bake.hpp>
+#include <espalier/espalier.hpp>
+
+#include "../../tests/support/mesh_files.hpp"
+#include "../rays.hpp"
+#include "approximate_accuracy.hpp"
+#include "../../tests/oracle/double_tree.hpp"
+#include "../../tests/oracle/hausdorff.hpp"
+#include "ray_accuracy.hpp"
+#include "../../tests/oracle/surfaces.hpp"
+
+namespace {
+
+using namespace espalier;
+using namespace espalier::bench;
+using namespace espalier::reference;
+
+struct Options {
+    std::size_t rays = 1'000'000;
+    std::size_t points = 100'000;     ///< hits whose point is held against the source's surface
+    std::size_t questions = 20'000;   ///< of each approximate query
+    std::size_t pieces = 10'000'000;  ///< of triangles, for each way of the Hausdorff distance
+    std::vector<std::string> meshes;
+};
+
+constexpr unsigned fewest_bits = 8, most_bits = 20;
+constexpr unsigned approximate_bits = 16;
+
+void print_distance(const char* name, const OneWayDistance& distance, double step) {
+    std::printf(",\"%s\":[%.9g,%.9g],\"%s_pieces\":%zu", name, distance.lower / step, distance.upper / step, name,
+                distance.pieces);
+}
+
+/// Throws when what the header promises does not hold, as far as that is proved.
+void check_promise(double max_error, const OneWayDistance& one, const OneWayDistance& other) {
+    const double proved = std::max(one.lower, other.lower);
+    if (proved > max_error)
+        throw std::runtime_error("the surfaces are " + std::to_string(proved) + " apart, the header says at most " +
+                                 std::to_string(max_error));
+}
+
+class Lattice {
+public:
+    Lattice(const tests::Mesh& mesh, unsigned bits) {
+        const MeshView view = mesh.view();
+        BakeOptions options;
+        options.bits = bits;
+        auto baked = bake({&view, 1}, options);
+        if (!baked) throw std::runtime_error(baked.error().message);
+        baked_ = std::move(*baked);
+        if (const Status status = open(baked_.blob, blob_); status != Status::ok)
+            throw std::runtime_error(describe(status));
+    }
+    [[nodiscard]] const Blob& blob() const { return blob_; }
+    [[nodiscard]] const BakeReport& report() const { return baked_.report; }
+    [[nodiscard]] std::span<const std::byte> bytes() const { return baked_.blob; }
+
+private:
+    Baked baked_;
+    Blob blob_;
+};
+
+void measure(const tests::Mesh& mesh, const Options& options) {
+    const DoubleTree source(source_surface(mesh));
+    const std::vector<Ray> rays = incoherent_rays(mesh, options.rays, 2026);
+    const std::vector<ReferenceHit> references = reference_hits(source, rays);
+    for (unsigned bits = fewest_bits; bits <= most_bits; ++bits) {
+        const Lattice lattice(mesh, bits);
+        const BakeReport& report = lattice.report();
+        std::printf("{\"mesh\":\"%s\",\"source_triangles\":%zu,\"bits\":%u,\"step\":%.9g,\"extent\":%.9g",
+                    mesh.name.c_str(), mesh.triangles.size(), bits, report.step, report.extent);
+        std::printf(",\"triangles\":%u,\"zero_area\":%llu,\"collapsed\":%llu,\"duplicate\":%llu,\"bytes\":%llu",
+                    report.triangles, static_cast<unsigned long long>(report.zero_area.count),
+                    static_cast<unsigned long long>(report.collapsed.count),
+                    static_cast<unsigned long long>(report.duplicate.count),
+                    static_cast<unsigned long long>(report.bytes));
+        const DoubleTree baked(baked_surface(lattice.bytes()));
+        const OneWayDistance to_baked = one_way_distance(source, baked, options.pieces);
+        const OneWayDistance to_source = one_way_distance(baked, source, options.pieces);
+        const double max_error = static_cast<double>(lattice.blob().max_error());
+        std::printf(",\"max_error_steps\":%.9g", max_error / report.step);
+        print_distance("to_baked_steps", to_baked, report.step);
+        print_distance("to_source_steps", to_source, report.step);
+        print_ray_accuracy(lattice.blob(), source, rays, references, options.points);
+        std::printf("}\n");
+        std::fflush(stdout);
+        check_promise(max_error, to_baked, to_source);
+    }
+    const Lattice lattice(mesh, approximate_bits);
+    const std::string head = "{\"mesh\":\"" + mesh.name +
+                             "\",\"source_triangles\":" + std::to_string(mesh.triangles.size()) +
+                             ",\"bits\":" + std::to_string(approximate_bits);
+    print_approximate_accuracy(head.c_str(), lattice.blob(), mesh, source, options.questions);
+}
+
+Options parse(std::span<char*> words) {
+    Options options;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string word = words[i];
+        const auto number = [&]() -> std::size_t {
+            std::size_t value = 0;
+            const std::string_view text = i + 1 < words.size() ? words[++i] : "";
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            if (error != std::errc{} || end != text.data() + text.size() || value == 0)
+                throw std::invalid_argument(word + " needs a whole number above 0 behind it");
+            return value;
+        };
+        if (word == "--rays") options.rays = number();
+        else if (word == "--points") options.points = number();
+        else if (word == "--questions") options.questions = number();
+        else if (word == "--pieces") options.pieces = number();
+        else if (word.starts_with("-")) throw std::invalid_argument("there is no option '" + word + "'");
+        else options.meshes.push_back(word);
+    }
+    if (options.meshes.empty()) throw std::invalid_argument("name at least one mesh, .obj or .ply");
+    return options;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    Options options;
+    try {
+        options = parse(std::span(words + 1, words + count));
+    } catch (const std::exception& error) {
+        std::fprintf(stderr,
+                     "espalier_bench_accuracy: %s\n\n"
+                     "usage: espalier_bench_accuracy [--rays N] [--points N] [--questions N] [--pieces N] "
+                     "MESH.obj|MESH.ply...\n",
+                     error.what());
+        return 1;
+    }
+    try {
+        for (const std::string& path : options.meshes) measure(tests::read_mesh(path), options);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "espalier_bench_accuracy: %s\n", error.what());
+        return 2;
+    }
+    return 0;
+}

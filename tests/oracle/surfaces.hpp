@@ -1,0 +1,25 @@
+// The two surfaces that are compared, in double precision.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <espalier/types.hpp>
+
+#include "../support/mesh.hpp"
+#include "double_geometry.hpp"
+
+namespace espalier::reference {
+
+inline Point to_point(const Vec3& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+/// All of them, those without area too.
+[[nodiscard]] std::vector<PointTriangle> source_surface(const tests::Mesh& mesh);
+
+/// As the tests' own decoder reads it, and not rounded to float: lattice coordinates times step, from the origin on.
+[[nodiscard]] std::vector<PointTriangle> baked_surface(std::span<const std::byte> bytes);
+
+}  // namespace espalier::reference
