@@ -136,7 +136,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
         });
         about([&](AnswerHash& hash) {
             detail::FoundNearest found{};
-            if (!path.closest_triangle(data, point, found)) return;
+            if (!questions.sound || !path.closest_triangle(data, point, found)) return;
             hash.add(found.index);
             hash.add(found.distance.squared);
             hash.add(found.distance.u);
@@ -144,6 +144,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
             hash.add(static_cast<std::uint32_t>(found.distance.feature));
         });
         about([&](AnswerHash& hash) {
+            if (!questions.sound) return;
             std::array<Nearest, 5> nearest;
             detail::ClosestFew few(data, nearest);
             path.closest_triangles(data, point, few);

@@ -13,7 +13,8 @@ namespace espalier::tests {
 /// Every query that has a variant for each instruction set, once, with arguments that are drawn: the name of the path
 /// and of the query that differ from the scalar ones, or nothing. On any blob that opens: where boxes do not hold what
 /// is below them, answers are wrong, but they must be equally wrong. Sound blobs alone (soundness.hpp) are asked for
-/// batches and the distance of two blobs: with lanes, these find things in another order, which matters on others.
+/// batches, closest triangles and the distance of two blobs: how soon these know that a triangle is near depends on
+/// how many lanes look, and on other blobs it matters what was left out by then.
 std::optional<std::string> path_difference(const Blob& blob, Random& random, bool sound);
 
 }  // namespace espalier::tests
