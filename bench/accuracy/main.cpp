@@ -31,10 +31,10 @@ using namespace espalier::bench;
 using namespace espalier::reference;
 
 struct Options {
-    std::size_t rays = 1'000'000;
-    std::size_t points = 100'000;     ///< hits whose point is held against the source's surface
-    std::size_t questions = 20'000;   ///< of each approximate query
-    std::size_t pieces = 10'000'000;  ///< of triangles, for each way of the Hausdorff distance
+    std::size_t rays = 2'000'000;
+    std::size_t points = 100'000;    ///< hits whose point is held against the source's surface
+    std::size_t questions = 20'000;  ///< of each approximate query
+    std::size_t pieces = 500'000;    ///< of halved triangles, for each way of the Hausdorff distance
     std::vector<std::string> meshes;
 };
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "../support/mesh_makers.hpp"
 #include "../support/random.hpp"
@@ -41,7 +42,7 @@ TEST_SUITE("oracle") {
             for (std::size_t i = 0; i < scaled(2000); ++i) {
                 const Vec3 origin = random.in_cube(8.0f), direction = random.in_cube(1.0f);
                 const PointRay ray = {to_point(origin), to_point(direction)};
-                double closest = INFINITY, squared = INFINITY;
+                double closest = std::numeric_limits<double>::infinity(), squared = closest;
                 for (const PointTriangle& t : tree.triangles()) {
                     double at = 0.0;
                     if (crosses(ray, t, at)) closest = std::min(closest, at);

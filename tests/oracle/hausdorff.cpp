@@ -80,7 +80,8 @@ OneWayDistance one_way_distance(const DoubleTree& from, const DoubleTree& to, st
         guess = piece.nearest[2];
         if (!search.is_settled(piece.upper)) open.push(piece);
     }
-    while (!open.empty() && !search.is_settled(open.top().upper) && search.result().pieces < most_pieces) {
+    const std::size_t end = search.result().pieces + most_pieces;
+    while (!open.empty() && !search.is_settled(open.top().upper) && search.result().pieces < end) {
         const Piece piece = open.top();
         open.pop();
         for (const PointTriangle& half : halves(piece.corners)) {

@@ -14,9 +14,9 @@ struct OneWayDistance {
     std::size_t pieces = 0;
 };
 
-/// Parts are halved until upper is within a thousandth of lower, or `most_pieces` were looked at. Up to rounding in
-/// double precision. The distance to one triangle is a convex function, so that on a piece of a triangle it is largest
-/// in a corner: the least such maximum over some near triangles bounds the distance of the whole piece.
+/// Parts are halved until upper is within a thousandth of lower, or as many as `most_pieces` were looked at. Up to
+/// rounding in double precision. The distance to one triangle is a convex function, so that on a piece of a triangle it
+/// is largest in a corner: the least such maximum over some near triangles bounds the distance of the whole piece.
 [[nodiscard]] OneWayDistance one_way_distance(const DoubleTree& from, const DoubleTree& to, std::size_t most_pieces);
 
 }  // namespace espalier::reference
