@@ -23,7 +23,7 @@ TEST_SUITE("promises") {
         std::size_t dropped = 0;
         for (const tests::Mesh& mesh : meshes) {
             const DoubleTree source(source_surface(mesh));
-            for (unsigned bits = 3; bits <= 20; ++bits) {
+            for (const unsigned bits : {3u, 4u, 5u, 6u, 8u, 10u, 13u, 16u, 20u}) {
                 BakeOptions options;
                 options.bits = bits;
                 const tests::OpenedBlob opened(mesh, options);
@@ -32,8 +32,8 @@ TEST_SUITE("promises") {
                 const DoubleTree baked(baked_surface(opened.bytes));
                 dropped += mesh.triangles.size() - baked.triangles().size();
                 const double allowed = static_cast<double>(opened.blob.max_error());
-                CHECK(one_way_distance(source, baked, 20000).lower <= allowed);
-                CHECK(one_way_distance(baked, source, 20000).lower <= allowed);
+                CHECK(one_way_distance(source, baked, 5000).lower <= allowed);
+                CHECK(one_way_distance(baked, source, 5000).lower <= allowed);
             }
         }
         CHECK(dropped > 1000);  // what collapsed counts too
