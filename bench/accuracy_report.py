@@ -65,14 +65,18 @@ def three(values):
     return "–" if values is None else " / ".join(short(value) for value in values)
 
 
-def bracket(values):
-    low, high = values
-    return f"{high:.2f}" if high <= low * TIGHT else f"{low:.2f}–{high:.2f}"
+def distance_bounds(row):
+    """Both ways together: the Hausdorff distance between its bounds. An upper one above the header says nothing new: the
+    header's own then."""
+    low, high = (max(row["to_baked_steps"][i], row["to_source_steps"][i]) for i in (0, 1))
+    return low, min(high, row["max_error_steps"])
 
 
-def largest(row):
-    """Both ways together: the Hausdorff distance between its bounds."""
-    return [max(row["to_baked_steps"][i], row["to_source_steps"][i]) for i in (0, 1)]
+def bracket(row):
+    low, high = distance_bounds(row)
+    if high <= low * TIGHT:
+        return f"{high:.2f}"
+    return f"≥ {low:.2f}" if high == row["max_error_steps"] else f"{low:.2f}–{high:.2f}"
 
 
 def per_million(count, trials):
@@ -89,12 +93,11 @@ def lost(row):
 
 def conditions(rows, meshes, files):
     lattices = [row for mesh in meshes for row in mesh.lattices]
-    rays = sorted({row["rays"] for row in lattices})
-    points = max(row["points"] for row in lattices)
+    points = sorted({row["points"] for row in lattices})
     questions = sorted({row["questions"] for row in rows if "query" in row})
     doubtful = sum(row["doubtful"] for row in lattices)
-    return (f"{' or '.join(f'{count:,}' for count in rays)} rays for each lattice and mesh, the same ones for every "
-            f"lattice; {points:,} answered points against the source; {' or '.join(f'{q:,}' for q in questions)} questions "
+    return (f"The same rays for every lattice; {' or '.join(f'{count:,}' for count in points)} answered points against the "
+            f"source; {' or '.join(f'{q:,}' for q in questions)} questions "
             f"for each approximate query and accuracy. Rays whose answer on the source could be of rounding in double "
             f"precision: {doubtful}. The rows: {links(files)}.")
 
@@ -108,8 +111,8 @@ def lattice_tables(meshes):
         parts.append(table(
             ["bits", "extent in steps", "bytes / triangle", "lost", "header", "distance", "distance / extent"],
             [[str(row["bits"]), f"{row['extent'] / row['step']:,.0f}", f"{row['bytes'] / row['triangles']:.2f}",
-              f"{lost(row):,}", f"{row['max_error_steps']:.2f}", bracket(largest(row)),
-              f"{largest(row)[1] * row['step'] / row['extent']:.1e}"] for row in mesh.lattices]))
+              f"{lost(row):,}", f"{row['max_error_steps']:.2f}", bracket(row),
+              f"{distance_bounds(row)[0] * row['step'] / row['extent']:.1e}"] for row in mesh.lattices]))
     return "\n\n".join(parts)
 
 
@@ -117,7 +120,7 @@ def ray_tables(meshes):
     parts = []
     for mesh in meshes:
         row = mesh.lattices[0]
-        parts.append(f"**{mesh.name}**, {100 * row['hits'] / row['rays']:.0f} % of the rays hit the source")
+        parts.append(f"**{mesh.name}**, {100 * row['hits'] / row['rays']:.0f} % of {row['rays']:,} rays hit the source")
         parts.append(table(
             ["bits", "missed / million", "extra / million", "elsewhere / million", "t, steps", "normal, degrees",
              "point, steps"],
@@ -176,8 +179,8 @@ def lattice_plot(meshes):
         return report_lines.Point(row["bits"], count / trials * 1e6 or None, low * 1e6, high * 1e6)
 
     def distance(row):
-        low, high = (value * row["step"] / row["extent"] for value in largest(row))
-        return report_lines.Point(row["bits"], high, low, high)
+        low, high = (value * row["step"] / row["extent"] for value in distance_bounds(row))
+        return report_lines.Point(row["bits"], low, low, high)
 
     def normal(row):
         return report_lines.Point(row["bits"], row["normal_degrees"][1])

@@ -1,4 +1,4 @@
-// How far a blob's answers are from the source mesh, for every lattice from 8 to 20 bits, and how far those of the
+// How far a blob's answers are from the source mesh, for lattices from 8 to 20 bits, and how far those of the
 // approximate queries: JSON, an object a line. The source is judged by a tree in double precision that shares no code
 // with the library.
 #include <algorithm>
@@ -35,6 +35,7 @@ struct Options {
     std::size_t points = 100'000;    ///< hits whose point is held against the source's surface
     std::size_t questions = 20'000;  ///< of each approximate query
     std::size_t pieces = 500'000;    ///< of halved triangles, for each way of the Hausdorff distance
+    std::size_t every = 1;           ///< every how many bits there is a lattice
     std::vector<std::string> meshes;
 };
 
@@ -79,7 +80,8 @@ void measure(const tests::Mesh& mesh, const Options& options) {
     const DoubleTree source(source_surface(mesh));
     const std::vector<Ray> rays = incoherent_rays(mesh, options.rays, 2026);
     const std::vector<ReferenceHit> references = reference_hits(source, rays);
-    for (unsigned bits = fewest_bits; bits <= most_bits; ++bits) {
+    for (unsigned bits = fewest_bits; bits <= most_bits;
+         bits += static_cast<unsigned>(std::min<std::size_t>(options.every, most_bits))) {
         const Lattice lattice(mesh, bits);
         const BakeReport& report = lattice.report();
         std::printf("{\"mesh\":\"%s\",\"source_triangles\":%zu,\"bits\":%u,\"step\":%.9g,\"extent\":%.9g",
@@ -124,6 +126,7 @@ Options parse(std::span<char*> words) {
         else if (word == "--points") options.points = number();
         else if (word == "--questions") options.questions = number();
         else if (word == "--pieces") options.pieces = number();
+        else if (word == "--every") options.every = number();
         else if (word.starts_with("-")) throw std::invalid_argument("there is no option '" + word + "'");
         else options.meshes.push_back(word);
     }
@@ -138,11 +141,12 @@ int main(int count, char** words) {
     try {
         options = parse(std::span(words + 1, words + count));
     } catch (const std::exception& error) {
-        std::fprintf(stderr,
-                     "espalier_bench_accuracy: %s\n\n"
-                     "usage: espalier_bench_accuracy [--rays N] [--points N] [--questions N] [--pieces N] "
-                     "MESH.obj|MESH.ply...\n",
-                     error.what());
+        std::fprintf(
+            stderr,
+            "espalier_bench_accuracy: %s\n\n"
+            "usage: espalier_bench_accuracy [--rays N] [--points N] [--questions N] [--pieces N] [--every BITS] "
+            "MESH.obj|MESH.ply...\n",
+            error.what());
         return 1;
     }
     try {
