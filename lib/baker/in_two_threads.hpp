@@ -26,6 +26,7 @@ void in_two_threads(unsigned threads, std::uint32_t left_count, std::uint32_t ri
     Helper helper;
     if (!helper.start([&, left_threads] { left(left_threads); })) left(1u);  // the same work in this one
     right(threads - left_threads);
+    helper.wait();
 }
 
 }  // namespace espalier::baker

@@ -19,7 +19,8 @@ inline ThreadId this_thread() { return std::this_thread::get_id(); }
 
 inline unsigned machine_threads() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-/// Works beside its maker, who waits for it on every way out.
+/// Works beside its maker, who waits for it on every way out. What the work throws, `wait` throws: out of a thread it
+/// would end the program.
 class Helper {
 public:
     Helper() = default;
@@ -33,14 +34,26 @@ public:
     template <class Work>
     [[nodiscard]] bool start(Work work) {
         try {
-            thread_ = std::thread(std::move(work));
+            thread_ = std::thread([this, work = std::move(work)]() mutable {
+                try {
+                    work();
+                } catch (...) {
+                    thrown_ = std::current_exception();
+                }
+            });
         } catch (const std::exception&) {
             return false;
         }
         return true;
     }
 
+    void wait() {
+        if (thread_.joinable()) thread_.join();
+        if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+    }
+
 private:
+    std::exception_ptr thrown_;
     std::thread thread_;
 };
 
@@ -58,6 +71,7 @@ public:
     [[nodiscard]] bool start(const Work&) {
         return false;
     }
+    void wait() {}
 };
 
 #endif

@@ -454,6 +454,57 @@ run 0 bake sheet.obj -o kept/x.espl --ids --materials 8
 same sheet.espl kept/x.espl
 only kept "x.espl "
 
+claim "a bake that is killed at any moment leaves the old blob or the new one, never a part"
+awk 'BEGIN { n = 150
+    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
+    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
+        printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >large.obj
+run 0 bake large.obj -o large.espl -q --effort 0
+mkdir killed
+for try in $(seq 24); do
+    cp box.espl killed/x.espl
+    "$espalier" bake large.obj -o killed/x.espl -q --effort 0 &
+    baking=$!
+    if [ $((try % 2)) = 0 ]; then # as soon as the file beside it is there
+        while kill -0 $baking 2>/dev/null && [ -z "$(find killed -name '.*' -type f)" ]; do :; done
+    else
+        sleep "0.$((RANDOM % 3))$((RANDOM % 10))"
+    fi
+    kill -KILL $baking 2>/dev/null
+    wait $baking 2>/dev/null
+    cmp -s killed/x.espl box.espl || cmp -s killed/x.espl large.espl || fail "killed: neither the old blob nor the new one"
+    rm -f killed/.x.espl.*
+done
+for signal in INT TERM HUP; do
+    cp box.espl killed/x.espl
+    "$espalier" bake large.obj -o killed/x.espl -q --effort 0 &
+    baking=$!
+    while kill -0 $baking 2>/dev/null && [ -z "$(find killed -name '.*' -type f)" ]; do :; done
+    kill -$signal $baking 2>/dev/null
+    wait $baking 2>/dev/null
+    only killed "x.espl "
+done
+
+claim "an input that cannot be read is exit status 2 or 3, names the file, and leaves the old blob"
+if [ -e /proc/self/mem ]; then
+    ln -s /proc/self/mem unreadable.obj # opens, and every read fails
+    ln -s /proc/self/mem unreadable.espl
+    cp box.espl killed/x.espl
+    "$espalier" bake unreadable.obj -o killed/x.espl >out 2>err
+    code=$?
+    [ $code = 2 ] || [ $code = 3 ] || fail "an input whose reads fail ended with $code: $(head -c 400 err)"
+    err_has "unreadable.obj"
+    same killed/x.espl box.espl
+    run 2 info unreadable.espl
+    err_has "unreadable.espl"
+fi
+mkdir folder.obj
+"$espalier" bake folder.obj -o killed/x.espl >out 2>err
+code=$?
+[ $code = 2 ] || [ $code = 3 ] || fail "a folder as input ended with $code"
+err_has "folder.obj"
+only killed "x.espl "
+
 claim "an input is never replaced by its own output"
 run 1 bake box.obj -o box.obj
 err_has "itself"

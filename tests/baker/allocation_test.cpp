@@ -1,0 +1,95 @@
+// Memory that runs out in the middle of a bake.
+#include <doctest/doctest.h>
+
+#include <new>
+#include <vector>
+
+#include "../support/allocation_counter.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
+#include "../support/sanitized.hpp"
+#include "baking_support.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+/// Makes each allocation of a bake fail in turn, but for every `stride`-th alone. What comes out is std::bad_alloc, and
+/// no block is left behind; or, where the baker could do without (a thread that did not start), the blob as ever.
+std::uint64_t fail_each_allocation(const Mesh& mesh, const BakeOptions& options, std::uint64_t stride) {
+    const auto bake_once = [&] { return bake_mesh(mesh, options); };
+    const std::vector<std::byte> expected = [&] {
+        auto baked = bake_once();
+        REQUIRE(baked);
+        return std::move(baked->blob);
+    }();
+    std::uint64_t thrown = 0;
+    for (std::uint64_t n = 0;; n += stride) {
+        const std::int64_t live = live_allocations();
+        bool failed = false, reached = false, same = false;
+        std::int64_t left = 0;
+        {
+            const FailingAllocation failing(n);
+            try {
+                const auto baked = bake_once();
+                same = baked && baked->blob == expected;
+            } catch (const std::bad_alloc&) {
+                failed = true;
+            }
+            reached = failing.was_reached();
+            left = live_allocations() - live;
+        }
+        CAPTURE(n);
+        REQUIRE((failed || same));
+        REQUIRE(left == 0);
+        thrown += failed ? 1 : 0;
+        if (!reached) return thrown;
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("baker") {
+    TEST_CASE("when the n-th allocation fails the baker says so and leaves nothing behind, for each n") {
+        Mesh mesh = make_soup(20, 4);
+        mesh.materials.assign(20, 3);
+        BakeOptions options;
+        options.threads = 1;
+        const std::uint64_t stride = sanitized ? 7 : 1;
+        for (const Builder builder : {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear,
+                                      Builder::insertion, Builder::spatial_splits}) {
+            options.builder = builder;
+            CHECK(fail_each_allocation(mesh, with_profile(format::Profile::fast, options), stride) > 30);
+        }
+        options = {};
+        options.threads = 1;
+        for_each_profile([&](format::Profile profile) {
+            CHECK(fail_each_allocation(mesh, with_profile(profile, options), stride) > 30);
+        });
+        options.original_ids = true;
+        options.materials = Materials::bits_8;
+        options.edge_flags = 5.0;
+        options.bounds = {true, true, true};
+        CHECK(fail_each_allocation(first_triangles(mesh, 6), options, stride) > 30);
+        options = {};
+        options.threads = 1;
+        options.tolerance = 0.001;
+        CHECK(fail_each_allocation(make_icosphere(0, 1.0, {}), options, stride) > 30);
+    }
+
+    TEST_CASE("an allocation that fails in a thread of the baker's is the caller's exception") {
+        const Mesh mesh = make_terrain(60, 2);  // 7,200 triangles: enough for two threads
+        for (const Builder builder :
+             {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear}) {
+            BakeOptions options;
+            options.threads = 2;
+            options.builder = builder;
+            // Which allocation is the n-th differs from run to run: that each is met is a matter of many runs.
+            const std::uint64_t before = allocation_count();
+            REQUIRE(bake_mesh(mesh, options));
+            const std::uint64_t allocations = allocation_count() - before;
+            CHECK(fail_each_allocation(mesh, options, allocations / (sanitized ? 4 : 40) + 1) > 2);
+        }
+    }
+}
