@@ -8,8 +8,8 @@
 // a program changes it.
 //
 // Arguments. Any bit pattern is safe. A NaN anywhere, an infinite origin or direction, a zero direction, or an origin
-// more than 2^120 lattice steps away: no hit, O(1). t_max may be infinite; t_min below zero counts as zero; t_min >
-// t_max hits nothing.
+// more than 2^120 lattice steps or all of float32 away: no hit, O(1). t_max may be infinite; t_min below zero counts as
+// zero; t_min > t_max hits nothing.
 #pragma once
 
 #include <concepts>

@@ -9,6 +9,8 @@
 #include <runtime/moving_sphere.hpp>
 #include <runtime/segment_triangle.hpp>
 
+#include "../support/exercise.hpp"
+#include "../support/float_mode.hpp"
 #include "../support/hostile_values.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
@@ -21,20 +23,7 @@ using namespace espalier;
 using namespace espalier::tests;
 
 #if defined(__SSE2__)
-#include <xmmintrin.h>
-
 namespace {
-
-class FloatMode {
-public:
-    explicit FloatMode(unsigned flags) : before_(_mm_getcsr()) { _mm_setcsr(before_ | flags); }
-    ~FloatMode() { _mm_setcsr(before_); }
-    FloatMode(const FloatMode&) = delete;
-    FloatMode& operator=(const FloatMode&) = delete;
-
-private:
-    unsigned before_;
-};
 
 struct Answers {
     Status status = Status::ok;
@@ -76,8 +65,6 @@ bool same_answers(const Answers& a, const Answers& b) {
 
 TEST_SUITE("promises") {
     TEST_CASE("answers do not depend on flush-to-zero and denormals-are-zero") {
-        constexpr unsigned flush_to_zero = 0x8000;
-        constexpr unsigned denormals_are_zero = 0x0040;
         {
             // The modes are real: the product of two small numbers vanishes in one of them.
             volatile float small = 0x1p-70f;
@@ -140,6 +127,34 @@ TEST_SUITE("promises") {
                         return ask(opened.bytes, ray, sphere);
                     }();
                     REQUIRE_MESSAGE(same_answers(actual, expected), describe(ray), "; ", describe(sphere));
+                }
+            }
+        }
+    }
+
+    TEST_CASE("every query answers the same bits, whatever the float mode") {
+        std::vector<OpenedBlob> blobs;
+        BakeOptions finest;
+        finest.bits = 24;
+        for (const format::Profile profile : every_profile) {
+            for (const float scale : {1.0f, 0x1p-85f, 0x1p-60f, 0x1p80f}) {
+                blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), scale), with_profile(profile));
+                blobs.emplace_back(scaled_by(make_soup(100, 3), scale), with_profile(profile));
+            }
+            blobs.emplace_back(scaled_by(make_terrain(12, 7), 0x1p-80f), with_profile(profile, finest));
+        }
+        for (const OpenedBlob& opened : blobs) {
+            CAPTURE(opened.blob.step());
+            for (std::uint64_t seed = 0; seed < scaled(2); ++seed) {
+                const auto answers = [&] {
+                    Random random(seed);
+                    return exercise(opened.blob, random, 20);
+                };
+                const std::uint64_t expected = answers();
+                for (const unsigned flags : float_modes) {
+                    CAPTURE(flags);
+                    const FloatMode mode(flags);
+                    REQUIRE(answers() == expected);
                 }
             }
         }

@@ -9,6 +9,7 @@
 #include <espalier/nearest.hpp>
 #include <runtime/nearest_world.hpp>
 
+#include "float_mode.hpp"
 #include "instruction_paths.hpp"
 #include "query_maker.hpp"
 #include "same_bits.hpp"
@@ -156,8 +157,9 @@ const char* first_difference(const RayAnswers& a, const RayAnswers& b) {
 }  // namespace
 
 std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray,
-                                          std::uint64_t& hits) {
+                                          std::uint64_t& hits, unsigned float_mode) {
     const RayAnswers expected = ask(loop, blob.data(), ray, hits);
+    const FloatMode in_mode(float_mode);
     for (const InstructionPath& path : instruction_paths()) {
         const char* what = first_difference(ask(path, blob.data(), ray), expected);
         if (what != nullptr) return difference(path.name, what, ray);

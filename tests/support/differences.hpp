@@ -13,9 +13,10 @@
 
 namespace espalier::tests {
 
-/// What differs first, in bits; nothing when all agree. `hits` grows by the number of triangles that the ray hits.
+/// What differs first, in bits; nothing when all agree. `hits` grows by the number of triangles that the ray hits. The
+/// loop goes on as usual, whatever mode of float_mode.hpp the library is asked in.
 std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray,
-                                          std::uint64_t& hits);
+                                          std::uint64_t& hits, unsigned float_mode = 0);
 
 /// The same of the closest hit and any hit along a segment.
 std::optional<std::string> segment_difference(const Blob& blob, const TriangleLoop& loop, const Segment& segment);
