@@ -10,6 +10,7 @@
 
 #include <runtime/box_distance.hpp>
 
+#include "../support/calls.hpp"
 #include "../support/random.hpp"
 #include "../support/test_scale.hpp"
 #include "exact_query.hpp"
@@ -19,6 +20,7 @@ using detail::LatticeSegment;
 using detail::SegmentDistance;
 using oracle::Point;
 using oracle::Rational;
+using tests::decisions_made;
 using tests::GridPoint;
 using tests::GridTriangle;
 using tests::Random;
@@ -108,6 +110,7 @@ Rational exact_square(const Case& c) {
 
 TEST_SUITE("distance of boxes against the oracle") {
     TEST_CASE("the squared distance of box and triangle is within 6 ulp and 0 exactly when they touch") {
+        std::uint64_t decided = 0;
         Random random(1);
         Rational worst = 0;
         std::uint64_t touching = 0;
@@ -117,6 +120,7 @@ TEST_SUITE("distance of boxes against the oracle") {
             const Rational expected = exact_square(c);
             const SegmentDistance distance = detail::distance_to_box(c.box, tests::lattice_triangle(c.triangle));
             CAPTURE(i);
+            ++decided;
             REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
             worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
             REQUIRE(worst <= Rational(6));
@@ -145,9 +149,11 @@ TEST_SUITE("distance of boxes against the oracle") {
         }
         CHECK(touching > count / 10);
         CHECK(touching < count * 9 / 10);
+        MESSAGE(decisions_made("box and triangle that touch, by distance", decided));
     }
 
     TEST_CASE("whether a box is within a radius of a triangle is decided exactly, touching counts") {
+        std::uint64_t decided = 0;
         Random random(2);
         std::uint64_t exactly = 0;
         const std::uint64_t count = scaled(150);
@@ -163,6 +169,7 @@ TEST_SUITE("distance of boxes against the oracle") {
                 const Rational square = Rational::of(radius) * Rational::of(radius);
                 CAPTURE(i);
                 CAPTURE(radius);
+                ++decided;
                 REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, radius) == (squared <= square));
                 if (squared == square) ++exactly;
             }
@@ -170,5 +177,6 @@ TEST_SUITE("distance of boxes against the oracle") {
             REQUIRE(detail::is_within_radius_of_box(c.box, triangle, distance, std::numeric_limits<float>::infinity()));
         }
         CHECK(exactly > count / 100);
+        MESSAGE(decisions_made("box and triangle within a radius", decided));
     }
 }

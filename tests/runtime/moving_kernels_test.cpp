@@ -14,6 +14,7 @@
 #include <runtime/segment_triangle.hpp>
 
 #include "../oracle/exact_geometry.hpp"
+#include "../support/calls.hpp"
 #include "../support/random.hpp"
 #include "../support/test_scale.hpp"
 
@@ -30,6 +31,7 @@ using detail::whole_way;
 using oracle::BigInteger;
 using oracle::Point;
 using oracle::Rational;
+using tests::decisions_made;
 using tests::Random;
 using tests::scaled;
 
@@ -372,6 +374,7 @@ std::optional<Rational> exact_first_contact(const Case<MovingBox>& c) {
 
 TEST_SUITE("kernels of sweeps against the oracle") {
     TEST_CASE("a sphere touches first at the tick that the oracle says, touching counts, with and without a limit") {
+        std::uint64_t decided = 0;
         Random random(1);
         std::array<std::uint64_t, 3> seen{};
         const std::uint64_t count = scaled(1'200);
@@ -379,11 +382,13 @@ TEST_SUITE("kernels of sweeps against the oracle") {
             const Case<MovingSphere> c = some_sphere(random);
             const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
             CAPTURE(i);
+            ++decided;
             require_right_step(c, step);
             require_right_limits(c, step, random);
             ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
         }
         for (const std::uint64_t number : seen) CHECK(number > count / 20);
+        MESSAGE(decisions_made("sphere that moves", decided));
     }
 
     TEST_CASE("a sphere touches on its way what the segment of its centre comes within its radius of, by that kernel") {
@@ -453,6 +458,7 @@ TEST_SUITE("kernels of sweeps against the oracle") {
     }
 
     TEST_CASE("a capsule that does not touch at the start touches first at the tick that the oracle says") {
+        std::uint64_t decided = 0;
         Random random(4);
         std::array<std::uint64_t, 3> seen{};
         const std::uint64_t count = scaled(250);
@@ -465,6 +471,7 @@ TEST_SUITE("kernels of sweeps against the oracle") {
             }
             const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
             REQUIRE(step > 0);
+            ++decided;
             require_right_step(c, step);
             require_right_limits(c, step, random);
             ++seen[step == no_contact ? 1 : 2];
@@ -486,9 +493,11 @@ TEST_SUITE("kernels of sweeps against the oracle") {
             REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * more * more * distance));
         }
         for (const std::uint64_t number : seen) CHECK(number > count / 20);
+        MESSAGE(decisions_made("capsule that moves", decided));
     }
 
     TEST_CASE("a box touches first at the tick that the oracle says, touching counts, with and without a limit") {
+        std::uint64_t decided = 0;
         Random random(5);
         std::array<std::uint64_t, 3> seen{};
         const std::uint64_t count = scaled(1'500);
@@ -497,6 +506,7 @@ TEST_SUITE("kernels of sweeps against the oracle") {
             const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
             const std::optional<Rational> time = exact_first_contact(c);
             CAPTURE(i);
+            ++decided;
             REQUIRE(time.has_value() == (step != no_contact));
             require_right_limits(c, step, random);
             ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
@@ -549,5 +559,6 @@ TEST_SUITE("kernels of sweeps against the oracle") {
             }
         }
         for (const std::uint64_t number : seen) CHECK(number > count / 20);
+        MESSAGE(decisions_made("box that moves", decided));
     }
 }

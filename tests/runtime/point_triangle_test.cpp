@@ -8,6 +8,7 @@
 
 #include <runtime/point_triangle.hpp>
 
+#include "../support/calls.hpp"
 #include "../support/random.hpp"
 #include "../support/test_scale.hpp"
 #include "exact_query.hpp"
@@ -17,6 +18,7 @@ using detail::LatticePoint;
 using detail::PointDistance;
 using oracle::BigInteger;
 using oracle::Rational;
+using tests::decisions_made;
 using tests::GridPoint;
 using tests::GridTriangle;
 using tests::Random;
@@ -129,6 +131,7 @@ TEST_SUITE("distance kernel against the oracle") {
     }
 
     TEST_CASE("whether a triangle is within a radius is decided exactly, touching counts") {
+        std::uint64_t decided = 0;
         Random random(2);
         std::uint64_t touching = 0;
         const std::uint64_t count = scaled(10'000);
@@ -144,6 +147,7 @@ TEST_SUITE("distance kernel against the oracle") {
                 const Rational exact_radius = Rational::of(radius);
                 const bool expected = squared <= exact_radius * exact_radius;
                 CAPTURE(radius);
+                ++decided;
                 REQUIRE(detail::is_within_radius(c.point, distance, radius) == expected);
                 if (squared == exact_radius * exact_radius) ++touching;
             }
@@ -151,5 +155,6 @@ TEST_SUITE("distance kernel against the oracle") {
             REQUIRE(detail::is_within_radius(c.point, distance, std::numeric_limits<float>::infinity()));
         }
         CHECK(touching > count / 100);
+        MESSAGE(decisions_made("point and triangle within a radius", decided));
     }
 }

@@ -8,6 +8,7 @@
 
 #include <runtime/ray_triangle.hpp>
 
+#include "../support/calls.hpp"
 #include "../support/random.hpp"
 #include "../support/test_scale.hpp"
 #include "exact_query.hpp"
@@ -15,6 +16,7 @@
 using namespace espalier;
 using detail::LatticeRay;
 using oracle::Rational;
+using tests::decisions_made;
 using tests::GridPoint;
 using tests::GridTriangle;
 using tests::Random;
@@ -124,6 +126,7 @@ bool faces_match(Faces faces, bool front) { return faces == Faces::both || (face
 
 TEST_SUITE("ray kernel against the oracle") {
     TEST_CASE("whether a ray hits a triangle is what exact arithmetic says, at corners and sides too") {
+        std::uint64_t decided = 0;
         Random random(1);
         std::uint64_t hits = 0;
         std::uint64_t touches = 0;
@@ -142,6 +145,7 @@ TEST_SUITE("ray kernel against the oracle") {
             const bool expected = crossing && crossing->t.sign() >= 0 && faces_match(world.faces, crossing->front);
             detail::TriangleHit hit{};
             const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
+            ++decided;
             REQUIRE(detail::intersect(ray, lattice, hit) == expected);
             if (!expected) continue;
             ++hits;
@@ -162,6 +166,7 @@ TEST_SUITE("ray kernel against the oracle") {
         CHECK(wide > count / 50);
         CHECK(widest > count / 50);
         MESSAGE(count, " rays, ", hits, " hits, ", touches, " of them on a corner or side");
+        MESSAGE(decisions_made("ray and triangle", decided));
     }
 
     TEST_CASE("the window is closed and exact: the hit's own t is inside, the next float beside it is not") {

@@ -9,6 +9,7 @@
 
 #include <runtime/segment_triangle.hpp>
 
+#include "../support/calls.hpp"
 #include "../support/random.hpp"
 #include "../support/test_scale.hpp"
 #include "exact_query.hpp"
@@ -18,6 +19,7 @@ using detail::LatticeSegment;
 using detail::SegmentDistance;
 using oracle::Point;
 using oracle::Rational;
+using tests::decisions_made;
 using tests::GridPoint;
 using tests::GridTriangle;
 using tests::Random;
@@ -147,6 +149,7 @@ Rational exact_square(const Case& c) {
 
 TEST_SUITE("segment kernel against the oracle") {
     TEST_CASE("the squared distance of segment and triangle is within 6 ulp and 0 exactly when they touch") {
+        std::uint64_t decided = 0;
         Random random(1);
         Rational worst = 0;
         std::uint64_t touching = 0;
@@ -157,6 +160,7 @@ TEST_SUITE("segment kernel against the oracle") {
             const Rational expected = exact_square(c);
             const SegmentDistance distance = detail::distance_to(c.segment, tests::lattice_triangle(c.triangle));
             CAPTURE(i);
+            ++decided;
             REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
             worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
             REQUIRE(worst <= Rational(6));
@@ -188,9 +192,11 @@ TEST_SUITE("segment kernel against the oracle") {
         }
         CHECK(touching > count / 20);
         CHECK(inner > count / 10);
+        MESSAGE(decisions_made("segment and triangle that touch", decided));
     }
 
     TEST_CASE("whether a segment is within a radius of a triangle is decided exactly, touching counts") {
+        std::uint64_t decided = 0;
         Random random(2);
         std::uint64_t exactly = 0;
         const std::uint64_t count = scaled(2'000);
@@ -206,6 +212,7 @@ TEST_SUITE("segment kernel against the oracle") {
                 const Rational square = Rational::of(radius) * Rational::of(radius);
                 CAPTURE(i);
                 CAPTURE(radius);
+                ++decided;
                 REQUIRE(detail::is_within_radius(c.segment, triangle, distance, radius) == (squared <= square));
                 if (squared == square) ++exactly;
             }
@@ -213,6 +220,7 @@ TEST_SUITE("segment kernel against the oracle") {
             REQUIRE(detail::is_within_radius(c.segment, triangle, distance, std::numeric_limits<float>::infinity()));
         }
         CHECK(exactly > count / 100);
+        MESSAGE(decisions_made("segment and triangle within a radius", decided));
     }
 
     TEST_CASE("segments that leave the range are refused, NaN and infinity are no arguments") {

@@ -8,6 +8,7 @@
 
 #include "../oracle/big_integer.hpp"
 #include "../oracle/convex_hull.hpp"
+#include "../support/calls.hpp"
 #include "../support/random.hpp"
 #include "../support/test_scale.hpp"
 
@@ -15,6 +16,7 @@ using namespace espalier;
 using detail::Integer3;
 using detail::IntegerTriangle;
 using oracle::BigInteger;
+using tests::decisions_made;
 using tests::Random;
 using tests::scaled;
 
@@ -102,6 +104,7 @@ struct HardPairs {
 
 TEST_SUITE("triangles against triangles") {
     TEST_CASE("every pair of triangles in the smallest grids is decided as the hull of differences decides it") {
+        std::uint64_t decided = 0;
         struct Grid {
             std::uint32_t x, y, z, stride;
         };
@@ -118,6 +121,7 @@ TEST_SUITE("triangles against triangles") {
                 const IntegerTriangle p = nth_triangle(first, grid.x, grid.y, grid.z);
                 const IntegerTriangle q = nth_triangle(second, grid.x, grid.y, grid.z);
                 const bool expected = meet_in_truth<std::int64_t>(p, q);
+                ++decided;
                 if (detail::triangles_meet(p, q) != expected) FAIL(describe(p), "and ", describe(q));
                 meeting += expected ? 1u : 0u;
                 ++checked;
@@ -125,9 +129,11 @@ TEST_SUITE("triangles against triangles") {
             CHECK(meeting > checked / 10);
             CHECK(meeting < checked);
         }
+        MESSAGE(decisions_made("two triangles", decided));
     }
 
     TEST_CASE("pairs that touch, nearly touch or lie in one plane are decided exactly, at every size up to 2^38") {
+        std::uint64_t decided = 0;
         HardPairs maker{Random(11)};
         std::uint64_t meeting = 0;
         const std::uint64_t count = scaled(3'000);
@@ -135,11 +141,13 @@ TEST_SUITE("triangles against triangles") {
             IntegerTriangle p, q;
             maker.pair(3 + maker.random.below(35), p, q);
             const bool expected = meet_in_truth<BigInteger>(p, q);
+            ++decided;
             if (detail::triangles_meet(p, q) != expected) FAIL(describe(p), "and ", describe(q));
             meeting += expected ? 1u : 0u;
         }
         CHECK(meeting > count / 10);
         CHECK(meeting < count - count / 10);
+        MESSAGE(decisions_made("two triangles", decided));
     }
 
     TEST_CASE("small pairs moved far away, and pairs at the edge of the fast path, are decided alike") {

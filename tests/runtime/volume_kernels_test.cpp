@@ -12,6 +12,7 @@
 
 #include "../oracle/big_integer.hpp"
 #include "../oracle/convex_hull.hpp"
+#include "../support/calls.hpp"
 #include "../support/random.hpp"
 #include "../support/test_scale.hpp"
 #include "exact_query.hpp"
@@ -120,6 +121,7 @@ struct Counts {
 
 TEST_SUITE("kernels of volumes") {
     TEST_CASE("axis-aligned boxes and triangles: yes or no as in exact arithmetic, flat ones too") {
+        std::uint64_t decided = 0;
         Maker maker{Random(3)};
         for (const unsigned bits : {1u, 2u, 3u, 12u, 24u}) {
             Counts counts;
@@ -146,14 +148,17 @@ TEST_SUITE("kernels of volumes") {
                 const bool expected = meet_in_truth(to_integer3(rounded.center), half,
                                                     detail::LatticeBox::fraction_bits, bits + 8, triangle);
                 CAPTURE(describe(triangle));
+                ++decided;
                 REQUIRE(meets(rounded, triangle) == expected);
                 counts.add(expected);
             }
             counts.check();
         }
+        MESSAGE(decisions_made("box and triangle", decided));
     }
 
     TEST_CASE("oriented boxes and triangles: yes or no as in exact arithmetic, sheared and flat ones too") {
+        std::uint64_t decided = 0;
         Maker maker{Random(4)};
         for (const unsigned bits : {1u, 2u, 3u, 12u, 16u, 24u}) {
             Counts counts;
@@ -202,12 +207,14 @@ TEST_SUITE("kernels of volumes") {
                 const bool expected =
                     meet_in_truth(rounded.center, rounded.half, rounded.fraction_bits, bits + 8, triangle);
                 CAPTURE(describe(triangle));
+                ++decided;
                 REQUIRE(meets(rounded, triangle) == expected);
                 counts.add(expected);
             }
             counts.check();
             CHECK(flat > 0);
         }
+        MESSAGE(decisions_made("oriented box and triangle", decided));
     }
 
     TEST_CASE("an oriented box along the axes is the box of the same bounds") {
@@ -266,6 +273,7 @@ bool meet_in_truth(const detail::LatticeHalfSpaces& set, const LatticeTriangle& 
 
 TEST_SUITE("kernels of volumes") {
     TEST_CASE("half-spaces and triangles: yes or no as in exact arithmetic, touching and parallel ones too") {
+        std::uint64_t decided = 0;
         Maker maker{Random(6)};
         for (const unsigned bits : {1u, 2u, 4u, 16u, 24u}) {
             Counts counts;
@@ -301,11 +309,13 @@ TEST_SUITE("kernels of volumes") {
                 const bool expected = meet_in_truth(set, triangle);
                 CAPTURE(describe(triangle));
                 CAPTURE(planes.size());
+                ++decided;
                 REQUIRE(meets(set, triangle) == expected);
                 counts.add(expected);
             }
             counts.check();
         }
+        MESSAGE(decisions_made("half-spaces and triangle", decided));
     }
 
     TEST_CASE("a plane is rounded to a normal of 24 bits and the nearest offset, wherever the asset lies") {
