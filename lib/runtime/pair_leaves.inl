@@ -85,12 +85,6 @@ inline Floats distance_along(const Floats* from, const Floats* to, const Floats*
                multiply(subtract(to[2], from[2]), direction[2]));
 }
 
-/// Three corners' distances from a plane, times its normal's length: how far the nearest is, if all are on one side;
-/// else below zero.
-inline Floats separation(Floats x, Floats y, Floats z) {
-    return larger(smaller(x, smaller(y, z)), negate(larger(x, larger(y, z))));
-}
-
 /// More than what rounding does to a product of three lengths that sums of differences of such sizes make: see "Two
 /// blobs on one grid" in docs/numerics.md.
 inline constexpr float volume_slack = 0x1p-17f;

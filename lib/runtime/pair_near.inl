@@ -18,6 +18,12 @@ struct Shadow {
     }
 };
 
+/// Three corners' distances from a plane, times its normal's length: how far the nearest is, if all are on one side;
+/// else below zero.
+inline Floats separation(Floats x, Floats y, Floats z) {
+    return larger(smaller(x, smaller(y, z)), negate(larger(x, larger(y, z))));
+}
+
 /// How far two squared lengths may differ for their roundings: those of boxes and planes are less.
 inline constexpr float lower_slack = 1.0f + 0x1p-18f;
 

@@ -21,6 +21,9 @@ struct TurnedLanes {
     }
 };
 
+inline Floats least(Floats x, Floats y, Floats z) { return smaller(x, smaller(y, z)); }
+inline Floats most(Floats x, Floats y, Floats z) { return larger(x, larger(y, z)); }
+
 /// How far both ends of p's part of the line that the planes share are from being on the wrong side of q's: below zero
 /// where the triangles meet, above where not.
 inline Floats distance_on_line(const TurnedLanes& p, const TurnedLanes& q) {
@@ -56,14 +59,18 @@ inline unsigned match_touching(const PlacedLanes& t, const PlacedColumns& others
     const Floats slack = multiply(multiply(t.size, other.size), small);
     Floats ours_off[3], theirs_off[3];
     for (int i = 0; i < 3; ++i) ours_off[i] = distance_along(other.corner[0], t.corner[i], other.normal);
-    near &= at_most(separation(ours_off[0], ours_off[1], ours_off[2]), their_slack);
+    // Apart: three corners on one side.
+    const auto apart = [](const Floats* off) {
+        return larger(least(off[0], off[1], off[2]), negate(most(off[0], off[1], off[2])));
+    };
+    near &= at_most(apart(ours_off), their_slack);
     if (near == 0) return 0;
     for (int i = 0; i < 3; ++i) theirs_off[i] = distance_along(t.corner[0], other.corner[i], t.normal);
-    near &= at_most(separation(theirs_off[0], theirs_off[1], theirs_off[2]), our_slack);
+    near &= at_most(apart(theirs_off), our_slack);
     // A core with one lane has no better use for its time than the kernel itself.
     if (near == 0 || lanes == 1) return near;
     const auto nearest = [](const Floats* off) {
-        return smaller(magnitude(off[0]), smaller(magnitude(off[1]), magnitude(off[2])));
+        return least(magnitude(off[0]), magnitude(off[1]), magnitude(off[2]));
     };
     const unsigned in_doubt = at_most(nearest(ours_off), their_slack) | at_most(nearest(theirs_off), our_slack);
     const Floats distance = distance_on_line(TurnedLanes(t.corner, ours_off), TurnedLanes(other.corner, theirs_off));
