@@ -9,6 +9,7 @@
 
 #include "../support/baking.hpp"
 #include "../support/blob_edits.hpp"
+#include "../support/guarded_pages.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
 
@@ -66,6 +67,8 @@ TEST_SUITE("open") {
             };
             CHECK(refused(at::triangle_count_at, std::uint64_t{format::max_triangles} + 1, 4));
             CHECK(refused(at::node_count_at, std::uint64_t{format::max_nodes} + 1, 4));
+            CHECK_FALSE(refused(at::triangle_count_at, format::max_triangles, 4));  // wrong, but not for the header
+            CHECK_FALSE(refused(at::node_count_at, format::max_nodes, 4));
             CHECK(refused(at::triangle_count_at, 0, 4));  // no triangles, and all the rest
             CHECK(refused(at::node_count_at, 0, 4));
             CHECK(refused(at::leaf_bytes_at, 0, 4));
@@ -93,6 +96,7 @@ TEST_SUITE("open") {
                 CHECK(status_with(empty, field, 4, 4) == Status::bad_header);
             }
             CHECK(status_with(empty, at::depth_at, 1, 1) == Status::bad_header);
+            CHECK(status_with(empty, at::bits_at, 0, 1) == Status::bad_header);
             CHECK(status_with(empty, at::features_at, feature::closed, 4) == Status::bad_header);
         });
     }
@@ -104,6 +108,111 @@ TEST_SUITE("open") {
             bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(end), format::node::bytes, std::byte{});
             put(bytes, at::node_count_at, get(bytes, at::node_count_at, 4) + 1, 4);
             CHECK(status_resized(bytes) == Status::bad_node);
+        });
+    }
+
+    TEST_CASE("a node whose children would lie behind the last node is refused before they are looked at") {
+        for_each_profile([](format::Profile profile) {
+            // A root with nodes for children, and those with leaves only. One node fewer, and the last becomes leaves.
+            unsigned found = 0;
+            for (unsigned side = 4; side <= 16; ++side) {
+                const Bytes bytes = bake_or_throw(make_plane_grid(side), with_profile(profile));
+                const std::uint64_t nodes = get(bytes, at::node_count_at, 4);
+                const std::uint64_t of_root = get(bytes, at::bytes + format::node::children_at, 4) >> 24 & 15u;
+                if (of_root == 0 || nodes != 1 + of_root) continue;
+                ++found;
+                Bytes changed = bytes;
+                put(changed, at::node_count_at, nodes - 1, 4);
+                put(changed, at::leaf_bytes_at, get(bytes, at::leaf_bytes_at, 4) + format::node::bytes, 4);
+                CHECK(status_resized(changed) == Status::bad_node);
+            }
+            CHECK(found > 0);
+        });
+    }
+
+    TEST_CASE("a node without children is refused, also where it has no planes") {
+        for_each_profile([](format::Profile profile) {
+            Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
+            put(bytes, at::bytes + format::node::children_at, 0, 4);
+            for (std::size_t plane = format::node::lo_at; plane < format::node::bytes; ++plane)
+                put(bytes, at::bytes + plane, 0, 1);
+            CHECK(status_resized(bytes) == Status::bad_node);
+        });
+    }
+
+    TEST_CASE("a tree deeper than its header says is refused on the way down") {
+        for_each_profile([](format::Profile profile) {
+            constexpr std::uint32_t nodes = 100000;  // so many levels are no part of any stack
+            Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
+            bytes.insert(bytes.begin() + at::bytes, std::size_t{nodes} * format::node::bytes, std::byte{});
+            for (std::uint32_t i = 0; i < nodes; ++i)
+                put(bytes, at::bytes + std::size_t{i} * format::node::bytes + format::node::children_at,
+                    (i + 1) | 1u << 24, 4);
+            put(bytes, at::node_count_at, nodes + 1, 4);
+            put(bytes, at::depth_at, format::max_depth, 1);
+            CHECK(status_resized(bytes) == Status::bad_node);
+        });
+    }
+
+    TEST_CASE("a leaf that would reach behind the blob is refused before it is read") {
+        for_each_profile([](format::Profile profile) {
+            namespace indexed = format::indexed_leaf;
+            namespace strips = format::strip_leaf;
+            BakeOptions options = with_profile(profile);
+            options.bits = 24;
+            const Bytes bytes = bake_or_throw(make_plane_grid(1), options);
+            const std::size_t descriptor_at = leaves_of(bytes) + indexed::descriptors_at;
+            const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
+            const auto is_refused = [](Bytes changed) {
+                repair_checksum(changed);
+                const GuardedPages pages(changed, true);
+                Blob blob;
+                return open(pages.bytes(), blob) == Status::bad_leaf;
+            };
+            const bool has_strips = profile != format::Profile::fast;
+            // Its data far behind the end.
+            Bytes elsewhere = bytes;
+            put(elsewhere, descriptor_at, descriptor | ((1u << indexed::offset_bits) - 1u), 4);
+            CHECK(is_refused(elsewhere));
+            // More data than there is, of the widest vertices, all of them in one corner.
+            Bytes longer = bytes;
+            const std::size_t data = descriptor_at + indexed::descriptor_bytes;
+            for (std::size_t i = data; i < leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4); ++i)
+                put(longer, i, 0, 1);
+            if (has_strips) {
+                put(longer, descriptor_at, std::uint64_t{strips::max_balanced_entries - 3} << strips::entries_shift, 4);
+                for (std::size_t i = 0; i < 11; ++i) put(longer, data + i, 0xFF, 1);
+                put(longer, data + 11, 0x1F, 1);  // 3 * 31 marks
+            } else {
+                put(longer, descriptor_at,
+                    descriptor | 31u << indexed::vertices_shift | 0xFFFu << indexed::widths_shift, 4);
+            }
+            CHECK(is_refused(longer));
+            // No data at all: in its place is the guard, which would do for three vertices in one corner.
+            Bytes shorter = bytes;
+            const std::size_t end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
+            put(shorter, at::leaf_bytes_at, data - leaves_of(bytes), 4);
+            if (has_strips) put(shorter, at::triangle_count_at, 1, 4);
+            shorter = without(shorter, data, end - data);
+            CHECK(status_resized(shorter) == Status::bad_leaf);
+            // A section that ends among the descriptors, and the first of them says that there is much data.
+            put(shorter, at::bytes + format::node::children_at, 8u << 28, 4);
+            put(shorter, descriptor_at, descriptor | 31u << indexed::vertices_shift | 0xFFFu << indexed::widths_shift,
+                4);
+            put(shorter, at::total_bytes_at, shorter.size(), 4);
+            CHECK((has_strips || is_refused(shorter)));
+        });
+    }
+
+    TEST_CASE("planes of the first child that is none are refused like any") {
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));  // one leaf
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                Bytes changed = bytes;
+                put(changed, at::bytes + format::node::lo_at + 8 * axis + 1, 1, 1);
+                put(changed, at::bytes + format::node::hi_at + 8 * axis + 1, 1, 1);
+                CHECK(status_resized(changed) == Status::bad_node);
+            }
         });
     }
 
@@ -168,11 +277,61 @@ TEST_SUITE("open") {
         CHECK(status_with(bytes, section, 1u << 30, 4) == Status::bad_section);
         const std::uint64_t count = get(bytes, section, 4);
         CHECK(status_with(bytes, section, count - 1, 4) == Status::bad_section);
+        // An owner more than there are copies; and one for a copy just behind the last triangle.
+        Bytes longer = bytes;
+        longer.insert(longer.end(), 4, std::byte{});
+        put(longer, section, count + 1, 4);
+        CHECK(status_resized(longer) == Status::bad_section);
+        const std::uint64_t triangles = get(bytes, at::triangle_count_at, 4);
+        REQUIRE(triangles % format::copies::block_indices != 0);
+        const std::size_t block = section + format::copies::blocks_at +
+                                  triangles / format::copies::block_indices * format::copies::block_bytes;
+        const std::size_t map_byte = block + format::copies::bits_at + triangles % format::copies::block_indices / 8;
+        put(longer, map_byte, get(bytes, map_byte, 1) | 1u << triangles % 8, 1);
+        CHECK(status_resized(longer) == Status::bad_section);
+        // A copy of a copy.
+        const auto map_byte_of = [&](std::uint64_t index) {
+            return section + format::copies::blocks_at +
+                   index / format::copies::block_indices * format::copies::block_bytes + format::copies::bits_at +
+                   index % format::copies::block_indices / 8;
+        };
+        std::vector<std::uint64_t> copies, others;
+        for (std::uint64_t i = 0; i < triangles; ++i)
+            ((get(bytes, map_byte_of(i), 1) >> i % 8 & 1) != 0 ? copies : others).push_back(i);
+        REQUIRE(copies.size() == count);
+        REQUIRE(count > 1);
+        const std::size_t owners = bytes.size() - 4 * count;
+        CHECK(status_with(bytes, owners + 4, copies[0], 4) == Status::bad_section);
+        // More copies than owners: nothing behind the last owner is read, even where the blob's memory ends there.
+        REQUIRE(others.back() > copies[0]);
+        Bytes marked = bytes;
+        const std::size_t extra = map_byte_of(others.back());
+        put(marked, extra, get(bytes, extra, 1) | 1u << others.back() % 8, 1);
+        repair_checksum(marked);
+        const GuardedPages pages(marked, true);
+        Blob blob;
+        CHECK(open(pages.bytes(), blob) == Status::bad_section);
         // Cut short: before the section, after the count, before the last owner.
         const std::size_t size = bytes.size() - section;
         CHECK(status_resized(without(bytes, section, size)) == Status::bad_section);
         CHECK(status_resized(without(bytes, section + 4, size - 4)) == Status::bad_section);
         CHECK(status_resized(without(bytes, bytes.size() - 4, 4)) == Status::bad_section);
+    }
+
+    TEST_CASE("a map of copies that has none is refused") {
+        Bytes bytes = plain_blob(format::Profile::fast);
+        const std::uint32_t triangles = static_cast<std::uint32_t>(get(bytes, at::triangle_count_at, 4));
+        const std::size_t section = bytes.size();
+        bytes.resize(section + format::copies::blocks_at + format::copies::blocks_bytes(triangles));
+        put(bytes, at::features_at, get(bytes, at::features_at, 4) | feature::split_references, 4);
+        CHECK(status_resized(bytes) == Status::bad_section);
+        // With one it is a blob: the last triangle as a copy of the first.
+        put(bytes, section, 1, 4);
+        const std::size_t block = bytes.size() - format::copies::block_bytes;
+        const unsigned last = (triangles - 1) % format::copies::block_indices;
+        put(bytes, block + format::copies::bits_at + last / 8, 1u << last % 8, 1);
+        bytes.resize(bytes.size() + format::copies::owner_bytes);
+        CHECK(status_resized(bytes) == Status::ok);
     }
 
     TEST_CASE("each rule of an indexed leaf's streams is enforced where it is broken") {
