@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""instrument.py SOURCE TARGET LIST: writes a copy of lib with every mutant in it (mutants.hpp), and the list of them.
+
+Patterns, not a parser: operators are told from templates and references by the blanks that clang-format puts around them.
+"""
+import json
+import pathlib
+import re
+import sys
+
+PARTS = {
+    "verifier": ["runtime/open.cpp", "runtime/open_checks.hpp", "runtime/open_leaves.cpp"],
+    "decode": [
+        "runtime/bytes.hpp", "runtime/codec_node.hpp", "runtime/codec_indexed.hpp", "runtime/codec_strip.hpp",
+        "runtime/leaf_vertices.hpp", "runtime/copies.hpp", "runtime/id_field.hpp", "espalier/format.hpp",
+        "runtime/simd/frames_portable.inl", "runtime/simd/leaf_corners.inl", "runtime/simd/strip_corners_portable.inl",
+        "runtime/float_vertices.inl"],
+    "quantiser": [
+        "baker/lattice.hpp", "baker/lattice.cpp", "baker/fit_lattice.cpp", "baker/snap.cpp", "baker/float_rounding.hpp",
+        "baker/encode_tree.cpp", "baker/encode_indexed_leaf.cpp", "baker/encode_strip_leaf.cpp"],
+    "traversal": [
+        "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_lanes.hpp", "runtime/box_nodes.hpp",
+        "runtime/point_nodes.inl", "runtime/point_bounds.inl", "runtime/squared_distance.inl",
+        "runtime/plane_nodes.hpp", "runtime/pair_nodes.inl", "runtime/traverse_pair.inl"],
+}
+
+CLOSING = {"(": ")", "[": "]", "{": "}"}
+FALSE_BY = {"&&": ("(::mutation::on(%d) || (", "))"), "||": ("(!::mutation::on(%d) && (", "))")}
+OPERATORS = {
+    "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!=", "true"], "!=": ["==", "true"],
+    "+": ["-", "right side dropped"], "-": ["+", "right side dropped"],
+    "<<": ["one more", "one less"], ">>": ["one more", "one less"]}
+
+
+def blanked(text):
+    """The text with comments, literals and what cannot be mutated made blanks, each character in its place."""
+    def blank(match):
+        return re.sub(r"[^\n]", " ", match.group(0))
+    text = re.sub(r'"(?:[^"\\\n]|\\.)*"', lambda match: "x" * len(match.group(0)), text)
+    for pattern in (
+            r"//[^\n]*", r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", r"static_assert\([^;]*;",
+            r"constexpr [\w:<>, ]+? \w+ = \[\][^}]*?(?:\}[^}(]*?)*\}\(\);",  # a table that the compiler fills
+            r"constexpr [\w:<>, ]+? \w+(?:\[[^\]\n]*\])* =[^;]*;", r"template <[^\n]*", r"if constexpr \([^\n]*",
+            r"alignas\(\w+\)", r"__asm__[^;]*;",
+            r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{\})?;$"):
+        text = re.sub(pattern, blank, text, flags=re.MULTILINE)
+    return text
+
+
+def matching(text, at):
+    """Where the bracket at `at` is closed."""
+    depth = 0
+    for i in range(at, len(text)):
+        if text[i] in "([{":
+            depth += 1
+        elif text[i] in ")]}":
+            depth -= 1
+            if depth == 0:
+                return i
+    raise ValueError("a bracket is not closed")
+
+
+STOPS = re.compile(r"&& |\|\| |&&\n|\|\|\n|[;,?]| : |[^=!<>]= |return ")
+
+
+def term_right(text, at):
+    depth, i = 0, at
+    while i < len(text):
+        if text[i] in "([{":
+            depth += 1
+        elif text[i] in ")]}":
+            if depth == 0:
+                break
+            depth -= 1
+        elif depth == 0 and STOPS.match(text, i) and text[i] != "=":
+            break
+        i += 1
+    return i
+
+
+def term_left(text, at):
+    depth, i = 0, at - 1
+    while i >= 0:
+        if text[i] in ")]}":
+            depth += 1
+        elif text[i] in "([{":
+            if depth == 0:
+                return i + 1
+            depth -= 1
+        elif depth == 0:
+            if text[i] in ";,?" or text.startswith(" : ", i) or text.startswith(("&& ", "|| ", "&&\n", "||\n"), i):
+                return i + (1 if text[i] in ";,?" else 3)
+            if text[i] == "=" and text[i - 1] not in "=!<>" and text[i + 1] in " \n":
+                return i + 1
+            if text.startswith("return ", i):
+                return i + 7
+        i -= 1
+    return 0
+
+
+class Source:
+    def __init__(self, path, name, part, mutants):
+        self.text = path.read_text()
+        self.code = blanked(self.text)
+        self.name, self.part, self.mutants = name, part, mutants
+        self.spans, self.points = [], []
+
+    def add(self, at, what):
+        line = self.text.count("\n", 0, at) + 1
+        self.mutants.append({"part": self.part, "file": self.name, "line": line, "change": what,
+                             "text": self.text.split("\n")[line - 1].strip()})
+        return len(self.mutants) - 1
+
+    def wrap(self, start, end, before, after, what):
+        while self.code[start] in " \n":
+            start += 1
+        while self.code[end - 1] in " \n":
+            end -= 1
+        self.spans.append((start, end, before % self.add(start, what), after))
+
+    def instrument(self):
+        code = self.code
+        for match in re.finditer(r"(?<=[\w)\]}]) (<|<=|>|>=|==|!=|\+|-|<<|>>)(?=[ \n])", code):
+            op = match.group(1)
+            number = self.add(match.start(1), f"{op} -> {OPERATORS[op][0]}")
+            self.add(match.start(1), f"{op} -> {OPERATORS[op][1]}")
+            self.points.append((match.end(1), f" ::mutation::Between<{number}>{{}} {op}"))
+        seen = set()
+        for match in re.finditer(r"(?<=[\w)\]}]) (&&|\|\|)(?=[ \n])", code):
+            op = match.group(1)
+            for start, end in ((term_left(code, match.start()), match.start()),
+                               (match.end(), term_right(code, match.end()))):
+                if (start, end) not in seen:
+                    seen.add((start, end))
+                    self.wrap(start, end, *FALSE_BY[op], f"without '{' '.join(self.text[start:end].split())}'")
+        for match in re.finditer(r"\bif \(", code):
+            end = matching(code, match.end() - 1)
+            start = match.end()
+            condition = code[start:end]
+            if ";" in condition:
+                start += condition.rindex(";") + 1
+            elif re.search(r"[^=!<>]= ", condition):
+                continue
+            self.wrap(start, end, "!::mutation::on(%d) && (", ")", "never: " + " ".join(self.text[start:end].split()))
+        for match in re.finditer(r"(?<=[\w)\]]) (\+=|-=|\|=|&=)(?=[ \n])", code):
+            op = match.group(1)
+            by = "everything" if op == "&=" else "nothing"
+            self.wrap(match.end(), term_right_to_end(code, match.end()), f"::mutation::{by}<%d>(", ")",
+                      f"{op} {by}")
+        for match in re.finditer(r"std::(min|max)(?=\()", code):
+            other = "most" if match.group(1) == "max" else "least"
+            number = self.add(match.start(), "other of min and max")
+            self.points.append((match.start(), f"::mutation::{other}<{number}>", match.end()))
+        swaps = {"minimum": "maximum", "maximum": "minimum", "smaller": "larger", "larger": "smaller"}
+        for match in re.finditer(r"(?<=[(=,?:n] |\(|.\()(minimum|maximum|smaller|larger)(?=\()".replace(
+                "(?<=[(=,?:n] |\\(|.\\()", r"(?:(?<=[(=,?:n] )|(?<=\())"), code):
+            name = match.group(1)
+            number = self.add(match.start(), f"{name} -> {swaps[name]}")
+            self.points.append((match.start(), "[&](auto a_, auto b_) { return ::mutation::on(%d) ? %s(a_, b_) : %s(a_, b_); }"
+                                % (number, swaps[name], name), match.end()))
+        return self.written()
+
+    def written(self):
+        before, after, replaced = {}, {}, {}
+        for start, end, opening, closing in self.spans:
+            before.setdefault(start, []).append((-end, opening))
+            after.setdefault(end, []).append((-start, closing))
+        for point in self.points:
+            at, text = point[0], point[1]
+            replaced[at] = (text, point[2] if len(point) == 3 else at)
+        out, i = [], 0
+        while i <= len(self.text):
+            out += [closing for _, closing in sorted(after.get(i, []), key=lambda x: x[0])]
+            out += [opening for _, opening in sorted(before.get(i, []), key=lambda x: x[0])]
+            if i in replaced:
+                text, end = replaced[i]
+                out.append(text)
+                if end > i:
+                    i = end
+                    continue
+            out.append(self.text[i:i + 1])
+            i += 1
+        return "".join(out)
+
+
+def term_right_to_end(text, at):
+    """To the end of a right side of an assignment."""
+    depth, i = 0, at
+    while text[i] != ";" or depth != 0:
+        if text[i] in "([{":
+            depth += 1
+        elif text[i] in ")]}":
+            if depth == 0:
+                break
+            depth -= 1
+        elif text[i] == "," and depth == 0:
+            break
+        i += 1
+    return i
+
+
+def main():
+    source, target, listing = map(pathlib.Path, sys.argv[1:4])
+    mutants = []
+    for part, names in PARTS.items():
+        for name in names:
+            text = Source(source / name, name, part, mutants).instrument()
+            (target / name).write_text(text)
+    listing.write_text("\n".join(json.dumps(mutant) for mutant in mutants) + "\n")
+
+
+if __name__ == "__main__":
+    main()
