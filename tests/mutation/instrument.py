@@ -36,7 +36,7 @@ def blanked(text):
     """The text with comments, literals and what cannot be mutated made blanks, each character in its place."""
     def blank(match):
         return re.sub(r"[^\n]", " ", match.group(0))
-    text = re.sub(r'"(?:[^"\\\n]|\\.)*"', lambda match: "x" * len(match.group(0)), text)
+    text = re.sub(r'"(?:[^"\\\n]|\\.)*"', lambda match: "$" * len(match.group(0)), text)
     for pattern in (
             r"//[^\n]*", r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", r"static_assert\([^;]*;",
             r"constexpr [\w:<>, ]+? \w+ = \[\][^}]*?(?:\}[^}(]*?)*\}\(\);",  # a table that the compiler fills
@@ -118,10 +118,18 @@ class Source:
             end -= 1
         self.spans.append((start, end, before % self.add(start, what), after))
 
+    def is_message(self, at):
+        """Whether a text is put together here: what a message says is no answer."""
+        start = max(self.code.rfind(mark, 0, at) for mark in ";{}")
+        ends = [end for end in (self.code.find(mark, at) for mark in ";{}") if end >= 0]
+        return "$" in self.code[start + 1:min(ends, default=len(self.code))]
+
     def instrument(self):
         code = self.code
         for match in re.finditer(r"(?<=[\w)\]}]) (<|<=|>|>=|==|!=|\+|-|<<|>>)(?=[ \n])", code):
             op = match.group(1)
+            if op in "+-" and self.is_message(match.start(1)):
+                continue
             number = self.add(match.start(1), f"{op} -> {OPERATORS[op][0]}")
             self.add(match.start(1), f"{op} -> {OPERATORS[op][1]}")
             self.points.append((match.end(1), f" ::mutation::Between<{number}>{{}} {op}"))
@@ -144,6 +152,8 @@ class Source:
             self.wrap(start, end, "!::mutation::on(%d) && (", ")", "never: " + " ".join(self.text[start:end].split()))
         for match in re.finditer(r"(?<=[\w)\]]) (\+=|-=|\|=|&=)(?=[ \n])", code):
             op = match.group(1)
+            if self.is_message(match.start(1)):
+                continue
             by = "everything" if op == "&=" else "nothing"
             self.wrap(match.end(), term_right_to_end(code, match.end()), f"::mutation::{by}<%d>(", ")",
                       f"{op} {by}")
@@ -152,8 +162,7 @@ class Source:
             number = self.add(match.start(), "other of min and max")
             self.points.append((match.start(), f"::mutation::{other}<{number}>", match.end()))
         swaps = {"minimum": "maximum", "maximum": "minimum", "smaller": "larger", "larger": "smaller"}
-        for match in re.finditer(r"(?<=[(=,?:n] |\(|.\()(minimum|maximum|smaller|larger)(?=\()".replace(
-                "(?<=[(=,?:n] |\\(|.\\()", r"(?:(?<=[(=,?:n] )|(?<=\())"), code):
+        for match in re.finditer(r"(?:(?<=[(=,?:n] )|(?<=\())(minimum|maximum|smaller|larger)(?=\()", code):
             name = match.group(1)
             number = self.add(match.start(), f"{name} -> {swaps[name]}")
             self.points.append((match.start(), "[&](auto a_, auto b_) { return ::mutation::on(%d) ? %s(a_, b_) : %s(a_, b_); }"

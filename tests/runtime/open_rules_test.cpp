@@ -170,6 +170,18 @@ TEST_SUITE("open") {
                 return open(pages.bytes(), blob) == Status::bad_leaf;
             };
             const bool has_strips = profile != format::Profile::fast;
+            if (!has_strips) {  // a corner that is just no vertex
+                Bytes changed = bytes;
+                const std::size_t stream_end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
+                std::size_t triangles = descriptor_at + indexed::descriptor_bytes;
+                for (unsigned axis = 0; axis < 3; ++axis)
+                    triangles += indexed::stream_bytes(
+                        4, indexed::coordinate_width(descriptor >> (indexed::widths_shift + 4 * axis) & 15u,
+                                                     static_cast<unsigned>(get(bytes, at::bits_at, 1))));
+                REQUIRE(triangles < stream_end);
+                put(changed, triangles, (get(bytes, triangles, 1) & ~7u) | 4u, 1);
+                CHECK(is_refused(changed));
+            }
             // Its data far behind the end.
             Bytes elsewhere = bytes;
             put(elsewhere, descriptor_at, descriptor | ((1u << indexed::offset_bits) - 1u), 4);
@@ -201,6 +213,48 @@ TEST_SUITE("open") {
                 4);
             put(shorter, at::total_bytes_at, shorter.size(), 4);
             CHECK((has_strips || is_refused(shorter)));
+        });
+    }
+
+    TEST_CASE("the last of many leaves that would reach behind the blob is refused before it is read") {
+        for_each_profile([](format::Profile profile) {
+            namespace indexed = format::indexed_leaf;
+            namespace strips = format::strip_leaf;
+            BakeOptions options = with_profile(profile);
+            options.bits = 24;
+            const Bytes bytes = bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}), options);
+            std::size_t block = 0, leaves = 0;  // of the block that lies last
+            for (std::size_t node = at::bytes; node < leaves_of(bytes); node += format::node::bytes) {
+                const std::size_t here = 4 * get(bytes, node + format::node::leaf_block_at, 4);
+                if (here < block) continue;
+                block = here;
+                leaves = get(bytes, node + format::node::children_at, 4) >> 28;
+            }
+            REQUIRE(block > 0);
+            REQUIRE(leaves > 1);
+            const std::size_t descriptors = leaves_of(bytes) + block + indexed::descriptors_at;
+            const std::size_t descriptor_at = descriptors + indexed::descriptor_bytes * (leaves - 1);
+            auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
+            std::size_t data = descriptors + indexed::descriptor_bytes * leaves;
+            Bytes longer = bytes;
+            const bool has_strips = profile != format::Profile::fast;
+            data += has_strips ? descriptor & ((1u << strips::offset_bits) - 1u)
+                               : 2 * (descriptor & ((1u << indexed::offset_bits) - 1u));
+            for (std::size_t i = data; i < leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4); ++i)
+                put(longer, i, 0, 1);
+            if (has_strips) {
+                descriptor &= ~(63u << strips::entries_shift);
+                descriptor |= (strips::max_balanced_entries - 3) << strips::entries_shift;
+                for (std::size_t i = 0; i < 11; ++i) put(longer, data + i, 0xFF, 1);
+                put(longer, data + 11, 0x1F, 1);
+            } else {
+                descriptor |= 31u << indexed::vertices_shift | 0xFFFu << indexed::widths_shift;
+            }
+            put(longer, descriptor_at, descriptor, 4);
+            repair_checksum(longer);
+            const GuardedPages pages(longer, true);
+            Blob blob;
+            CHECK(open(pages.bytes(), blob) == Status::bad_leaf);
         });
     }
 
