@@ -57,10 +57,16 @@ struct Tally {
 
 /// What is asked, and what answers without a tree.
 struct Asked {
-    Asked(const Blob& asked, const DecodedBlob& decoded, std::uint64_t seed)
-        : blob(asked), extent(decoded.extent), loop(decoded), maker(decoded, seed), queries(decoded, seed) {}
+    Asked(const Blob& asked, const DecodedBlob& triangles, std::uint64_t seed)
+        : blob(asked),
+          decoded(triangles),
+          extent(decoded.extent),
+          loop(decoded),
+          maker(decoded, seed),
+          queries(decoded, seed) {}
 
     const Blob& blob;
+    DecodedBlob decoded;  ///< which the makers refer to
     std::array<std::uint32_t, 3> extent;
     TriangleLoop loop;
     ShapeMaker maker;

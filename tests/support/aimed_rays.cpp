@@ -109,7 +109,7 @@ void AimedRays::set_length_and_window(Ray& ray) {
             break;
     }
     double factor = 1.0;
-    const int exponent = longest > 0.0 ? std::ilogb(longest) : 0;
+    const int exponent = longest > 0.0 && std::isfinite(longest) ? std::ilogb(longest) : 0;
     switch (random_.below(8)) {
         case 0:  // of about 1
             factor = std::ldexp(1.0, -exponent);

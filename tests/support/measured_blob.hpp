@@ -24,8 +24,11 @@ public:
         // A node's children are asked about at most four times, a leaf is visited at most once.
         return allow(4 * walks * blob_.data().node_count, walks * leaves_);
     }
-    /// For two blobs under a limit of work.
-    [[nodiscard]] const Blob& for_pairs(std::uint64_t pairs) const { return allow(2 * pairs, pairs); }
+    /// For two blobs under a limit of work; a pair that touches may be looked up once more, each of its triangles by
+    /// one way down.
+    [[nodiscard]] const Blob& for_pairs(std::uint64_t pairs) const {
+        return allow(2 * pairs + 2 * format::max_depth, pairs + 2 * format::max_children);
+    }
     /// What else a query is given.
     [[nodiscard]] const Blob& unmeasured() const { return blob_; }
 
