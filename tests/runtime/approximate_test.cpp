@@ -205,7 +205,7 @@ void check_bounds(Asked& asked, bool awkward, Tally& tally) {
 }
 
 void check_instruction_sets(Asked& asked, bool awkward, Tally&) {
-    auto& [blob, extent, loop, maker, queries] = asked;
+    auto& [blob, decoded, extent, loop, maker, queries] = asked;
     const Sphere sphere = awkward ? queries.sphere() : queries.random_sphere();
     const Ray ray = awkward ? queries.any_ray() : queries.ray(RayKind::incoherent);
     const std::int32_t steps = detail::steps_in(blob.data(), some_accuracy(maker));
