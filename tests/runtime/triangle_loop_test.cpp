@@ -114,6 +114,49 @@ struct Loops {
     TriangleLoop whole;
 };
 
+struct PairsFound {
+    std::uint64_t contacts = 0;
+    std::uint64_t distances = 0;  ///< above 0
+};
+
+void check_pair_loops(const TestBlob& a, const TestBlob& b, std::uint64_t seed, std::uint64_t count,
+                      PairsFound& found) {
+    CAPTURE(a.name);
+    CAPTURE(b.name);
+    const TriangleGroups a_groups(a.decoded), b_groups(b.decoded);
+    PlacementMaker maker(a.decoded, b.decoded, seed);
+    for (std::uint64_t n = 0; n < count; ++n) {
+        const std::uint64_t kind = (seed + n) % 4;
+        const double proportion = std::exp2(static_cast<double>(maker.numbers().between(-8, 8)));
+        const Placement placement = kind == 0   ? maker.random()
+                                    : kind == 1 ? maker.adversarial()
+                                    : kind == 2 ? maker.beside(proportion)
+                                                : maker.face_on_face(proportion);
+        CAPTURE(describe(placement));
+        detail::PairFrame frame;
+        if (place_pair(a.opened.blob.data(), b.opened.blob.data(), placement, frame) != QueryStatus::ok) continue;
+        const PairLoop quick(frame, a_groups, b_groups);
+        const PairLoop whole(frame, a_groups, b_groups, LeftOut::nothing);
+        const auto pairs = quick.every_contact();
+        REQUIRE(pairs == whole.every_contact());
+        found.contacts += pairs.size();
+        const auto nearest = quick.nearest_pairs(), expected = whole.nearest_pairs();
+        REQUIRE_FALSE(expected.empty());
+        REQUIRE(nearest.size() == expected.size());
+        for (std::size_t k = 0; k < nearest.size(); ++k) {
+            REQUIRE(same_bits(nearest[k].distance.squared, expected[k].distance.squared));
+            REQUIRE(nearest[k].pair == expected[k].pair);
+        }
+        const float radius = std::sqrt(expected.front().distance.squared);
+        for (const float within : {std::nextafter(radius, 0.0f), radius, std::nextafter(radius, radius * 2.0f)}) {
+            const bool answer = whole.is_any_within(within);
+            REQUIRE(quick.is_any_within(within) == answer);
+            REQUIRE(is_any_within(nearest, within) == answer);
+        }
+        if (radius > 0.0f) ++found.distances;
+    }
+}
+
 }  // namespace
 
 TEST_SUITE("the loop over all triangles") {
@@ -156,39 +199,21 @@ TEST_SUITE("the loop over all triangles") {
 
     TEST_CASE("what a loop over pairs leaves out would not have changed its answer") {
         const std::vector<TestBlob>& blobs = small_test_blobs();
-        std::uint64_t contacts = 0, distances = 0;
-        for (std::size_t i = 0; i < blobs.size(); ++i) {
-            const TestBlob& a = blobs[i];
-            const TestBlob& b = blobs[(i + 4) % blobs.size()];
-            CAPTURE(a.name);
-            CAPTURE(b.name);
-            PlacementMaker maker(a.decoded, b.decoded, 1710 + i);
-            for (std::uint64_t n = 0; n < scaled_share(2); ++n) {
-                const Placement placement = (i + n) % 2 == 0 ? maker.random() : maker.adversarial();
-                CAPTURE(describe(placement));
-                detail::PairFrame frame;
-                if (place_pair(a.opened.blob.data(), b.opened.blob.data(), placement, frame) != QueryStatus::ok)
-                    continue;
-                const PairLoop quick(frame, a.decoded, b.decoded);
-                const PairLoop whole(frame, a.decoded, b.decoded, LeftOut::nothing);
-                const auto pairs = quick.every_contact();
-                REQUIRE(pairs == whole.every_contact());
-                contacts += pairs.size();
-                const auto least = quick.nearest_pair(std::numeric_limits<float>::infinity());
-                const auto expected = whole.nearest_pair(std::numeric_limits<float>::infinity());
-                REQUIRE(least.has_value());
-                REQUIRE(expected.has_value());
-                REQUIRE(same_bits(least->distance.squared, expected->distance.squared));
-                REQUIRE(least->pair == expected->pair);
-                const float radius = std::sqrt(least->distance.squared);
-                for (const float within : {std::nextafter(radius, 0.0f), radius, radius * 1.00001f})
-                    REQUIRE(quick.is_any_within(within) == whole.is_any_within(within));
-                if (radius == 0.0f) continue;
-                ++distances;
-                REQUIRE_FALSE(quick.nearest_pair(radius * 0.99999f).has_value());
-            }
+        PairsFound found;
+        for (std::size_t i = 0; i < blobs.size(); ++i)
+            check_pair_loops(blobs[i], blobs[(i + 4) % blobs.size()], 1710 + i, scaled_share(2), found);
+        // Most of a larger mesh is never placed.
+        std::vector<const TestBlob*> few;
+        for (const TestBlob& blob : blobs)
+            if (blob.decoded.triangle_count <= 12) few.push_back(&blob);
+        REQUIRE_FALSE(few.empty());
+        const std::vector<TestBlob>& larger = medium_test_blobs();
+        for (std::size_t i = 0; i < larger.size(); ++i) {
+            const TestBlob& small = *few[i % few.size()];
+            check_pair_loops(larger[i], small, 1810 + i, scaled_share(6), found);
+            check_pair_loops(small, larger[i], 1910 + i, scaled_share(6), found);
         }
-        CHECK(contacts > 0);
-        CHECK(distances > 0);
+        CHECK(found.contacts > 0);
+        CHECK(found.distances > 0);
     }
 }

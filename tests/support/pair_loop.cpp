@@ -1,6 +1,7 @@
 #include "pair_loop.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace espalier::tests {
 
@@ -8,140 +9,140 @@ namespace {
 
 /// Of squared distances: what the kernels say in float is within a millionth.
 constexpr double relative_slack = 1.0 + 1e-5;
-
-double square(double x) { return x * x; }
+constexpr double search_slack = 1.0 + 2e-5;
 
 }  // namespace
 
-void PairLoop::Box::extend(const double* place) {
-    for (unsigned k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], place[k]);
-        high[k] = std::max(high[k], place[k]);
-    }
-}
+PairLoop::PairLoop(const detail::PairFrame& frame, const TriangleGroups& a, const TriangleGroups& b, LeftOut left_out)
+    : left_out_(left_out), a_(a, frame, PlacedGroups::Side::a), b_(b, frame, PlacedGroups::Side::b) {}
 
-void PairLoop::Box::extend(const Box& other) {
-    extend(other.low);
-    extend(other.high);
-}
-
-template <class Place>
-PairLoop::Side PairLoop::placed(const DecodedBlob& blob, Place place) {
-    Side side;
-    for (std::uint32_t i = 0; i < blob.triangles.size(); ++i) {
-        if (blob.owners[i] != i) continue;
-        const GridTriangle& t = blob.triangles[i];
-        side.indices.push_back(i);
-        side.triangles.push_back(
-            place({{{t.a[0], t.a[1], t.a[2]}, {t.b[0], t.b[1], t.b[2]}, {t.c[0], t.c[1], t.c[2]}}}));
-        Box& box = side.boxes[0].emplace_back();
-        for (const auto& corner : side.triangles.back().corner) {
-            const double at[3] = {static_cast<double>(corner[0]), static_cast<double>(corner[1]),
-                                  static_cast<double>(corner[2])};
-            box.extend(at);
+std::vector<PairLoop::Near> PairLoop::near_blocks(double limit) const {
+    std::vector<Near> near;
+    for (std::size_t i = 0; i < a_.blocks().size(); ++i)
+        for (std::size_t j = 0; j < b_.blocks().size(); ++j) {
+            const double gap = squared_gap(a_.blocks()[i], b_.blocks()[j]);
+            if (!is_clear(gap, limit)) near.push_back({gap, i, j});
         }
-    }
-    for (std::size_t level = 1; level < side.boxes.size(); ++level) {
-        const std::vector<Box>& members = side.boxes[level - 1];
-        for (std::size_t i = 0; i < members.size(); ++i) {
-            if (i % group_size == 0) side.boxes[level].emplace_back();
-            side.boxes[level].back().extend(members[i]);
-        }
-    }
-    return side;
+    std::sort(near.begin(), near.end(), [](const Near& x, const Near& y) { return x.squared_gap < y.squared_gap; });
+    return near;
 }
 
-PairLoop::PairLoop(const detail::PairFrame& frame, const DecodedBlob& a, const DecodedBlob& b, LeftOut left_out)
-    : left_out_(left_out),
-      a_(placed(a, [&](const detail::LatticeTriangle& t) { return frame.place_a(t); })),
-      b_(placed(b, [&](const detail::LatticeTriangle& t) { return frame.place_b(t); })) {}
-
-double PairLoop::squared_gap(const Box& a, const Box& b) {
-    double sum = 0.0;
-    for (unsigned k = 0; k < 3; ++k) sum += square(std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]}));
-    return sum;
-}
-
-void PairLoop::append_near(std::size_t level, const Near& parent, double limit, std::vector<Near>& near) const {
-    const std::vector<Box>& a = a_.boxes[level];
-    const std::vector<Box>& b = b_.boxes[level];
-    const bool is_highest = level + 1 == a_.boxes.size();
-    const auto end_of = [&](std::size_t group, std::size_t all) {
-        return is_highest ? all : std::min((group + 1) * group_size, all);
-    };
-    const std::size_t a_end = end_of(parent.a, a.size()), b_end = end_of(parent.b, b.size());
-    for (std::size_t i = parent.a * group_size; i < a_end; ++i)
-        for (std::size_t j = parent.b * group_size; j < b_end; ++j) {
+void PairLoop::append_near(const Near& blocks, double limit, std::vector<Near>& groups) const {
+    const std::vector<PlacedBox>&a = a_.groups_of(blocks.a), &b = b_.groups_of(blocks.b);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (is_clear(squared_gap(a[i], b_.blocks()[blocks.b]), limit)) continue;
+        for (std::size_t j = 0; j < b.size(); ++j) {
             const double gap = squared_gap(a[i], b[j]);
-            if (gap <= limit || left_out_ == LeftOut::nothing)
-                near.push_back({gap, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
+            if (is_clear(gap, limit)) continue;
+            groups.push_back(
+                {gap, blocks.a * TriangleGroups::group_size + i, blocks.b * TriangleGroups::group_size + j});
         }
+    }
 }
 
-std::vector<PairLoop::Near> PairLoop::near_groups(double limit) const {
-    std::vector<Near> highest, groups;
-    append_near(2, {0.0, 0, 0}, limit, highest);
-    for (const Near& pair : highest) append_near(1, pair, limit, groups);
-    return groups;
+template <class Visit>
+bool PairLoop::visit_near(const Near& groups, const double& limit, Visit visit) const {
+    const std::vector<PlacedTriangle>&all_a = a_.triangles_of(groups.a), &all_b = b_.triangles_of(groups.b);
+    PlacedBox a_box, b_box;
+    const auto extend = [](PlacedBox& box, const PlacedTriangle& triangle) {
+        for (const auto& corner : triangle.at.corner) box.extend(corner);
+    };
+    for (const PlacedTriangle& a : all_a) extend(a_box, a);
+    const PlacedTriangle* near_b[TriangleGroups::group_size];
+    std::size_t count = 0;
+    for (const PlacedTriangle& b : all_b) {
+        if (is_clear(squared_gap(a_box, b.box), limit)) continue;
+        near_b[count++] = &b;
+        extend(b_box, b);
+    }
+    for (const PlacedTriangle& a : all_a) {
+        if (is_clear(squared_gap(a.box, b_box), limit) || is_clear(squared_gap_to_plane(a, b_box), limit)) continue;
+        for (std::size_t j = 0; j < count; ++j) {
+            const PlacedTriangle& b = *near_b[j];
+            if (is_clear(squared_gap(a.box, b.box), limit) || is_clear(squared_gap_to_plane(a, b), limit) ||
+                is_clear(squared_gap_to_plane(b, a), limit))
+                continue;
+            if (!visit(a, b)) return false;
+        }
+    }
+    return true;
+}
+
+double PairLoop::squared_between_corners(const Near& groups) const {
+    const PlacedGroups::GridPlace a = a_.corner_in_group(groups.a), b = b_.corner_in_group(groups.b);
+    double squared = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        const double along = static_cast<double>(a.axis[k]) - static_cast<double>(b.axis[k]);
+        squared += along * along;
+    }
+    return squared;
 }
 
 std::vector<TrianglePair> PairLoop::every_contact() const {
     std::vector<TrianglePair> found;
+    const auto add = [&](const PlacedTriangle& a, const PlacedTriangle& b) {
+        if (detail::triangles_meet(detail::integer_triangle(a.at), detail::integer_triangle(b.at)))
+            found.push_back({{a.index}, {b.index}});
+        return true;
+    };
+    constexpr double limit = 0.0;
     std::vector<Near> near;
-    for (const Near& groups : near_groups(0.0)) {
-        near.clear();
-        append_near(0, groups, 0.0, near);
-        for (const auto& [gap, a, b] : near)
-            if (detail::triangles_meet(detail::integer_triangle(a_.triangles[a]),
-                                       detail::integer_triangle(b_.triangles[b])))
-                found.push_back({{a_.indices[a]}, {b_.indices[b]}});
-    }
+    for (const Near& blocks : near_blocks(limit)) append_near(blocks, limit, near);
+    for (const Near& groups : near) visit_near(groups, limit, add);
     std::sort(found.begin(), found.end());
     return found;
 }
 
-std::optional<detail::FoundTriangles> PairLoop::nearest_pair(float radius) const {
+std::vector<detail::FoundTriangles> PairLoop::nearest_pairs() const {
     // Corners bound the distance from above, boxes from below.
-    double bound = square(static_cast<double>(radius));
-    for (std::size_t i = 0; i < a_.triangles.size(); i += group_size)
-        for (std::size_t j = 0; j < b_.triangles.size(); j += group_size) {
-            double squared = 0.0;
-            for (int k = 0; k < 3; ++k) squared += square(a_.triangles[i].corner[0][k] - b_.triangles[j].corner[0][k]);
-            bound = std::min(bound, squared);
-        }
-    std::vector<Near> groups = near_groups(bound * relative_slack);
-    std::sort(groups.begin(), groups.end(), [](const Near& x, const Near& y) { return x.squared_gap < y.squared_gap; });
-    std::optional<detail::FoundTriangles> best;
+    double limit = PlacedBox::infinity;
+    const auto lower = [&](double squared) { limit = std::min(limit, squared * search_slack); };
     std::vector<Near> near;
-    for (const Near& pair : groups) {
-        near.clear();
-        append_near(0, pair, bound * relative_slack, near);
-        for (const auto& [gap, i, j] : near) {
-            if (gap > bound * relative_slack && left_out_ != LeftOut::nothing) continue;
-            const detail::LatticeTriangle &a = a_.triangles[i], &b = b_.triangles[j];
-            const detail::TriangleDistance distance = detail::distance_between(a, b);
-            const TrianglePair indices = {{a_.indices[i]}, {b_.indices[j]}};
-            if (best && (distance.squared > best->distance.squared ||
-                         (distance.squared == best->distance.squared && indices > best->pair)))
-                continue;
-            if (!detail::is_within_radius(a, b, distance, radius)) continue;
-            best = {distance, a, b, indices};
-            bound = std::min(bound, static_cast<double>(distance.squared));
-        }
+    for (const Near& blocks : near_blocks(limit)) {
+        constexpr std::size_t size = TriangleGroups::group_size;
+        lower(squared_between_corners({0.0, blocks.a * size, blocks.b * size}));
+        const std::size_t before = near.size();
+        if (!is_clear(blocks.squared_gap, limit)) append_near(blocks, limit, near);
+        for (std::size_t i = before; i < near.size(); ++i) lower(squared_between_corners(near[i]));
     }
-    return best;
+    std::erase_if(near, [&](const Near& groups) { return is_clear(groups.squared_gap, limit); });
+    std::sort(near.begin(), near.end(), [](const Near& x, const Near& y) { return x.squared_gap < y.squared_gap; });
+
+    std::vector<detail::FoundTriangles> found;
+    const auto look = [&](const PlacedTriangle& a, const PlacedTriangle& b) {
+        const detail::TriangleDistance distance = detail::distance_between(a.at, b.at);
+        if (static_cast<double>(distance.squared) > limit) return true;
+        lower(static_cast<double>(distance.squared));
+        found.push_back({distance, a.at, b.at, {{a.index}, {b.index}}});
+        return true;
+    };
+    for (const Near& groups : near)
+        if (!is_clear(groups.squared_gap, limit)) visit_near(groups, limit, look);
+    std::sort(found.begin(), found.end(), [](const detail::FoundTriangles& x, const detail::FoundTriangles& y) {
+        return std::tie(x.distance.squared, x.pair) < std::tie(y.distance.squared, y.pair);
+    });
+    std::erase_if(found, [least = found.empty() ? 0.0 : static_cast<double>(found.front().distance.squared)](
+                             const detail::FoundTriangles& pair) {
+        return static_cast<double>(pair.distance.squared) > least * relative_slack;
+    });
+    return found;
+}
+
+bool is_any_within(const std::vector<detail::FoundTriangles>& nearest, float radius) {
+    return std::any_of(nearest.begin(), nearest.end(), [&](const detail::FoundTriangles& pair) {
+        return detail::is_within_radius(pair.a, pair.b, pair.distance, radius);
+    });
 }
 
 bool PairLoop::is_any_within(float radius) const {
-    const double limit = square(static_cast<double>(radius)) * relative_slack;
+    const double limit = static_cast<double>(radius) * static_cast<double>(radius) * relative_slack;
     std::vector<Near> near;
-    for (const Near& groups : near_groups(limit)) {
-        near.clear();
-        append_near(0, groups, limit, near);
-        for (const auto& [gap, i, j] : near) {
-            const detail::LatticeTriangle &a = a_.triangles[i], &b = b_.triangles[j];
-            if (detail::is_within_radius(a, b, detail::distance_between(a, b), radius)) return true;
-        }
+    for (const Near& blocks : near_blocks(limit)) append_near(blocks, limit, near);
+    for (const Near& groups : near) {
+        const bool goes_on = visit_near(groups, limit, [&](const PlacedTriangle& a, const PlacedTriangle& b) {
+            return !detail::is_within_radius(a.at, b.at, detail::distance_between(a.at, b.at), radius);
+        });
+        if (!goes_on) return true;
     }
     return false;
 }

@@ -21,6 +21,42 @@ Vec3 to_world(const DecodedBlob& blob, double x, double y, double z) {
     return {axis(0, x), axis(1, y), axis(2, z)};
 }
 
+struct Direction {
+    double x, y, z;
+};
+
+Direction unit_normal(const GridTriangle& t) {
+    double u[3], v[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        u[k] = t.b[k] - t.a[k];
+        v[k] = t.c[k] - t.a[k];
+    }
+    const Direction n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+    return {n.x / length, n.y / length, n.z / length};
+}
+
+/// Turns `from` into `to`, or into its opposite; then around it, up to half a turn either way.
+Quaternion rotation_between(Direction from, const Direction& to, bool opposite, float turn) {
+    if (opposite) from = {-from.x, -from.y, -from.z};
+    // The half-way quaternion; where the two are opposite any half turn across them does.
+    double x = from.y * to.z - from.z * to.y, y = from.z * to.x - from.x * to.z, z = from.x * to.y - from.y * to.x;
+    double w = 1.0 + (from.x * to.x + from.y * to.y + from.z * to.z);
+    if (w < 1e-9) {
+        const bool is_along_x = std::fabs(to.x) > 0.5;
+        x = is_along_x ? -to.y : 0.0;
+        y = is_along_x ? to.x : -to.z;
+        z = is_along_x ? 0.0 : to.y;
+        w = 0.0;
+    }
+    const double c = 1.0 - std::fabs(static_cast<double>(turn)), s = static_cast<double>(turn);
+    // The turn (s to, c) times the other.
+    return {static_cast<float>(c * x + s * (to.x * w + to.y * z - to.z * y)),
+            static_cast<float>(c * y + s * (to.y * w + to.z * x - to.x * z)),
+            static_cast<float>(c * z + s * (to.z * w + to.x * y - to.y * x)),
+            static_cast<float>(c * w - s * (to.x * x + to.y * y + to.z * z))};
+}
+
 }  // namespace
 
 PlacementMaker::PlacementMaker(const DecodedBlob& a, const DecodedBlob& b, std::uint64_t seed)
@@ -55,12 +91,25 @@ Quaternion PlacementMaker::axis_rotation() {
     return q;
 }
 
-Vec3 PlacementMaker::some_corner(const DecodedBlob& blob) {
-    const GridTriangle& t = blob.triangles[random_.below(static_cast<std::uint32_t>(blob.triangles.size()))];
+const GridTriangle& PlacementMaker::some_triangle(const DecodedBlob& blob) {
+    return blob.triangles[random_.below(static_cast<std::uint32_t>(blob.triangles.size()))];
+}
+
+/// Or the middle of a side.
+Vec3 PlacementMaker::corner_of(const DecodedBlob& blob, const GridTriangle& t) {
     const std::uint32_t corner = random_.below(4);
     const GridPoint& p = corner == 0 ? t.a : corner == 1 ? t.b : t.c;
     if (corner < 3) return to_world(blob, p[0], p[1], p[2]);
     return to_world(blob, 0.5 * (t.a[0] + t.b[0]), 0.5 * (t.a[1] + t.b[1]), 0.5 * (t.a[2] + t.b[2]));
+}
+
+Vec3 PlacementMaker::some_corner(const DecodedBlob& blob) { return corner_of(blob, some_triangle(blob)); }
+
+Vec3 PlacementMaker::place_on(const DecodedBlob& blob, const GridTriangle& t) {
+    double u = static_cast<double>(random_.unit()), v = static_cast<double>(random_.unit());
+    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+    const auto at = [&](std::size_t k) { return t.a[k] + u * (t.b[k] - t.a[k]) + v * (t.c[k] - t.a[k]); };
+    return to_world(blob, at(0), at(1), at(2));
 }
 
 Vec3 PlacementMaker::some_place(const DecodedBlob& blob) {
@@ -99,6 +148,38 @@ Placement PlacementMaker::apart() {
         random_.in_cube(static_cast<float>(std::max(1.0, static_cast<double>(placement.scale) / ratio_) * size_a_));
     Vec3& place = placement.translation;
     place = {place.x + off.x, place.y + off.y, place.z + off.z};
+    return placement;
+}
+
+Placement PlacementMaker::beside(double proportion) {
+    Placement placement;
+    placement.rotation = any_rotation();
+    placement.scale = static_cast<float>(ratio_ * proportion);
+    const Vec3 from = place_on(b_, some_triangle(b_));
+    const Vec3 to = place_on(a_, some_triangle(a_));
+    const double away = std::exp2(static_cast<double>(random_.between(-4, 4)));
+    const Vec3 off = random_.in_cube(static_cast<float>(away * size_a_ * std::min(1.0, proportion)));
+    move(placement, from, {to.x + off.x, to.y + off.y, to.z + off.z});
+    return placement;
+}
+
+Placement PlacementMaker::face_on_face(double proportion) {
+    Placement placement;
+    placement.scale = static_cast<float>(std::exp2(std::round(std::log2(ratio_))) * proportion);
+    const GridTriangle &face_a = some_triangle(a_), &face_b = some_triangle(b_);
+    const bool opposite = random_.coin();
+    const float turn = random_.signed_unit();
+    placement.rotation = rotation_between(unit_normal(face_b), unit_normal(face_a), opposite, turn);
+    const bool corner_of_b = random_.coin();
+    const Vec3 from = corner_of_b ? corner_of(b_, face_b) : place_on(b_, face_b);
+    const Vec3 to = corner_of_b && random_.coin() ? place_on(a_, face_a) : corner_of(a_, face_a);
+    const double lift = random_.coin() ? 0.0 : std::exp2(static_cast<double>(random_.between(-24, -2)));
+    const Direction away = unit_normal(face_a);
+    const double height = lift * size_a_ * std::min(1.0, proportion);
+    move(placement, from,
+         {static_cast<float>(static_cast<double>(to.x) + height * away.x),
+          static_cast<float>(static_cast<double>(to.y) + height * away.y),
+          static_cast<float>(static_cast<double>(to.z) + height * away.z)});
     return placement;
 }
 

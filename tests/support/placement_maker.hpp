@@ -1,4 +1,4 @@
-// Placements of one blob against another that are hard to answer: meshes that touch in a corner, lie in each other's
+// Placements of one blob against another, easy and hard to answer: meshes that touch in a corner, lie in each other's
 // planes, are turned by next to nothing, or differ in size and distance by powers of ten.
 #pragma once
 
@@ -20,6 +20,14 @@ public:
     /// The same, but farther away by up to the larger one's size: most do not touch.
     Placement apart();
     Placement adversarial();
+
+    // b's size is `proportion` times a's: a small mesh goes around on the surface of a large one.
+
+    /// Any rotation; two places on the surfaces are up to some sizes of the smaller one apart, or much less.
+    Placement beside(double proportion);
+    /// A face of b in the plane of a face of a, as nearly as floats say, with a place in common: a corner, the middle
+    /// of a side or inside. `proportion` is a power of two.
+    Placement face_on_face(double proportion);
     [[nodiscard]] Random& numbers() { return random_; }
 
 private:
@@ -30,6 +38,9 @@ private:
     static void move(Placement& placement, Vec3 p, Vec3 q);
     Vec3 some_corner(const DecodedBlob& blob);
     Vec3 some_place(const DecodedBlob& blob);
+    const GridTriangle& some_triangle(const DecodedBlob& blob);
+    Vec3 corner_of(const DecodedBlob& blob, const GridTriangle& triangle);
+    Vec3 place_on(const DecodedBlob& blob, const GridTriangle& triangle);
 
     const DecodedBlob& a_;
     const DecodedBlob& b_;
