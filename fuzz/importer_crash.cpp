@@ -61,21 +61,7 @@ void expect_importer_crashes(unsigned seconds) {
 // In place of the command's guard, which takes every crash while a file is read for one of assimp.
 namespace espalier::tools {
 
-CrashGuard::CrashGuard(const std::string&) : stack_(std::size_t{1} << 18) {
-    stack_t stack{};
-    stack.ss_sp = stack_.data();
-    stack.ss_size = stack_.size();
-    ::sigaltstack(&stack, &stack_before_);
-    struct sigaction action {};
-    action.sa_handler = on_crash;
-    action.sa_flags = SA_ONSTACK;
-    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &action, &before_[i]);
-}
-
-CrashGuard::~CrashGuard() {
-    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
-    ::sigaltstack(&stack_before_, nullptr);
-}
+CrashGuard::CrashGuard(const std::string&) : signals_(on_crash, std::size_t{1} << 18) {}
 
 }  // namespace espalier::tools
 

@@ -18,24 +18,14 @@ void end_with_last_words(int) {
     ::_exit(static_cast<int>(ExitCode::invalid_input));
 }
 
-}  // namespace
-
-CrashGuard::CrashGuard(const std::string& path) : stack_(std::size_t{1} << 16) {
+auto handler_that_names(const std::string& path) {
     last_words = text("espalier: the importer crashed while it read '", printable(path),
                       "'. The file is likely broken; export it again, or in another format.\n");
-    stack_t stack{};
-    stack.ss_sp = stack_.data();
-    stack.ss_size = stack_.size();
-    ::sigaltstack(&stack, &stack_before_);
-    struct sigaction action {};
-    action.sa_handler = end_with_last_words;
-    action.sa_flags = SA_ONSTACK;
-    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &action, &before_[i]);
+    return end_with_last_words;
 }
 
-CrashGuard::~CrashGuard() {
-    for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
-    ::sigaltstack(&stack_before_, nullptr);
-}
+}  // namespace
+
+CrashGuard::CrashGuard(const std::string& path) : signals_(handler_that_names(path), std::size_t{1} << 16) {}
 
 }  // namespace espalier::tools

@@ -2,11 +2,9 @@
 // it, and scripts see the exit status of invalid input.
 #pragma once
 
-#include <signal.h>
-
-#include <array>
 #include <string>
-#include <vector>
+
+#include "crash_signals.hpp"
 
 namespace espalier::tools {
 
@@ -15,15 +13,9 @@ namespace espalier::tools {
 class CrashGuard {
 public:
     explicit CrashGuard(const std::string& path);
-    ~CrashGuard();
-    CrashGuard(const CrashGuard&) = delete;
-    CrashGuard& operator=(const CrashGuard&) = delete;
 
 private:
-    static constexpr std::array<int, 5> signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-    std::array<struct sigaction, signals.size()> before_;
-    std::vector<char> stack_;  // of its own: the usual one may be what ran out
-    stack_t stack_before_;
+    CrashSignals signals_;
 };
 
 }  // namespace espalier::tools

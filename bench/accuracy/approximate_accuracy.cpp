@@ -89,26 +89,30 @@ private:
     }
 
     void boxes(int k, float accuracy) {
-        Outcome outcome;
-        QueryCounters exact_work;
-        for (const Vec3& p : points_) {
-            const Box box = {{p.x - radius_, p.y - radius_, p.z - radius_},
-                             {p.x + radius_, p.y + radius_, p.z + radius_}};
-            const bool exact = may_overlap(blob_, box, 0.0f, &exact_work);
-            outcome.add(exact, may_overlap(blob_, box, accuracy, &outcome.counters));
-        }
-        begin("box", k, outcome, exact_work);
-        end();
+        std::vector<Box> boxes;
+        for (const Vec3& p : points_)
+            boxes.push_back(
+                {{p.x - radius_, p.y - radius_, p.z - radius_}, {p.x + radius_, p.y + radius_, p.z + radius_}});
+        yes_or_no("box", k, accuracy, boxes, [this](const Box& box, float within, QueryCounters& counters) {
+            return may_overlap(blob_, box, within, &counters);
+        });
     }
 
     void rays(int k, float accuracy) {
+        yes_or_no("ray", k, accuracy, rays_, [this](const Ray& ray, float within, QueryCounters& counters) {
+            return may_be_occluded(blob_, ray, within, &counters);
+        });
+    }
+
+    template <class Shape, class Ask>
+    void yes_or_no(const char* query, int k, float accuracy, const std::vector<Shape>& shapes, Ask ask) {
         Outcome outcome;
         QueryCounters exact_work;
-        for (const Ray& ray : rays_) {
-            const bool exact = may_be_occluded(blob_, ray, 0.0f, &exact_work);
-            outcome.add(exact, may_be_occluded(blob_, ray, accuracy, &outcome.counters));
+        for (const Shape& shape : shapes) {
+            const bool exact = ask(shape, 0.0f, exact_work);
+            outcome.add(exact, ask(shape, accuracy, outcome.counters));
         }
-        begin("ray", k, outcome, exact_work);
+        begin(query, k, outcome, exact_work);
         end();
     }
 

@@ -2,14 +2,10 @@
 // approximate queries: JSON, an object a line. The source is judged by a tree in double precision that shares no code
 // with the library.
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +13,7 @@
 #include <espalier/espalier.hpp>
 
 #include "../../tests/support/mesh_files.hpp"
+#include "../program.hpp"
 #include "../rays.hpp"
 #include "approximate_accuracy.hpp"
 #include "../../tests/oracle/double_tree.hpp"
@@ -36,7 +33,6 @@ struct Options {
     std::size_t questions = 20'000;  ///< of each approximate query
     std::size_t pieces = 500'000;    ///< of halved triangles, for each way of the Hausdorff distance
     std::size_t every = 1;           ///< every how many bits there is a lattice
-    std::vector<std::string> meshes;
 };
 
 constexpr unsigned fewest_bits = 8, most_bits = 20;
@@ -110,50 +106,18 @@ void measure(const tests::Mesh& mesh, const Options& options) {
     print_approximate_accuracy(head.c_str(), lattice.blob(), mesh, source, options.questions);
 }
 
-Options parse(std::span<char*> words) {
-    Options options;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string word = words[i];
-        const auto number = [&]() -> std::size_t {
-            std::size_t value = 0;
-            const std::string_view text = i + 1 < words.size() ? words[++i] : "";
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-            if (error != std::errc{} || end != text.data() + text.size() || value == 0)
-                throw std::invalid_argument(word + " needs a whole number above 0 behind it");
-            return value;
-        };
-        if (word == "--rays") options.rays = number();
-        else if (word == "--points") options.points = number();
-        else if (word == "--questions") options.questions = number();
-        else if (word == "--pieces") options.pieces = number();
-        else if (word == "--every") options.every = number();
-        else if (word.starts_with("-")) throw std::invalid_argument("there is no option '" + word + "'");
-        else options.meshes.push_back(word);
-    }
-    if (options.meshes.empty()) throw std::invalid_argument("name at least one mesh, .obj or .ply");
-    return options;
-}
-
 }  // namespace
 
 int main(int count, char** words) {
     Options options;
-    try {
-        options = parse(std::span(words + 1, words + count));
-    } catch (const std::exception& error) {
-        std::fprintf(
-            stderr,
-            "espalier_bench_accuracy: %s\n\n"
-            "usage: espalier_bench_accuracy [--rays N] [--points N] [--questions N] [--pieces N] [--every BITS] "
-            "MESH.obj|MESH.ply...\n",
-            error.what());
-        return 1;
-    }
-    try {
-        for (const std::string& path : options.meshes) measure(tests::read_mesh(path), options);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "espalier_bench_accuracy: %s\n", error.what());
-        return 2;
-    }
-    return 0;
+    Program program("espalier_bench_accuracy",
+                    "How far blobs of 8 to 20 bits are from their source, and the approximate queries; JSON");
+    program.add_count("--rays", options.rays, "Rays at each lattice");
+    program.add_count("--points", options.points, "Hits whose point is held against the source's surface");
+    program.add_count("--questions", options.questions, "Questions of each approximate query");
+    program.add_count("--pieces", options.pieces, "Pieces of triangles, for each way of the Hausdorff distance");
+    program.add_count("--every", options.every, "Every how many bits there is a lattice");
+    return program.run(count, words, [&](const std::vector<std::string>& meshes) {
+        for (const std::string& path : meshes) measure(tests::read_mesh(path), options);
+    });
 }

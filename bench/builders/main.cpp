@@ -1,7 +1,5 @@
 // What each builder costs and brings: bytes, visits of a random ray (counted, the same on every machine) and seconds.
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -14,6 +12,7 @@
 #include <espalier/statistics.hpp>
 
 #include "../../tests/support/mesh_files.hpp"
+#include "../program.hpp"
 #include "../rays.hpp"
 #include "textbook.hpp"
 
@@ -23,11 +22,6 @@ using namespace espalier;
 using namespace espalier::bench;
 
 constexpr std::uint64_t seed = 2026;
-constexpr const char* usage =
-    "usage: espalier_bench_builders [--effort 0..9]... [--rays N] [--shipped] MESH.obj|MESH.ply...\n"
-    "  --effort N   may be given several times (3, without reinsertion, and 5)\n"
-    "  --rays N     incoherent rays (100000)\n"
-    "  --shipped    without the builders from the textbook\n";
 
 struct NamedBuilder {
     std::string name;
@@ -74,6 +68,7 @@ double expected_nodes(const baker::BinaryTree& tree) {
 
 void measure(const Mesh& mesh, const NamedBuilder& named, unsigned effort, const std::vector<Ray>& rays) {
     BakeOptions options;
+    options.profile = format::Profile::fast;  // the one that every builder's tree fits
     options.effort = effort;
     double cost = 0.0;
     const auto make_tree = [&](const baker::LatticeMesh& lattice_mesh, const baker::BuildSettings& settings) {
@@ -101,53 +96,38 @@ void measure(const Mesh& mesh, const NamedBuilder& named, unsigned effort, const
     std::fflush(stdout);
 }
 
-int run(int count, char** words) {
-    std::vector<unsigned> efforts;
-    std::size_t ray_count = 100'000;
+struct Options {
+    std::vector<unsigned> efforts{3, 5};
+    std::size_t rays = 100'000;
     bool with_textbook = true;
-    std::vector<std::string> files;
-    for (int i = 1; i < count; ++i) {
-        const std::string word = words[i];
-        if (word == "--effort" && i + 1 < count) {
-            const int effort = std::atoi(words[++i]);
-            if (effort < 0 || effort > 9) throw std::invalid_argument("--effort takes 0 to 9");
-            efforts.push_back(static_cast<unsigned>(effort));
-        } else if (word == "--rays" && i + 1 < count) {
-            ray_count = static_cast<std::size_t>(std::max(1, std::atoi(words[++i])));
-        } else if (word == "--shipped") {
-            with_textbook = false;
-        } else if (word.starts_with("-")) {
-            throw std::invalid_argument("there is no option " + word);
-        } else {
-            files.push_back(word);
-        }
-    }
-    if (files.empty()) throw std::invalid_argument("there is no mesh to measure");
-    if (efforts.empty()) efforts = {3, 5};
+};
+
+void run(const std::vector<std::string>& files, const Options& options) {
     std::printf(
         "| mesh | builder | effort | bytes/triangle | expected binary nodes | nodes/ray | leaves/ray | triangles/ray | "
         "bake s |\n"
         "|---|---|---|---|---|---|---|---|---|\n");
     for (const std::string& file : files) {
         const Mesh mesh = tests::read_mesh(file);
-        const std::vector<Ray> rays = incoherent_rays(mesh, ray_count, seed);
-        for (const unsigned effort : efforts) {
-            for (const NamedBuilder& named : all_builders(with_textbook)) measure(mesh, named, effort, rays);
+        const std::vector<Ray> rays = incoherent_rays(mesh, options.rays, seed);
+        for (const unsigned effort : options.efforts) {
+            for (const NamedBuilder& named : all_builders(options.with_textbook)) measure(mesh, named, effort, rays);
         }
     }
-    return 0;
 }
 
 }  // namespace
 
 int main(int count, char** words) {
-    try {
-        return run(count, words);
-    } catch (const std::invalid_argument& error) {
-        std::fprintf(stderr, "%s\n%s", error.what(), usage);
-        return 1;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 2;
-    }
+    Options options;
+    Program program("espalier_bench_builders",
+                    "What each builder's tree costs rays, profile fast, counted; a table in Markdown");
+    program.add_option("--effort", options.efforts, "Of the build, 3 is without reinsertion; may be repeated")
+        ->check(CLI::Range(0u, 9u))
+        ->take_all()
+        ->expected(1)
+        ->capture_default_str();
+    program.add_count("--rays", options.rays, "Incoherent rays");
+    program.add_flag("--shipped{false}", options.with_textbook, "Without the builders from the textbook");
+    return program.run(count, words, [&](const std::vector<std::string>& meshes) { run(meshes, options); });
 }

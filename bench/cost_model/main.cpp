@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -16,6 +14,7 @@
 #include <espalier/blob.hpp>
 
 #include "../../tests/support/mesh_files.hpp"
+#include "../program.hpp"
 #include "../rays.hpp"
 #include "least_squares.hpp"
 #include "ray_groups.hpp"
@@ -37,45 +36,12 @@ constexpr Profile profiles[] = {{"fast", format::Profile::fast, format::indexed_
 constexpr unsigned leaf_divisors[] = {4, 2, 1};
 constexpr std::uint64_t seed = 2026;
 
-constexpr const char* usage =
-    "usage: espalier_bench_cost_model [OPTION...] MESH.obj|MESH.ply...\n"
-    "  --json              a JSON object for each row instead of text\n"
-    "  --rays N            incoherent rays (200000)\n"
-    "  --repetitions N     how often each group of rays is cast (7)\n"
-    "  --bits N            lattice bits (16)\n"
-    "  --effort N          0 to 9 (5)\n";
-
 struct Options {
     bool json = false;
     unsigned rays = 200'000;
     unsigned repetitions = 7;
     BakeOptions bake;
-    std::vector<std::string> meshes;
 };
-
-Options parse(int count, char** words) {
-    Options options;
-    for (int i = 1; i < count; ++i) {
-        const std::string word = words[i];
-        const auto number = [&](long low, long high) {
-            char* end = nullptr;
-            const long value = i + 1 < count ? std::strtol(words[++i], &end, 10) : low - 1;
-            if (value < low || value > high || (end != nullptr && *end != 0))
-                throw std::invalid_argument(word + " takes a whole number from " + std::to_string(low) + " to " +
-                                            std::to_string(high));
-            return static_cast<unsigned>(value);
-        };
-        if (word == "--json") options.json = true;
-        else if (word == "--rays") options.rays = number(1000, 100'000'000);
-        else if (word == "--repetitions") options.repetitions = number(1, 1000);
-        else if (word == "--bits") options.bake.bits = number(1, 24);
-        else if (word == "--effort") options.bake.effort = number(0, 9);
-        else if (word.starts_with("-")) throw std::invalid_argument("there is no option '" + word + "'");
-        else options.meshes.push_back(word);
-    }
-    if (options.meshes.empty()) throw std::invalid_argument("name at least one mesh, .obj or .ply");
-    return options;
-}
 
 /// What stands for the tested triangles: themselves (the classic Np), the groups of 8 of a leaf that lanes test at
 /// once, or the leaves they lie in.
@@ -151,12 +117,12 @@ void print_json(const std::string& mesh, const char* profile, const Fits& fits) 
     std::printf("]}\n");
 }
 
-void run(const Options& options) {
+void run(const std::vector<std::string>& meshes, const Options& options) {
     if (!options.json)
         std::printf(
             "Nv: nodes visited; Np: triangles tested; Ng: groups of 8 of them in a leaf; Nl: leaves visited; all\n"
             "counted by the scalar path. Nu: updates of boxes, 0 until two blobs are tested against each other.\n");
-    for (const std::string& path : options.meshes) {
+    for (const std::string& path : meshes) {
         const Mesh mesh = tests::read_mesh(path);
         for (const Profile& profile : profiles) {
             const Fits fits = measure(mesh, options, profile);
@@ -169,14 +135,12 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int count, char** words) {
-    try {
-        run(parse(count, words));
-    } catch (const std::invalid_argument& error) {
-        std::fprintf(stderr, "espalier_bench_cost_model: %s\n%s", error.what(), usage);
-        return 1;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "espalier_bench_cost_model: %s\n", error.what());
-        return 2;
-    }
-    return 0;
+    Options options;
+    Program program("espalier_bench_cost_model", "What a ray costs on this machine, fitted to measured times");
+    program.add_flag("--json", options.json, "A JSON object for each row instead of text");
+    program.add_number("--rays", options.rays, 1000u, 100'000'000u, "Incoherent rays");
+    program.add_count("--repetitions", options.repetitions, "How often each group of rays is cast");
+    program.add_number("--bits", options.bake.bits, 1u, 24u, "Lattice bits");
+    program.add_number("--effort", options.bake.effort, 0u, 9u, "Of the build");
+    return program.run(count, words, [&](const std::vector<std::string>& meshes) { run(meshes, options); });
 }

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
-#include <exception>
-#include <stdexcept>
 
 #include "../../tests/support/mesh_files.hpp"
+#include "../program.hpp"
 #include "pair_system.hpp"
 
 namespace {
@@ -17,17 +15,11 @@ using namespace espalier;
 using namespace espalier::bench;
 
 constexpr std::uint64_t seed = 2026;
-constexpr const char* usage =
-    "usage: espalier_bench_pairs [--poses N] [--repetitions N] [--only SYSTEM]... MESH.obj|MESH.ply...\n"
-    "  --poses N        of the second mesh (200)\n"
-    "  --repetitions N  each question of each system; the median counts (5)\n"
-    "  --only SYSTEM    espalier, fcl or ode\n";
 
 struct Options {
     std::size_t poses = 200;
     int repetitions = 5;
     std::vector<std::string> only;
-    std::vector<std::string> files;
 };
 
 std::vector<PairMaker> all_makers() {
@@ -127,33 +119,19 @@ void run_mesh(const std::string& file, const Options& options) {
     }
 }
 
-Options parse(int count, char** words) {
-    Options options;
-    for (int i = 1; i < count; ++i) {
-        const std::string word = words[i];
-        const bool has_next = i + 1 < count;
-        if (word == "--poses" && has_next) options.poses = static_cast<std::size_t>(std::max(1, std::atoi(words[++i])));
-        else if (word == "--repetitions" && has_next) options.repetitions = std::max(1, std::atoi(words[++i]));
-        else if (word == "--only" && has_next) options.only.emplace_back(words[++i]);
-        else if (word.starts_with("-")) throw std::invalid_argument("there is no option " + word);
-        else options.files.push_back(word);
-    }
-    if (options.files.empty()) throw std::invalid_argument("there is no mesh to measure");
-    return options;
-}
-
 }  // namespace
 
 int main(int count, char** words) {
-    try {
-        const Options options = parse(count, words);
-        for (const std::string& file : options.files) run_mesh(file, options);
-        return 0;
-    } catch (const std::invalid_argument& error) {
-        std::fprintf(stderr, "%s\n%s", error.what(), usage);
-        return 1;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 2;
-    }
+    Options options;
+    Program program("espalier_bench_pairs",
+                    "A mesh against a second one of its kind: whether they touch, all pairs, how far apart; JSON");
+    program.add_count("--poses", options.poses, "Poses of the second mesh");
+    program.add_count("--repetitions", options.repetitions, "How often each system is asked; the median counts");
+    program.add_option("--only", options.only, "Only this system; may be repeated")
+        ->check(CLI::IsMember({"espalier", "fcl", "ode"}))
+        ->take_all()
+        ->expected(1);
+    return program.run(count, words, [&](const std::vector<std::string>& meshes) {
+        for (const std::string& file : meshes) run_mesh(file, options);
+    });
 }

@@ -1,7 +1,6 @@
 // Espalier beside its peers, on the same vertices and the same rays, asked for the same outputs (t, u, v, normal, id).
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,33 +35,20 @@ void check_systems(const Options& options, const std::vector<Maker>& makers) {
 
 int main(int count, char** words) {
     Options options;
-    std::vector<Maker> makers;
-    try {
-        options = parse(count, words);
-        makers = all_makers(options.bake);
+    Program program("espalier_bench_peers", "Espalier beside its peers, on the same vertices and the same rays");
+    add_options(program, options);
+    return program.run(count, words, [&](const std::vector<std::string>& meshes) {
+        std::vector<Maker> makers = all_makers(options.bake);
         check_systems(options, makers);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "espalier_bench_peers: %s\n\n%s", error.what(), usage);
-        return 1;
-    }
-    if (options.help) {
-        std::fputs(usage, stdout);
-        return 0;
-    }
-    std::erase_if(makers, [&options](const Maker& maker) { return !is_asked_for(maker, options); });
-    if (std::none_of(makers.begin(), makers.end(), is_reference))
-        std::fprintf(
-            stderr,
-            "espalier_bench_peers: built without Embree 3 (libembree-dev), which ratios are taken to: they are "
-            "null, and so is what disagrees\n");
-    try {
-        for (const std::string& path : options.meshes) {
+        std::erase_if(makers, [&options](const Maker& maker) { return !is_asked_for(maker, options); });
+        if (std::none_of(makers.begin(), makers.end(), is_reference))
+            std::fprintf(
+                stderr,
+                "espalier_bench_peers: built without Embree 3 (libembree-dev), which ratios are taken to: they are "
+                "null, and so is what disagrees\n");
+        for (const std::string& path : meshes) {
             const MeshResult result = measure(path, makers, options);
             options.json ? print_json(result, options) : print_table(result, options);
         }
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "espalier_bench_peers: %s\n", error.what());
-        return 2;
-    }
-    return 0;
+    });
 }

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "../program.hpp"
 #include "system.hpp"
 
 namespace espalier::bench {
 
 struct Options {
-    bool help = false;
     bool json = false;
     std::vector<std::string> systems;  ///< NAME or NAME/PROFILE; none: all
     unsigned repetitions = 9;
@@ -18,13 +18,9 @@ struct Options {
     std::size_t incoherent = 500000;
     std::uint64_t seed = 2026;
     BakeSettings bake;
-    std::vector<std::string> meshes;
 };
 
-extern const char* const usage;
-
-/// Throws std::invalid_argument that says which word is wrong.
-Options parse(int count, char** words);
+void add_options(Program& program, Options& options);
 
 /// Whether --system asks for this one; the reference is always measured.
 bool is_asked_for(const Maker& maker, const Options& options);

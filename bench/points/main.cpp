@@ -1,16 +1,12 @@
 // Spheres and closest points, beside Embree's point query: one thread, the systems take turns within each repetition,
 // and a ratio is taken between neighbours in time. JSON, an object for each mesh and profile.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <limits>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <espalier/bake.hpp>
@@ -20,6 +16,7 @@
 #include "../../tests/support/random.hpp"
 #include "../../tools/choices.hpp"
 #include "../peers/stopwatch.hpp"
+#include "../program.hpp"
 #include "../rays.hpp"
 #if defined(ESPALIER_BENCH_EMBREE)
 #include "embree_points.hpp"
@@ -33,7 +30,6 @@ using namespace espalier::bench;
 struct Options {
     unsigned repetitions = 5;
     std::size_t points = 20000;
-    std::vector<std::string> meshes;
 };
 
 /// Centres anywhere in the box; the radius is 2 % of its diagonal.
@@ -161,49 +157,18 @@ void measure(const Mesh& mesh, const std::string& profile_name, format::Profile 
     std::fflush(stdout);
 }
 
-Options parse(std::span<char*> words) {
-    Options options;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string word = words[i];
-        const auto number = [&]() -> std::size_t {
-            std::size_t value = 0;
-            const std::string_view text = i + 1 < words.size() ? words[++i] : "";
-            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-            if (error != std::errc{} || end != text.data() + text.size() || value == 0)
-                throw std::invalid_argument(word + " needs a whole number above 0 behind it");
-            return value;
-        };
-        if (word == "--repetitions") options.repetitions = static_cast<unsigned>(number());
-        else if (word == "--points") options.points = number();
-        else if (word.starts_with("-")) throw std::invalid_argument("there is no option '" + word + "'");
-        else options.meshes.push_back(word);
-    }
-    if (options.meshes.empty()) throw std::invalid_argument("name at least one mesh, .obj or .ply");
-    return options;
-}
-
 }  // namespace
 
 int main(int count, char** words) {
     Options options;
-    try {
-        options = parse(std::span(words + 1, words + count));
-    } catch (const std::exception& error) {
-        std::fprintf(stderr,
-                     "espalier_bench_points: %s\n\n"
-                     "usage: espalier_bench_points [--repetitions N] [--points N] MESH.obj|MESH.ply...\n",
-                     error.what());
-        return 1;
-    }
-    try {
-        for (const std::string& path : options.meshes) {
+    Program program("espalier_bench_points", "Spheres and closest points, beside Embree's point query; JSON");
+    program.add_count("--repetitions", options.repetitions, "How often each system answers all questions");
+    program.add_count("--points", options.points, "Centres of spheres");
+    return program.run(count, words, [&](const std::vector<std::string>& meshes) {
+        for (const std::string& path : meshes) {
             Mesh mesh = tests::read_mesh(path);
             bring_to_common_size(mesh);
             for (const auto& [name, profile] : tools::profile_choices) measure(mesh, name, profile, options);
         }
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "espalier_bench_points: %s\n", error.what());
-        return 2;
-    }
-    return 0;
+    });
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -17,6 +15,7 @@
 
 #include "../../tests/support/mesh_files.hpp"
 #include "../../tests/support/random.hpp"
+#include "../program.hpp"
 #include "../rays.hpp"
 #include "shapes.hpp"
 #include "tests.hpp"
@@ -30,7 +29,6 @@ constexpr std::uint64_t seed = 2026;
 constexpr unsigned max_leaf_triangles = 8;
 constexpr std::size_t query_count = 10'000;
 constexpr std::size_t pose_count = 200;
-constexpr const char* usage = "usage: espalier_bench_volumes MESH.obj|MESH.ply...\n";
 constexpr const char* kind_names[] = {"sphere", "aligned box", "oriented box", "26-DOP"};
 constexpr int numbers_stored[] = {4, 6, 15, 26};
 
@@ -271,18 +269,11 @@ void measure(const Mesh& mesh) {
 }  // namespace
 
 int main(int count, char** words) {
-    try {
-        if (count < 2 || words[1][0] == '-') {
-            std::fputs(usage, stderr);
-            return 1;
-        }
+    Program program("espalier_bench_volumes", "Which bounding volume? Tests that queries make, in Markdown");
+    return program.run(count, words, [&](const std::vector<std::string>& meshes) {
         std::printf(
             "| mesh | volume | numbers | area | space | ray: volumes, triangles | sphere | mesh and mesh |\n"
             "|---|---|---|---|---|---|---|---|\n");
-        for (int i = 1; i < count; ++i) measure(tests::read_mesh(words[i]));
-        return 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 2;
-    }
+        for (const std::string& file : meshes) measure(tests::read_mesh(file));
+    });
 }

@@ -20,10 +20,9 @@
 
 #include "../support/calls.hpp"
 #include "../support/instruction_paths.hpp"
-#include "../support/mesh_files.hpp"
 #include "../support/mesh_makers.hpp"
-#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
+#include "../support/real_meshes.hpp"
 #include "../support/shape_maker.hpp"
 #include "../support/test_blobs.hpp"
 #include "../support/test_scale.hpp"
@@ -296,19 +295,7 @@ TEST_SUITE("approximate queries") {
         std::uint64_t awkward = 0;
         check_test_blobs(check_instruction_sets, 85, scaled_share(60), awkward);
     }
-    TEST_CASE("real meshes: all of these claims") {
-        const auto files = mesh_files();
-        if (files.empty()) {
-            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
-            return;
-        }
-        for (const auto& file : files) {
-            const Mesh mesh = read_mesh(file);
-            CAPTURE(mesh.name);
-            if (mesh.triangles.size() > 200'000) continue;  // baking it takes longer than asking it
-            for_each_profile([&](format::Profile profile) { check_real_mesh(mesh, profile); });
-        }
-    }
+    TEST_CASE("real meshes: all of these claims") { for_each_real_mesh(check_real_mesh, quickly_baked); }
 
     TEST_CASE("a coarse answer takes less work, and a NaN or negative accuracy is exact") {
         const OpenedBlob sphere(make_icosphere(5, 1.0, {0.0f, 0.0f, 0.0f}));

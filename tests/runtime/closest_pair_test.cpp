@@ -12,9 +12,8 @@
 #include <runtime/lattice_round.hpp>
 
 #include "../support/calls.hpp"
-#include "../support/mesh_files.hpp"
 #include "../support/mesh_makers.hpp"
-#include "../support/profiles.hpp"
+#include "../support/real_meshes.hpp"
 #include "../support/same_bits.hpp"
 #include "../support/shape_maker.hpp"
 #include "../support/test_blobs.hpp"
@@ -133,28 +132,19 @@ TEST_SUITE("traversal against the loop") {
     }
 
     TEST_CASE("real meshes: closest segments and boxes equal the loop") {
-        const auto files = mesh_files();
-        if (files.empty()) {
-            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
-            return;
-        }
-        for (const auto& file : files) {
-            for_each_profile([&](format::Profile profile) {
-                const std::string name = file.filename().string();
-                CAPTURE(name);
-                OpenedBlob opened(read_mesh(file), with_profile(profile));
-                DecodedBlob decoded = decode(opened.bytes);
-                const TestBlob blob = {name, std::move(opened), std::move(decoded)};
-                const TriangleLoop loop(blob.decoded);
-                ShapeMaker maker(blob.decoded, 1500 + static_cast<std::uint64_t>(profile));
-                Tally tally;
-                // Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
-                const std::uint64_t count = scaled_share(blob.decoded.triangles.size() > 200'000 ? 3 : 112);
-                for (std::uint64_t i = 0; i < count; ++i) check_one(blob, loop, maker, i % 10 == 9, tally);
-                tell_calls(name, count - count / 10, count / 10);
-                if (count >= 20) CHECK(tally.found > 0);
-            });
-        }
+        for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
+            OpenedBlob opened(mesh, with_profile(profile));
+            DecodedBlob decoded = decode(opened.bytes);
+            const TestBlob blob = {mesh.name, std::move(opened), std::move(decoded)};
+            const TriangleLoop loop(blob.decoded);
+            ShapeMaker maker(blob.decoded, 1500 + static_cast<std::uint64_t>(profile));
+            Tally tally;
+            // Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
+            const std::uint64_t count = scaled_share(blob.decoded.triangles.size() > 200'000 ? 3 : 112);
+            for (std::uint64_t i = 0; i < count; ++i) check_one(blob, loop, maker, i % 10 == 9, tally);
+            tell_calls(mesh.name, count - count / 10, count / 10);
+            if (count >= 20) CHECK(tally.found > 0);
+        });
     }
 }
 

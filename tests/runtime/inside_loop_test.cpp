@@ -13,9 +13,8 @@
 
 #include "../support/calls.hpp"
 #include "../support/checksum.hpp"
-#include "../support/mesh_files.hpp"
-#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
+#include "../support/real_meshes.hpp"
 #include "../support/same_bits.hpp"
 #include "../support/test_blobs.hpp"
 #include "../support/triangle_loop.hpp"
@@ -156,16 +155,8 @@ TEST_SUITE("traversal against the loop") {
     }
 
     TEST_CASE("real meshes: winding numbers and signed distances equal the loop") {
-        const auto files = mesh_files();
-        if (files.empty()) {
-            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
-            return;
-        }
-        for (const auto& file : files) {
-            const Mesh mesh = read_mesh(file);
-            CAPTURE(mesh.name);
-            if (mesh.triangles.size() > 200'000) continue;  // baking it takes longer than asking it
-            for_each_profile([&](format::Profile profile) {
+        for_each_real_mesh(
+            [](const Mesh& mesh, format::Profile profile) {
                 OpenedBlob opened(mesh, with_profile(profile));
                 const bool is_closed = opened.blob.closed();
                 const TestBlob blob = said_to_be_closed(std::move(opened), mesh.name);
@@ -173,7 +164,7 @@ TEST_SUITE("traversal against the loop") {
                 // Times a scale of 1,000 these are at least the counts that a release must show.
                 check_points(blob, 1150 + static_cast<std::uint64_t>(profile), scaled_share(112), 1, is_closed, tally);
                 tell_calls(mesh.name, tally);
-            });
-        }
+            },
+            quickly_baked);
     }
 }

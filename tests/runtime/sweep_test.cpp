@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,9 +13,8 @@
 #include <runtime/sweep_queries.hpp>
 
 #include "../support/calls.hpp"
-#include "../support/mesh_files.hpp"
 #include "../support/mesh_makers.hpp"
-#include "../support/profiles.hpp"
+#include "../support/real_meshes.hpp"
 #include "../support/same_bits.hpp"
 #include "../support/sweep_maker.hpp"
 #include "../support/test_blobs.hpp"
@@ -140,26 +138,17 @@ TEST_SUITE("sweeps against the loop") {
         for (const Seen& each : seen) CHECK(each.hits > each.asked / 5);
     }
     TEST_CASE("real meshes: sweeps equal the loop") {
-        const auto files = mesh_files();
-        if (files.empty()) {
-            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
-            return;
-        }
-        for (const auto& file : files) {
-            for_each_profile([&](format::Profile profile) {
-                const std::string name = file.filename().string();
-                CAPTURE(name);
-                const OpenedBlob opened(read_mesh(file), with_profile(profile));
-                const DecodedBlob decoded = decode(opened.bytes);
-                Seen seen[3];
-                // Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
-                const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 2 : 151);
-                check_sweeps(opened.blob, decoded, 510 + static_cast<std::uint64_t>(profile), count, seen);
-                tell_calls(name, count);
-                for (const Seen& each : seen)
-                    if (count >= 20) CHECK(each.hits > 0);  // fewer may all pass by
-            });
-        }
+        for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
+            const OpenedBlob opened(mesh, with_profile(profile));
+            const DecodedBlob decoded = decode(opened.bytes);
+            Seen seen[3];
+            // Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
+            const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 2 : 151);
+            check_sweeps(opened.blob, decoded, 510 + static_cast<std::uint64_t>(profile), count, seen);
+            tell_calls(mesh.name, count);
+            for (const Seen& each : seen)
+                if (count >= 20) CHECK(each.hits > 0);  // fewer may all pass by
+        });
     }
 }
 

@@ -2,16 +2,14 @@
 // gives.
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "../support/calls.hpp"
 #include "../support/differences.hpp"
 #include "../support/instruction_paths.hpp"
-#include "../support/mesh_files.hpp"
-#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
+#include "../support/real_meshes.hpp"
 #include "../support/same_bits.hpp"
 #include "../support/test_blobs.hpp"
 #include "../support/test_scale.hpp"
@@ -105,10 +103,8 @@ void check_spheres(const std::vector<TestBlob>& blobs, std::uint64_t count) {
 }
 
 /// Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
-void check_real_mesh(const std::filesystem::path& file, format::Profile profile) {
-    const std::string name = file.filename().string();
-    CAPTURE(name);
-    const OpenedBlob opened(read_mesh(file), with_profile(profile));
+void check_real_mesh(const Mesh& mesh, format::Profile profile) {
+    const OpenedBlob opened(mesh, with_profile(profile));
     const DecodedBlob decoded = decode(opened.bytes);
     const TriangleLoop loop(decoded);
     QueryMaker maker(decoded, 300 + static_cast<std::uint64_t>(profile));
@@ -129,8 +125,8 @@ void check_real_mesh(const std::filesystem::path& file, format::Profile profile)
     for (std::uint64_t i = 0; i < count; ++i) check_sphere(opened.blob, loop, maker.random_sphere(), overlaps);
     for (std::uint64_t i = 0; i < awkward_spheres; ++i) check_sphere(opened.blob, loop, maker.sphere(), overlaps);
     for (const char* queries : {ray_queries, segment_queries, batch_queries})
-        MESSAGE(calls_made(queries, name, count, count));
-    MESSAGE(calls_made(sphere_queries, name, count, awkward_spheres));
+        MESSAGE(calls_made(queries, mesh.name, count, count));
+    MESSAGE(calls_made(sphere_queries, mesh.name, count, awkward_spheres));
     if (count >= 20) CHECK(hits > 0);  // fewer may all miss
 }
 
@@ -179,14 +175,5 @@ TEST_SUITE("traversal against the loop") {
         check_spheres(medium_test_blobs(), scaled_share(60));
     }
 
-    TEST_CASE("real meshes: rays, spheres and closest points equal the loop") {
-        const auto files = mesh_files();
-        if (files.empty()) {
-            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
-            return;
-        }
-        for (const auto& file : files) {
-            for_each_profile([&](format::Profile profile) { check_real_mesh(file, profile); });
-        }
-    }
+    TEST_CASE("real meshes: rays, spheres and closest points equal the loop") { for_each_real_mesh(check_real_mesh); }
 }

@@ -13,10 +13,9 @@
 #include <runtime/segment_triangle.hpp>
 
 #include "../support/calls.hpp"
-#include "../support/mesh_files.hpp"
 #include "../support/mesh_makers.hpp"
-#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
+#include "../support/real_meshes.hpp"
 #include "../support/shape_maker.hpp"
 #include "../support/test_blobs.hpp"
 #include "../support/triangle_loop.hpp"
@@ -186,10 +185,8 @@ void check_shapes(const char* name) {
 }
 
 /// Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
-void check_real_mesh(const std::filesystem::path& file, format::Profile profile) {
-    const std::string name = file.filename().string();
-    CAPTURE(name);
-    const OpenedBlob opened(read_mesh(file), with_profile(profile));
+void check_real_mesh(const Mesh& mesh, format::Profile profile) {
+    const OpenedBlob opened(mesh, with_profile(profile));
     const DecodedBlob decoded = decode(opened.bytes);
     const TriangleLoop loop(decoded);
     for (const ShapeKind& kind : shape_kinds) {
@@ -204,7 +201,7 @@ void check_real_mesh(const std::filesystem::path& file, format::Profile profile)
             ++tally.asked;
             tally.awkward += awkward ? 1u : 0u;
         }
-        tell_calls(kind, name, tally);
+        tell_calls(kind, mesh.name, tally);
         if (count >= 20) CHECK(tally.overlapping > 0);  // fewer may all be beside it
     }
 }
@@ -241,14 +238,5 @@ TEST_SUITE("volumes against the loop") {
     TEST_CASE("oriented boxes: any, all and pages equal the loop") { check_shapes("oriented boxes"); }
     TEST_CASE("triangles: any, all and pages equal the loop") { check_shapes("triangles"); }
     TEST_CASE("sets of planes: any, all and pages equal the loop") { check_shapes("sets of planes"); }
-    TEST_CASE("real meshes: volumes of every kind equal the loop") {
-        const auto files = mesh_files();
-        if (files.empty()) {
-            MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
-            return;
-        }
-        for (const auto& file : files) {
-            for_each_profile([&](format::Profile profile) { check_real_mesh(file, profile); });
-        }
-    }
+    TEST_CASE("real meshes: volumes of every kind equal the loop") { for_each_real_mesh(check_real_mesh); }
 }
