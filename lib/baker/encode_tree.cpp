@@ -92,7 +92,7 @@ private:
         }
         const unsigned base_unit = bits_ > 16 ? bits_ - 16 : 0;
         const Frame frame = frame_for(lo, hi, base_unit);
-        set_u16(bytes + format::node::base_at + 2 * axis, static_cast<std::uint32_t>(frame.base) >> base_unit);
+        set_u16(bytes + (format::node::base_at + 2 * axis), static_cast<std::uint32_t>(frame.base) >> base_unit);
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             const std::size_t at = format::max_children * axis + i;
             set_u8(bytes + format::node::lo_at + at, frame.plane_below(boxes[i].lo[axis]));

@@ -83,11 +83,8 @@ bool is_below_float_spacing(const Lattice& lattice, const SourceBounds& bounds) 
 
 Result<Lattice, BakeError> lattice_for_bits(const SourceBounds& bounds, unsigned bits) {
     if (bounds.largest_side == 0.0) return Lattice{{}, 0, bits};  // only of nothing: an area has an extent
-    // side < 2^exponent, so this start fits; one finer step fits when rounding down is all that it takes.
-    int exponent = 0;
-    std::frexp(bounds.largest_side, &exponent);
-    int step_exponent = exponent - static_cast<int>(bits);
-    while (bits_needed(bounds, step_exponent) > bits) ++step_exponent;
+    int step_exponent = 0;                                        // side < 2^exponent: a step of this size fits
+    std::frexp(bounds.largest_side, &step_exponent);
     while (bits_needed(bounds, step_exponent - 1) <= bits) --step_exponent;
     if (auto error = check_exponent(step_exponent, bounds)) return *error;
     return Lattice{bounds.min, step_exponent, bits};

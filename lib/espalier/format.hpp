@@ -120,9 +120,6 @@ inline constexpr std::size_t fields_at = 4;
 inline constexpr unsigned edge_bits = 2;
 inline constexpr unsigned triangle_bits = 3 * edge_bits;
 inline constexpr std::uint32_t max_flat_limit = 1u << 24;
-constexpr std::uint64_t bytes(std::uint32_t triangle_count) {
-    return fields_at + (std::uint64_t{triangle_count} * triangle_bits + 7) / 8;
-}
 }  // namespace edge_flags
 
 // Bounds of the whole asset, in this order, each with its own feature bit.

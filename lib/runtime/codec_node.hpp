@@ -23,8 +23,8 @@ struct Node {
     }
     [[nodiscard]] std::int32_t base(int axis, unsigned bits) const {
         const unsigned unit = bits > 16 ? bits - 16 : 0;
-        return static_cast<std::int32_t>(load_u16(bytes + format::node::base_at + 2 * static_cast<std::size_t>(axis))
-                                         << unit);
+        const std::byte* at = bytes + (format::node::base_at + 2 * static_cast<std::size_t>(axis));
+        return static_cast<std::int32_t>(load_u16(at) << unit);
     }
     [[nodiscard]] const std::byte* low_planes(int axis) const {
         return bytes + format::node::lo_at + 8 * static_cast<std::size_t>(axis);

@@ -47,7 +47,8 @@ Status read_header(std::span<const std::byte> bytes, BlobData& blob) {
     using namespace format::header;
     if (bytes.size() < format::header::bytes) return Status::too_short;
     const std::byte* h = bytes.data();
-    if (load_u32(h + magic_at) != format::magic) return Status::not_a_blob;
+    static_assert(magic_at == 0);
+    if (load_u32(h) != format::magic) return Status::not_a_blob;
     if (load_u16(h + version_major_at) != format::version_major ||
         load_u16(h + version_minor_at) > format::version_minor)
         return Status::unsupported_version;
@@ -205,12 +206,14 @@ Status check_original_ids(BlobData& blob, Bytes& rest) {
 /// Any flags are safe: they are hints.
 Status check_edge_flags(BlobData& blob, Bytes& rest) {
     using namespace format::edge_flags;
+    static_assert(flat_limit_at == 0);
     blob.edge_flags = take_bits(rest, 8 * fields_at + std::uint64_t{blob.triangle_count} * triangle_bits);
-    const bool good = blob.edge_flags != nullptr && load_u32(blob.edge_flags + flat_limit_at) <= max_flat_limit;
+    const bool good = blob.edge_flags != nullptr && load_u32(blob.edge_flags) <= max_flat_limit;
     return good ? Status::ok : Status::bad_section;
 }
 
-/// That the arithmetic of whoever reads the bounds stays within its widths. Bounds that hold nothing are safe.
+/// That the arithmetic of whoever reads the bounds stays within its widths. Bounds that hold nothing are safe; where
+/// there are none they take no bytes.
 Status check_bounds(BlobData& blob, Bytes& rest) {
     using namespace format::bounds;
     const std::byte* at = blob.bounds = rest.take(format::bounds::bytes(blob.features));
@@ -250,8 +253,7 @@ Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
         if (const Status status = check_copies(blob, rest); status != Status::ok) return status;
     if ((blob.features & format::feature::edge_flags) != 0)
         if (const Status status = check_edge_flags(blob, rest); status != Status::ok) return status;
-    if ((blob.features & format::feature::bounds) != 0)
-        if (const Status status = check_bounds(blob, rest); status != Status::ok) return status;
+    if (const Status status = check_bounds(blob, rest); status != Status::ok) return status;
     return rest.left == 0 ? Status::ok : Status::bad_section;
 }
 

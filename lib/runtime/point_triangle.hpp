@@ -8,6 +8,7 @@
 #include <espalier/types.hpp>
 #include <runtime/lattice_point.hpp>
 #include <runtime/ray_triangle.hpp>
+#include <runtime/step_counter.hpp>
 #include <runtime/wide_integer.hpp>
 
 namespace espalier::detail {
@@ -73,6 +74,7 @@ inline PointDistance to_segment(const Integer3& p, const Integer3& edge, int fra
 /// The distance from the origin of `triangle` to it (also to one without area: then to its longest side).
 PointDistance distance_to(const OriginRelative& triangle, int fraction_bits) noexcept;
 inline PointDistance distance_to(const LatticePoint& point, const LatticeTriangle& triangle) noexcept {
+    count_decision();
     return distance_to(relative_to(point, triangle), point.fraction_bits);
 }
 

@@ -20,6 +20,7 @@ template <class Leaf>
 template <class Leaf>
 [[gnu::noinline]] inline bool hits_slot(const Leaf& leaf, unsigned slot, const LatticeRay& ray, TriangleHit& hit) {
     using namespace ray_triangle;
+    count_decision();
     if constexpr (has_native_int128) {
         if (leaf.size > 1u << narrow_bits) return hits_slot_of_large_leaf(leaf, slot, ray, hit);
         return hits<std::int64_t, std::int64_t>(ray, relative_to(ray, leaf.triangle(slot)), hit);

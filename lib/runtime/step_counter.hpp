@@ -15,16 +15,20 @@ namespace espalier::detail {
 struct StepCounter {
     std::uint64_t nodes = 0;   ///< tests of a node's children, by one ray, shape or box
     std::uint64_t leaves = 0;  ///< visits of a leaf
+    /// Triangles that lanes left open, decided by the exact kernels of rays and points.
+    std::uint64_t decisions = 0;
 };
 inline thread_local constinit StepCounter step_counter;
 
 inline void count_node_step() { ++step_counter.nodes; }
 inline void count_leaf_step() { ++step_counter.leaves; }
+inline void count_decision() { ++step_counter.decisions; }
 
 #else
 
 constexpr void count_node_step() {}
 constexpr void count_leaf_step() {}
+constexpr void count_decision() {}
 
 #endif
 

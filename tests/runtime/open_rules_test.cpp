@@ -88,6 +88,13 @@ TEST_SUITE("open") {
                 CHECK(refused(at::extent_at + 4 * axis, std::uint64_t{1} << get(bytes, at::bits_at, 1), 4));
             }
             CHECK(status_with(three_sources(profile), at::id_bits_at, 33, 1) == Status::bad_header);
+            const auto with_step = [&](int exponent) {
+                return status_with(bytes, at::step_exponent_at, static_cast<std::uint16_t>(exponent), 2);
+            };
+            CHECK(with_step(format::min_step_exponent) == Status::ok);
+            CHECK(with_step(format::min_step_exponent - 1) == Status::bad_header);
+            CHECK(with_step(format::max_step_exponent) == Status::ok);
+            CHECK(with_step(format::max_step_exponent + 1) == Status::bad_header);
 
             const Bytes empty = bake_or_throw(Mesh{}, with_profile(profile));
             REQUIRE(status_of(empty) == Status::ok);
@@ -307,6 +314,11 @@ TEST_SUITE("open") {
             put(no_sources, at::source_count_at, 0, 4);
             CHECK(status_resized(no_sources) == Status::bad_section);
             CHECK(status_resized(without(bytes, bytes.size() - 4, 4)) == Status::bad_section);
+            Bytes widest = bytes;  // ids of 32 bits, all 0
+            widest.resize(table + 3 * format::source::bytes);
+            widest.resize(widest.size() + (profile == format::Profile::fast ? 12 : 16));
+            put(widest, at::id_bits_at, 32, 1);
+            CHECK(status_resized(widest) == Status::ok);
             CHECK((status_with(bytes, table + 3 * format::source::bytes, 3, 1) == Status::bad_section ||
                    profile == format::Profile::fast));  // the corner that comes first is one of three
 

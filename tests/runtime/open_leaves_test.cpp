@@ -1,0 +1,146 @@
+// Claims about where leaves lie: what open says of one that is misplaced, and that those far back in their block are
+// read from there.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdint>
+
+#include <espalier/espalier.hpp>
+
+#include "../support/baking.hpp"
+#include "../support/blob_edits.hpp"
+#include "../support/blob_encoder.hpp"
+#include "../support/guarded_pages.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+namespace at = format::header;
+using Bytes = std::vector<std::byte>;
+
+std::size_t leaves_of(const Bytes& bytes) { return at::bytes + get(bytes, at::node_count_at, 4) * format::node::bytes; }
+
+/// 16 triangles about two corners of which one is 0 0 0, in a box of 15 steps.
+PlainLeaf make_fan(format::Profile profile) {
+    PlainLeaf leaf;
+    leaf.vertices = {{15, 15, 15}, {0, 0, 1}, {0, 1, 0}};
+    for (std::int32_t i = 3; i < 18; ++i) leaf.vertices.push_back({0, 0, 0});
+    if (profile == format::Profile::fast) {
+        for (std::uint8_t i = 0; i < 16; ++i) leaf.triangles.push_back({0, 1, static_cast<std::uint8_t>(2 + i % 2)});
+        leaf.codes = {4, 4, 4};
+    } else {
+        for (unsigned i = 0; i < 18; ++i) leaf.entries.push_back({i, i == 0, i + 2 < 18});
+    }
+    return leaf;
+}
+
+PlainBlob make_blob(format::Profile profile, unsigned bits) {
+    PlainBlob blob;
+    blob.decoded.profile = profile;
+    blob.decoded.bits = bits;
+    blob.decoded.extent.fill((1u << bits) - 1);
+    blob.decoded.vertex_count = 3;
+    return blob;
+}
+
+}  // namespace
+
+TEST_SUITE("open") {
+    TEST_CASE("the highest bit of where a leaf lies is looked at") {
+        for_each_profile([](format::Profile profile) {
+            Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
+            const unsigned offset_bits =
+                profile == format::Profile::fast ? format::indexed_leaf::offset_bits : format::strip_leaf::offset_bits;
+            const std::size_t descriptor = leaves_of(bytes) + format::indexed_leaf::descriptors_at;
+            put(bytes, descriptor, get(bytes, descriptor, 4) | 1u << (offset_bits - 1), 4);
+            repair_checksum(bytes);
+            const GuardedPages pages(bytes, true);
+            Blob blob;
+            CHECK(open(pages.bytes(), blob) == Status::bad_leaf);
+        });
+    }
+
+    TEST_CASE("a leaf that reaches into the guard is why a blob is refused, whatever follows") {
+        for_each_profile([](format::Profile profile) {
+            PlainBlob blob = make_blob(profile, 4);
+            blob.nodes.resize(3);
+            for (std::size_t i = 1; i < 3; ++i) {
+                blob.nodes[0].children.push_back({{0, 0, 0}, {15, 15, 15}, i, {}});
+                blob.nodes[i].children = {{{0, 0, 0}, {15, 15, 15}, 0, make_fan(profile)}};
+            }
+            const Bytes bytes = encode(blob);
+            REQUIRE(status_of(bytes) == Status::ok);
+            // The section ends before the first leaf does, and of the leaf's last words, zeros, the guard has as many
+            // as a block's head takes: nothing of it is missing. The second node is broken too.
+            const std::uint64_t block = get(bytes, at::leaf_bytes_at, 4) / 2;
+            for (const std::size_t missing : {4u, 8u}) {
+                Bytes changed = bytes;
+                const auto end = changed.begin() + static_cast<std::ptrdiff_t>(leaves_of(bytes));
+                changed.erase(end + static_cast<std::ptrdiff_t>(block - missing),
+                              end + static_cast<std::ptrdiff_t>(2 * block));
+                put(changed, at::leaf_bytes_at, block - missing, 4);
+                CHECK(status_resized(changed) == Status::bad_leaf);
+                const std::size_t second = at::bytes + 2 * format::node::bytes;
+                put(changed, second + format::node::shifts_at, 0x8000u, 2);
+                CHECK(status_resized(changed) == Status::bad_leaf);
+            }
+        });
+    }
+
+    TEST_CASE("the last of eight of the largest leaves is read from where it lies") {
+        // In profile fast it lies more than half as far back as can be said. Its fields are as wide as the lattice, and
+        // count from its box's low corner all the same: there are no copies.
+        for_each_profile([](format::Profile profile) {
+            constexpr std::int32_t most = (1 << 24) - 1, low = 1 << 17;
+            PlainBlob blob = make_blob(profile, 24);
+            blob.nodes.resize(1);
+            blob.nodes[0].shift = {17, 17, 17};
+            std::vector<GridTriangle> expected;
+            for (std::int32_t number = 0; number < 8; ++number) {
+                PlainLeaf leaf;
+                const auto add_vertices = [&](std::int32_t count) {
+                    for (std::int32_t i = 0; i < count; ++i)
+                        leaf.vertices.push_back({most - i * i, low + i + 100 * number, low + i % 3 * (most / 4)});
+                };
+                if (profile == format::Profile::fast) {
+                    add_vertices(32);
+                    for (std::uint8_t i = 0; i < 16; ++i)
+                        leaf.triangles.push_back(
+                            {i, static_cast<std::uint8_t>(i + 1), static_cast<std::uint8_t>(31 - i)});
+                    leaf.codes = {15, 15, 15};
+                } else {
+                    const unsigned entries = profile == format::Profile::small
+                                                 ? format::strip_leaf::max_small_entries
+                                                 : format::strip_leaf::max_balanced_entries;
+                    add_vertices(static_cast<std::int32_t>(entries));
+                    for (unsigned i = 0; i < entries; ++i) leaf.entries.push_back({i, i == 0, i + 2 < entries});
+                }
+                for (const GridTriangle& triangle : leaf.corners()) expected.push_back(triangle);
+                blob.nodes[0].children.push_back({{1, 1, 1}, {128, 128, 128}, 0, std::move(leaf)});
+            }
+            const Bytes bytes = encode(blob);
+            if (profile == format::Profile::fast)
+                REQUIRE((get(bytes, leaves_of(bytes) + 4 + 7 * 4, 4) >> (format::indexed_leaf::offset_bits - 1) & 1) !=
+                        0);
+            Blob opened;
+            REQUIRE(open(bytes, opened) == Status::ok);
+            REQUIRE(opened.triangle_count() == expected.size());
+            const auto is_at = [](const Vec3& point, const GridPoint& expected_point) {  // a step of 1 from 0 0 0
+                return point.x == static_cast<float>(expected_point[0]) &&
+                       point.y == static_cast<float>(expected_point[1]) &&
+                       point.z == static_cast<float>(expected_point[2]);
+            };
+            for_each_triangle(opened, [&](Triangle triangle, const Corners& corners) {
+                const GridTriangle& plain = expected[triangle.index];
+                CHECK(is_at(corners.a, plain.a));
+                CHECK(is_at(corners.b, plain.b));
+                CHECK(is_at(corners.c, plain.c));
+                return keep_going;
+            });
+        });
+    }
+}

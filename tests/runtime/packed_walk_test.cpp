@@ -1,0 +1,59 @@
+// Claims about what walks keep on their stacks, packed into words.
+#include <doctest/doctest.h>
+
+#include <bit>
+
+#include <espalier/espalier.hpp>
+#include <runtime/pair_queries.hpp>
+#include <runtime/simd/lanes_scalar.hpp>
+
+namespace espalier::detail::scalar {
+namespace {
+#include <runtime/traverse.inl>
+#include <runtime/pair_nodes.inl>
+#include <runtime/traverse_pair.inl>
+}  // namespace
+}  // namespace espalier::detail::scalar
+
+using namespace espalier;
+
+TEST_SUITE("traversal") {
+    TEST_CASE("what waits at any node that a blob may have is what was left there") {
+        using detail::scalar::Waiting;
+        for (const std::uint32_t node : {0u, 1u, 0x555555u, 0x7FFFFFu, 0x800000u, 0xFFFFFFu})
+            for (const float key : {0.0f, 0x1p-100f, 1.5f, 0x1p100f})
+                for (unsigned second = 0; second < 8; ++second)
+                    for (unsigned others = 0; others < 256; ++others) {
+                        if ((others >> second & 1) != 0) continue;
+                        const Waiting waiting{Waiting::pack(Waiting::entry(key, second), others, node)};
+                        REQUIRE(waiting.node() == node);
+                        REQUIRE(waiting.others() == others);
+                        REQUIRE(waiting.child() == second);
+                        REQUIRE(waiting.is_within(key));
+                        REQUIRE(waiting.is_within(key * 2.0f));
+                        REQUIRE((key == 0.0f || !waiting.is_within(key * 0.5f)));
+                        if (others == 0) continue;
+                        const Waiting rest{waiting.without_second()};
+                        REQUIRE(rest.node() == node);
+                        REQUIRE(rest.others() == others);
+                        REQUIRE((others >> rest.child() & 1) != 0);
+                        REQUIRE(rest.is_within(key));
+                        REQUIRE((key == 0.0f || !rest.is_within(key * 0.5f)));
+                    }
+    }
+
+    TEST_CASE("a child of any node that a blob may have is named by a word") {
+        using detail::scalar::PairItem;
+        REQUIRE(PairItem{}.is_root());
+        REQUIRE_FALSE(PairItem{}.is_leaf());
+        for (const std::uint32_t node : {0u, 1u, 0x555555u, 0x7FFFFFu, 0x800000u, 0xFFFFFFu})
+            for (std::uint32_t child = 0; child < 8; ++child)
+                for (const std::uint32_t leaf : {0u, PairItem::leaf_bit}) {
+                    const PairItem item{node | child << PairItem::child_shift | leaf};
+                    REQUIRE(item.parent() == node);
+                    REQUIRE(item.child() == child);
+                    REQUIRE(item.is_leaf() == (leaf != 0));
+                    REQUIRE_FALSE(item.is_root());
+                }
+    }
+}
