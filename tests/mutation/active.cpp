@@ -1,16 +1,18 @@
-// Which mutant a program is, and on request which it came by.
+// Which mutant a program is and which lanes it has, and on request which mutants it came by.
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+
+#include <runtime/simd/select.hpp>
 
 #include "mutants.hpp"
 
 namespace mutation {
-namespace {
 
-int chosen() {
-    const char* number = std::getenv("MUTANT");
-    return number == nullptr ? -1 : std::atoi(number);
-}
+int active = -1;
+unsigned char reached[MUTANT_COUNT + 1] = {};
+
+namespace {
 
 struct AtTheEnd {
     ~AtTheEnd() {
@@ -25,9 +27,17 @@ struct AtTheEnd {
 
 AtTheEnd at_the_end;
 
-}  // namespace
+/// Before the tables that the start of the program fills. One lane, unless four are asked for: what is mutated is what
+/// all instruction sets have in common, and the program has no other sets.
+__attribute__((constructor(101))) void choose() {
+    using espalier::detail::InstructionSet;
+    if (const char* number = std::getenv("MUTANT"); number != nullptr) active = std::atoi(number);
+    const char* lanes = std::getenv("MUTANT_LANES");
+    const bool four = lanes != nullptr && std::strcmp(lanes, "4") == 0;
+    const InstructionSet set = four ? InstructionSet::sse42 : InstructionSet::scalar;
+    espalier::detail::known_instruction_set = static_cast<std::uint8_t>(static_cast<unsigned>(set) + 1u);
+}
 
-const int active = chosen();
-unsigned char reached[MUTANT_COUNT + 1] = {};
+}  // namespace
 
 }  // namespace mutation

@@ -2,7 +2,9 @@
 """instrument.py SOURCE TARGET LIST: writes a copy of lib with every mutant in it (mutants.hpp), and the list of them.
 
 Patterns, not a parser: operators are told from templates and references by the blanks that clang-format puts around them.
+Each file has numbers of its own, so that a change of one file leaves what is made of the others as it is.
 """
+import hashlib
 import json
 import pathlib
 import re
@@ -24,7 +26,7 @@ PARTS = {
         "runtime/plane_nodes.hpp", "runtime/pair_nodes.inl", "runtime/traverse_pair.inl"],
 }
 
-CLOSING = {"(": ")", "[": "]", "{": "}"}
+NUMBERS_OF_A_FILE = 1000
 FALSE_BY = {"&&": ("(::mutation::on(%d) || (", "))"), "||": ("(!::mutation::on(%d) && (", "))")}
 OPERATORS = {
     "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!=", "true"], "!=": ["==", "true"],
@@ -99,17 +101,18 @@ def term_left(text, at):
 
 
 class Source:
-    def __init__(self, path, name, part, mutants):
+    def __init__(self, path, name, part, first_number):
         self.text = path.read_text()
         self.code = blanked(self.text)
-        self.name, self.part, self.mutants = name, part, mutants
-        self.spans, self.points = [], []
+        self.name, self.part, self.first_number = name, part, first_number
+        self.spans, self.points, self.mutants = [], [], []
 
     def add(self, at, what):
         line = self.text.count("\n", 0, at) + 1
-        self.mutants.append({"part": self.part, "file": self.name, "line": line, "change": what,
+        number = self.first_number + len(self.mutants)
+        self.mutants.append({"number": number, "part": self.part, "file": self.name, "line": line, "change": what,
                              "text": self.text.split("\n")[line - 1].strip()})
-        return len(self.mutants) - 1
+        return number
 
     def wrap(self, start, end, before, after, what):
         while self.code[start] in " \n":
@@ -208,13 +211,24 @@ def term_right_to_end(text, at):
     return i
 
 
+def filled_at_start(text):
+    """A table that the compiler fills is filled when the program starts: then it has mutants too."""
+    text = text.replace("inline constexpr std::array<PlaneOrder, 8>", "inline const std::array<PlaneOrder, 8>")
+    return text.replace("std::array<PlaneOrder, 8> orders{};",
+                        "std::array<PlaneOrder, 8> orders{}; const int no_constant = ::mutation::active;")
+
+
 def main():
     source, target, listing = map(pathlib.Path, sys.argv[1:4])
     mutants = []
-    for part, names in PARTS.items():
-        for name in names:
-            text = Source(source / name, name, part, mutants).instrument()
-            (target / name).write_text(text)
+    for number, (part, name) in enumerate((part, name) for part, names in PARTS.items() for name in names):
+        file = Source(source / name, name, part, number * NUMBERS_OF_A_FILE)
+        text = filled_at_start(file.instrument())
+        (target / name).write_text(text)
+        for mutant in file.mutants:
+            mutant["version"] = hashlib.sha256(text.encode()).hexdigest()[:16]
+        assert len(file.mutants) <= NUMBERS_OF_A_FILE
+        mutants += file.mutants
     listing.write_text("\n".join(json.dumps(mutant) for mutant in mutants) + "\n")
 
 

@@ -10,7 +10,7 @@
 
 namespace mutation {
 
-extern const int active;
+extern int active;
 /// By number: whether the program came by.
 extern unsigned char reached[];
 

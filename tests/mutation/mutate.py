@@ -1,35 +1,48 @@
 #!/usr/bin/env python3
-"""mutate.py BUILD [PART...]: breaks the library in every way that instrument.py knows, one at a time, and prints what no
-claim noticed. PART is verifier, decode, quantiser or traversal; all of them when none is named.
+"""mutate.py BUILD [PART...] [--survivors] [--most N] [--claims TEXT...]: breaks the library in every way that instrument.py knows, one
+at a time, and prints what no claim noticed. PART is verifier, decode, quantiser or traversal; all of them when none is
+named. Exit status 1 when a mutant survives that equivalent.txt does not explain.
 
 All mutants are compiled once, into the same programs, and chosen when a program starts. A first run of every claim
 without any notes how long it takes and by which mutants it comes; each mutant is then shown to the claims that come by
-it, the quickest first, until one is red, crashes or takes far too long.
+it, first those that have noticed most of its file's mutants for the time that they take, until one is red, crashes or
+takes far too long.
+
+What was found is kept in BUILD/results.jsonl and holds as long as the mutant's file is made of the same text: a mutant
+that was noticed is not asked about again, one that survived only by claims that it has not met. --survivors leaves out
+all mutants that have not been run yet; --claims asks only those with one of these texts in their names; --most asks so
+many of each mutant, and leaves the others for another run.
 """
+import argparse
 import collections
 import concurrent.futures
 import filecmp
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
-import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 JOBS = int(os.environ.get("MUTATION_JOBS", os.cpu_count() or 1))
+LONGEST = float(os.environ.get("MUTATION_LONGEST_CLAIM", "2"))  # seconds of a processor
+SCALE = os.environ.get("ESPALIER_TEST_SCALE", "0.05")  # enough for most mutants; survivors are worth more
 
 # Claims by file. Those of files and query answers are asked too: tests/platform.
-CLAIMS = ["runtime/open_test.cpp", "runtime/open_rules_test.cpp", "runtime/weird_blob_test.cpp",
-          "runtime/hostile_test.cpp", "runtime/statistics_test.cpp", "runtime/traversal_test.cpp",
-          "runtime/lattice_ray_test.cpp", "baker/lattice_test.cpp", "baker/tree_test.cpp", "baker/strip_test.cpp",
-          "baker/bounds_test.cpp", "baker/error_test.cpp", "baker/spatial_test.cpp", "runtime/identity_test.cpp"]
+CLAIMS = [f"{name}_test.cpp" for name in (
+    "runtime/open", "runtime/open_rules", "runtime/open_leaves", "runtime/weird_blob", "runtime/statistics",
+    "runtime/work", "runtime/traversal", "runtime/lattice_ray", "runtime/lattice_point", "runtime/identity",
+    "runtime/nearest", "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk",
+    "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/copies", "runtime/packed_walk", "baker/lattice", "baker/lattice_borders",
+    "baker/tree", "baker/strip", "baker/bounds", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles",
+    "baker/input")]
 QUESTIONS = [5, 100]  # of a kind and blob
-LONGEST = float(os.environ.get("MUTATION_LONGEST_CLAIM", "12"))  # seconds
 
 
 def build(folder):
@@ -44,12 +57,7 @@ def build(folder):
         top.write("add_subdirectory(tests/mutation)\n")
     subprocess.run([sys.executable, HERE / "instrument.py", ROOT / "lib", fresh / "lib", folder / "mutants.jsonl"],
                    check=True)
-    # Lanes of one: what is mutated is what all instruction sets have in common. The others are held to its bits.
-    for part in (fresh / "lib", fresh / "tests" / "support"):
-        for path in part.rglob("*.[chi][pn][pl]"):
-            text = path.read_text()
-            if re.search(r"__x86_64__|__i386__", text):
-                path.write_text(re.sub(r"defined\(__(x86_64|i386)__\)", "0", text))
+    leave_out_wide_lanes(fresh)
     # Only what changed is touched, and compiled again.
     for path in fresh.rglob("*"):
         old = source / path.relative_to(fresh)
@@ -60,58 +68,71 @@ def build(folder):
     flags = f"-std=c++20 -O1 -w -include {source}/tests/mutation/mutants.hpp"
     subprocess.run(["cmake", "-S", source, "-B", folder / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
                     "-DESPALIER_TESTS=OFF", "-DESPALIER_TOOLS=OFF", "-DESPALIER_BENCH=OFF",
-                    f"-DCMAKE_CXX_FLAGS={flags}", f"-DMUTANT_COUNT={len(mutants)}",
+                    "-DESPALIER_COUNT_STEPS=ON",
+                    f"-DCMAKE_CXX_FLAGS={flags}", f"-DMUTANT_COUNT={mutants[-1]['number'] + 1}",
                     f"-DMUTANT_CLAIMS={';'.join(CLAIMS)}"], check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", folder / "build", "--target", "mutant_blobs", "mutant_answers",
-                    "mutant_claims"], check=True, stdout=subprocess.DEVNULL)
+    built = subprocess.run(["cmake", "--build", folder / "build", "-j", str(JOBS), "--target", "mutant_blobs",
+                            "mutant_answers", "mutant_claims"], stdout=subprocess.PIPE, text=True)
+    if built.returncode != 0:
+        raise SystemExit(built.stdout)
     return mutants
+
+
+def leave_out_wide_lanes(fresh):
+    """One lane and four have between them all that is mutated; what is wider is held to their bits elsewhere."""
+    for path in fresh.glob("lib/runtime/simd/*_avx*.cpp"):
+        path.write_text("")
+    dispatch = fresh / "lib/runtime/simd/dispatch.hpp"
+    text = dispatch.read_text().replace("defined(__x86_64__)", "0")
+    dispatch.write_text(text.replace("avx2::query", "sse42::query"))
+    paths = fresh / "tests/support/instruction_paths.cpp"
+    text = paths.read_text().replace("defined(__x86_64__)", "0")
+    paths.write_text(re.sub(r".*ESPALIER_PATH\(avx2\).*\n", "", text))
 
 
 class Claim:
     """One thing that must hold. What it prints, if anything is expected, is compared with what it prints unbroken."""
-    def __init__(self, name, command, compares_output=False, compares_folder=False):
+    def __init__(self, name, command, compares_output=False, compares_folder=False, lanes=1):
         self.name, self.command = name, command
         self.compares_output, self.compares_folder = compares_output, compares_folder
+        self.lanes = lanes
         self.seconds, self.expected, self.reached = 0.0, None, set()
 
     def run(self, scratch, limit, **environment):
-        """Exit status and what is compared; None instead of a status when it took too long."""
-        command = [str(part) for part in self.command]
+        """Exit status, what is compared, and how many seconds of a processor it took; it is stopped at the limit."""
+        command = ["prlimit", f"--cpu={limit}", *(str(part) for part in self.command)]
         if self.compares_folder:
             shutil.rmtree(scratch, ignore_errors=True)
             scratch.mkdir(parents=True)
             command.append(str(scratch))
-        try:
-            done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=limit,
-                                  env=dict(os.environ, **environment))
-        except subprocess.TimeoutExpired:
-            return None, None
-        if self.compares_output:
-            return done.returncode, done.stdout
+        started = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                   env=dict(os.environ, MUTANT_LANES=str(self.lanes), ESPALIER_TEST_SCALE=SCALE,
+                                            **environment))
+        output = started.stdout.read()
+        _, status, usage = os.wait4(started.pid, 0)
+        started.returncode = os.waitstatus_to_exitcode(status)
         if self.compares_folder:
-            return done.returncode, [(path.name, hashlib.sha256(path.read_bytes()).hexdigest())
-                                     for path in sorted(scratch.glob("*.espl"))]
-        return done.returncode, None
+            output = [(path.name, hashlib.sha256(path.read_bytes()).hexdigest())
+                      for path in sorted(scratch.glob("*.espl"))]
+        return (started.returncode, output if self.compares_output or self.compares_folder else None,
+                usage.ru_utime + usage.ru_stime)
 
     def prepare(self, folder):
-        """False when it takes too long to be asked about every mutant."""
+        """False when it takes too long to be asked about every mutant, or says nothing with so few questions."""
         notes = folder / "reached" / hashlib.sha256(self.name.encode()).hexdigest()
         notes.parent.mkdir(exist_ok=True)
         notes.unlink(missing_ok=True)
-        start = time.monotonic()
-        status, self.expected = self.run(folder / "scratch" / notes.name, LONGEST, MUTANTS_REACHED=str(notes))
-        self.seconds = time.monotonic() - start
-        if status is None:
-            print(f"left out, too slow: {self.name}", flush=True)
+        status, self.expected, self.seconds = self.run(folder / "scratch" / notes.name, math.ceil(LONGEST),
+                                                       MUTANTS_REACHED=str(notes))
+        if status != 0 or self.seconds > LONGEST:
+            print(f"left out, {'red' if status > 0 else 'too slow'}: {self.name}", flush=True)
             return False
-        if status != 0:
-            raise SystemExit(f"mutate.py: '{self.name}' is red with no mutant at all")
         self.reached = {int(line) for line in notes.open()}
         return True
 
     def kills(self, number, scratch):
-        status, output = self.run(scratch, 3 + 5 * self.seconds, MUTANT=str(number))
-        if status is None:
+        status, output, _ = self.run(scratch, math.ceil(1 + 5 * self.seconds), MUTANT=str(number))
+        if status in (-signal.SIGXCPU, -signal.SIGKILL):
             return "too slow"
         if status < 0 or status >= 128:
             return "crash"
@@ -126,55 +147,137 @@ def claims_of(folder):
     subprocess.run([programs / "mutant_blobs", blobs], check=True, stderr=subprocess.DEVNULL)
     files = sorted(blobs.glob("*.espl"), key=lambda path: path.name.encode())
     old = sorted((ROOT / "tests" / "format_versions").glob("*.espl"), key=lambda path: path.name.encode())
-    claims = [Claim("the golden blobs", [programs / "mutant_blobs"], compares_folder=True),
-              Claim("blobs of old versions answer as they did", [programs / "mutant_answers", 20, *old], True)]
-    for questions in QUESTIONS:
-        claims.append(Claim(f"the golden answers, {questions} questions",
-                            [programs / "mutant_answers", questions, *files], compares_output=True))
+    claims = [Claim("the golden blobs", [programs / "mutant_blobs"], compares_folder=True)]
+    for lanes in (1, 4):
+        claims.append(Claim(f"kept blobs answer as they did, {lanes} lanes",
+                            [programs / "mutant_answers", 20, *old], compares_output=True, lanes=lanes))
+        for questions in QUESTIONS:
+            claims.append(Claim(f"the golden answers, {questions} questions, {lanes} lanes",
+                                [programs / "mutant_answers", questions, *files], compares_output=True, lanes=lanes))
     listed = subprocess.run([programs / "mutant_claims", "-ltc", "-nv"], stdout=subprocess.PIPE, text=True, check=True)
     for name in listed.stdout.splitlines():
         if name.startswith("[doctest]") or name.startswith("==="):
             continue
         pattern = name.replace("\\", "\\\\").replace(",", "\\,")
-        claims.append(Claim(name, [programs / "mutant_claims", f"-tc={pattern}", "-aa=1", "-m"]))
+        claims.append(Claim(f"{name}, times {SCALE}", [programs / "mutant_claims", f"-tc={pattern}", "-aa=1", "-m"]))
     return claims
 
 
-def judge(number, mutant, claims, scratch):
-    """The claim that noticed the mutant and how; None when no claim did."""
-    came_by = [claim for claim in claims if number in claim.reached]
-    for claim in sorted(came_by, key=lambda claim: claim.seconds):
-        how = claim.kills(number, scratch / f"{number}")
-        shutil.rmtree(scratch / f"{number}", ignore_errors=True)
-        if how is not None:
-            return {**mutant, "number": number, "killed": how, "by": claim.name}
-    return {**mutant, "number": number, "killed": None, "claims": len(came_by)}
+def key_of(mutant):
+    return mutant["number"], mutant["version"], mutant["change"]
+
+
+class Judge:
+    def __init__(self, claims, scratch, earlier, hints, most):
+        self.claims, self.scratch, self.earlier, self.hints, self.most = claims, scratch, earlier, hints, most
+        self.by_name = {claim.name: claim for claim in claims}
+        self.asked, self.noticed = collections.Counter(), collections.Counter()  # by file and claim
+        for result in earlier.values():
+            if result["killed"] is not None:
+                self.asked[result["file"], result["by"]] += 1
+                self.noticed[result["file"], result["by"]] += 1
+
+    def worth(self, file, claim):
+        share = (self.noticed[file, claim.name] + 1) / (self.asked[file, claim.name] + 3)
+        return share / (claim.seconds + 0.05)
+
+    def __call__(self, mutant):
+        """The mutant, the claim that noticed it and how, or the claims that did not."""
+        number, file = mutant["number"], mutant["file"]
+        scratch = self.scratch / f"{number}"
+        met = list(self.earlier.get(key_of(mutant), {}).get("met", []))
+        order = sorted(self.claims, key=lambda claim: -self.worth(file, claim))
+        order.insert(0, self.by_name.get(self.hints.get((file, mutant["text"], mutant["change"]))))
+        limit = len(met) + self.most
+        for claim in order:
+            if claim is None or claim.name in met or number not in claim.reached:
+                continue
+            if len(met) == limit:
+                break
+            how = claim.kills(number, scratch)
+            shutil.rmtree(scratch, ignore_errors=True)
+            self.asked[file, claim.name] += 1
+            if how is not None:
+                self.noticed[file, claim.name] += 1
+                return {**mutant, "killed": how, "by": claim.name}
+            met.append(claim.name)
+        return {**mutant, "killed": None, "met": met}
+
+
+def earlier_results(path, mutants):
+    """Of mutants that are as they were; and for those whose file changed, which claim noticed them."""
+    kept, hints = {}, {}
+    now = {key_of(mutant) for mutant in mutants}
+    for line in path.open() if path.is_file() else []:
+        result = json.loads(line)
+        if result["killed"] is not None:
+            hints[result["file"], result["text"], result["change"]] = result["by"]
+        if key_of(result) in now:
+            kept[key_of(result)] = result
+    return kept, hints
+
+
+def explanations():
+    """Reasons by file, text of the line and change. In equivalent.txt a paragraph is the file, the line, its changes, one
+    in a line, and the reason, which begins with what the mutants are: equivalent, work or unreachable."""
+    path, reasons = HERE / "equivalent.txt", {}
+    for paragraph in path.read_text().strip().split("\n\n") if path.is_file() else []:
+        file, text, *changes, reason = paragraph.split("\n")
+        if not file.startswith("#"):
+            reasons.update({(file, text, change): reason for change in changes})
+    return reasons
+
+
+def report(results):
+    explained, tally, unexplained = explanations(), collections.defaultdict(collections.Counter), 0
+    for result in results:
+        reason = explained.get((result["file"], result["text"], result["change"]))
+        outcome = result["killed"] or (reason and reason.split(":")[0]) or "not explained"
+        tally[result["part"]][outcome] += 1
+        if outcome == "not explained":
+            unexplained += 1
+            told = "survived" if result["met"] else "no claim comes by"
+            print(f"{told}: {result['file']}:{result['line']}: {result['change']}    {result['text']}")
+        elif result["killed"] and reason:
+            print(f"explained in vain: {result['file']}:{result['line']}: {result['change']}    {result['text']}")
+    for part, outcomes in tally.items():
+        print(f"{part}: {sum(outcomes.values())} mutants: " + ", ".join(f"{n} {how}" for how, n in outcomes.items()))
+    return unexplained
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1]).resolve()
-    parts = sys.argv[2:]
+    asked = argparse.ArgumentParser()
+    asked.add_argument("build")
+    asked.add_argument("parts", nargs="*")
+    asked.add_argument("--survivors", action="store_true")
+    asked.add_argument("--claims", nargs="+", default=[""])
+    asked.add_argument("--most", type=int, default=1_000_000)
+    asked = asked.parse_args()
+    folder = pathlib.Path(asked.build).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     mutants = build(folder)
-    claims = claims_of(folder)
+    earlier, hints = earlier_results(folder / "results.jsonl", mutants)
+    claims = [claim for claim in claims_of(folder) if any(text in claim.name for text in asked.claims)]
     with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
         claims = [claim for claim, kept in zip(claims, pool.map(lambda claim: claim.prepare(folder), claims)) if kept]
     print(f"{len(claims)} claims, {sum(claim.seconds for claim in claims):.0f} seconds", flush=True)
-    chosen = [(number, mutant) for number, mutant in enumerate(mutants) if not parts or mutant["part"] in parts]
-    tally = collections.defaultdict(collections.Counter)
-    with concurrent.futures.ThreadPoolExecutor(JOBS) as pool, (folder / "results.jsonl").open("w") as results:
-        jobs = [pool.submit(judge, number, mutant, claims, folder / "scratch") for number, mutant in chosen]
-        for job in concurrent.futures.as_completed(jobs):
+    judge = Judge(claims, folder / "scratch", earlier, hints, asked.most)
+    chosen = [mutant for mutant in mutants if not asked.parts or mutant["part"] in asked.parts]
+    pending = [mutant for mutant in chosen
+               if (earlier[key_of(mutant)]["killed"] is None if key_of(mutant) in earlier else not asked.survivors)]
+    pending.sort(key=lambda mutant: key_of(mutant) in earlier)
+    # The file only grows: a later line overrules an earlier one.
+    with concurrent.futures.ThreadPoolExecutor(JOBS) as pool, (folder / "results.jsonl").open("a") as kept:
+        for job in concurrent.futures.as_completed([pool.submit(judge, mutant) for mutant in pending]):
             result = job.result()
-            results.write(json.dumps(result) + "\n")
-            results.flush()
-            outcome = result["killed"] or ("survived" if result["claims"] else "no claim comes by")
-            tally[result["part"]][outcome] += 1
-            if result["killed"] is None:
-                print(f"{outcome}: {result['file']}:{result['line']}: {result['change']}    {result['text']}", flush=True)
-    for part, outcomes in tally.items():
-        print(f"{part}: {sum(outcomes.values())} mutants: " + ", ".join(f"{n} {how}" for how, n in outcomes.items()))
+            earlier[key_of(result)] = result
+            kept.write(json.dumps(result) + "\n")
+            kept.flush()
+    done = [earlier[key_of(mutant)] for mutant in chosen if key_of(mutant) in earlier]
+    if len(done) < len(chosen):
+        print(f"not run: {len(chosen) - len(done)}")
+    return 1 if report(done) != 0 or len(done) < len(chosen) else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
