@@ -15,7 +15,7 @@ namespace {
 std::uint8_t encoded(float light) {
     const float value = std::clamp(light, 0.0f, 1.0f);
     const float curved = value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
-    return static_cast<std::uint8_t>(255.0f * curved + 0.5f);
+    return static_cast<std::uint8_t>(std::lround(255.0f * curved));
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 # run_platform.sh PLATFORM QUESTIONS BUILD_FOLDER CMAKE GENERATOR
 # Builds both libraries for the platform, bakes the blobs and asks them there (under an emulator if need be), and compares
 # bytes and answers with golden.txt; asks the blobs of old format versions too. PLATFORM is another machine (i686 armhf
-# aarch64 riscv64 s390x wasm32), or a compiler and its options for this one, as in gcc-O2 and clang-O3-native.
+# aarch64 riscv64 s390x wasm32), as released or by other options, as in s390x-O1, or a compiler and its options for this
+# machine, as in gcc-O2 and clang-O3-native.
 # Exit status: 0 the same bits, 1 other bits or a failure, 77 a tool is missing.
 set -euo pipefail
 
@@ -12,23 +13,25 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 emulator=()
 options=()
 needed=()
+# no build type: these flags and no others, so that the compiler vectorises too where it likes
+compile_by() { options+=(-DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS_NONE=${1/-native/ -march=native}"); }
 use_machine() {  # TOOLCHAIN COMPILER [EMULATOR...]
-    options=(-DCMAKE_TOOLCHAIN_FILE="$here/../../lib/cmake/toolchains/$1.cmake" -DCMAKE_BUILD_TYPE=Release)
+    options=(-DCMAKE_TOOLCHAIN_FILE="$here/../../lib/cmake/toolchains/$1.cmake")
+    if [[ $platform == *-* ]]; then compile_by "-${platform#*-}"; else options+=(-DCMAKE_BUILD_TYPE=Release); fi
     needed=("$2" "${@:3:1}")
     emulator=("${@:3}")
 }
-case $platform in
+machine=${platform%%-*}
+case $machine in
     i686) use_machine i686-linux-gnu i686-linux-gnu-g++ ;;
     armhf) use_machine arm-linux-gnueabihf arm-linux-gnueabihf-g++ qemu-arm ;;
-    aarch64 | riscv64 | s390x) use_machine "$platform-linux-gnu" "$platform-linux-gnu-g++" "qemu-$platform" ;;
+    aarch64 | riscv64 | s390x) use_machine "$machine-linux-gnu" "$machine-linux-gnu-g++" "qemu-$machine" ;;
     wasm32) use_machine wasm32-wasi wasm-ld node --no-warnings "$here/other/run_wasm.mjs" ;;
-    gcc-* | clang-*)
-        compiler=g++
-        [[ $platform == clang-* ]] && compiler=clang++
+    gcc | clang)
+        compiler=${machine/gcc/g}++
         needed=("$compiler")
-        flags=-${platform#*-}
-        # no build type: these flags and no others, so that the compiler vectorises too where it likes
-        options=(-DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=${flags/-native/ -march=native}")
+        options=(-DCMAKE_CXX_COMPILER="$compiler")
+        compile_by "-${platform#*-}"
         ;;
     *)
         echo "failed: no such platform: $platform"
