@@ -14,8 +14,6 @@ namespace espalier::baker {
 
 namespace {
 
-using format::node::max_shift;
-
 struct Box {
     std::array<std::int32_t, 3> lo;
     std::array<std::int32_t, 3> hi;
@@ -50,7 +48,8 @@ struct Frame {
 /// The finest frame in whose 256 planes everything from `lo` to `hi` fits.
 Frame frame_for(std::int32_t lo, std::int32_t hi, unsigned base_unit) {
     Frame frame{lo >> base_unit << base_unit, 0};
-    while (frame.shift < max_shift && frame.plane_above(hi) > 255) ++frame.shift;
+    static_assert(255u << format::node::max_shift >= 1u << format::max_bits);
+    while (frame.plane_above(hi) > 255) ++frame.shift;
     return frame;
 }
 
@@ -63,7 +62,8 @@ public:
         const WideNode& node = wide_.nodes[number];
         const unsigned count = unsigned{node.node_children} + node.leaves;
         std::array<Box, format::max_children> boxes;
-        for (std::size_t i = 0; i < count; ++i) boxes[i] = box_of(tree_.nodes[node.binary_nodes[i]]);
+        std::transform(node.binary_nodes.begin(), node.binary_nodes.begin() + count, boxes.begin(),
+                       [&](std::uint32_t binary) { return box_of(tree_.nodes[binary]); });
 
         std::byte* bytes = encoded_.nodes.data() + std::size_t{number} * format::node::bytes;
         std::array<Frame, 3> frames;

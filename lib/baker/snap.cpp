@@ -84,12 +84,10 @@ void settle(LatticeMesh& mesh) {
         ++mesh.used_vertices;
     }
     mesh.extent = {high.x - low.x, high.y - low.y, high.z - low.z};
-    if (low == LatticePoint{}) return;
     const double step = mesh.lattice.step();
     Vec3& origin = mesh.lattice.origin;
-    if (low.x != 0) origin.x = origin_coordinate(double(origin.x) + low.x * step);
-    if (low.y != 0) origin.y = origin_coordinate(double(origin.y) + low.y * step);
-    if (low.z != 0) origin.z = origin_coordinate(double(origin.z) + low.z * step);
+    origin = {origin_coordinate(double(origin.x) + low.x * step), origin_coordinate(double(origin.y) + low.y * step),
+              origin_coordinate(double(origin.z) + low.z * step)};
     for (LatticePoint& point : mesh.vertices) point = {point.x - low.x, point.y - low.y, point.z - low.z};
 }
 

@@ -121,17 +121,18 @@ class Source:
             end -= 1
         self.spans.append((start, end, before % self.add(start, what), after))
 
-    def is_message(self, at):
-        """Whether a text is put together here: what a message says is no answer."""
+    def is_no_answer(self, at):
+        """Whether a text is put together here, or memory fetched ahead: what a message says is no answer."""
         start = max(self.code.rfind(mark, 0, at) for mark in ";{}")
         ends = [end for end in (self.code.find(mark, at) for mark in ";{}") if end >= 0]
-        return "$" in self.code[start + 1:min(ends, default=len(self.code))]
+        statement = self.code[start + 1:min(ends, default=len(self.code))]
+        return "$" in statement or "prefetch(" in statement
 
     def instrument(self):
         code = self.code
         for match in re.finditer(r"(?<=[\w)\]}]) (<|<=|>|>=|==|!=|\+|-|<<|>>)(?=[ \n])", code):
             op = match.group(1)
-            if op in "+-" and self.is_message(match.start(1)):
+            if op in "+-<" and self.is_no_answer(match.start(1)):
                 continue
             number = self.add(match.start(1), f"{op} -> {OPERATORS[op][0]}")
             self.add(match.start(1), f"{op} -> {OPERATORS[op][1]}")
@@ -150,12 +151,12 @@ class Source:
             condition = code[start:end]
             if ";" in condition:
                 start += condition.rindex(";") + 1
-            elif re.search(r"[^=!<>]= ", condition):
+            elif re.search(r"[^=!<>]= ", condition) or "prefetch(" in code[end:code.index("\n", end)]:
                 continue
             self.wrap(start, end, "!::mutation::on(%d) && (", ")", "never: " + " ".join(self.text[start:end].split()))
         for match in re.finditer(r"(?<=[\w)\]]) (\+=|-=|\|=|&=)(?=[ \n])", code):
             op = match.group(1)
-            if self.is_message(match.start(1)):
+            if self.is_no_answer(match.start(1)):
                 continue
             by = "everything" if op == "&=" else "nothing"
             self.wrap(match.end(), term_right_to_end(code, match.end()), f"::mutation::{by}<%d>(", ")",

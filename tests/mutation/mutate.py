@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""mutate.py BUILD [PART...] [--survivors] [--most N] [--claims TEXT...]: breaks the library in every way that instrument.py knows, one
-at a time, and prints what no claim noticed. PART is verifier, decode, quantiser or traversal; all of them when none is
+"""mutate.py BUILD [PART...] [--survivors] [--most N] [--claims TEXT...]: breaks the library in every way that
+instrument.py knows, one at a time, and prints what no claim noticed. PART is verifier, decode, quantiser or traversal; all of them when none is
 named. Exit status 1 when a mutant survives that equivalent.txt does not explain.
 
 All mutants are compiled once, into the same programs, and chosen when a program starts. A first run of every claim
@@ -10,8 +10,9 @@ takes far too long.
 
 What was found is kept in BUILD/results.jsonl and holds as long as the mutant's file is made of the same text: a mutant
 that was noticed is not asked about again, one that survived only by claims that it has not met. --survivors leaves out
-all mutants that have not been run yet; --claims asks only those with one of these texts in their names; --most asks so
-many of each mutant, and leaves the others for another run.
+all mutants that have not been run yet; --claims asks only those with one of these texts in their names, also where the
+mutant has met them, since they may have changed; --most asks so many of each mutant, and leaves the others for another
+run.
 """
 import argparse
 import collections
@@ -39,9 +40,9 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/open", "runtime/open_rules", "runtime/open_leaves", "runtime/weird_blob", "runtime/statistics",
     "runtime/work", "runtime/traversal", "runtime/lattice_ray", "runtime/lattice_point", "runtime/identity",
     "runtime/nearest", "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk",
-    "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/copies", "runtime/packed_walk", "baker/lattice", "baker/lattice_borders",
-    "baker/tree", "baker/strip", "baker/bounds", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles",
-    "baker/input")]
+    "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/copies", "runtime/packed_walk",
+    "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds", "baker/error", "baker/drop",
+    "baker/spatial", "baker/few_triangles", "baker/input")]
 QUESTIONS = [5, 100]  # of a kind and blob
 
 
@@ -168,8 +169,9 @@ def key_of(mutant):
 
 
 class Judge:
-    def __init__(self, claims, scratch, earlier, hints, most):
-        self.claims, self.scratch, self.earlier, self.hints, self.most = claims, scratch, earlier, hints, most
+    def __init__(self, claims, scratch, earlier, hints, most, again):
+        self.claims, self.scratch, self.earlier, self.hints = claims, scratch, earlier, hints
+        self.most, self.again = most, again
         self.by_name = {claim.name: claim for claim in claims}
         self.asked, self.noticed = collections.Counter(), collections.Counter()  # by file and claim
         for result in earlier.values():
@@ -188,11 +190,13 @@ class Judge:
         met = list(self.earlier.get(key_of(mutant), {}).get("met", []))
         order = sorted(self.claims, key=lambda claim: -self.worth(file, claim))
         order.insert(0, self.by_name.get(self.hints.get((file, mutant["text"], mutant["change"]))))
-        limit = len(met) + self.most
+        met_now = []
         for claim in order:
-            if claim is None or claim.name in met or number not in claim.reached:
+            if claim is None or claim.name in met_now or number not in claim.reached:
                 continue
-            if len(met) == limit:
+            if claim.name in met and not self.again:
+                continue
+            if len(met_now) == self.most:
                 break
             how = claim.kills(number, scratch)
             shutil.rmtree(scratch, ignore_errors=True)
@@ -200,8 +204,8 @@ class Judge:
             if how is not None:
                 self.noticed[file, claim.name] += 1
                 return {**mutant, "killed": how, "by": claim.name}
-            met.append(claim.name)
-        return {**mutant, "killed": None, "met": met}
+            met_now.append(claim.name)
+        return {**mutant, "killed": None, "met": met + [name for name in met_now if name not in met]}
 
 
 def earlier_results(path, mutants):
@@ -261,7 +265,7 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
         claims = [claim for claim, kept in zip(claims, pool.map(lambda claim: claim.prepare(folder), claims)) if kept]
     print(f"{len(claims)} claims, {sum(claim.seconds for claim in claims):.0f} seconds", flush=True)
-    judge = Judge(claims, folder / "scratch", earlier, hints, asked.most)
+    judge = Judge(claims, folder / "scratch", earlier, hints, asked.most, asked.claims != [""])
     chosen = [mutant for mutant in mutants if not asked.parts or mutant["part"] in asked.parts]
     pending = [mutant for mutant in chosen
                if (earlier[key_of(mutant)]["killed"] is None if key_of(mutant) in earlier else not asked.survivors)]

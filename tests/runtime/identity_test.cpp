@@ -12,6 +12,7 @@
 #include <espalier/ray.hpp>
 #include <espalier/walk.hpp>
 
+#include "../support/guarded_pages.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
@@ -177,6 +178,22 @@ TEST_SUITE("identity") {
                 }
                 CHECK(seen.size() == mesh.triangles.size());
             }
+        });
+    }
+
+    TEST_CASE("the last id is read without a byte behind it") {
+        for_each_profile([](format::Profile profile) {
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            const auto bytes = bake_or_throw(make_plane_grid(4), options);  // 32 ids of 5 bits: nothing pads them
+            const DecodedBlob decoded = decode(bytes);
+            const GuardedPages pages(bytes, true);
+            Blob blob;
+            REQUIRE(open(pages.bytes(), blob) == Status::ok);
+            REQUIRE(blob.triangle_count() == 32);
+            OriginalTriangle original;
+            REQUIRE(original_triangle(blob, Triangle{31}, original));
+            CHECK(original == OriginalTriangle{0, 0, decoded.original_ids[31], decoded.first_corners[31]});
         });
     }
 

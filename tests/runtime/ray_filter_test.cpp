@@ -6,12 +6,19 @@
 #include <cstdlib>
 
 #include <espalier/blob.hpp>
+#include <runtime/simd/lanes_scalar.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/blob_encoder.hpp"
 #include "../support/differences.hpp"
 #include "../support/random.hpp"
 #include "../support/test_scale.hpp"
+
+namespace espalier::detail::scalar {
+namespace {
+#include <runtime/float_vertices.inl>
+}  // namespace
+}  // namespace espalier::detail::scalar
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -120,5 +127,30 @@ TEST_SUITE("ray filter") {
         }
         MESSAGE(hits, " hits of ", asked, " rays");
         CHECK(hits > asked / 2);
+    }
+
+    TEST_CASE("an edge function counts as unclear within the bound of docs/numerics.md, and hardly beyond it") {
+        for (const float delta : {0x1p-12f, 0x1p-3f, 6.0f})
+            for (const std::uint32_t size : {2u, 32u, 1u << 12, 1u << 24}) {
+                const double largest = 2.0 * size + double(delta);
+                const double bound = largest * (4.125 * double(delta) + 9 * 0x1p-24 * largest);
+                detail::LatticeRay ray{};
+                ray.shear_error = delta;
+                detail::IndexedLeaf leaf{};
+                leaf.size = size;
+                const auto is_allowed = [&](double unclear, float sign) {
+                    // Corners (-far, 0), (-unclear, -1), (0, 1): edge functions -unclear, far and far, or the opposite.
+                    const float far = 4.0f * static_cast<float>(bound);
+                    detail::scalar::FloatVertices<4> vertices(leaf, ray);
+                    vertices.set(0, -far * sign, 0.0f);
+                    vertices.set(1, -static_cast<float>(unclear) * sign, -1.0f);
+                    vertices.set(2, 0.0f, 1.0f);
+                    return vertices.allow({0, 1, 2}) != 0;
+                };
+                for (const float sign : {1.0f, -1.0f}) {
+                    CHECK(is_allowed(bound * 0.999, sign));
+                    CHECK_FALSE(is_allowed(bound * 1.001, sign));
+                }
+            }
     }
 }
