@@ -199,8 +199,8 @@ TEST_SUITE("batches of rays") {
             QueryMaker maker(blob.decoded, 402);
             std::vector<Ray> alike, strangers, nonsense;
             add_alike(alike, maker, 256);
-            for (int i = 0; i < 600; ++i) strangers.push_back(maker.any_ray());
-            for (int i = 0; i < 100; ++i) add_hostile(nonsense, maker.random());
+            for (std::uint64_t i = 0; i < scaled(600); ++i) strangers.push_back(maker.any_ray());
+            for (std::uint64_t i = 0; i < scaled(100); ++i) add_hostile(nonsense, maker.random());
             check_batch(blob.opened.blob, alike);
             check_batch(blob.opened.blob, strangers);
             check_batch(blob.opened.blob, nonsense);
