@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "../support/mesh_files.hpp"
 #include "../support/placement_maker.hpp"
 #include "../support/profiles.hpp"
+#include "../support/real_meshes.hpp"
 #include "../support/test_blobs.hpp"
 #include "placement_check.hpp"
 
@@ -18,11 +18,8 @@ using namespace espalier::tests;
 
 namespace {
 
-/// In every profile; none of a mesh that takes longer to bake than to ask.
-std::vector<TestBlob> bake_file(const std::filesystem::path& file) {
+std::vector<TestBlob> bake_in_every_profile(const Mesh& mesh) {
     std::vector<TestBlob> blobs;
-    const Mesh mesh = read_mesh(file);
-    if (mesh.triangles.size() > 200'000) return blobs;
     for (const format::Profile profile : every_profile) {
         OpenedBlob opened(mesh, with_profile(profile));
         DecodedBlob decoded = decode(opened.bytes);
@@ -31,15 +28,15 @@ std::vector<TestBlob> bake_file(const std::filesystem::path& file) {
     return blobs;
 }
 
+/// `check` takes the mesh's name and a blob of each profile.
 template <class Check>
 void for_each_mesh(Check check) {
-    const auto files = mesh_files();
-    if (files.empty()) MESSAGE("SKIPPED: no .obj or .ply file in the folder ESPALIER_MESHES");
-    for (const auto& file : files) {
-        const std::vector<TestBlob> tests = bake_file(file);
-        if (tests.empty()) continue;
-        check(file.filename().string(), std::vector<PairedBlob>(tests.begin(), tests.end()));
-    }
+    for_each_mesh_read(
+        [&](const Mesh& mesh) {
+            const std::vector<TestBlob> tests = bake_in_every_profile(mesh);
+            check(mesh.name, std::vector<PairedBlob>(tests.begin(), tests.end()));
+        },
+        quickly_baked);
 }
 
 /// Each profile against the next.

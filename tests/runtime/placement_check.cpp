@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <espalier/collide.hpp>
@@ -110,7 +111,7 @@ void check_distance(const Blob& a, const Blob& b, const Placement& placement, co
     REQUIRE(tests::same_bits(nearest.on_a, in_world(frame, least.a, least.distance.on_a)));
     REQUIRE(tests::same_bits(nearest.on_b, in_world(frame, least.b, least.distance.on_b)));
     for (const InstructionPath& path : paths) {
-        CAPTURE(path.name);
+        CAPTURE(std::string(path.name));
         detail::FoundTriangles best;
         std::uint64_t left = no_limit;
         REQUIRE(path.nearest_pair(frame, infinity, false, best, found, left) == QueryStatus::ok);
@@ -123,7 +124,7 @@ void check_distance(const Blob& a, const Blob& b, const Placement& placement, co
         CAPTURE(radius);
         const bool expected = is_any_within(nearest_pairs, radius);
         for (const InstructionPath& path : paths) {
-            CAPTURE(path.name);
+            CAPTURE(std::string(path.name));
             detail::FoundTriangles best;
             std::uint64_t left = no_limit;
             REQUIRE(path.nearest_pair(frame, radius, true, best, found, left) == QueryStatus::ok);
@@ -163,7 +164,7 @@ void check_placement(const PairedBlob& a, const PairedBlob& b, const Placement& 
     const Paths paths = paths_for(questions.paths, counts.asked);
     const Touching first = find_touching(paths.front(), frame);
     for (std::size_t i = 1; i < paths.size(); ++i) {
-        CAPTURE(paths[i].name);
+        CAPTURE(std::string(paths[i].name));
         REQUIRE(find_touching(paths[i], frame) == first);
     }
     std::vector<TrianglePair> sorted = first.pairs;
