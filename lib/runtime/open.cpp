@@ -212,8 +212,7 @@ Status check_edge_flags(BlobData& blob, Bytes& rest) {
     return good ? Status::ok : Status::bad_section;
 }
 
-/// That the arithmetic of whoever reads the bounds stays within its widths. Bounds that hold nothing are safe; where
-/// there are none they take no bytes.
+/// That the arithmetic of whoever reads the bounds stays within its widths. Bounds that hold nothing are safe.
 Status check_bounds(BlobData& blob, Bytes& rest) {
     using namespace format::bounds;
     const std::byte* at = blob.bounds = rest.take(format::bounds::bytes(blob.features));
@@ -253,7 +252,8 @@ Status check_sections(std::span<const std::byte> bytes, BlobData& blob) {
         if (const Status status = check_copies(blob, rest); status != Status::ok) return status;
     if ((blob.features & format::feature::edge_flags) != 0)
         if (const Status status = check_edge_flags(blob, rest); status != Status::ok) return status;
-    if (const Status status = check_bounds(blob, rest); status != Status::ok) return status;
+    if ((blob.features & format::feature::bounds) != 0)
+        if (const Status status = check_bounds(blob, rest); status != Status::ok) return status;
     return rest.left == 0 ? Status::ok : Status::bad_section;
 }
 
