@@ -41,8 +41,8 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/work", "runtime/traversal", "runtime/lattice_ray", "runtime/lattice_point", "runtime/identity",
     "runtime/nearest", "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk",
     "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/copies", "runtime/packed_walk",
-    "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds", "baker/error", "baker/drop",
-    "baker/spatial", "baker/few_triangles", "baker/input")]
+    "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds",
+    "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles", "baker/input")]
 QUESTIONS = [5, 100]  # of a kind and blob
 
 
@@ -221,9 +221,19 @@ def earlier_results(path, mutants):
     return kept, hints
 
 
+def names_of(mutants):
+    """File, text of the line and change, by number; a change that the file has several times in such lines is counted."""
+    seen, names = collections.Counter(), {}
+    for mutant in mutants:
+        name = mutant["file"], mutant["text"], mutant["change"]
+        seen[name] += 1
+        names[mutant["number"]] = name if seen[name] == 1 else (*name[:2], f"{name[2]} ({seen[name]})")
+    return names
+
+
 def explanations():
-    """Reasons by file, text of the line and change. In equivalent.txt a paragraph is the file, the line, its changes, one
-    in a line, and the reason, which begins with what the mutants are: equivalent, work or unreachable."""
+    """Reasons by name. In equivalent.txt a paragraph is the file, the line, its changes, one in a line, and the reason,
+    which begins with what the mutants are."""
     path, reasons = HERE / "equivalent.txt", {}
     for paragraph in path.read_text().strip().split("\n\n") if path.is_file() else []:
         file, text, *changes, reason = paragraph.split("\n")
@@ -232,10 +242,10 @@ def explanations():
     return reasons
 
 
-def report(results):
+def report(results, names):
     explained, tally, unexplained = explanations(), collections.defaultdict(collections.Counter), 0
     for result in results:
-        reason = explained.get((result["file"], result["text"], result["change"]))
+        reason = explained.get(names[result["number"]])
         outcome = result["killed"] or (reason and reason.split(":")[0]) or "not explained"
         tally[result["part"]][outcome] += 1
         if outcome == "not explained":
@@ -280,7 +290,7 @@ def main():
     done = [earlier[key_of(mutant)] for mutant in chosen if key_of(mutant) in earlier]
     if len(done) < len(chosen):
         print(f"not run: {len(chosen) - len(done)}")
-    return 1 if report(done) != 0 or len(done) < len(chosen) else 0
+    return 1 if report(done, names_of(mutants)) != 0 or len(done) < len(chosen) else 0
 
 
 if __name__ == "__main__":

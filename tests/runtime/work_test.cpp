@@ -10,7 +10,7 @@
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"
 
-#if ESPALIER_COUNT_STEPS
+#if ESPALIER_COUNT_STEPS && !ESPALIER_NEON
 
 using namespace espalier;
 using namespace espalier::tests;
