@@ -1,0 +1,219 @@
+// Claims about the rounding of queries: to the last bit as it was. What is answered is the query as it was rounded, so
+// that any other rounding is another answer, however good.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <runtime/lattice_point.hpp>
+#include <runtime/lattice_ray.hpp>
+#include <runtime/outward.hpp>
+
+#include "../platform/fingerprint.hpp"
+#include "../support/hostile_values.hpp"
+#include "../support/random.hpp"
+
+using namespace espalier;
+using platform::Fingerprint;
+using tests::Random;
+
+namespace {
+
+/// Some number of at most this size. In two steps: the order in which arguments draw is each compiler's own.
+float some_number(Random& random, std::int32_t least_exponent, std::int32_t most_exponent) {
+    const float number = random.signed_unit();
+    return std::ldexp(number, random.between(least_exponent, most_exponent));
+}
+
+float some_hostile(Random& random) {
+    return tests::hostile_values[random.below(static_cast<std::uint32_t>(std::size(tests::hostile_values)))];
+}
+
+/// An asset somewhere, of some size and some finest step, as the header of a blob would describe it.
+detail::BlobData some_asset(Random& random) {
+    detail::BlobData data;
+    data.bits = static_cast<std::uint8_t>(1 + random.below(24));
+    data.step_exponent = static_cast<std::int16_t>(random.coin() ? 0 : random.between(-100, 100));
+    for (int k = 0; k < 3; ++k) {
+        const float steps = some_number(random, 0, 25);
+        data.origin[k] = random.below(3) == 0 ? 0.0f : std::ldexp(std::floor(steps), data.step_exponent);
+        data.extent[k] = random.below(4) == 0 ? 0 : random.between(0, (1 << data.bits) - 1);
+    }
+    data.derive();
+    return data;
+}
+
+/// Somewhere in or about the asset, exactly on a border of it or at one of what the rounding tells apart, any number at
+/// all, or one that is hostile.
+float some_coordinate(const detail::BlobData& data, std::size_t axis, Random& random) {
+    const auto steps = [&](float count) { return data.origin[axis] + std::ldexp(count, data.step_exponent); };
+    const auto extent = static_cast<float>(data.extent[axis]);
+    switch (random.below(8)) {
+        case 0:
+            return steps(0.0f);
+        case 1:
+            return steps(extent);
+        case 2:
+            return steps(random.unit() * extent);
+        case 3:  // between the finest steps of rounding
+            return steps(static_cast<float>(random.between(-200, 200)) * 0x1p-7f);
+        case 4: {  // powers of two and what is beside them
+            const float sign = random.coin() ? 1.0f : -1.0f;
+            const float power = std::ldexp(sign, random.between(-40, 126));
+            return steps(random.coin() ? power : std::nextafter(power, random.coin() ? 0.0f : 2 * power));
+        }
+        case 5:
+            return steps(some_number(random, -30, 122));
+        case 6:
+            return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+        default:
+            return some_hostile(random);
+    }
+}
+
+float some_component(Random& random) {
+    switch (random.below(5)) {
+        case 0:
+            return 0.0f;
+        case 1:
+            return random.coin() ? 1.0f : -1.0f;
+        case 2:
+            return some_number(random, -140, 127);
+        case 3:
+            return static_cast<float>(random.between(-9, 9));
+        default:
+            return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+    }
+}
+
+Vec3 some_place(const detail::BlobData& data, Random& random) {
+    const float x = some_coordinate(data, 0, random), y = some_coordinate(data, 1, random);
+    return {x, y, some_coordinate(data, 2, random)};
+}
+
+/// One that points at the asset from far away, or any.
+Ray some_ray(const detail::BlobData& data, Random& random) {
+    Ray ray;
+    ray.origin = some_place(data, random);
+    const float x = some_component(random), y = some_component(random);
+    ray.direction = {x, y, some_component(random)};
+    if (random.below(3) == 0)
+        ray.direction = {data.origin[0] - ray.origin.x, data.origin[1] - ray.origin.y, data.origin[2] - ray.origin.z};
+    if (random.below(3) == 0) ray.t_min = std::abs(some_number(random, -140, 60));
+    if (random.below(3) == 0) ray.t_max = std::abs(some_number(random, -140, 60));
+    if (random.below(16) == 0) ray.t_max = some_hostile(random);
+    if (random.below(16) == 0) ray.t_min = random.coin() ? ray.t_max : some_hostile(random);
+    return ray;
+}
+
+void add(Fingerprint& sum, const detail::LatticeRay& ray, const detail::RaySlope& slope) {
+    for (int k = 0; k < 3; ++k) {
+        sum.add(static_cast<std::uint32_t>(ray.origin[k]));
+        sum.add(static_cast<std::uint32_t>(ray.direction[k]));
+        sum.add(std::uint32_t{ray.axis[k]});
+        sum.add(slope.inverse[k]);
+        sum.add(detail::origin_steps(ray, static_cast<unsigned>(k)));
+    }
+    sum.add(slope.slack_steps);
+    sum.add(static_cast<std::uint32_t>(ray.fraction_bits));
+    sum.add(static_cast<std::uint32_t>(ray.t_exponent));
+    for (const float number : {ray.tau_min, ray.tau_max, ray.tau_offset, ray.shear[0], ray.shear[1], ray.shear_error})
+        sum.add(number);
+}
+
+}  // namespace
+
+TEST_SUITE("runtime rounding") {
+    TEST_CASE("rays round to the bits that they did") {
+        Fingerprint sum;
+        std::uint32_t rounded = 0, far = 0;
+        for (std::uint32_t seed = 0; seed < 500; ++seed) {
+            Random random(seed);
+            const detail::BlobData asset = some_asset(random);
+            for (int i = 0; i < 200; ++i) {
+                const Ray world = some_ray(asset, random);
+                detail::LatticeRay ray;
+                detail::RaySlope slope;
+                const bool good = detail::round_ray(asset, world, ray, slope);
+                sum.add(good);
+                if (!good) continue;
+                ++rounded;
+                far += ray.tau_offset > 0.0f ? 1u : 0u;
+                add(sum, ray, slope);
+                for (const float tau : {0.0f, 1.0f, 0x1p-20f, 12345.678f, ray.tau_min, ray.tau_max}) {
+                    sum.add(detail::to_t(ray, tau, world));
+                    if (tau < detail::infinity) sum.add(detail::hit_limit(ray, tau));
+                }
+            }
+        }
+        CHECK(rounded > 30'000);
+        CHECK(far > 1'000);
+        CHECK(sum.value() == 643900965860527618u);
+    }
+
+    TEST_CASE("points, radii and bounds round to the bits that they did") {
+        Fingerprint sum;
+        std::uint32_t rounded = 0, far = 0;
+        for (std::uint32_t seed = 0; seed < 500; ++seed) {
+            Random random(seed);
+            const detail::BlobData asset = some_asset(random);
+            for (int i = 0; i < 200; ++i) {
+                const Vec3 place = some_place(asset, random);
+                const float radius = random.below(4) == 0 ? some_hostile(random) : some_component(random);
+                detail::LatticePoint point;
+                const bool good = detail::round_point(asset, place, radius, point);
+                sum.add(good);
+                if (!good) continue;
+                ++rounded;
+                far += point.distance_offset > 0.0f ? 1u : 0u;
+                for (int k = 0; k < 3; ++k) {
+                    sum.add(static_cast<std::uint32_t>(point.origin[k]));
+                    sum.add(static_cast<std::uint32_t>(point.origin[k] >> 32));
+                    sum.add(point.steps[k]);
+                }
+                sum.add(point.steps[3]);
+                sum.add(static_cast<std::uint32_t>(point.fraction_bits));
+                for (const float number : {point.radius, point.limit, point.inner_limit, point.distance_offset})
+                    sum.add(number);
+            }
+            for (int i = 0; i < 50; ++i) {
+                const float x = random.coin() ? some_hostile(random) : some_component(random);
+                if (!detail::is_nan(x)) {
+                    sum.add(detail::next_above(x));
+                    sum.add(detail::next_below(x));
+                }
+                const auto steps =
+                    i == 0 ? 1 << 24 : static_cast<std::int32_t>(random.below(i % 2 == 0 ? 1u << 27 : 300u));
+                for (int axis = 0; axis < 3; ++axis) {
+                    sum.add(detail::world_above(asset, axis, steps));
+                    sum.add(detail::world_below(asset, axis, steps));
+                }
+                const Vec3 a = some_place(asset, random), b = some_place(asset, random);
+                sum.add(detail::is_empty({a, b}));
+                sum.add(detail::is_empty({a, a}));
+                sum.add(detail::is_nan(a) || detail::is_finite(b));
+            }
+        }
+        CHECK(rounded > 30'000);
+        CHECK(far > 1'000);
+        CHECK(sum.value() == 11255883713935737109u);
+    }
+
+    TEST_CASE("a ray that leaves the widest asset where it begins is one") {
+        detail::BlobData asset;
+        asset.bits = format::max_bits;
+        for (std::int32_t& side : asset.extent) side = (1 << format::max_bits) - 1;
+        asset.derive();
+        for (unsigned axis = 0; axis < 3; ++axis)
+            for (const bool up : {false, true}) {
+                Ray world;
+                float* const origin[3] = {&world.origin.x, &world.origin.y, &world.origin.z};
+                float* const direction[3] = {&world.direction.x, &world.direction.y, &world.direction.z};
+                for (unsigned k = 0; k < 3; ++k) {
+                    *origin[k] = k == axis ? (up ? 0x1p24f - 1.0f : 0.0f) : 5.0f;
+                    *direction[k] = k == axis ? (up ? 1.0f : -1.0f) : 0.0f;
+                }
+                detail::LatticeRay ray;
+                CHECK(detail::round_ray(asset, world, ray));
+            }
+    }
+}
