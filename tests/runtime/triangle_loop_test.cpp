@@ -208,7 +208,7 @@ TEST_SUITE("the loop over all triangles") {
             if (blob.decoded.triangle_count <= 12) few.push_back(&blob);
         REQUIRE_FALSE(few.empty());
         const std::vector<TestBlob>& larger = medium_test_blobs();
-        for (std::size_t i = 0; i < larger.size(); ++i) {
+        for (std::size_t i = 0; i < larger.size(); i += 4) {  // each profile twice
             const TestBlob& small = *few[i % few.size()];
             check_pair_loops(larger[i], small, 1810 + i, scaled_share(6), found);
             check_pair_loops(small, larger[i], 1910 + i, scaled_share(6), found);
