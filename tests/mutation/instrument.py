@@ -24,6 +24,8 @@ PARTS = {
         "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_lanes.hpp", "runtime/box_nodes.hpp",
         "runtime/point_nodes.inl", "runtime/point_bounds.inl", "runtime/squared_distance.inl",
         "runtime/plane_nodes.hpp", "runtime/pair_nodes.inl", "runtime/traverse_pair.inl"],
+    "rounding": ["runtime/lattice_ray.hpp", "runtime/lattice_point.hpp", "runtime/lattice_round.hpp",
+                 "runtime/outward.hpp"],
 }
 
 NUMBERS_OF_A_FILE = 1000
@@ -42,7 +44,7 @@ def blanked(text):
     for pattern in (
             r"//[^\n]*", r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", r"static_assert\([^;]*;",
             r"constexpr [\w:<>, ]+? \w+ = \[\][^}]*?(?:\}[^}(]*?)*\}\(\);",  # a table that the compiler fills
-            r"constexpr [\w:<>, ]+? \w+(?:\[[^\]\n]*\])* =[^;]*;", r"template <[^\n]*", r"if constexpr \([^\n]*",
+            r"constexpr [\w:<>, ]+? \w+(?:\[[^\]\n]*\])* =[^;]*;", r"template <[^\n]*", r"^using [^;]*;", r"if constexpr \([^\n]*",
             r"alignas\(\w+\)", r"__asm__[^;]*;",
             r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{\})?;$"):
         text = re.sub(pattern, blank, text, flags=re.MULTILINE)

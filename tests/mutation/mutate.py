@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """mutate.py BUILD [PART...] [--survivors] [--most N] [--claims TEXT...]: breaks the library in every way that
-instrument.py knows, one at a time, and prints what no claim noticed. PART is verifier, decode, quantiser or traversal; all of them when none is
-named. Exit status 1 when a mutant survives that equivalent.txt does not explain.
+instrument.py knows, one at a time, and prints what no claim noticed. PART is verifier, decode, quantiser, traversal or
+rounding; all of them when none is named. Exit status 1 when a mutant survives that equivalent.txt does not explain.
 
 All mutants are compiled once, into the same programs, and chosen when a program starts. A first run of every claim
 without any notes how long it takes and by which mutants it comes; each mutant is then shown to the claims that come by
@@ -40,9 +40,10 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/open", "runtime/open_rules", "runtime/open_leaves", "runtime/weird_blob", "runtime/statistics",
     "runtime/work", "runtime/traversal", "runtime/lattice_ray", "runtime/lattice_point", "runtime/identity",
     "runtime/nearest", "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk",
-    "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/copies", "runtime/packed_walk",
-    "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds",
-    "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles", "baker/input")]
+    "runtime/rounding", "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/copies",
+    "runtime/packed_walk", "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip",
+    "baker/bounds", "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles",
+    "baker/input")]
 QUESTIONS = [5, 100]  # of a kind and blob
 
 
