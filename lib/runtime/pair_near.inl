@@ -27,18 +27,30 @@ inline Floats separation(Floats x, Floats y, Floats z) {
 /// How far two squared lengths may differ for their roundings: those of boxes and planes are less.
 inline constexpr float lower_slack = 1.0f + 0x1p-18f;
 
-/// The pair with the nearest corners: a good one to begin with.
+/// The pair with the nearest corners, of equal ones the first of b, then of a: a good one to begin with, and the same
+/// one whatever the number of lanes.
 struct NearestCorners {
+    static constexpr unsigned a_slots = 64;
+    static_assert(StripLeaf::max_slots <= a_slots && IndexedLeaf::max_slots <= a_slots);
+
     float squared = infinity;
-    unsigned slot = 0;
-    unsigned column = 0;
+    unsigned pair = 0;          ///< b's slot times a_slots, and a's
+    unsigned first_column = 0;  ///< whose slot in b is the first of those that are offered
+
+    [[nodiscard]] unsigned a_slot() const { return pair % a_slots; }
+    [[nodiscard]] unsigned b_slot() const { return pair / a_slots; }
+    void offer(float other_squared, unsigned other) {
+        if (other_squared > squared || (other_squared == squared && other > pair)) return;
+        squared = other_squared;
+        pair = other;
+    }
 };
 
 /// Which of the triangles may be within the squared distance of the column's. The corners also tell how far apart these
 /// are at most, and the limit comes down to that.
 [[gnu::noinline]] inline unsigned match_near(const PlacedLanes& t, const PlacedColumns& others, unsigned column,
                                              unsigned used, const PairAxes& axes, float& limit,
-                                             NearestCorners& nearest_corners, unsigned first) {
+                                             NearestCorners& nearest_corners, unsigned first_pair) {
     PlacedLanes other;
     other.spread(others, column);
     other.derive_box();
@@ -67,8 +79,7 @@ struct NearestCorners {
     store(at_most_apart, nearest);
     for (unsigned rest = near; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<unsigned>(std::countr_zero(rest));
-        if (at_most_apart[lane] < nearest_corners.squared)
-            nearest_corners = {at_most_apart[lane], first + lane, column};
+        nearest_corners.offer(at_most_apart[lane], first_pair + lane);
     }
     limit = minimum(nearest_corners.squared * lower_slack, limit);
     const Floats bound = splat(limit * lower_slack);
@@ -105,7 +116,8 @@ template <class Leaf>
         const auto used = static_cast<unsigned>(leaf.used_slots() >> first) & ((1u << lanes) - 1u);
         for (unsigned rest = near; rest != 0; rest &= rest - 1) {
             const auto column = static_cast<unsigned>(std::countr_zero(rest));
-            slots[column] |= typename Leaf::Slots{match_near(t, others, column, used, axes, limit, nearest, first)}
+            const unsigned first_pair = (nearest.first_column + column) * NearestCorners::a_slots + first;
+            slots[column] |= typename Leaf::Slots{match_near(t, others, column, used, axes, limit, nearest, first_pair)}
                              << first;
         }
     }
@@ -126,34 +138,38 @@ template <class LeafA, class LeafB, class Visitor>
     const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
     const PlacedBox box(a_place.box, frame);
     auto corners = corners_of(b);
+    const auto visit = [&](unsigned a_slot, unsigned b_slot) {
+        return visit_exactly(frame, a, a_slot, b, b_slot, visitor);
+    };
+    NearestCorners nearest;
     for (unsigned first = 0; first < b.slot_count; first += columns) {
         PlacedColumns others;
-        unsigned near = place_columns<false>(b, frame, first, corners, box, visitor.limit(), others);
+        const float limit_before = visitor.limit();
+        unsigned near = place_columns<false>(b, frame, first, corners, box, limit_before, others);
         if (near == 0) continue;
         typename LeafA::Slots slots[columns];
-        NearestCorners nearest;
         const auto match_all = [&] {
             float limit = visitor.limit();
             match_near(a, frame, others, near, visitor.axes(0), limit, nearest, slots);
             visitor.lower_limit(limit);
         };
-        const auto visit = [&](unsigned column, unsigned slot) {
-            return visit_exactly(frame, a, slot, b, first + column, visitor);
-        };
+        nearest.first_column = first;
         match_all();
+        if (visitor.surveys) continue;
         // The most promising pair first: what it finds rules most of the others out.
-        const auto bit = typename LeafA::Slots{1} << nearest.slot;
-        if (nearest.squared < infinity && (slots[nearest.column] & bit) != 0) {
-            if (visit(nearest.column, nearest.slot) == stop) return stop;
-            const NearestCorners visited = nearest;
-            match_all();
-            slots[visited.column] &= ~bit;
+        if (const unsigned column = nearest.b_slot() - first; nearest.squared < infinity && column < columns) {
+            const auto bit = typename LeafA::Slots{1} << nearest.a_slot();
+            if ((slots[column] & bit) != 0) {
+                if (visit(nearest.a_slot(), nearest.b_slot()) == stop) return stop;
+                if (visitor.limit() < limit_before) match_all();
+                slots[column] &= ~bit;
+            }
         }
         for (; near != 0; near &= near - 1) {
             const auto column = static_cast<unsigned>(std::countr_zero(near));
             for (auto mask = slots[column]; mask != 0; mask &= mask - 1)
-                if (visit(column, static_cast<unsigned>(std::countr_zero(mask))) == stop) return stop;
+                if (visit(static_cast<unsigned>(std::countr_zero(mask)), first + column) == stop) return stop;
         }
     }
-    return keep_going;
+    return visitor.surveys && nearest.squared < infinity ? visit(nearest.a_slot(), nearest.b_slot()) : keep_going;
 }

@@ -120,8 +120,12 @@ inline Floats gap_along(const PairAxes& axes, const LaneBoxes& boxes, const Seen
     return sum;
 }
 
-/// The children of a node that are within the squared distance, and how far at least; for distance 0 what orders them
-/// instead is how far apart the centers are.
+/// Of how far apart the centers of boxes are, what counts beside the boxes' gap in the order of children: most boxes
+/// far up have no gap.
+inline constexpr float share_of_centers = 0x1p-4f;
+
+/// The children of a node that are within the squared distance, and what orders them: how far apart they are at least
+/// and, for distance 0 alone, the centers are.
 template <bool touching>
 [[gnu::noinline]] unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen,
                                          const PairSide& side, [[maybe_unused]] const PairAxes& axes, float limit,
@@ -141,12 +145,13 @@ template <bool touching>
         Floats gap = gap_to(boxes, seen, side, apart);
         if constexpr (!touching) gap = larger(gap, gap_along(axes, boxes, seen, side, apart));
         unsigned near = at_most(gap, splat(limit));
+        const Floats between =
+            add(add(multiply(apart[0], apart[0]), multiply(apart[1], apart[1])), multiply(apart[2], apart[2]));
         if constexpr (touching) {
             if (near != 0) near &= not_apart_across(boxes, seen, side, apart);
-            store(keys + first,
-                  add(add(multiply(apart[0], apart[0]), multiply(apart[1], apart[1])), multiply(apart[2], apart[2])));
+            store(keys + first, between);
         } else {
-            store(keys + first, gap);
+            store(keys + first, add(gap, multiply(between, splat(share_of_centers))));
         }
         mask |= near << first;
     }

@@ -29,7 +29,6 @@ inline Visit with_leaf_kinds(const PairFrame& frame, Function function) {
 
 /// Pairs that touch, handed to a callable.
 struct TouchingPairs {
-    static constexpr bool asks_again = false;
     const PairFrame& frame;
     OnTouching visit;
 
@@ -51,17 +50,25 @@ QueryStatus touching_pairs(const PairFrame& frame, OnTouching visit, std::uint64
 
 /// The pair that is least apart; of equal ones the lowest, but the first that touches. Or any pair within the radius.
 struct LeastDistance {
-    static constexpr bool asks_again = true;
     const PairFrame& frame;
+    FoundTriangles& best;
     float radius;  ///< steps of the grid
     bool any;      ///< whether any pair within the radius is as good
-    FoundTriangles& best;
-    float limit_ = radius * radius * distance_slack;
+    /// While looking first where the meshes may be near each other: of two leaves only the most promising pair is
+    /// visited, which need not be within the radius to tell the direction.
+    bool surveys = true;
     bool found = false;
+    float limit_ = radius * radius * distance_slack;
+    float survey_limit_ = infinity;
     PairAxes axes_[2] = {};  ///< in either tree's frame
 
-    [[nodiscard]] float limit() const { return limit_; }
-    void lower_limit(float limit) { limit_ = limit; }
+    [[nodiscard]] bool is_done() const { return found && (any || best.distance.squared == 0.0f); }
+    /// For triangles.
+    [[nodiscard]] float limit() const { return surveys ? survey_limit_ : limit_; }
+    void lower_limit(float limit) {
+        survey_limit_ = minimum(limit, survey_limit_);
+        limit_ = minimum(limit, limit_);
+    }
     [[nodiscard]] const PairAxes& axes(unsigned side) const { return axes_[side]; }
     unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
         const PairSide& view = frame.sides[side];
@@ -75,25 +82,28 @@ struct LeastDistance {
     }
     template <class Pair>
     [[gnu::noinline]] Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
-        if (gap_between(a, b) > limit_) return keep_going;
+        if (gap_between(a, b) > limit()) return keep_going;
         const TriangleDistance distance = distance_between(a, b);
         if (found && distance.squared > best.distance.squared) return keep_going;
-        if (!is_within_radius(a, b, distance, radius)) return keep_going;
-        const TrianglePair these = pair();
-        if (found && distance.squared == best.distance.squared && best.pair < these) return keep_going;
-        best = {distance, a, b, these};
-        found = true;
-        limit_ = minimum(distance.squared * distance_slack, limit_);
-        set_axes();
-        return any || distance.squared == 0.0f ? stop : keep_going;
+        if (is_within_radius(a, b, distance, radius)) {
+            const TrianglePair these = pair();
+            if (found && distance.squared == best.distance.squared && best.pair < these) return keep_going;
+            best = {distance, a, b, these};
+            found = true;
+            lower_limit(distance.squared * distance_slack);
+        } else {
+            if (!surveys || distance.squared > survey_limit_) return keep_going;
+            survey_limit_ = distance.squared * distance_slack;
+        }
+        set_axes(a, b, distance);
+        return is_done() ? stop : keep_going;
     }
 
 private:
     /// The first leads from one closest point to the other.
-    void set_axes() {
+    void set_axes(const LatticeTriangle& a, const LatticeTriangle& b, const TriangleDistance& distance) {
         float(&axes)[3][3] = axes_[0].at;
-        for (int k = 0; k < 3; ++k)
-            axes[0][k] = point_on(best.b, best.distance.on_b, k) - point_on(best.a, best.distance.on_a, k);
+        for (int k = 0; k < 3; ++k) axes[0][k] = point_on(b, distance.on_b, k) - point_on(a, distance.on_a, k);
         if (!shorten(axes[0])) return;
         int least = 0;
         for (int k = 1; k < 3; ++k) least = absolute(axes[0][k]) < absolute(axes[0][least]) ? k : least;
@@ -126,8 +136,14 @@ private:
 
 QueryStatus nearest_pair(const PairFrame& frame, float radius, bool any, FoundTriangles& best, bool& found,
                          std::uint64_t& work) {
-    LeastDistance visitor = {frame, radius, any, best};
-    const QueryStatus status = traverse_pair(frame, visitor, work);
+    LeastDistance visitor = {frame, best, radius, any};
+    QueryStatus status = QueryStatus::ok;
+    const auto goes_on = [&] { return status == QueryStatus::ok && !visitor.is_done(); };
+    // The narrow one is for those whom nearly any pair satisfies.
+    for (const unsigned width : {1u, Beam::most_width})
+        if (goes_on()) status = visit_promising(frame, visitor, width, work);
+    visitor.surveys = false;
+    if (goes_on()) status = traverse_pair(frame, visitor, work);
     found = visitor.found;
     return status;
 }

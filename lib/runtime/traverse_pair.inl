@@ -5,7 +5,6 @@
 //       mask of the children of a node of tree `side` that are worth a visit beside a box of the other tree, and for
 //       each how near it is: the nearest goes first, the others in storage order
 //   Visit visit_leaves(const LeafPlace& a, const LeafPlace& b)      stop ends the walk
-//   static constexpr bool asks_again      whether children are to be asked about again when their turn comes
 
 /// A box of a tree: that of a node's child, or the one around everything.
 struct PairItem {
@@ -36,24 +35,49 @@ struct PairLevel {
     std::uint32_t other_and_side;
 };
 
+/// What items stand for, in either tree.
+struct PairTrees {
+    const BlobData* blob[2];
+    float unit[2];  ///< of a lattice, on the common grid
+
+    explicit PairTrees(const PairFrame& frame)
+        : blob{frame.a, frame.b}, unit{frame.a_scale, frame.sides[1].common_size} {}
+
+    [[nodiscard]] TwiceBox box(unsigned side, PairItem item) const {
+        if (!item.is_root()) return load_twice_box(node_at(*blob[side], item.parent()), item.child(), *blob[side]);
+        TwiceBox whole;
+        for (int k = 0; k < 3; ++k) whole.center[k] = whole.half[k] = blob[side]->extent_steps[k];
+        return whole;
+    }
+    /// The side whose box goes on: the larger one, while it is no leaf.
+    [[nodiscard]] unsigned side_to_open(const PairItem* items, const TwiceBox* boxes) const {
+        const auto size = [&](unsigned side) {
+            return (boxes[side].half[0] + boxes[side].half[1] + boxes[side].half[2]) * unit[side];
+        };
+        return items[0].is_leaf() || (!items[1].is_leaf() && size(0) < size(1)) ? 1u : 0u;
+    }
+    /// The index of the node in an item's box.
+    [[nodiscard]] std::uint32_t node_in(unsigned side, PairItem item) const {
+        return item.is_root() ? 0 : node_at(*blob[side], item.parent()).first_child() + item.child();
+    }
+    [[nodiscard]] PairItem child_of(unsigned side, std::uint32_t node, unsigned child) const {
+        const bool is_leaf = child >= node_at(*blob[side], node).node_children();
+        return {node | child << PairItem::child_shift | (is_leaf ? PairItem::leaf_bit : 0u)};
+    }
+    [[nodiscard]] LeafPlace leaf(unsigned side, PairItem item, const TwiceBox& box_of_item) const {
+        const Node node = node_at(*blob[side], item.parent());
+        return {node, item.child() - node.node_children(), box_of_item};
+    }
+};
+
 /// `work` is how many pairs may be visited, and then how many are left.
 template <class Visitor>
 [[gnu::noinline]] QueryStatus traverse_pair(const PairFrame& frame, Visitor& visitor, std::uint64_t& work) {
     PairLevel stack[2 * format::max_depth];
     unsigned depth = 0;
-    const BlobData* const blobs[2] = {frame.a, frame.b};
-    const float unit[2] = {frame.a_scale, frame.sides[1].common_size};
+    const PairTrees trees(frame);
     PairItem items[2];
-    TwiceBox boxes[2];
-    const auto load = [&](unsigned side) {
-        const PairItem item = items[side];
-        const BlobData& blob = *blobs[side];
-        if (item.is_root())
-            for (int k = 0; k < 3; ++k) boxes[side].center[k] = boxes[side].half[k] = blob.extent_steps[k];
-        else boxes[side] = load_twice_box(node_at(blob, item.parent()), item.child(), blob);
-    };
-    load(0);
-    load(1);
+    TwiceBox boxes[2] = {trees.box(0, items[0]), trees.box(1, items[1])};
     for (;;) {
         if (work == 0) return QueryStatus::work_limit;
         --work;
@@ -62,21 +86,14 @@ template <class Visitor>
         unsigned mask = 0;
         alignas(32) float keys[format::max_children];
         if (items[0].is_leaf() && items[1].is_leaf()) {
-            const auto place = [&](unsigned of) {
-                const Node node = node_at(*blobs[of], items[of].parent());
-                return LeafPlace{node, items[of].child() - node.node_children(), boxes[of]};
-            };
             count_leaf_step();
-            if (visitor.visit_leaves(place(0), place(1)) == stop) return QueryStatus::ok;
+            if (visitor.visit_leaves(trees.leaf(0, items[0], boxes[0]), trees.leaf(1, items[1], boxes[1])) == stop)
+                return QueryStatus::ok;
         } else {
-            const auto size = [&](unsigned of) {
-                return (boxes[of].half[0] + boxes[of].half[1] + boxes[of].half[2]) * unit[of];
-            };
-            side = items[0].is_leaf() || (!items[1].is_leaf() && size(0) < size(1)) ? 1u : 0u;
-            const PairItem item = items[side];
-            index = item.is_root() ? 0 : node_at(*blobs[side], item.parent()).first_child() + item.child();
+            side = trees.side_to_open(items, boxes);
+            index = trees.node_in(side, items[side]);
             count_node_step();
-            mask = visitor.children(side, node_at(*blobs[side], index), boxes[1 - side], keys);
+            mask = visitor.children(side, node_at(*trees.blob[side], index), boxes[1 - side], keys);
         }
         while (mask == 0) {
             if (depth == 0) return QueryStatus::ok;
@@ -85,17 +102,11 @@ template <class Visitor>
             index = level.node_and_waiting & ((1u << PairLevel::waiting_shift) - 1u);
             mask = level.node_and_waiting >> PairLevel::waiting_shift;
             items[1 - side] = {level.other_and_side & ~PairLevel::side_bit};
-            load(1 - side);
-            if constexpr (Visitor::asks_again) {
-                count_node_step();
-                mask &= visitor.children(side, node_at(*blobs[side], index), boxes[1 - side], keys);
-                --depth;
-            } else {
-                const unsigned rest = mask & (mask - 1);
-                level.node_and_waiting = index | rest << PairLevel::waiting_shift;
-                if (rest == 0) --depth;
-                mask ^= rest;
-            }
+            boxes[1 - side] = trees.box(1 - side, items[1 - side]);
+            const unsigned rest = mask & (mask - 1);
+            level.node_and_waiting = index | rest << PairLevel::waiting_shift;
+            if (rest == 0) --depth;
+            mask ^= rest;
         }
         auto best = static_cast<unsigned>(std::countr_zero(mask));
         for (unsigned others = mask & (mask - 1); others != 0; others &= others - 1) {
@@ -105,8 +116,7 @@ template <class Visitor>
         if (const unsigned rest = mask & ~(1u << best); rest != 0)
             stack[depth++] = {index | rest << PairLevel::waiting_shift,
                               items[1 - side].packed | (side != 0 ? PairLevel::side_bit : 0u)};
-        const unsigned node_children = node_at(*blobs[side], index).node_children();
-        items[side] = {index | best << PairItem::child_shift | (best >= node_children ? PairItem::leaf_bit : 0u)};
-        load(side);
+        items[side] = trees.child_of(side, index, best);
+        boxes[side] = trees.box(side, items[side]);
     }
 }

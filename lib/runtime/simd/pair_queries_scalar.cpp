@@ -8,6 +8,7 @@ namespace espalier::detail::scalar {
 #include <runtime/traverse.inl>
 #include <runtime/pair_nodes.inl>
 #include <runtime/traverse_pair.inl>
+#include <runtime/pair_beam.inl>
 #include <runtime/pair_leaves.inl>
 #include <runtime/pair_touching.inl>
 #include <runtime/pair_near.inl>
