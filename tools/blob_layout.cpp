@@ -56,7 +56,8 @@ std::vector<Section> sections_of(const Blob& blob) {
                           format::copies::owner_bytes * std::size_t{data.copy_count});
     }
     if (data.edge_flags != nullptr) {
-        add("edge_flags", padded_to_4(static_cast<std::size_t>(format::edge_flags::bytes(data.triangle_count))));
+        using namespace format::edge_flags;
+        add("edge_flags", padded_to_4(fields_at + (std::size_t{data.triangle_count} * triangle_bits + 7) / 8));
     }
     if ((data.features & format::feature::oriented_box) != 0) add("oriented_box", format::bounds::oriented_box_bytes);
     if ((data.features & format::feature::bounding_sphere) != 0) add("sphere", format::bounds::sphere_bytes);
