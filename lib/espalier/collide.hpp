@@ -13,9 +13,10 @@
 // corner is placed more than 2^80 of a's lattice steps away, and for distances when the bounds are apart by more than
 // 1,024 times the longer one's longest side, along some axis, unless max_distance is less than half of that: then
 // nothing is found. All of it O(1), and refused queries leave results alone. Cost. The stack is bounded
-// (docs/benchmarks.md), steps by the product of the two trees' sizes: whoever places meshes that others made gives a
-// work limit. It counts pairs of nodes or leaves; when it is reached, the answer is work_limit, at the same pair on
-// every machine. OBB tests after Gottschalk, Lin and Manocha (1996), triangles after Devillers and Guigue (2002).
+// (docs/benchmarks.md), steps by the product of the two trees' sizes, and for distances by 9 times both depths besides,
+// which a first look at likely places takes: whoever places meshes that others made gives a work limit. It counts pairs
+// of nodes or leaves, that look's too; when it is reached, the answer is work_limit, at the same pair on every machine.
+// OBB tests after Gottschalk, Lin and Manocha (1996), triangles after Devillers and Guigue (2002).
 #pragma once
 
 #include <cstddef>

@@ -27,8 +27,8 @@ inline Floats separation(Floats x, Floats y, Floats z) {
 /// How far two squared lengths may differ for their roundings: those of boxes and planes are less.
 inline constexpr float lower_slack = 1.0f + 0x1p-18f;
 
-/// The pair with the nearest corners, of equal ones the first of b, then of a: a good one to begin with, and the same
-/// one whatever the number of lanes.
+/// The pair with the nearest corners, of equal ones the first of b, then of a: a good one to begin with, and in
+/// the first look, which takes all columns together, the same one whatever the number of lanes.
 struct NearestCorners {
     static constexpr unsigned a_slots = 64;
     static_assert(StripLeaf::max_slots <= a_slots && IndexedLeaf::max_slots <= a_slots);

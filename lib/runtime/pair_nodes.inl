@@ -124,8 +124,8 @@ inline Floats gap_along(const PairAxes& axes, const LaneBoxes& boxes, const Seen
 /// far up have no gap.
 inline constexpr float share_of_centers = 0x1p-4f;
 
-/// The children of a node that are within the squared distance, and what orders them: how far apart they are at least
-/// and, for distance 0 alone, the centers are.
+/// The children of a node that are within the squared distance, and what orders them: for contacts how far the centers
+/// are apart, for distances the gap and a share of that.
 template <bool touching>
 [[gnu::noinline]] unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen,
                                          const PairSide& side, [[maybe_unused]] const PairAxes& axes, float limit,

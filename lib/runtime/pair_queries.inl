@@ -100,11 +100,15 @@ struct LeastDistance {
     }
 
 private:
-    /// The first leads from one closest point to the other.
+    /// The first leads from one closest point to the other. Points that round to one place tell none, whatever pairs
+    /// came before: which ones did depends on the number of lanes.
     void set_axes(const LatticeTriangle& a, const LatticeTriangle& b, const TriangleDistance& distance) {
         float(&axes)[3][3] = axes_[0].at;
         for (int k = 0; k < 3; ++k) axes[0][k] = point_on(b, distance.on_b, k) - point_on(a, distance.on_a, k);
-        if (!shorten(axes[0])) return;
+        if (!shorten(axes[0])) {
+            axes_[0] = axes_[1] = PairAxes{};
+            return;
+        }
         int least = 0;
         for (int k = 1; k < 3; ++k) least = absolute(axes[0][k]) < absolute(axes[0][least]) ? k : least;
         const int next = least == 2 ? 0 : least + 1, last = least == 0 ? 2 : least - 1;

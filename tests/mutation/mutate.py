@@ -126,8 +126,11 @@ class Claim:
         notes.unlink(missing_ok=True)
         status, self.expected, self.seconds = self.run(folder / "scratch" / notes.name, math.ceil(LONGEST),
                                                        MUTANTS_REACHED=str(notes))
-        if status != 0 or self.seconds > LONGEST:
-            print(f"left out, {'red' if status > 0 else 'too slow'}: {self.name}", flush=True)
+        too_slow = status in (-signal.SIGXCPU, -signal.SIGKILL) or self.seconds > LONGEST
+        if not too_slow and (status < 0 or status >= 128):
+            raise SystemExit(f"mutate.py: '{self.name}' crashes with no mutant at all")
+        if status != 0 or too_slow:
+            print(f"left out, {'too slow' if too_slow else 'red'}: {self.name}", flush=True)
             return False
         self.reached = {int(line) for line in notes.open()}
         return True

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 
 #include <espalier/espalier.hpp>
@@ -194,6 +195,9 @@ TEST_SUITE("promises") {
                  std::uint64_t work = 20'000;
                  const auto go_on = [](const TrianglePair&) { return keep_going; };
                  path.touching_pairs(frame, go_on, work);
+                 detail::FoundTriangles closest;
+                 bool is_found = false;
+                 path.nearest_pair(frame, std::numeric_limits<float>::infinity(), false, closest, is_found, work);
              })},
             {"sweep, a sphere", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
             {"sweep, a capsule", 3328, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},

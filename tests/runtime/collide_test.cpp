@@ -37,6 +37,24 @@ bool touch(const Blob& a, const Blob& b, const Placement& placement) {
 }  // namespace
 
 TEST_SUITE("two blobs") {
+    TEST_CASE("of two leaves that are equally near the first in storage is met first") {
+        Mesh pair = one_triangle({16, -16, -1}, {24, -16, 1}, {16, -24, 1});
+        pair.positions.insert(pair.positions.end(), {{-16, 16, -1}, {-16, 24, 1}, {-24, 16, 1}});
+        pair.triangles.push_back({3, 4, 5});
+        const BakeOptions options = {.bits = 12, .profile = format::Profile::fast, .max_leaf_triangles = 1};
+        const OpenedBlob a(pair, options);
+        const OpenedBlob b(one_triangle({-100, -100, 0}, {100, -100, 0}, {-100, 100, 0}), options);
+        TrianglePair first;
+        bool found = false;
+        REQUIRE(first_contact(a.blob, b.blob, {}, first, found) == QueryStatus::ok);
+        REQUIRE(found);
+        CHECK(first == TrianglePair{{0}, {0}});
+        std::vector<TrianglePair> all;
+        const auto add = [&](const TrianglePair& contact) { return all.push_back(contact), keep_going; };
+        REQUIRE(for_each_contact(a.blob, b.blob, {}, add) == QueryStatus::ok);
+        CHECK(all == std::vector<TrianglePair>{{{0}, {0}}, {{1}, {0}}});
+    }
+
     TEST_CASE("touching counts, to the last step of the grid") {
         const OpenedBlob cube(make_cube(0.0f, 1.0f));
         const Blob& blob = cube.blob;

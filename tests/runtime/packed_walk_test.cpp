@@ -21,26 +21,6 @@ namespace {
 using namespace espalier;
 using namespace espalier::tests;
 
-namespace {
-
-/// Goes down to the first child of everything, and counts how often it is asked.
-struct FirstChildren {
-    static constexpr bool asks_again = true;
-    unsigned asked = 0, leaves = 0;
-
-    unsigned children(unsigned, const detail::Node&, const detail::scalar::TwiceBox&, float* keys) {
-        ++asked;
-        keys[0] = 0.0f;
-        return 1;
-    }
-    Visit visit_leaves(const detail::scalar::LeafPlace&, const detail::scalar::LeafPlace&) {
-        ++leaves;
-        return keep_going;
-    }
-};
-
-}  // namespace
-
 TEST_SUITE("traversal") {
     TEST_CASE("what waits at any node that a blob may have is what was left there") {
         using detail::scalar::Waiting;
@@ -79,18 +59,6 @@ TEST_SUITE("traversal") {
                     REQUIRE(item.is_leaf() == (leaf != 0));
                     REQUIRE_FALSE(item.is_root());
                 }
-    }
-
-    TEST_CASE("a walk through two trees leaves nothing waiting where one child is worth a visit") {
-        const OpenedBlob terrain(make_terrain(24, 7));
-        detail::PairFrame frame;
-        REQUIRE(detail::place_pair(terrain.blob.data(), terrain.blob.data(), {}, frame) == QueryStatus::ok);
-        FirstChildren visitor;
-        std::uint64_t work = 1000;
-        CHECK(detail::scalar::traverse_pair(frame, visitor, work) == QueryStatus::ok);
-        CHECK(visitor.leaves == 1);
-        CHECK(visitor.asked >= 2);
-        CHECK(visitor.asked == 1000 - work - visitor.leaves);  // once for each pair that is not of leaves
     }
 
     TEST_CASE("a ray that begins where it leaves the asset's box meets it, and one that begins behind does not") {

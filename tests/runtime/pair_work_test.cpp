@@ -80,12 +80,12 @@ TEST_SUITE("the work of two blobs") {
         });
     }
 
-    TEST_CASE("a look at what is likely to be near spares most of the walk") {
+    TEST_CASE("a look at what is likely to be near spares more than it takes") {
         std::uint64_t work = 0;
         for_each_frame_apart(make_terrain(120, 5), format::Profile::fast, 20, [&](const detail::PairFrame& frame) {
             work += nearest_of(instruction_paths().back(), frame, no_limit).work;
         });
-        // 3,761, without it more than 5,500.
-        CHECK(work < 4'500);
+        // 3,761 with what it takes; without it more than 5,500.
+        CHECK(work < 4'000);
     }
 }

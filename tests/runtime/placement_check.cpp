@@ -122,13 +122,17 @@ void check_distance(const Blob& a, const Blob& b, const Placement& placement, co
     for (int step = 0; step < 7; ++step, radius = std::nextafter(radius, infinity)) {
         if (step % 4 != static_cast<int>(turn % 4)) continue;
         CAPTURE(radius);
-        const bool expected = is_any_within(nearest_pairs, radius);
+        const detail::FoundTriangles* const first = first_within(nearest_pairs, radius);
+        const bool expected = first != nullptr;
         for (const InstructionPath& path : paths) {
             CAPTURE(std::string(path.name));
             detail::FoundTriangles best;
             std::uint64_t left = no_limit;
             REQUIRE(path.nearest_pair(frame, radius, true, best, found, left) == QueryStatus::ok);
             REQUIRE(found == expected);
+            REQUIRE(path.nearest_pair(frame, radius, false, best, found, left) == QueryStatus::ok);
+            REQUIRE(found == expected);
+            if (found) REQUIRE(same_bits(best, *first));
         }
         const float in_units = std::ldexp(radius, exponent);
         if (std::ldexp(in_units, -exponent) != radius) continue;  // no distance of the caller's is that one
@@ -136,7 +140,9 @@ void check_distance(const Blob& a, const Blob& b, const Placement& placement, co
         REQUIRE(found == expected);
         REQUIRE(minimum_distance(a, b, placement, in_units, nearest, found) == QueryStatus::ok);
         REQUIRE(found == expected);
-        if (found) REQUIRE(tests::same_bits(nearest.distance, std::min(distance, in_units)));
+        if (!found) continue;
+        REQUIRE(nearest.pair == first->pair);
+        REQUIRE(tests::same_bits(nearest.distance, std::min(distance, in_units)));
     }
 }
 

@@ -27,7 +27,7 @@ public:
     /// For two blobs under a limit of work; a pair that touches may be looked up once more, each of its triangles by
     /// one way down.
     [[nodiscard]] const Blob& for_pairs(std::uint64_t pairs) const {
-        return allow(2 * pairs + 2 * format::max_depth, pairs + 2 * format::max_children);
+        return allow(pairs + 2 * format::max_depth, pairs + 2 * format::max_children);
     }
     /// What else a query is given.
     [[nodiscard]] const Blob& unmeasured() const { return blob_; }

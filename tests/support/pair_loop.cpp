@@ -128,10 +128,11 @@ std::vector<detail::FoundTriangles> PairLoop::nearest_pairs() const {
     return found;
 }
 
-bool is_any_within(const std::vector<detail::FoundTriangles>& nearest, float radius) {
-    return std::any_of(nearest.begin(), nearest.end(), [&](const detail::FoundTriangles& pair) {
+const detail::FoundTriangles* first_within(const std::vector<detail::FoundTriangles>& nearest, float radius) {
+    const auto first = std::find_if(nearest.begin(), nearest.end(), [&](const detail::FoundTriangles& pair) {
         return detail::is_within_radius(pair.a, pair.b, pair.distance, radius);
     });
+    return first != nearest.end() ? &*first : nullptr;
 }
 
 bool PairLoop::is_any_within(float radius) const {

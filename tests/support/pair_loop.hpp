@@ -10,9 +10,9 @@
 
 namespace espalier::tests {
 
-/// Whether any of those that `nearest_pairs` found is within the radius (steps of the grid, and near the least
-/// distance).
-bool is_any_within(const std::vector<detail::FoundTriangles>& nearest, float radius);
+/// The first of those that `nearest_pairs` found that is within the radius (steps of the grid, and near the least
+/// distance); a null pointer when none is.
+const detail::FoundTriangles* first_within(const std::vector<detail::FoundTriangles>& nearest, float radius);
 
 /// Pairs whose boxes are farther apart than a query reaches need no kernel, nor do those that a plane of one of them
 /// keeps as far apart: so that real meshes can be asked too, boxes around groups of triangles, and around blocks of

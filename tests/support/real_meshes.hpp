@@ -22,6 +22,7 @@ void for_each_mesh_read(Check check, std::size_t most_triangles = ~std::size_t{0
         const Mesh mesh = read_mesh(file);
         CAPTURE(mesh.name);
         if (mesh.triangles.size() <= most_triangles) check(mesh);
+        else MESSAGE("SKIPPED: more than ", most_triangles, " triangles");
     }
 }
 
