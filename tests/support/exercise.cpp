@@ -8,6 +8,7 @@
 #include <espalier/espalier.hpp>
 
 #include "answer_hash.hpp"
+#include "float_mode.hpp"
 #include "hostile_arguments.hpp"
 #include "hostile_values.hpp"
 #include "measured_blob.hpp"
@@ -42,6 +43,20 @@ struct Exercise {
 
 bool is_number(float value) { return value == value; }
 
+Vec3 moved(Vec3 point, Vec3 by) {
+    return {plain_sum(point.x, by.x), plain_sum(point.y, by.y), plain_sum(point.z, by.z)};
+}
+
+Vec3 difference(Vec3 to, Vec3 from) { return moved(to, {-from.x, -from.y, -from.z}); }
+
+Vec3 scaled_by(Vec3 v, float factor) {
+    return {plain_product(v.x, factor), plain_product(v.y, factor), plain_product(v.z, factor)};
+}
+
+float plain_dot(Vec3 a, Vec3 b) {
+    return plain_sum(plain_sum(plain_product(a.x, b.x), plain_product(a.y, b.y)), plain_product(a.z, b.z));
+}
+
 void check_hit(Exercise& run, const RayHit& hit) {
     const MeasuredBlob& blob = run.blob;
     AnswerHash& hash = run.hash;
@@ -66,7 +81,7 @@ void exercise_rays(Exercise& run) {
     ray.origin = some_point(blob, random);
     if (random.coin()) {
         const Vec3 target = some_point(blob, random);
-        ray.direction = {target.x - ray.origin.x, target.y - ray.origin.y, target.z - ray.origin.z};
+        ray.direction = difference(target, ray.origin);
     } else {
         ray.direction = some_point(blob, random);
     }
@@ -261,11 +276,11 @@ void exercise_volumes(Exercise& run) {
             break;
         case 1:
             exercise_volume(run, Box{a, b});
-            exercise_volume(run, Box{{a.x, a.y, a.z}, {a.x + length, a.y + length, a.z + length}});
+            exercise_volume(run, Box{a, moved(a, {length, length, length})});
             break;
         case 2:
             exercise_volume(run, OrientedBox{a, {b, c, d}});
-            exercise_volume(run, OrientedBox{a, {{length, 0.0f, length}, {b.x - a.x, b.y - a.y, b.z - a.z}, {}}});
+            exercise_volume(run, OrientedBox{a, {{length, 0.0f, length}, difference(b, a), {}}});
             break;
         default: {
             exercise_volume(run, Corners{a, b, c});
@@ -273,7 +288,7 @@ void exercise_volumes(Exercise& run) {
             for (Plane& plane : planes) {
                 const Vec3 on = some_point(blob, random);
                 const Vec3 normal = random.below(8) == 0 ? on : random.in_cube(1.0f);
-                plane = {normal, normal.x * on.x + normal.y * on.y + normal.z * on.z + 0.1f * length};
+                plane = {normal, plain_sum(plain_dot(normal, on), plain_product(0.1f, length))};
             }
             const std::size_t count = random.coin() ? random.below(7) : random.below(planes.size() + 1);
             exercise_volume(run, std::span<const Plane>(planes).first(count));
@@ -329,7 +344,8 @@ void exercise_approximate(Exercise& run) {
     const MeasuredBlob& blob = run.blob;
     Random& random = run.random;
     Verdict& verdict = run.verdict;
-    const float accuracy = some_length(blob, random) * (random.coin() ? 0.01f : 1.0f);
+    const float length = some_length(blob, random);
+    const float accuracy = plain_product(length, random.coin() ? 0.01f : 1.0f);
     const Sphere sphere{some_point(blob, random), some_length(blob, random)};
     const Box box{some_point(blob, random), some_point(blob, random)};
     Ray ray{some_point(blob, random), some_point(blob, random)};
@@ -390,11 +406,11 @@ void exercise_sweeps(Exercise& run) {
     Random& random = run.random;
     const Vec3 a = some_point(blob, random), b = some_point(blob, random), c = some_point(blob, random);
     const float length = some_length(blob, random);
-    const Vec3 way = random.coin() ? Vec3{c.x - a.x, c.y - a.y, c.z - a.z} : c;
+    const Vec3 way = random.coin() ? difference(c, a) : c;
     exercise_sweep(run, Sphere{a, length}, way);
     exercise_sweep(run, Capsule{a, b, length}, way);
     exercise_sweep(run, Box{a, b}, way);
-    exercise_sweep(run, Box{a, {a.x + length, a.y + length, a.z + length}}, way);
+    exercise_sweep(run, Box{a, moved(a, {length, length, length})}, way);
 }
 
 Placement some_placement(const Blob& blob, Random& random) {
@@ -403,7 +419,12 @@ Placement some_placement(const Blob& blob, Random& random) {
         const Vec3 axis = random.below(4) == 0 ? some_point(blob, random) : random.in_cube(1.0f);
         placement.rotation = {axis.x, axis.y, axis.z, random.signed_unit()};
     }
-    placement.translation = random.below(8) == 0 ? some_point(blob, random) : random.in_cube(some_length(blob, random));
+    if (random.below(8) == 0) {
+        placement.translation = some_point(blob, random);
+    } else {
+        const float length = some_length(blob, random);
+        placement.translation = scaled_by(random.in_cube(1.0f), length);
+    }
     if (random.below(3) == 0) placement.scale = random.coin() ? random.unit() * 4.0f : some_length(blob, random);
     return placement;
 }

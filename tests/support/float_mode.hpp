@@ -16,10 +16,12 @@ inline constexpr unsigned denormals_are_zero = 0x0040;  // operands
 
 inline constexpr std::array float_modes = {0u, flush_to_zero, denormals_are_zero, flush_to_zero | denormals_are_zero};
 
-/// In force as long as it lives, in this thread.
+/// Just these flags, in force as long as it lives, in this thread.
 class FloatMode {
 public:
-    explicit FloatMode(unsigned flags) : before_(_mm_getcsr()) { _mm_setcsr(before_ | flags); }
+    explicit FloatMode(unsigned flags) : before_(_mm_getcsr()) {
+        _mm_setcsr((before_ & ~(flush_to_zero | denormals_are_zero)) | flags);
+    }
     ~FloatMode() { _mm_setcsr(before_); }
     FloatMode(const FloatMode&) = delete;
     FloatMode& operator=(const FloatMode&) = delete;
@@ -39,5 +41,22 @@ public:
 };
 
 #endif
+
+// Arguments are made while a mode is in force, and must not depend on it. Volatile: compilers move arithmetic past the
+// change of mode.
+
+inline float plain_sum(float a, float b) {
+    const FloatMode plain(0);
+    const volatile float x = a, y = b;
+    const volatile float sum = x + y;
+    return sum;
+}
+
+inline float plain_product(float a, float b) {
+    const FloatMode plain(0);
+    const volatile float x = a, y = b;
+    const volatile float product = x * y;
+    return product;
+}
 
 }  // namespace espalier::tests
