@@ -85,7 +85,7 @@ TEST_SUITE("the work of two blobs") {
         for_each_frame_apart(make_terrain(120, 5), format::Profile::fast, 20, [&](const detail::PairFrame& frame) {
             work += nearest_of(instruction_paths().back(), frame, no_limit).work;
         });
-        // 3,761 with what it takes; without it more than 5,500.
-        CHECK(work < 4'000);
+        // 3,761 with what it takes, without it more than 5,500; of the placements that another compiler draws 4,095.
+        CHECK(work < 4'500);
     }
 }
