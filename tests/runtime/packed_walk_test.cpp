@@ -7,9 +7,6 @@
 #include <runtime/pair_queries.hpp>
 #include <runtime/simd/lanes_scalar.hpp>
 
-#include "../support/baking.hpp"
-#include "../support/mesh_makers.hpp"
-
 namespace espalier::detail::scalar {
 namespace {
 #include <runtime/traverse.inl>
@@ -19,7 +16,6 @@ namespace {
 }  // namespace espalier::detail::scalar
 
 using namespace espalier;
-using namespace espalier::tests;
 
 TEST_SUITE("traversal") {
     TEST_CASE("what waits at any node that a blob may have is what was left there") {
