@@ -3,7 +3,7 @@
 
 #include <runtime/simd/select.hpp>
 
-#if defined(__x86_64__)
+#if ESPALIER_X86 && defined(__x86_64__)
 #define ESPALIER_DISPATCH(query, ...)                                                              \
     (::espalier::detail::instruction_set() == InstructionSet::avx512  ? avx512::query(__VA_ARGS__) \
      : ::espalier::detail::instruction_set() == InstructionSet::avx2  ? avx2::query(__VA_ARGS__)   \

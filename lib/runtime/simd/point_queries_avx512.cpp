@@ -3,7 +3,7 @@
 
 #include <runtime/point_queries.hpp>
 #include <runtime/small_boxes.hpp>
-#if defined(__x86_64__)
+#if ESPALIER_X86 && defined(__x86_64__)
 #include <runtime/simd/lanes_avx512.hpp>
 
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)

@@ -3,13 +3,15 @@
 
 #include <cstdint>
 
-#if defined(__x86_64__) || (defined(__i386__) && defined(__SSE2__))
+#include <runtime/small_code.hpp>
+
+#if (defined(__x86_64__) || (defined(__i386__) && defined(__SSE2__))) && !ESPALIER_SMALL_CODE
 #define ESPALIER_X86 1
 #include <cpuid.h>
 #else
 #define ESPALIER_X86 0
 #endif
-#if defined(__aarch64__) && defined(__ARM_NEON) && !defined(__AARCH64EB__)
+#if defined(__aarch64__) && defined(__ARM_NEON) && !defined(__AARCH64EB__) && !ESPALIER_SMALL_CODE
 #define ESPALIER_NEON 1
 #else
 #define ESPALIER_NEON 0
