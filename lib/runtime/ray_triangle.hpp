@@ -29,18 +29,18 @@ struct TriangleHit {
     float volume;     ///< > 0
     float normal[3];  ///< each coordinate rounded
 };
-inline Integer3 cross(const Integer3& a, const Integer3& b) {
+ESPALIER_SHARED_CODE inline Integer3 cross(const Integer3& a, const Integer3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 /// The sum in int64 where the caller knows that it fits, or in 128 bits.
 template <class Sum>
 Sum dot(const Integer3& a, const Integer3& b);
 template <>
-inline std::int64_t dot<std::int64_t>(const Integer3& a, const Integer3& b) {
+ESPALIER_SHARED_CODE inline std::int64_t dot<std::int64_t>(const Integer3& a, const Integer3& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <>
-inline Int128 dot<Int128>(const Integer3& a, const Integer3& b) {
+ESPALIER_SHARED_CODE inline Int128 dot<Int128>(const Integer3& a, const Integer3& b) {
     return multiply(a.x, b.x) + multiply(a.y, b.y) + multiply(a.z, b.z);
 }
 
@@ -53,7 +53,7 @@ struct OriginRelative {
 };
 
 template <class Query>
-inline OriginRelative relative_to(const Query& query, const LatticeTriangle& triangle) {
+ESPALIER_SHARED_CODE inline OriginRelative relative_to(const Query& query, const LatticeTriangle& triangle) {
     const auto& c = triangle.corner;
     // In the width of the query's own coordinates, which suffices: narrow numbers take less room on the stack.
     using Coordinate = std::remove_cvref_t<decltype(query.origin[0])>;

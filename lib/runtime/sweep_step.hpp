@@ -31,7 +31,11 @@ struct SweepContact {
     Vec3 normal;     ///< unit, from the triangle towards the shape
 };
 
-inline Integer3 difference(const Integer3& a, const Integer3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Integer3 sum(const Integer3& a, const Integer3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+ESPALIER_SHARED_CODE inline Integer3 difference(const Integer3& a, const Integer3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+ESPALIER_SHARED_CODE inline Integer3 sum(const Integer3& a, const Integer3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
 
 }  // namespace espalier::detail

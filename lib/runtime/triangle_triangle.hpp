@@ -15,12 +15,14 @@ struct IntegerTriangle {
     Integer3 corner[3];
 };
 
-inline Integer3 operator-(const Integer3& a, const Integer3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+ESPALIER_SHARED_CODE inline Integer3 operator-(const Integer3& a, const Integer3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
 /// Coordinates that belong to one another must differ by less than this.
 inline constexpr std::int64_t triangle_pair_reach = std::int64_t{1} << 39;
 
-inline IntegerTriangle integer_triangle(const LatticeTriangle& t) {
+ESPALIER_SHARED_CODE inline IntegerTriangle integer_triangle(const LatticeTriangle& t) {
     IntegerTriangle result;
     for (int corner = 0; corner < 3; ++corner)
         result.corner[corner] = {t.corner[corner][0], t.corner[corner][1], t.corner[corner][2]};

@@ -5,14 +5,16 @@
 #include <cstdint>
 
 #include <runtime/float_bits.hpp>
+#include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 
-#if defined(__SIZEOF_INT128__)
-inline constexpr bool has_native_int128 = true;
+#if defined(__SIZEOF_INT128__) && !ESPALIER_SMALL_CODE
+#define ESPALIER_NATIVE_INT128 1
 #else
-inline constexpr bool has_native_int128 = false;
+#define ESPALIER_NATIVE_INT128 0
 #endif
+inline constexpr bool has_native_int128 = ESPALIER_NATIVE_INT128 != 0;
 
 /// Signed 128 bits in two's complement. Only what the kernels need.
 struct Int128 {
@@ -27,8 +29,8 @@ struct Int128 {
     [[nodiscard]] constexpr bool is_negative() const { return high < 0; }
     [[nodiscard]] constexpr bool is_zero() const { return (low | static_cast<std::uint64_t>(high)) == 0; }
 
-    friend constexpr Int128 operator+(Int128 a, Int128 b) {
-#if defined(__SIZEOF_INT128__)
+    ESPALIER_SHARED_CODE friend constexpr Int128 operator+(const Int128& a, const Int128& b) {
+#if ESPALIER_NATIVE_INT128
         __extension__ using Native = unsigned __int128;
         const auto native = [](Int128 x) {
             return static_cast<Native>(static_cast<std::uint64_t>(x.high)) << 64 | x.low;
@@ -43,21 +45,23 @@ struct Int128 {
             sum};
 #endif
     }
-    friend constexpr Int128 operator-(Int128 a) {
+    ESPALIER_SHARED_CODE friend constexpr Int128 operator-(const Int128& a) {
         const std::uint64_t word = ~a.low + 1;
         return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(a.high) + (word == 0 ? 1u : 0u)), word};
     }
-    friend constexpr Int128 operator-(Int128 a, Int128 b) { return a + -b; }
-    friend constexpr bool operator<(Int128 a, Int128 b) { return a.high != b.high ? a.high < b.high : a.low < b.low; }
-    friend constexpr bool operator==(Int128 a, Int128 b) { return a.low == b.low && a.high == b.high; }
+    ESPALIER_SHARED_CODE friend constexpr Int128 operator-(const Int128& a, const Int128& b) { return a + -b; }
+    ESPALIER_SHARED_CODE friend constexpr bool operator<(const Int128& a, const Int128& b) {
+        return a.high != b.high ? a.high < b.high : a.low < b.low;
+    }
+    friend constexpr bool operator==(const Int128& a, const Int128& b) { return a.low == b.low && a.high == b.high; }
     /// a * 2^shift, 0 <= shift < 64; the result must fit.
-    friend constexpr Int128 operator<<(Int128 a, int shift) {
+    ESPALIER_SHARED_CODE friend constexpr Int128 operator<<(const Int128& a, int shift) {
         if (shift == 0) return a;
         return {static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) << shift | a.low >> (64 - shift)),
                 a.low << shift};
     }
     /// a / 2^shift, rounded down, 0 <= shift < 128.
-    friend constexpr Int128 operator>>(Int128 a, int shift) {
+    ESPALIER_SHARED_CODE friend constexpr Int128 operator>>(const Int128& a, int shift) {
         if (shift >= 64) return {a.high < 0 ? -1 : 0, static_cast<std::uint64_t>(a.high >> (shift - 64))};
         if (shift == 0) return a;
         return {a.high >> shift, static_cast<std::uint64_t>(a.high) << (64 - shift) | a.low >> shift};
@@ -65,8 +69,9 @@ struct Int128 {
 };
 
 /// The full product of two words.
-constexpr void multiply_words(std::uint64_t a, std::uint64_t b, std::uint64_t& high, std::uint64_t& low) {
-#if defined(__SIZEOF_INT128__)
+ESPALIER_SHARED_CODE constexpr void multiply_words(std::uint64_t a, std::uint64_t b, std::uint64_t& high,
+                                                   std::uint64_t& low) {
+#if ESPALIER_NATIVE_INT128
     __extension__ using Native = unsigned __int128;
     const Native product = static_cast<Native>(a) * b;
     high = static_cast<std::uint64_t>(product >> 64);
@@ -80,8 +85,8 @@ constexpr void multiply_words(std::uint64_t a, std::uint64_t b, std::uint64_t& h
 #endif
 }
 
-constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
-#if defined(__SIZEOF_INT128__)
+ESPALIER_SHARED_CODE constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
+#if ESPALIER_NATIVE_INT128
     __extension__ using Native = __int128;
     const Native product = static_cast<Native>(a) * b;
     return {static_cast<std::int64_t>(product >> 64), static_cast<std::uint64_t>(product)};
@@ -96,7 +101,7 @@ constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
 }
 
 /// The product, which must fit.
-constexpr Int128 multiply(Int128 a, std::int64_t b) {
+ESPALIER_SHARED_CODE constexpr Int128 multiply(const Int128& a, std::int64_t b) {
     const Int128 low = multiply(static_cast<std::int64_t>(a.low), b);  // of the low word read as a signed one
     const std::uint64_t above = static_cast<std::uint64_t>(a.high) + (a.low >> 63);
     return {static_cast<std::int64_t>(static_cast<std::uint64_t>(low.high) + above * static_cast<std::uint64_t>(b)),
@@ -104,19 +109,19 @@ constexpr Int128 multiply(Int128 a, std::int64_t b) {
 }
 
 constexpr bool is_negative(std::int64_t a) { return a < 0; }
-constexpr bool is_negative(Int128 a) { return a.is_negative(); }
+constexpr bool is_negative(const Int128& a) { return a.is_negative(); }
 /// -a or a, without a branch.
 constexpr std::int64_t negate_if(std::int64_t a, bool condition) {
     const auto mask = -static_cast<std::int64_t>(condition);
     return (a ^ mask) - mask;
 }
-constexpr Int128 negate_if(Int128 a, bool condition) { return condition ? -a : a; }
+ESPALIER_SHARED_CODE constexpr Int128 negate_if(const Int128& a, bool condition) { return condition ? -a : a; }
 constexpr bool is_zero(std::int64_t a) { return a == 0; }
-constexpr bool is_zero(Int128 a) { return a.is_zero(); }
+constexpr bool is_zero(const Int128& a) { return a.is_zero(); }
 
 /// The nearest float, ties to even.
-inline float to_float(std::int64_t a) { return static_cast<float>(a); }
-inline float to_float(Int128 a) {
+ESPALIER_SHARED_CODE inline float to_float(std::int64_t a) { return static_cast<float>(a); }
+ESPALIER_SHARED_CODE inline float to_float(const Int128& a) {
     if (a.high == (static_cast<std::int64_t>(a.low) < 0 ? -1 : 0)) return to_float(static_cast<std::int64_t>(a.low));
     const bool negative = a.is_negative();
     const Int128 m = negative ? -a : a;
@@ -136,15 +141,15 @@ struct Unsigned256 {
     std::uint64_t word[4] = {0, 0, 0, 0};
 
     /// From a number that is not negative.
-    explicit constexpr Unsigned256(Int128 a) : word{a.low, static_cast<std::uint64_t>(a.high), 0, 0} {}
+    explicit constexpr Unsigned256(const Int128& a) : word{a.low, static_cast<std::uint64_t>(a.high), 0, 0} {}
 
-    [[nodiscard]] constexpr int bit_length() const {
+    [[nodiscard]] ESPALIER_SHARED_CODE constexpr int bit_length() const {
         for (int i = 3; i >= 0; --i)
             if (word[i] != 0) return 64 * i + 64 - std::countl_zero(word[i]);
         return 0;
     }
     /// this * 2^shift, shift >= 0; the result must fit.
-    [[nodiscard]] constexpr Unsigned256 shifted_left(int shift) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE constexpr Unsigned256 shifted_left(int shift) const {
         Unsigned256 result{Int128{}};
         const int words = shift / 64;
         const int bits = shift % 64;
@@ -155,7 +160,7 @@ struct Unsigned256 {
         return result;
     }
     /// The sum; it must fit.
-    [[nodiscard]] constexpr Unsigned256 plus(const Unsigned256& other) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE constexpr Unsigned256 plus(const Unsigned256& other) const {
         Unsigned256 result{Int128{}};
         std::uint64_t carry = 0;
         for (int i = 0; i < 4; ++i) {
@@ -166,7 +171,7 @@ struct Unsigned256 {
         return result;
     }
     /// The difference, for an `other` that is not larger.
-    [[nodiscard]] constexpr Unsigned256 minus(const Unsigned256& other) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE constexpr Unsigned256 minus(const Unsigned256& other) const {
         Unsigned256 result{Int128{}};
         std::uint64_t borrow = 0;
         for (int i = 0; i < 4; ++i) {
@@ -177,7 +182,7 @@ struct Unsigned256 {
         return result;
     }
     /// The product of two numbers below 2^128.
-    static constexpr Unsigned256 product(const Unsigned256& a, const Unsigned256& b) {
+    ESPALIER_SHARED_CODE static constexpr Unsigned256 product(const Unsigned256& a, const Unsigned256& b) {
         Unsigned256 result{Int128{}};
         for (int i = 0; i < 2; ++i) {
             std::uint64_t carry = 0;
@@ -198,7 +203,7 @@ struct Unsigned256 {
 };
 
 /// The nearest float to a * 2^exponent, ties to even, which must be zero or normal.
-inline float to_float(const Unsigned256& a, int exponent) {
+ESPALIER_SHARED_CODE inline float to_float(const Unsigned256& a, int exponent) {
     const int length = a.bit_length();
     if (length <= 62) return to_float(static_cast<std::int64_t>(a.word[0])) * power_of_two(exponent);
     // The top 62 bits stand in one word; whatever is below only matters as "not zero".
@@ -214,7 +219,7 @@ inline float to_float(const Unsigned256& a, int exponent) {
 }
 
 /// Sign of a - b * 2^shift, for any a, b and shift: what is shifted becomes as long as the other.
-constexpr int compare_scaled(const Unsigned256& a, const Unsigned256& b, int shift) {
+ESPALIER_SHARED_CODE constexpr int compare_scaled(const Unsigned256& a, const Unsigned256& b, int shift) {
     const int a_length = a.bit_length();
     const int b_length = b.bit_length();
     if (a_length == 0 || b_length == 0) return a_length != 0 ? 1 : b_length != 0 ? -1 : 0;

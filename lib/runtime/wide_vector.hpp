@@ -13,19 +13,21 @@ struct WideVector {
     Int128 x, y, z;
 };
 
-inline WideVector wide_cross(const Integer3& a, const Integer3& b) {
+ESPALIER_SHARED_CODE inline WideVector wide_cross(const Integer3& a, const Integer3& b) {
     return {multiply(a.y, b.z) - multiply(a.z, b.y), multiply(a.z, b.x) - multiply(a.x, b.z),
             multiply(a.x, b.y) - multiply(a.y, b.x)};
 }
 
 /// The sum must fit.
-inline Int128 dot(const WideVector& a, const Integer3& b) {
+ESPALIER_SHARED_CODE inline Int128 dot(const WideVector& a, const Integer3& b) {
     return multiply(a.x, b.x) + multiply(a.y, b.y) + multiply(a.z, b.z);
 }
 
-inline Int128 magnitude(Int128 a) { return a.is_negative() ? -a : a; }
+ESPALIER_SHARED_CODE inline Int128 magnitude(const Int128& a) { return a.is_negative() ? -a : a; }
 inline std::int64_t magnitude(std::int64_t a) { return a < 0 ? -a : a; }
-inline std::int64_t sum_of_magnitudes(const Integer3& a) { return magnitude(a.x) + magnitude(a.y) + magnitude(a.z); }
+ESPALIER_SHARED_CODE inline std::int64_t sum_of_magnitudes(const Integer3& a) {
+    return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+}
 
 /// Room for a plane that bounds a shape and the points that say where: for all points X of the shape,
 /// dot(normal, X - at) <= reach, in units of 2^-fraction_bits, and |X - at| <= size, summed over the axes.
