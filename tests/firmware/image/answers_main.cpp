@@ -1,11 +1,12 @@
-// Asks the blob in flash the same questions as the host does, prints the same line, then the stack that each query took.
+// Asks the blob in flash the same questions as the host does, prints the same line, then the stack that each query
+// took.
 #include <cstdint>
 
 #include <espalier/espalier.hpp>
 
 #include "../../platform/answers.hpp"
 #include "../../platform/report.hpp"
-#include "blob_in_flash.hpp"
+#include "blob_in_image.hpp"
 #include "semihosting.hpp"
 #include "stack_paint.hpp"
 
@@ -49,7 +50,7 @@ void print_stack_use(const Blob& blob) {
     Deepest moving_box;
     opening.measure([] {
         Blob again;
-        static_cast<void>(open(firmware::blob_in_flash(), again));
+        static_cast<void>(open(firmware::blob_in_image(), again));
     });
     for (std::uint32_t number = 0; number < stack_samples; ++number) {
         const Ray ray = questions.ray(number);
@@ -83,7 +84,7 @@ void print_stack_use(const Blob& blob) {
 
 int main() {
     Blob blob;
-    if (const Status status = open(firmware::blob_in_flash(), blob); status != Status::ok) {
+    if (const Status status = open(firmware::blob_in_image(), blob); status != Status::ok) {
         firmware::print(describe(status));
         return 2;
     }

@@ -1,13 +1,14 @@
-// The least that is useful: open a blob and cast one ray. Its size less that of the empty image is what the library adds.
+// The least that is useful: open a blob and cast one ray. Its size less that of the empty image is what the library
+// adds.
 #include <espalier/blob.hpp>
 #include <espalier/ray.hpp>
 
-#include "blob_in_flash.hpp"
+#include "blob_in_image.hpp"
 
 int main() {
     espalier::Blob blob;
     espalier::RayHit hit;
-    if (espalier::open(espalier::firmware::blob_in_flash(), blob) != espalier::Status::ok) return 2;
+    if (espalier::open(espalier::firmware::blob_in_image(), blob) != espalier::Status::ok) return 2;
     const bool found = espalier::raycast(blob, {.origin = {8.0f, 8.0f, 50.0f}, .direction = {0.0f, 0.0f, -1.0f}}, hit);
     return found ? 0 : 3;
 }

@@ -41,7 +41,8 @@ ESPALIER_NO_LOOP_PATTERNS void* memset(void* to, int value, std::size_t count) {
 
 [[noreturn]] void reset_handler() {
 #if defined(__ARM_FP)
-    *reinterpret_cast<volatile std::uint32_t*>(0xE000ED88u) |= 0xFu << 20;  // CPACR: the floating-point unit is off at reset
+    *reinterpret_cast<volatile std::uint32_t*>(0xE000ED88u) |= 0xFu
+                                                               << 20;  // CPACR: the floating-point unit is off at reset
     asm volatile("dsb\n isb" ::: "memory");
 #endif
     const std::uint32_t* load = &image_data_load;
@@ -65,7 +66,7 @@ struct VectorTable {
 extern const VectorTable image_vectors;
 __attribute__((section(".vectors"), used)) const VectorTable image_vectors = {
     &image_stack_top,
-    {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, nullptr, nullptr, nullptr,
-     nullptr, fault_handler, fault_handler, nullptr, fault_handler, fault_handler}};
+    {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, nullptr, nullptr,
+     nullptr, nullptr, fault_handler, fault_handler, nullptr, fault_handler, fault_handler}};
 
 }  // extern "C"

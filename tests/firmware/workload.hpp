@@ -1,0 +1,381 @@
+// The queries that cost is measured with, on every core and, for the answers, on the machine that tests: the same
+// random numbers, the same questions, the same bits. Plainer than tests/platform/questions.hpp, which is awkward on
+// purpose: these are what a program asks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <espalier/espalier.hpp>
+
+#include "../platform/fingerprint.hpp"
+
+namespace espalier::firmware {
+
+enum Kind : unsigned {
+    opening,
+    closest_ray,
+    any_ray,
+    sphere_overlap,
+    nearest_point,
+    box_overlap,
+    two_touch,
+    two_distance,
+    two_within,
+    two_contacts,
+    all_hits,
+    few_hits,
+    ray_batch,
+    sphere_list,
+    box_list,
+    capsule_overlap,
+    oriented_box_overlap,
+    triangle_overlap,
+    planes_overlap,
+    few_points,
+    inside,
+    signed_point,
+    nearest_to_segment,
+    nearest_to_box,
+    moving_sphere,
+    moving_capsule,
+    moving_box,
+    coarse_sphere,
+    coarse_box,
+    coarse_ray,
+    coarse_distance,
+    kind_count
+};
+
+inline constexpr const char* kind_names[kind_count] = {"open",
+                                                       "raycast",
+                                                       "occluded",
+                                                       "overlaps_sphere",
+                                                       "closest_point",
+                                                       "overlaps_box",
+                                                       "collides",
+                                                       "minimum_distance",
+                                                       "within_distance",
+                                                       "for_each_contact",
+                                                       "for_each_hit",
+                                                       "closest_hits",
+                                                       "raycast_batch",
+                                                       "for_each_overlap_sphere",
+                                                       "for_each_overlap_box",
+                                                       "overlaps_capsule",
+                                                       "overlaps_oriented_box",
+                                                       "overlaps_triangle",
+                                                       "overlaps_planes",
+                                                       "closest_triangles",
+                                                       "contains",
+                                                       "signed_distance",
+                                                       "closest_to_segment",
+                                                       "closest_to_box",
+                                                       "sweep_sphere",
+                                                       "sweep_capsule",
+                                                       "sweep_box",
+                                                       "may_overlap_sphere",
+                                                       "may_overlap_box",
+                                                       "may_be_occluded",
+                                                       "distance_bounds"};
+
+struct Counts {
+    std::uint32_t usual = 1000;  ///< of each of the five usual queries
+    std::uint32_t other = 100;
+    std::uint32_t pairs = 4;  ///< of each query of two blobs
+};
+
+/// Asks the blob; `measure(kind, call)` runs each call. Every bit that comes back goes into the fingerprint.
+template <class Measure>
+class Workload {
+public:
+    Workload(std::span<const std::byte> bytes, const Blob& blob, const Measure& measure)
+        : bytes_(bytes), blob_(blob), measure_(measure) {
+        low_ = blob.bounds_min();
+        size_ = difference(blob.bounds_max(), low_);
+        center_ = {low_.x + 0.5f * size_.x, low_.y + 0.5f * size_.y, low_.z + 0.5f * size_.z};
+        const float largest = size_.x > size_.y ? size_.x : size_.y;
+        extent_ = largest > size_.z ? largest : size_.z;
+    }
+
+    platform::Fingerprint run(const Counts& counts) {
+        open_again();
+        for (std::uint32_t i = 0; i < counts.usual; ++i) ask_usual();
+        for (std::uint32_t i = 0; i < counts.other; ++i) {
+            ask_rays();
+            ask_volumes();
+            ask_points();
+            ask_sweeps();
+            ask_coarsely();
+        }
+        for (std::uint32_t i = 0; i < counts.pairs; ++i) ask_pairs();
+        return answers_;
+    }
+
+private:
+    std::uint32_t word() {  // xorshift32
+        state_ ^= state_ << 13;
+        state_ ^= state_ >> 17;
+        state_ ^= state_ << 5;
+        return state_;
+    }
+    float unit() { return static_cast<float>(word() >> 8) * 0x1p-24f; }
+    float symmetric() { return 2.0f * unit() - 1.0f; }
+    static Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+    Vec3 point_in_box() {
+        const float x = unit();
+        const float y = unit();
+        return {low_.x + size_.x * x, low_.y + size_.y * y, low_.z + size_.z * unit()};
+    }
+
+    /// Uniform on the unit sphere, without a square root: stereographic, with as many points thrown away as it
+    /// stretches.
+    Vec3 unit_vector() {
+        for (;;) {
+            const float a = symmetric();
+            const float b = symmetric();
+            const float squared = a * a + b * b;
+            const float scale = 1.0f / (1.0f + squared);
+            if (squared > 1.0f || unit() > scale * scale) continue;
+            const float z = (1.0f - squared) * scale;
+            return {2.0f * a * scale, 2.0f * b * scale, (word() & 1u) != 0 ? z : -z};
+        }
+    }
+
+    /// Incoherent, as in bench/rays.hpp: from a sphere around the box of 1.2 times its radius towards points in the
+    /// box.
+    Ray ray() {
+        const float radius = 1.2f * 0.5f * diagonal();
+        const Vec3 out = unit_vector();
+        const Vec3 from = {center_.x + radius * out.x, center_.y + radius * out.y, center_.z + radius * out.z};
+        return {.origin = from, .direction = difference(point_in_box(), from)};
+    }
+
+    /// Of the box, rounded up somewhat: the root is not worth a function.
+    [[nodiscard]] float diagonal() const {
+        const float squared = size_.x * size_.x + size_.y * size_.y + size_.z * size_.z;
+        float root = extent_ * 1.7320509f;
+        for (int i = 0; i < 4; ++i) root = 0.5f * (root + squared / root);
+        return root;
+    }
+
+    Sphere sphere() { return {point_in_box(), 0.02f * diagonal()}; }
+
+    Box box() {
+        const Vec3 at = point_in_box();
+        const float half = 0.02f * diagonal();
+        return {{at.x - half, at.y - half, at.z - half}, {at.x + half, at.y + half, at.z + half}};
+    }
+
+    Vec3 step() {  // a tenth of the box, in any direction
+        const Vec3 direction = unit_vector();
+        const float length = 0.1f * extent_;
+        return {direction.x * length, direction.y * length, direction.z * length};
+    }
+
+    void add(const RayHit& hit) {
+        answers_.add(hit.t);
+        answers_.add(hit.u);
+        answers_.add(hit.v);
+        answers_.add(hit.normal);
+        answers_.add(hit.triangle.index);
+    }
+    void add(const Nearest& nearest) {
+        answers_.add(nearest.point);
+        answers_.add(nearest.distance);
+        answers_.add(nearest.triangle.index);
+    }
+    void add(const NearestPair& pair) {
+        answers_.add(pair.on_shape);
+        answers_.add(pair.on_surface);
+        answers_.add(pair.triangle.index);
+    }
+    void add(const SweepHit& hit) {
+        answers_.add(hit.t);
+        answers_.add(hit.point);
+        answers_.add(hit.triangle.index);
+    }
+    void add(QueryStatus status) { answers_.add(static_cast<std::uint32_t>(status)); }
+
+    void open_again() {
+        Blob blob;
+        Status status = Status::ok;
+        measure_(opening, [&] { status = open(bytes_, blob); });
+        answers_.add(static_cast<std::uint32_t>(status));
+    }
+
+    void ask_usual() {
+        const Ray ray = this->ray();
+        const Sphere sphere = this->sphere();
+        const Box box = this->box();
+        const Vec3 point = point_in_box();
+        bool answer = false;
+        RayHit hit;
+        measure_(closest_ray, [&] { answer = raycast(blob_, ray, hit); });
+        answers_.add(answer);
+        add(hit);
+        measure_(any_ray, [&] { answer = occluded(blob_, ray); });
+        answers_.add(answer);
+        measure_(sphere_overlap, [&] { answer = overlaps(blob_, sphere); });
+        answers_.add(answer);
+        Nearest nearest;
+        measure_(nearest_point, [&] { answer = closest_point(blob_, point, __builtin_inff(), nearest); });
+        answers_.add(answer);
+        add(nearest);
+        measure_(box_overlap, [&] { answer = overlaps(blob_, box); });
+        answers_.add(answer);
+    }
+
+    void ask_rays() {
+        const Ray ray = this->ray();
+        std::uint32_t number = 0;
+        measure_(all_hits, [&] { for_each_hit(blob_, ray, [&](const RayHit&) { return ++number, keep_going; }); });
+        answers_.add(number);
+        RayHit hits[4];
+        HitCount count{};
+        measure_(few_hits, [&] { count = closest_hits(blob_, ray, hits); });
+        for (std::size_t i = 0; i < count.count; ++i) add(hits[i]);
+        const Ray rays[4] = {ray, this->ray(), this->ray(), this->ray()};
+        std::size_t found = 0;
+        measure_(ray_batch, [&] { found = raycast(blob_, rays, hits); });
+        answers_.add(static_cast<std::uint32_t>(found));
+        for (const RayHit& hit : hits) add(hit);
+    }
+
+    void ask_volumes() {
+        const Sphere sphere = this->sphere();
+        const Box box = this->box();
+        const Capsule capsule = {sphere.center, point_in_box(), sphere.radius};
+        const Corners corners = {sphere.center, box.min, box.max};
+        const OrientedBox oriented = {box.min, {step(), step(), step()}};
+        const Vec3 on = point_in_box();
+        Plane planes[4];
+        for (Plane& plane : planes) {
+            const Vec3 normal = unit_vector();
+            plane = {normal, normal.x * on.x + normal.y * on.y + normal.z * on.z + 0.02f * extent_};
+        }
+        std::uint32_t number = 0;
+        const auto count = [&](Triangle) { return ++number, keep_going; };
+        measure_(sphere_list, [&] { for_each_overlap(blob_, sphere, count); });
+        measure_(box_list, [&] { for_each_overlap(blob_, box, count); });
+        answers_.add(number);
+        bool answer = false;
+        measure_(capsule_overlap, [&] { answer = overlaps(blob_, capsule); });
+        answers_.add(answer);
+        measure_(oriented_box_overlap, [&] { answer = overlaps(blob_, oriented); });
+        answers_.add(answer);
+        measure_(triangle_overlap, [&] { answer = overlaps(blob_, corners); });
+        answers_.add(answer);
+        measure_(planes_overlap, [&] { answer = overlaps(blob_, std::span<const Plane>(planes)); });
+        answers_.add(answer);
+    }
+
+    void ask_points() {
+        const Vec3 point = point_in_box();
+        const Box box = this->box();
+        const Vec3 end = point_in_box();
+        Nearest few[4];
+        std::size_t found = 0;
+        measure_(few_points, [&] { found = closest_triangles(blob_, point, __builtin_inff(), few); });
+        for (std::size_t i = 0; i < found; ++i) add(few[i]);
+        bool answer = false;
+        QueryStatus status{};
+        measure_(inside, [&] { status = contains(blob_, point, answer); });
+        add(status);
+        answers_.add(answer);
+        measure_(signed_point, [&] { status = signed_distance(blob_, point, __builtin_inff(), few[0]); });
+        add(status);
+        add(few[0]);
+        NearestPair pair;
+        measure_(nearest_to_segment, [&] { status = closest_to_segment(blob_, {point, end}, __builtin_inff(), pair); });
+        add(status);
+        add(pair);
+        measure_(nearest_to_box, [&] { status = closest_to_box(blob_, box, __builtin_inff(), pair); });
+        add(status);
+        add(pair);
+    }
+
+    void ask_sweeps() {
+        const Sphere sphere = this->sphere();
+        const Box box = this->box();
+        const Vec3 way = step();
+        const Capsule capsule = {box.min, box.max, sphere.radius};
+        SweepHit hit;
+        bool answer = false;
+        measure_(moving_sphere, [&] { answer = sweep(blob_, sphere, way, hit); });
+        answers_.add(answer);
+        add(hit);
+        measure_(moving_capsule, [&] { answer = sweep(blob_, capsule, way, hit); });
+        answers_.add(answer);
+        add(hit);
+        measure_(moving_box, [&] { answer = sweep(blob_, box, way, hit); });
+        answers_.add(answer);
+        add(hit);
+    }
+
+    void ask_coarsely() {
+        const Sphere sphere = this->sphere();
+        const Box box = this->box();
+        const Ray ray = this->ray();
+        const float accuracy = 0.01f * extent_;
+        bool answer = false;
+        measure_(coarse_sphere, [&] { answer = may_overlap(blob_, sphere, accuracy); });
+        answers_.add(answer);
+        measure_(coarse_box, [&] { answer = may_overlap(blob_, box, accuracy); });
+        answers_.add(answer);
+        measure_(coarse_ray, [&] { answer = may_be_occluded(blob_, ray, accuracy); });
+        answers_.add(answer);
+        DistanceBounds bounds;
+        measure_(coarse_distance,
+                 [&] { answer = distance_bounds(blob_, sphere.center, __builtin_inff(), accuracy, bounds); });
+        answers_.add(bounds.lower);
+        answers_.add(bounds.upper);
+    }
+
+    /// The blob against itself, turned and half a box aside; for distances, a box and a half.
+    void ask_pairs() {
+        Placement placement;
+        placement.rotation = {0.25f * symmetric(), 0.25f * symmetric(), 0.25f * symmetric(), 1.0f};
+        const Vec3 direction = unit_vector();
+        const auto aside = [&](float distance) {
+            return Vec3{direction.x * distance * extent_, direction.y * distance * extent_,
+                        direction.z * distance * extent_};
+        };
+        bool answer = false;
+        QueryStatus status{};
+        placement.translation = aside(0.5f);
+        measure_(two_touch, [&] { status = collides(blob_, blob_, placement, answer); });
+        add(status);
+        answers_.add(answer);
+        std::uint32_t number = 0;
+        measure_(two_contacts, [&] {
+            status = for_each_contact(blob_, blob_, placement,
+                                      [&](TrianglePair) { return ++number < 100 ? keep_going : stop; });
+        });
+        add(status);
+        answers_.add(number);
+        placement.translation = aside(1.5f);
+        PairDistance nearest;
+        measure_(two_distance,
+                 [&] { status = minimum_distance(blob_, blob_, placement, __builtin_inff(), nearest, answer); });
+        add(status);
+        answers_.add(nearest.distance);
+        measure_(two_within, [&] { status = within_distance(blob_, blob_, placement, 0.125f * extent_, answer); });
+        add(status);
+        answers_.add(answer);
+    }
+
+    std::span<const std::byte> bytes_;
+    const Blob& blob_;
+    const Measure& measure_;
+    Vec3 low_;
+    Vec3 size_;
+    Vec3 center_;
+    float extent_ = 0.0f;
+    std::uint32_t state_ = 0x9E3779B9u;
+    platform::Fingerprint answers_;
+};
+
+}  // namespace espalier::firmware
