@@ -23,9 +23,18 @@ constexpr float power_of_two(int exponent) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);
 }
 
+/// A whole number below 2^24, exactly, without a float operation.
+constexpr float whole_float(std::uint32_t number) {
+    const int length = 32 - std::countl_zero(number);
+    return number == 0
+               ? 0.0f
+               : std::bit_cast<float>((static_cast<std::uint32_t>(length + 125) << 23) + (number << (24 - length)));
+}
+
 /// Exponent of a normal number: |x| is in [2^e, 2^(e+1)).
 constexpr int exponent_of(float x) { return static_cast<int>(magnitude_bits(x) >> 23) - 127; }
 
+constexpr bool is_subnormal(float x) { return magnitude_bits(x) - 1u < 0x007FFFFFu; }
 /// Subnormal numbers count as zero.
 constexpr float flush_subnormal(float x) { return magnitude_bits(x) < 0x00800000u ? 0.0f : x; }
 

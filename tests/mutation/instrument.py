@@ -11,7 +11,9 @@ import re
 import sys
 
 PARTS = {
-    "verifier": ["runtime/open.cpp", "runtime/open_checks.hpp", "runtime/open_leaves.cpp"],
+    "verifier": [
+        "runtime/open.cpp", "runtime/open_checks.hpp", "runtime/open_header.cpp", "runtime/open_leaves.cpp",
+        "runtime/open_trusted_image.cpp"],
     "decode": [
         "runtime/bytes.hpp", "runtime/codec_node.hpp", "runtime/codec_indexed.hpp", "runtime/codec_strip.hpp",
         "runtime/leaf_vertices.hpp", "runtime/copies.hpp", "runtime/id_field.hpp", "espalier/format.hpp",

@@ -269,7 +269,11 @@ TEST_SUITE("open") {
             CHECK(status_with(bytes, at::depth_at, format::max_depth + 1, 1) == Status::bad_header);
             CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) + 1, 1) == Status::bad_node);
             CHECK(status_with(bytes, at::depth_at, get(bytes, at::depth_at, 1) - 1, 1) == Status::bad_node);
+            // One triangle more: materials that are not there, or leaves.
             CHECK(status_with(bytes, at::triangle_count_at, get(bytes, at::triangle_count_at, 4) + 1, 4) ==
+                  Status::bad_section);
+            const Bytes plain = bake_or_throw(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), with_profile(profile));
+            CHECK(status_with(plain, at::triangle_count_at, get(plain, at::triangle_count_at, 4) + 1, 4) ==
                   Status::bad_leaf);
             // A child plane above its box, a leaf whose first triangle is another one, a bit in the guard, an unsorted
             // source.

@@ -1,0 +1,206 @@
+// Claims about opening without the proof: it is what open would say of sound bytes, from the header alone.
+// No fuzz target opens like this: on bytes that the baker did not write it promises nothing.
+#include <doctest/doctest.h>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include <espalier/espalier.hpp>
+#include <runtime/float_bits.hpp>
+
+#include "../support/baking.hpp"
+#include "../support/blob_edits.hpp"
+#include "../support/exact_buffer.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
+#include "../support/test_blobs.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+namespace at = format::header;
+using Bytes = std::vector<std::byte>;
+
+Bytes with_everything(format::Profile profile) {
+    Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i);
+    BakeOptions options = with_profile(profile);
+    options.original_ids = true;
+    options.materials = Materials::bits_16;
+    options.edge_flags = 5.0;
+    options.bounds = {true, true, true};
+    return bake_or_throw(mesh, options);
+}
+
+Bytes with_copies() {
+    BakeOptions options = with_profile(format::Profile::fast);
+    options.builder = Builder::spatial_splits;
+    options.duplicates = 1.0;
+    return bake_or_throw(make_soup(60, 1), options);
+}
+
+bool are_equal(const detail::BlobData& a, const detail::BlobData& b) {
+    const auto same = [&](auto member) { return a.*member == b.*member; };
+    using Data = detail::BlobData;
+    return same(&Data::bytes) && same(&Data::nodes) && same(&Data::leaves) && same(&Data::sources) &&
+           same(&Data::ids) && same(&Data::materials) && same(&Data::copies) && same(&Data::edge_flags) &&
+           same(&Data::bounds) && same(&Data::size) && same(&Data::features) && same(&Data::triangle_count) &&
+           same(&Data::vertex_count) && same(&Data::node_count) && same(&Data::leaf_bytes) &&
+           same(&Data::source_count) && same(&Data::source_triangles) && same(&Data::copy_count) &&
+           same(&Data::checksum) && std::equal(a.origin, a.origin + 4, b.origin) &&
+           std::equal(a.extent, a.extent + 4, b.extent) &&
+           std::equal(a.extent_steps, a.extent_steps + 4, b.extent_steps) && same(&Data::steps_per_unit) &&
+           same(&Data::base_unit) && same(&Data::max_error) && same(&Data::step_exponent) && same(&Data::bits) &&
+           same(&Data::depth) && same(&Data::id_bits) && same(&Data::profile);
+}
+
+void check_opens_alike(std::span<const std::byte> bytes) {
+    Blob proved, trusted;
+    REQUIRE(open(bytes, proved) == Status::ok);
+    REQUIRE(open_trusted_image(bytes, trusted) == Status::ok);
+    CHECK(are_equal(proved.data(), trusted.data()));
+}
+
+bool is_empty(const Blob& blob) { return are_equal(blob.data(), Blob().data()); }
+
+/// A blob of which nothing but its first page can be read.
+class FirstPage {
+public:
+    explicit FirstPage(const Bytes& bytes) : page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
+        size_ = bytes.size();
+        mapping_ = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        REQUIRE(mapping_ != MAP_FAILED);
+        std::memcpy(mapping_, bytes.data(), page_);
+        REQUIRE(mprotect(static_cast<std::byte*>(mapping_) + page_, size_ - page_, PROT_NONE) == 0);
+    }
+    ~FirstPage() { munmap(mapping_, size_); }
+    FirstPage(const FirstPage&) = delete;
+    FirstPage& operator=(const FirstPage&) = delete;
+
+    [[nodiscard]] std::span<const std::byte> bytes() const { return {static_cast<const std::byte*>(mapping_), size_}; }
+
+private:
+    std::size_t page_;
+    std::size_t size_ = 0;
+    void* mapping_ = nullptr;
+};
+
+}  // namespace
+
+TEST_SUITE("open") {
+    TEST_CASE("a trusted image opens as open does, with every section and at every misalignment") {
+        for (const TestBlob& blob : small_test_blobs()) check_opens_alike(blob.opened.bytes);
+        for_each_profile([](format::Profile profile) {
+            check_opens_alike(bake_or_throw(Mesh{}, with_profile(profile)));
+            const Bytes bytes = with_everything(profile);
+            for (std::size_t misalignment = 0; misalignment < 16; ++misalignment)
+                check_opens_alike(ExactBuffer(bytes, misalignment).bytes());
+        });
+        const Bytes copies = with_copies();
+        Blob blob;
+        REQUIRE(open(copies, blob) == Status::ok);
+        REQUIRE(blob.copy_count() > 0);
+        check_opens_alike(copies);
+    }
+
+    TEST_CASE("a trusted image is not read behind its header") {
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = bake_or_throw(make_terrain(60, 1), with_profile(profile));
+            const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+            REQUIRE(bytes.size() > 2 * page);
+            const FirstPage first_page(bytes);
+            Blob blob;
+            CHECK(open_trusted_image(first_page.bytes(), blob) == Status::ok);
+            CHECK(blob.triangle_count() == get(bytes, at::triangle_count_at, 4));
+        });
+    }
+
+    TEST_CASE("a trusted image is trusted: neither its checksum nor a node is looked at") {
+        for_each_profile([](format::Profile profile) {
+            Bytes bytes = with_everything(profile);
+            put(bytes, at::checksum_at, get(bytes, at::checksum_at, 4) ^ 1, 4);
+            put(bytes, at::bytes + format::node::shifts_at, 0xFFFF, 2);
+            Blob blob;
+            CHECK(open(bytes, blob) == Status::bad_checksum);
+            CHECK(open_trusted_image(bytes, blob) == Status::ok);
+            CHECK(blob.checksum() == get(bytes, at::checksum_at, 4));
+        });
+    }
+
+    TEST_CASE("a trusted image that is too short, too long or none is refused as open does, and the blob is empty") {
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = with_everything(profile);
+            const auto check = [](std::span<const std::byte> changed, Status expected) {
+                Blob blob, proved;
+                const Status status = open_trusted_image(changed, blob);
+                CHECK(status == expected);
+                CHECK(status == open(changed, proved));
+                CHECK(is_empty(blob));
+            };
+            for (std::size_t size = 0; size < bytes.size(); ++size) {
+                const ExactBuffer shorter(std::span<const std::byte>(bytes).first(size), size % 16);
+                check(shorter.bytes(), Status::too_short);
+            }
+            Bytes longer = bytes;
+            longer.push_back(std::byte{0});
+            check(longer, Status::trailing_bytes);
+            Bytes other = bytes;
+            std::reverse(other.begin(), other.begin() + 4);  // what another byte order would make of it
+            check(other, Status::not_a_blob);
+        });
+    }
+
+    TEST_CASE("whatever a bit of the header becomes, a trusted image is refused as open refuses it") {
+        for_each_profile([](format::Profile profile) {
+            for (const Bytes& bytes : {with_everything(profile), bake_or_throw(Mesh{}, with_profile(profile))}) {
+                unsigned refused = 0, trusted = 0;
+                for (std::size_t bit = 0; bit < 8 * at::bytes; ++bit) {
+                    Bytes changed = bytes;
+                    changed[bit / 8] ^= static_cast<std::byte>(1u << bit % 8);
+                    if (bit / 8 < at::checksum_at || bit / 8 >= at::checksum_at + 4) repair_checksum(changed);
+                    Blob blob, proved;
+                    const Status status = open_trusted_image(changed, blob);
+                    const Status expected = open(changed, proved);
+                    CAPTURE(bit);
+                    if (status != Status::ok) {
+                        CHECK(status == expected);
+                        CHECK(is_empty(blob));
+                        ++refused;
+                    } else if (expected == Status::ok) {
+                        CHECK(are_equal(blob.data(), proved.data()));
+                    } else {  // the proof goes further than the header
+                        CHECK((expected == Status::bad_node || expected == Status::bad_leaf ||
+                               expected == Status::bad_section || expected == Status::bad_checksum));
+                        ++trusted;
+                    }
+                }
+                CHECK(refused > 500);
+                CHECK(trusted >= 32);
+            }
+        });
+    }
+
+    TEST_CASE("a blob that was opened before is empty after a refusal of a trusted image") {
+        const Bytes bytes = with_everything(format::Profile::small);
+        Blob blob;
+        REQUIRE(open_trusted_image(bytes, blob) == Status::ok);
+        CHECK(open_trusted_image({}, blob) == Status::too_short);
+        CHECK(is_empty(blob));
+    }
+
+    TEST_CASE("a whole number becomes the float that the machine makes of it") {
+        for (std::uint32_t number = 0; number < 1u << 24; ++number)
+            if (detail::whole_float(number) != static_cast<float>(number)) FAIL(number);
+        for (std::uint32_t bits = 0; bits < 0x01000000u; bits += 0x101) {
+            const float number = std::bit_cast<float>(bits);
+            CHECK(detail::is_subnormal(number) == (bits != 0 && bits < 0x00800000u));
+            CHECK(detail::is_subnormal(-number) == detail::is_subnormal(number));
+        }
+    }
+}
