@@ -1,9 +1,11 @@
 // Boxes of a node against integer bounds: eight children at once, a byte each, with no float and no vector registers.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include <runtime/codec_node.hpp>
+#include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 
@@ -23,6 +25,16 @@ constexpr std::int32_t clamp_to_bounds(std::int64_t steps) {
                                                             : steps);
 }
 
+/// Whether a triangle's corners are all beyond one side of the bounds.
+ESPALIER_SHARED_CODE inline bool is_beside(const IntegerBounds& bounds, const std::int32_t (*corner)[3]) {
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t a = corner[0][k], b = corner[1][k], c = corner[2][k];
+        if (a < bounds.low[k] && b < bounds.low[k] && c < bounds.low[k]) return true;
+        if (bounds.high[k] < a && bounds.high[k] < b && bounds.high[k] < c) return true;
+    }
+    return false;
+}
+
 inline constexpr std::uint64_t byte_tops = 0x8080808080808080u;
 
 /// The byte, eight times.
@@ -39,9 +51,24 @@ constexpr unsigned tops_of(std::uint64_t bytes) {
     return static_cast<unsigned>(((bytes & byte_tops) >> 7) * 0x0102040810204080u >> 56);
 }
 
+/// The children for which something holds along every axis, one by one.
+template <class Holds>
+inline unsigned children_where(const Node& node, Holds holds) {
+    unsigned mask = 0;
+    for (unsigned left = all_children(node); left != 0; left &= left - 1) {
+        const auto child = static_cast<unsigned>(std::countr_zero(left));
+        if (holds(0, child) && holds(1, child) && holds(2, child)) mask |= 1u << child;
+    }
+    return mask;
+}
+
 /// The children whose box meets the bounds, exactly: the bounds are moved into the node's grid once, outward from its
 /// planes.
-inline unsigned children_within(const Node& node, unsigned bits, const IntegerBounds& bounds) {
+ESPALIER_SHARED_CODE inline unsigned children_within(const Node& node, unsigned bits, const IntegerBounds& bounds) {
+    if constexpr (small_code)
+        return children_where(node, [&](int k, unsigned child) {
+            return node.low(k, child, bits) <= bounds.high[k] && bounds.low[k] <= node.high(k, child, bits);
+        });
     std::uint64_t inside = ~std::uint64_t{0};
     for (int k = 0; k < 3; ++k) {
         const std::int32_t base = node.base(k, bits);
@@ -56,8 +83,14 @@ inline unsigned children_within(const Node& node, unsigned bits, const IntegerBo
 }
 
 /// The children whose box is at most that many steps long along every axis; none for a negative number.
-inline unsigned children_no_larger(const Node& node, std::int32_t steps) {
+ESPALIER_SHARED_CODE inline unsigned children_no_larger(const Node& node, std::int32_t steps) {
     if (steps < 0) return 0;
+    if constexpr (small_code)
+        return children_where(node, [&](int k, unsigned child) {
+            return static_cast<std::int32_t>(
+                       (load_u8(node.high_planes(k) + child) - load_u8(node.low_planes(k) + child)) << node.shift(k)) <=
+                   steps;
+        });
     std::uint64_t small = ~std::uint64_t{0};
     for (int k = 0; k < 3; ++k) {
         // `open` has seen that no low plane is above its high one: no byte borrows.

@@ -6,14 +6,10 @@
 #include <runtime/box_nodes.hpp>
 #include <runtime/closest_pair.hpp>
 #include <runtime/copies.hpp>
-#include <runtime/simd/lanes_scalar.hpp>
+#include <runtime/scalar_walk.hpp>
 
 namespace espalier::detail {
 namespace {
-
-namespace scalar_walk {
-#include <runtime/traverse.inl>
-}  // namespace scalar_walk
 
 template <class Leaf>
 struct ClosestPair {
@@ -39,9 +35,7 @@ struct ClosestPair {
         return mask;
     }
     Visit visit_leaf(const Leaf& leaf) {
-        for (auto slots = leaf.used_slots(); slots != 0; slots &= slots - 1) {
-            const auto slot = static_cast<unsigned>(std::countr_zero(slots));
-            const LatticeTriangle triangle = leaf.triangle(slot);
+        return scalar_walk::for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
             float low[3], high[3];
             for (int k = 0; k < 3; ++k) {
                 const std::int32_t a = triangle.corner[0][k], b = triangle.corner[1][k], c = triangle.corner[2][k];
@@ -49,11 +43,10 @@ struct ClosestPair {
                 low[k] = static_cast<float>(less < c ? less : c);
                 high[k] = static_cast<float>(more < c ? c : more);
             }
-            if (shape.squared_bound(shape, low, high) > limit_) continue;
-            if (shape.squared_plane_bound(shape, triangle) > limit_) continue;
-            offer(leaf, slot, triangle);
-        }
-        return keep_going;
+            if (shape.squared_bound(shape, low, high) <= limit_ && shape.squared_plane_bound(shape, triangle) <= limit_)
+                offer(leaf, slot, triangle);
+            return keep_going;
+        });
     }
 
 private:

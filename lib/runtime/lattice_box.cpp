@@ -69,7 +69,8 @@ bool meets(const LatticeBox& box, const LatticeTriangle& triangle) noexcept {
     };
     t.ab = {edge(0, 1, 0), edge(0, 1, 1), edge(0, 1, 2)};
     t.ac = {edge(0, 2, 0), edge(0, 2, 1), edge(0, 2, 2)};
-    if (ray_triangle::edges_are_below<12>(t) ? is_beside_plane<std::int64_t>(box, t) : is_beside_wide_plane(box, t))
+    if (!small_code && ray_triangle::edges_are_below<12>(t) ? is_beside_plane<std::int64_t>(box, t)
+                                                            : is_beside_wide_plane(box, t))
         return false;
     // Each edge with each axis: seen along the axis, both ends of the edge are at one place, the third corner
     // elsewhere.

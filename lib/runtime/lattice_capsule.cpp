@@ -27,21 +27,11 @@ void set_bounds(LatticeCapsule& capsule) {
     }
 }
 
-/// Whether the triangle is beyond one side of the bounds.
-bool is_beside(const IntegerBounds& bounds, const LatticeTriangle& triangle) {
-    for (int k = 0; k < 3; ++k) {
-        const std::int32_t a = triangle.corner[0][k], b = triangle.corner[1][k], c = triangle.corner[2][k];
-        if (a < bounds.low[k] && b < bounds.low[k] && c < bounds.low[k]) return true;
-        if (bounds.high[k] < a && bounds.high[k] < b && bounds.high[k] < c) return true;
-    }
-    return false;
-}
-
 float inner(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// What floats are sure of: 1 within the radius, -1 not, 0 neither. No square is a sum of more than eight roundings of
 /// numbers below `size`, so that distances are off by less than `doubt` (docs/numerics.md).
-int guess(const LatticeCapsule& capsule, const LatticeTriangle& triangle) {
+[[maybe_unused]] int guess(const LatticeCapsule& capsule, const LatticeTriangle& triangle) {
     const LatticeSegment& s = capsule.segment;
     float along[3], corner[3][3];  // seen from the segment's start
     float size = capsule.radius;
@@ -81,7 +71,7 @@ int guess(const LatticeCapsule& capsule, const LatticeTriangle& triangle) {
 }
 
 /// For each axis of space two planes along the segment and that axis: a long capsule is narrower than its bounds.
-void set_side_planes(LatticeCapsule& capsule) {
+[[maybe_unused]] void set_side_planes(LatticeCapsule& capsule) {
     const LatticeSegment& s = capsule.segment;
     const Integer3 along = {s.to[0] - s.from[0], s.to[1] - s.from[1], s.to[2] - s.from[2]};
     const Integer3 from = {s.from[0], s.from[1], s.from[2]};
@@ -110,7 +100,7 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCaps
     capsule.bounded = capsule.radius < static_cast<float>(bounds_limit);
     if (capsule.bounded) {
         set_bounds(capsule);
-        set_side_planes(capsule);
+        if constexpr (!small_code) set_side_planes(capsule);
     }
     capsule.is_empty = false;
     capsule.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
@@ -120,8 +110,8 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCaps
 }
 
 bool meets(const LatticeCapsule& capsule, const LatticeTriangle& triangle) noexcept {
-    if (capsule.bounded) {  // the distance is dear
-        if (is_beside(capsule.bounds, triangle)) return false;
+    if (!small_code && capsule.bounded) {  // the distance is dear
+        if (is_beside(capsule.bounds, triangle.corner)) return false;
         if (const int sure = guess(capsule, triangle); sure != 0) return sure > 0;
     }
     return is_within_radius(capsule.segment, triangle, distance_to(capsule.segment, triangle), capsule.radius);

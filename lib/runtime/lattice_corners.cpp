@@ -7,23 +7,11 @@ namespace espalier::detail {
 
 namespace {
 
-void enclose(LatticeCorners& corners) {
+/// Its plane from both sides, and beside each edge the plane through it that is upright on the first one, cut down to
+/// integers of 23 bits.
+[[maybe_unused]] void set_planes(LatticeCorners& corners) {
     const Integer3* c = corners.triangle.corner;
     const int bits = corners.fraction_bits;
-    const auto bound = [&](int k, std::int64_t Integer3::*axis) {
-        std::int64_t low = c[0].*axis, high = c[0].*axis;
-        for (int i = 1; i < 3; ++i) {
-            low = c[i].*axis < low ? c[i].*axis : low;
-            high = high < c[i].*axis ? c[i].*axis : high;
-        }
-        corners.bounds.low[k] = clamp_to_bounds(-(-low >> bits));
-        corners.bounds.high[k] = clamp_to_bounds(high >> bits);
-    };
-    bound(0, &Integer3::x);
-    bound(1, &Integer3::y);
-    bound(2, &Integer3::z);
-    // Its plane from both sides, and beside each edge the plane through it that is upright on the first one, cut down
-    // to integers of 23 bits.
     const Integer3 ab = c[1] - c[0], ac = c[2] - c[0];
     const std::int64_t size = sum_of_magnitudes(ab) + sum_of_magnitudes(ac);
     const WideVector n = wide_cross(ab, ac);
@@ -42,6 +30,24 @@ void enclose(LatticeCorners& corners) {
     }
     corners.planes = corners.own_planes;
     corners.plane_count = 5;
+}
+
+void enclose(LatticeCorners& corners) {
+    const Integer3* c = corners.triangle.corner;
+    const int bits = corners.fraction_bits;
+    const auto bound = [&](int k, std::int64_t Integer3::*axis) {
+        std::int64_t low = c[0].*axis, high = c[0].*axis;
+        for (int i = 1; i < 3; ++i) {
+            low = c[i].*axis < low ? c[i].*axis : low;
+            high = high < c[i].*axis ? c[i].*axis : high;
+        }
+        corners.bounds.low[k] = clamp_to_bounds(-(-low >> bits));
+        corners.bounds.high[k] = clamp_to_bounds(high >> bits);
+    };
+    bound(0, &Integer3::x);
+    bound(1, &Integer3::y);
+    bound(2, &Integer3::z);
+    if constexpr (!small_code) set_planes(corners);
     corners.is_empty = false;
     corners.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
         return meets(static_cast<const LatticeCorners&>(volume), triangle);

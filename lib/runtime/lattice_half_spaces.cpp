@@ -129,7 +129,8 @@ bool meets(const LatticeHalfSpaces& set, const LatticeTriangle& triangle) noexce
                     magnitude(constraint.c) < narrow;
         constraints.crossing |= 1u << i;
     }
-    return is_narrow ? has_solution<Narrow>(constraints) : has_solution<Wide>(constraints);
+    if constexpr (small_code) return has_solution<Wide>(constraints);
+    else return is_narrow ? has_solution<Narrow>(constraints) : has_solution<Wide>(constraints);
 }
 
 }  // namespace espalier::detail

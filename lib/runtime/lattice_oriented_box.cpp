@@ -6,6 +6,19 @@ namespace espalier::detail {
 
 namespace {
 
+/// The planes of its faces. They are off by up to 2 size + 1 units.
+[[maybe_unused]] void set_planes(LatticeOrientedBox& box, std::int64_t size) {
+    for (int i = 0; i < 3; ++i) {
+        const WideVector& n = box.face[i];
+        box.face_planes[2 * i] = bounding_plane({n, box.center, box.face_reach, size}, box.fraction_bits);
+        box.face_planes[2 * i + 1] =
+            bounding_plane({{-n.x, -n.y, -n.z}, box.center, box.face_reach, size}, box.fraction_bits);
+    }
+    if (!box.face_reach.is_zero()) box.depth_inside = ((2 * size + 1) >> box.fraction_bits) + 1;
+    box.planes = box.face_planes;
+    box.plane_count = 6;
+}
+
 /// What follows from center and half axes.
 void enclose(LatticeOrientedBox& box) {
     const auto coordinate = [](const Integer3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
@@ -23,16 +36,7 @@ void enclose(LatticeOrientedBox& box) {
         box.face[i] = wide_cross(box.half[j], box.half[k]);
     }
     box.face_reach = magnitude(dot(box.face[0], box.half[0]));
-    for (int i = 0; i < 3; ++i) {
-        const WideVector& n = box.face[i];
-        box.face_planes[2 * i] = bounding_plane({n, box.center, box.face_reach, size}, box.fraction_bits);
-        box.face_planes[2 * i + 1] =
-            bounding_plane({{-n.x, -n.y, -n.z}, box.center, box.face_reach, size}, box.fraction_bits);
-    }
-    // The planes are off by up to 2 size + 1 units.
-    if (!box.face_reach.is_zero()) box.depth_inside = ((2 * size + 1) >> box.fraction_bits) + 1;
-    box.planes = box.face_planes;
-    box.plane_count = 6;
+    if constexpr (!small_code) set_planes(box, size);
     box.is_empty = false;
     box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
         return meets(static_cast<const LatticeOrientedBox&>(volume), triangle);
@@ -178,8 +182,9 @@ bool meets(const LatticeOrientedBox& box, const LatticeTriangle& triangle) noexc
         if (are_beyond(at, box.face_reach)) return false;
     }
     if (!box.face_reach.is_zero() && (inside[0] || inside[1] || inside[2])) return true;
-    const bool is_short = ray_triangle::edges_are_below<12>({{}, seen.side[0], seen.side[1]});
-    return !(box.is_near && is_short ? is_separated<Narrow>(box, seen) : is_separated<Wide>(box, seen));
+    [[maybe_unused]] const bool is_short = ray_triangle::edges_are_below<12>({{}, seen.side[0], seen.side[1]});
+    if constexpr (small_code) return !is_separated<Wide>(box, seen);
+    else return !(box.is_near && is_short ? is_separated<Narrow>(box, seen) : is_separated<Wide>(box, seen));
 }
 
 }  // namespace espalier::detail

@@ -191,7 +191,7 @@ inline bool meet(const IntegerTriangle& p, const IntegerTriangle& q) {
 [[gnu::noinline]] bool meet_wide(const IntegerTriangle& p, const IntegerTriangle& q) { return meet<Wide>(p, q); }
 
 /// Whether all corners lie within 2^19 of the first one, along every axis.
-bool are_near(const IntegerTriangle& p, const IntegerTriangle& q) {
+[[maybe_unused]] bool are_near(const IntegerTriangle& p, const IntegerTriangle& q) {
     constexpr std::int64_t reach = std::int64_t{1} << 19;
     std::uint64_t any = 0;
     const auto add = [&](const Integer3& v) {
@@ -208,7 +208,8 @@ bool are_near(const IntegerTriangle& p, const IntegerTriangle& q) {
 }  // namespace
 
 bool triangles_meet(const IntegerTriangle& p, const IntegerTriangle& q) noexcept {
-    return are_near(p, q) ? meet<Narrow>(p, q) : meet_wide(p, q);
+    if constexpr (small_code) return meet_wide(p, q);
+    else return are_near(p, q) ? meet<Narrow>(p, q) : meet_wide(p, q);
 }
 
 }  // namespace espalier::detail

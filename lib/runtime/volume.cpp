@@ -1,16 +1,12 @@
 // The walk that all shapes share. It needs no float: cores without them are as well served.
 #include <bit>
 
-#include <runtime/simd/lanes_scalar.hpp>
+#include <runtime/scalar_walk.hpp>
 #include <runtime/volume.hpp>
 
 namespace espalier::detail {
 
 namespace {
-
-namespace scalar_walk {
-#include <runtime/traverse.inl>
-}  // namespace scalar_walk
 
 // A bit for each plane and each side of the bounds that a vertex is beyond of, as Sutherland and Cohen clip lines. A
 // triangle all of whose corners are beyond the same one is out. Shapes have either bounds and few planes or planes
@@ -92,8 +88,25 @@ struct TrianglesIn {
     }
 
     [[nodiscard]] Visit visit_leaf(const Leaf& leaf) const {
-        std::uint32_t index = scalar::storage_index(leaf, 0);
+        const std::uint32_t index = scalar::storage_index(leaf, 0);
         if (index + leaf.triangle_count() <= first) return keep_going;
+        if constexpr (small_code) return visit_each(leaf, index);
+        else return visit_seen(leaf, index);
+    }
+
+private:
+    /// Triangle by triangle.
+    [[nodiscard]] Visit visit_each(const Leaf& leaf, std::uint32_t index) const {
+        return scalar_walk::for_each_triangle_of(leaf, [&](unsigned, const LatticeTriangle& triangle) {
+            const std::uint32_t own = index++;
+            if (own < first || (volume.bounded && is_beside(volume.bounds, triangle.corner)) ||
+                !volume.meets(volume, triangle))
+                return keep_going;
+            return visit(Triangle{own});
+        });
+    }
+    /// Vertices first: most triangles need no more.
+    [[nodiscard]] Visit visit_seen(const Leaf& leaf, std::uint32_t index) const {
         Places<Leaf> places;
         const std::uint32_t matter = sides_that_matter(leaf, volume);
         const bool all_inside = matter == 0 && volume.depth_inside != Volume::unknown;

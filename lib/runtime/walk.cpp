@@ -6,15 +6,11 @@
 #include <runtime/find_triangle.hpp>
 #include <runtime/lattice_world.hpp>
 #include <runtime/outward.hpp>
-#include <runtime/simd/lanes_scalar.hpp>
+#include <runtime/scalar_walk.hpp>
 
 namespace espalier {
 namespace detail {
 namespace {
-
-namespace scalar_walk {
-#include <runtime/traverse.inl>
-}  // namespace scalar_walk
 
 Corners corners_of(const BlobData& blob, const LatticeTriangle& triangle) {
     return {to_world(blob, triangle.corner[0]), to_world(blob, triangle.corner[1]), to_world(blob, triangle.corner[2])};
@@ -29,13 +25,10 @@ struct EveryTriangle {
     }
     template <class Leaf>
     [[nodiscard]] Visit visit_leaf(const Leaf& leaf) const {
-        for (auto slots = leaf.used_slots(); slots != 0; slots &= slots - 1) {
-            const auto slot = static_cast<unsigned>(std::countr_zero(slots));
+        return scalar_walk::for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
             const std::uint32_t index = scalar::storage_index(leaf, slot);
-            if (is_copy(blob, index)) continue;
-            if (visit(Triangle{index}, corners_of(blob, leaf.triangle(slot))) == stop) return stop;
-        }
-        return keep_going;
+            return is_copy(blob, index) ? keep_going : visit(Triangle{index}, corners_of(blob, triangle));
+        });
     }
 };
 

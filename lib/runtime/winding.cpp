@@ -4,15 +4,11 @@
 #include <runtime/box_nodes.hpp>
 #include <runtime/copies.hpp>
 #include <runtime/point_triangle.hpp>
-#include <runtime/simd/lanes_scalar.hpp>
+#include <runtime/scalar_walk.hpp>
 #include <runtime/winding.hpp>
 
 namespace espalier::detail {
 namespace {
-
-namespace scalar_walk {
-#include <runtime/traverse.inl>
-}  // namespace scalar_walk
 
 /// A corner seen from the point: across the ray and along it.
 struct FromRay {
@@ -43,9 +39,8 @@ struct CountCrossings {
     unsigned children(const Node& node, float*) const { return children_within(node, blob.bits, way); }
     template <class Leaf>
     Visit visit_leaf(const Leaf& leaf) {
-        for (auto slots = leaf.used_slots(); slots != 0; slots &= slots - 1)
-            if (visit(leaf.triangle(static_cast<unsigned>(std::countr_zero(slots)))) == stop) return stop;
-        return keep_going;
+        return scalar_walk::for_each_triangle_of(
+            leaf, [&](unsigned, const LatticeTriangle& triangle) { return visit(triangle); });
     }
     Visit visit(const LatticeTriangle& triangle) {
         const auto& c = triangle.corner;

@@ -2,8 +2,11 @@
 #include <bit>
 
 #include <runtime/point_queries.hpp>
+#include <runtime/small_code.hpp>
 #include <runtime/small_boxes.hpp>
 #include <runtime/simd/lanes_scalar.hpp>
+
+#if !ESPALIER_SMALL_CODE  // else point_queries_small.cpp has them
 
 namespace espalier::detail::scalar {
 #include <runtime/traverse.inl>
@@ -13,3 +16,5 @@ namespace espalier::detail::scalar {
 #include <runtime/point_queries.inl>
 #include <runtime/approximate_points.inl>
 }  // namespace espalier::detail::scalar
+
+#endif
