@@ -46,16 +46,9 @@ struct NearestCorners {
     }
 };
 
-/// Which of the triangles may be within the squared distance of the column's. The corners also tell how far apart these
-/// are at most, and the limit comes down to that.
-[[gnu::noinline]] inline unsigned match_near(const PlacedLanes& t, const PlacedColumns& others, unsigned column,
-                                             unsigned used, const PairAxes& axes, float& limit,
-                                             NearestCorners& nearest_corners, unsigned first_pair) {
-    PlacedLanes other;
-    other.spread(others, column);
-    other.derive_box();
-    unsigned near = at_most(squared_gap(t, other.low, other.high), splat(limit)) & used;
-    if (near == 0) return 0;
+/// How far apart triangles are along the directions, squared.
+[[gnu::always_inline]] inline Floats gap_along_axes(const PlacedLanes& t, const PlacedLanes& other,
+                                                    const PairAxes& axes) {
     Floats along_sum = splat(0.0f);
     for (int i = 0; i < 3; ++i) {
         const Shadow ours(t, axes.at[i]), theirs(other, axes.at[i]);
@@ -63,8 +56,11 @@ struct NearestCorners {
         const Floats gap = larger(subtract(apart, splat(2.0f * along_slack)), splat(0.0f));
         along_sum = add(along_sum, multiply(gap, gap));
     }
-    near &= at_most(along_sum, splat(limit));
-    if (near == 0) return 0;
+    return along_sum;
+}
+
+/// Of their corners, the nearest two.
+[[gnu::always_inline]] inline Floats squared_of_nearest_corners(const PlacedLanes& t, const PlacedLanes& other) {
     Floats nearest = splat(infinity);
     for (const auto& ours : t.corner)
         for (const auto& their : other.corner) {
@@ -75,8 +71,23 @@ struct NearestCorners {
             }
             nearest = smaller(squared, nearest);
         }
+    return nearest;
+}
+
+/// Which of the triangles may be within the squared distance of the column's. The corners also tell how far apart these
+/// are at most, and the limit comes down to that.
+[[gnu::noinline]] inline unsigned match_near(const PlacedLanes& t, const PlacedColumns& others, unsigned column,
+                                             unsigned used, const PairAxes& axes, float& limit,
+                                             NearestCorners& nearest_corners, unsigned first_pair) {
+    PlacedLanes other;
+    other.spread(others, column);
+    other.derive_box();
+    unsigned near = at_most(squared_gap(t, other.low, other.high), splat(limit)) & used;
+    if (near == 0) return 0;
+    near &= at_most(gap_along_axes(t, other, axes), splat(limit));
+    if (near == 0) return 0;
     float at_most_apart[lanes];
-    store(at_most_apart, nearest);
+    store(at_most_apart, squared_of_nearest_corners(t, other));
     for (unsigned rest = near; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<unsigned>(std::countr_zero(rest));
         nearest_corners.offer(at_most_apart[lane], first_pair + lane);

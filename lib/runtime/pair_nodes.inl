@@ -17,7 +17,7 @@ struct TwiceBox {
     float half[3];
 };
 
-inline TwiceBox load_twice_box(const Node& node, unsigned child, const BlobData& blob) {
+ESPALIER_SHARED_CODE inline TwiceBox load_twice_box(const Node& node, unsigned child, const BlobData& blob) {
     TwiceBox box;
     for (int k = 0; k < 3; ++k) {
         const auto low = static_cast<float>(node.low(k, child, blob.bits));
@@ -28,7 +28,7 @@ inline TwiceBox load_twice_box(const Node& node, unsigned child, const BlobData&
     return box;
 }
 
-inline SeenBox see_box(const TwiceBox& box, const PairSide& side) {
+ESPALIER_SHARED_CODE inline SeenBox see_box(const TwiceBox& box, const PairSide& side) {
     SeenBox seen;
     const float half_scale = 0.5f * side.scale;
     for (int k = 0; k < 3; ++k) seen.half[k] = box.half[k] * half_scale;
@@ -50,7 +50,8 @@ struct LaneBoxes {
 };
 
 /// The squared distance that the boxes are apart at least, measured along the axes of both.
-inline Floats gap_to(const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side, Floats* apart) {
+ESPALIER_SHARED_CODE inline Floats gap_to(const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side,
+                                          Floats* apart) {
     const Floats zero = splat(0.0f);
     Floats own = zero;
     for (int k = 0; k < 3; ++k) {
@@ -75,8 +76,8 @@ inline Floats gap_to(const LaneBoxes& boxes, const SeenBox& seen, const PairSide
 
 /// Whether a cross product of an axis of each has the boxes apart. Axes that are nearly parallel have a product of
 /// nearly no length: then both sides of the comparison are small, and the slack decides that they are not.
-inline unsigned not_apart_across(const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side,
-                                 const Floats* apart) {
+ESPALIER_SHARED_CODE inline unsigned not_apart_across(const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side,
+                                                      const Floats* apart) {
     Floats most = splat(-infinity);
     for (int i = 0; i < 3; ++i) {
         const int i1 = i == 2 ? 0 : i + 1, i2 = i == 0 ? 2 : i - 1;
@@ -101,8 +102,8 @@ struct PairAxes {
 };
 
 /// How far apart boxes are along the directions, squared.
-inline Floats gap_along(const PairAxes& axes, const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side,
-                        const Floats* apart) {
+ESPALIER_SHARED_CODE inline Floats gap_along(const PairAxes& axes, const LaneBoxes& boxes, const SeenBox& seen,
+                                             const PairSide& side, const Floats* apart) {
     Floats sum = splat(0.0f);
     for (const auto& axis : axes.at) {
         float reach = 2.0f * side.slack;
@@ -126,10 +127,9 @@ inline constexpr float share_of_centers = 0x1p-4f;
 
 /// The children of a node that are within the squared distance, and what orders them: for contacts how far the centers
 /// are apart, for distances the gap and a share of that.
-template <bool touching>
-[[gnu::noinline]] unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen,
-                                         const PairSide& side, [[maybe_unused]] const PairAxes& axes, float limit,
-                                         float* keys) {
+[[gnu::always_inline]] inline unsigned children_near_if(bool touching, const Node& node, const BlobData& blob,
+                                                        const SeenBox& seen, const PairSide& side, const PairAxes& axes,
+                                                        float limit, float* keys) {
     const Frame frame = load_frame(node, blob);
     unsigned mask = 0;
     for (unsigned first = 0; first < format::max_children; first += lanes) {
@@ -143,11 +143,11 @@ template <bool touching>
         }
         Floats apart[3];
         Floats gap = gap_to(boxes, seen, side, apart);
-        if constexpr (!touching) gap = larger(gap, gap_along(axes, boxes, seen, side, apart));
+        if (!touching) gap = larger(gap, gap_along(axes, boxes, seen, side, apart));
         unsigned near = at_most(gap, splat(limit));
         const Floats between =
             add(add(multiply(apart[0], apart[0]), multiply(apart[1], apart[1])), multiply(apart[2], apart[2]));
-        if constexpr (touching) {
+        if (touching) {
             if (near != 0) near &= not_apart_across(boxes, seen, side, apart);
             store(keys + first, between);
         } else {
@@ -156,4 +156,9 @@ template <bool touching>
         mask |= near << first;
     }
     return mask & ((1u << (node.node_children() + node.leaf_children())) - 1u);
+}
+template <bool touching>
+[[gnu::noinline]] unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen,
+                                         const PairSide& side, const PairAxes& axes, float limit, float* keys) {
+    return children_near_if(touching, node, blob, seen, side, axes, limit, keys);
 }

@@ -7,6 +7,7 @@
 #include <runtime/square_root.hpp>
 #include <runtime/lattice_point.hpp>
 #include <runtime/simd/select.hpp>
+#include <runtime/small_code.hpp>
 #include <runtime/triangle_distance.hpp>
 
 namespace espalier::detail {

@@ -1,25 +1,5 @@
 // Two blobs: the queries as visitors. Included once per instruction set, inside its namespace.
 
-/// The squared distance of two triangles' boxes.
-inline float gap_between(const LatticeTriangle& a, const LatticeTriangle& b) {
-    float sum = 0.0f;
-    for (int k = 0; k < 3; ++k) {
-        std::int32_t below = a.corner[0][k], above = b.corner[0][k];  // a's highest, b's lowest
-        std::int32_t low = below, high = above;
-        for (int corner = 1; corner < 3; ++corner) {
-            const std::int32_t x = a.corner[corner][k], y = b.corner[corner][k];
-            below = x > below ? x : below;
-            low = x < low ? x : low;
-            above = y < above ? y : above;
-            high = y > high ? y : high;
-        }
-        const std::int32_t gap = above - below > low - high ? above - below : low - high;
-        const float length = gap > 0 ? static_cast<float>(gap) : 0.0f;
-        sum += length * length;
-    }
-    return sum;
-}
-
 template <class Function>
 inline Visit with_leaf_kinds(const PairFrame& frame, Function function) {
     return with_leaves_of(*frame.a, [&]<class LeafA>() {
@@ -48,28 +28,8 @@ QueryStatus touching_pairs(const PairFrame& frame, OnTouching visit, std::uint64
     return traverse_pair(frame, visitor, work);
 }
 
-/// The pair that is least apart; of equal ones the lowest, but the first that touches. Or any pair within the radius.
-struct LeastDistance {
-    const PairFrame& frame;
-    FoundTriangles& best;
-    float radius;  ///< steps of the grid
-    bool any;      ///< whether any pair within the radius is as good
-    /// While looking first where the meshes may be near each other: of two leaves only the most promising pair is
-    /// visited, which need not be within the radius to tell the direction.
-    bool surveys = true;
-    bool found = false;
-    float limit_ = radius * radius * distance_slack;
-    float survey_limit_ = infinity;
-    PairAxes axes_[2] = {};  ///< in either tree's frame
-
-    [[nodiscard]] bool is_done() const { return found && (any || best.distance.squared == 0.0f); }
-    /// For triangles.
-    [[nodiscard]] float limit() const { return surveys ? survey_limit_ : limit_; }
-    void lower_limit(float limit) {
-        survey_limit_ = minimum(limit, survey_limit_);
-        limit_ = minimum(limit, limit_);
-    }
-    [[nodiscard]] const PairAxes& axes(unsigned side) const { return axes_[side]; }
+/// The pair that is least apart, in lanes.
+struct NearestPair : LeastDistance {
     unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
         const PairSide& view = frame.sides[side];
         const float unit = view.common_size;
@@ -80,74 +40,12 @@ struct LeastDistance {
         return with_leaf_kinds(
             frame, [&]<class LeafA, class LeafB>() { return visit_near<LeafA, LeafB>(frame, a, b, *this); });
     }
-    template <class Pair>
-    [[gnu::noinline]] Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
-        if (gap_between(a, b) > limit()) return keep_going;
-        const TriangleDistance distance = distance_between(a, b);
-        if (found && distance.squared > best.distance.squared) return keep_going;
-        if (is_within_radius(a, b, distance, radius)) {
-            const TrianglePair these = pair();
-            if (found && distance.squared == best.distance.squared && best.pair < these) return keep_going;
-            best = {distance, a, b, these};
-            found = true;
-            lower_limit(distance.squared * distance_slack);
-        } else {
-            if (!surveys || distance.squared > survey_limit_) return keep_going;
-            survey_limit_ = distance.squared * distance_slack;
-        }
-        set_axes(a, b, distance);
-        return is_done() ? stop : keep_going;
-    }
-
-private:
-    /// The first leads from one closest point to the other. Points that round to one place tell none, whatever pairs
-    /// came before: which ones did depends on the number of lanes.
-    void set_axes(const LatticeTriangle& a, const LatticeTriangle& b, const TriangleDistance& distance) {
-        float(&axes)[3][3] = axes_[0].at;
-        for (int k = 0; k < 3; ++k) axes[0][k] = point_on(b, distance.on_b, k) - point_on(a, distance.on_a, k);
-        if (!shorten(axes[0])) {
-            axes_[0] = axes_[1] = PairAxes{};
-            return;
-        }
-        int least = 0;
-        for (int k = 1; k < 3; ++k) least = absolute(axes[0][k]) < absolute(axes[0][least]) ? k : least;
-        const int next = least == 2 ? 0 : least + 1, last = least == 0 ? 2 : least - 1;
-        axes[1][least] = 0.0f;
-        axes[1][next] = axes[0][last];
-        axes[1][last] = -axes[0][next];
-        shorten(axes[1]);
-        for (int k = 0; k < 3; ++k) {
-            const int k1 = k == 2 ? 0 : k + 1, k2 = k == 0 ? 2 : k - 1;
-            axes[2][k] = axes[0][k1] * axes[1][k2] - axes[0][k2] * axes[1][k1];
-        }
-        shorten(axes[2]);
-        for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k) {
-                const auto& turned = frame.sides[1].axis[k];
-                axes_[1].at[i][k] = turned[0] * axes[i][0] + turned[1] * axes[i][1] + turned[2] * axes[i][2];
-            }
-    }
-    /// To a length of a hair less than 1, so that rounding never makes anything seem farther apart. False for length 0.
-    static bool shorten(float* axis) {
-        const float longest = maximum(absolute(axis[0]), maximum(absolute(axis[1]), absolute(axis[2])));
-        if (!(longest > 0.0f)) return false;
-        for (int k = 0; k < 3; ++k) axis[k] = axis[k] / longest;
-        const float length = square_root(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-        for (int k = 0; k < 3; ++k) axis[k] = axis[k] / length * (1.0f - 0x1p-18f);
-        return true;
-    }
 };
 
 QueryStatus nearest_pair(const PairFrame& frame, float radius, bool any, FoundTriangles& best, bool& found,
                          std::uint64_t& work) {
-    LeastDistance visitor = {frame, best, radius, any};
-    QueryStatus status = QueryStatus::ok;
-    const auto goes_on = [&] { return status == QueryStatus::ok && !visitor.is_done(); };
-    // The narrow one is for those whom nearly any pair satisfies.
-    for (const unsigned width : {1u, Beam::most_width})
-        if (goes_on()) status = visit_promising(frame, visitor, width, work);
-    visitor.surveys = false;
-    if (goes_on()) status = traverse_pair(frame, visitor, work);
+    NearestPair visitor = {{frame, best, radius, any}};
+    const QueryStatus status = search_nearest(frame, visitor, visitor, work);
     found = visitor.found;
     return status;
 }

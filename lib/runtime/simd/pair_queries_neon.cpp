@@ -10,6 +10,7 @@ namespace espalier::detail::neon {
 #include <runtime/pair_nodes.inl>
 #include <runtime/traverse_pair.inl>
 #include <runtime/pair_beam.inl>
+#include <runtime/least_distance.inl>
 #include <runtime/pair_leaves.inl>
 #include <runtime/pair_touching.inl>
 #include <runtime/pair_near.inl>
