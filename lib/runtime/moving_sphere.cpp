@@ -40,7 +40,7 @@ WideSum product_difference(const Int128& a, const Int128& b, const Int128& c, co
 [[gnu::noinline]] int compare_products(const Int128& a, const Int128& b, const Int128& c, const Int128& d) {
     return product_difference(a, b, c, d).sign();
 }
-bool is_zero(const Integer3& a) { return (a.x | a.y | a.z) == 0; }
+bool is_zero_vector(const Integer3& a) { return (a.x | a.y | a.z) == 0; }
 
 Vec3 to_unit(float x, float y, float z) {
     const float length = square_root(x * x + y * y + z * z);
@@ -95,7 +95,7 @@ public:
                 constexpr float us[3] = {0.0f, 1.0f, 0.0f};
                 constexpr float vs[3] = {0.0f, 0.0f, 1.0f};
                 const Integer3& p = seen_[number_];
-                return {us[number_], vs[number_], is_zero(p) ? normal_against_displacement() : to_unit(p, false)};
+                return {us[number_], vs[number_], is_zero_vector(p) ? normal_against_displacement() : to_unit(p, false)};
             }
             case Part::side: {
                 const float along = to_float(forward_) * 0x1p-24f / to_float(length_[number_]);
@@ -320,8 +320,8 @@ private:
 
     [[nodiscard]] Vec3 normal_against_displacement() const {
         const Integer3& d = sphere_.displacement;
-        if (!is_zero(normal_)) return to_unit(normal_, Int128(0) < wide_dot(normal_, d));
-        return is_zero(d) ? Vec3{0.0f, 0.0f, 1.0f} : to_unit(d, true);
+        if (!is_zero_vector(normal_)) return to_unit(normal_, Int128(0) < wide_dot(normal_, d));
+        return is_zero_vector(d) ? Vec3{0.0f, 0.0f, 1.0f} : to_unit(d, true);
     }
 
     const MovingSphere& sphere_;

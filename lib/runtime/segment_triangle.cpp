@@ -21,10 +21,11 @@ struct WideDifference {
 
     WideDifference(const Unsigned256& from, bool is_below)
         : magnitude(from), negative(is_below && from.bit_length() != 0) {}
-    explicit WideDifference(Int128 a) : WideDifference(magnitude_of(a), is_negative(a)) {}
+    explicit WideDifference(Int128 a) : WideDifference(magnitude_of(a), a.is_negative()) {}
+
+    [[nodiscard]] bool is_zero() const { return magnitude.bit_length() == 0; }
+    [[nodiscard]] bool is_negative() const { return negative; }
 };
-bool is_zero(const WideDifference& a) { return a.magnitude.bit_length() == 0; }
-bool is_negative(const WideDifference& a) { return a.negative; }
 Unsigned256 magnitude_of(const WideDifference& a) { return a.magnitude; }
 
 [[gnu::noinline]] WideDifference product_difference(const Int128& a, const Int128& b, const Int128& c,
@@ -41,7 +42,7 @@ Unsigned256 magnitude_of(const WideDifference& a) { return a.magnitude; }
 template <class Dot>
 int sign_of_difference(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
     const auto difference = product_difference(a, b, c, d);
-    return is_zero(difference) ? 0 : is_negative(difference) ? -1 : 1;
+    return difference.is_zero() ? 0 : difference.is_negative() ? -1 : 1;
 }
 /// Lines of huge segments may pass a side by less than 2^-63 steps: told as that much, so as not to be subnormal or 0.
 constexpr float least_squared = 0x1p-126f;

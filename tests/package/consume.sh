@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# consume.sh KIND STAGE BUILD CMAKE GENERATOR COMPILER: builds a consumer of the package that install.sh has put into STAGE, runs it
+# on the blob baked there, and compares what it says. KIND is find_package, refusals, fetch_content or pkg_config.
+set -euo pipefail
+
+kind=$1 stage=$2 build=$3 cmake=$4 generator=$5 compiler=$6
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+blob=$stage/table.espl
+rm -rf "$build"
+mkdir -p "$build"
+
+# quietly COMMAND...: its words only if it fails
+quietly() { "$@" >"$build/log" 2>&1 || { tail -n 60 "$build/log"; echo "failed: $*"; exit 1; }; }
+configure() {
+    quietly "$cmake" -S "$here/$kind" -B "$build/build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" "$@"
+}
+compare() { diff "$here/program/answers.txt" - || { echo "failed: other answers than $here/program/answers.txt"; exit 1; }; }
+
+case $kind in
+    find_package)
+        configure -DCMAKE_PREFIX_PATH="$stage/installed" -DCMAKE_BUILD_TYPE=Debug
+        quietly "$cmake" --build "$build/build"
+        "$build/build/consumer" "$blob" | compare
+        [[ $("$build/build/baking") == "baked 1 triangle" ]] || { echo "failed: the baker does not bake"; exit 1; }
+        cmp "$blob" "$build/build/table.espl"
+        ;;
+    refusals)
+        configure -DCMAKE_PREFIX_PATH="$stage/installed" -DRUNTIME_ALONE="$stage/runtime alone"
+        ;;
+    fetch_content)
+        configure -DFETCHCONTENT_SOURCE_DIR_ESPALIER="$here/../.."
+        quietly "$cmake" --build "$build/build" --parallel 2
+        "$build/build/consumer" "$blob" | compare
+        quietly "$cmake" --install "$build/build" --prefix "$build/installed"
+        installed=$(cd "$build/installed" && find . -type f)
+        [[ $installed == ./bin/consumer ]] || { echo "failed: it installs things of ours: $installed"; exit 1; }
+        [[ -z $(find "$build/build" -name 'libespalier_baker*') ]] || { echo "failed: nobody links the baker"; exit 1; }
+        ;;
+    pkg_config)
+        pkg_config() { PKG_CONFIG_PATH=$(echo "$stage/installed/lib"*/pkgconfig) pkg-config "$@"; }
+        eval "$compiler -std=c++20 '$here/program/main.cpp' $(pkg_config --cflags --libs espalier) -o '$build/consumer'"
+        "$build/consumer" "$blob" | compare
+        eval "$compiler -std=c++20 '$here/find_package/baking.cpp' $(pkg_config --cflags --libs espalier-baker) -o '$build/baking'"
+        [[ $("$build/baking") == "baked 1 triangle" ]]
+        [[ $(pkg_config --modversion espalier) == $(sed -n 's/.*version //p' "$here/program/answers.txt") ]]
+        ;;
+    *)
+        echo "failed: no such kind of consumer: $kind"
+        exit 1
+        ;;
+esac
+echo "$kind: built, run, the same answers"

@@ -1,0 +1,263 @@
+#!/usr/bin/env python3
+"""single_file.py FOLDER: writes the runtime as espalier.hpp and espalier.cpp (and the C header espalier.h) into FOLDER.
+
+For programs that have no build system to add a library to: copy the files, compile espalier.cpp with the rest. Every instruction
+set is in it; which one answers is chosen when the program runs, as in the library. The files of lib/runtime are put one after the
+other: what several of them include, or repeat, is written once, and what is private to a file gets its name where another has
+something that is called the same.
+"""
+import collections
+import pathlib
+import re
+import sys
+
+LIBRARY = pathlib.Path(__file__).resolve().parent.parent / "lib"
+
+INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
+CONDITION = re.compile(r"\s*#\s*(if|ifdef|ifndef|elif|else|endif)\b\s*(.*?)\s*(//.*)?$")
+NAMESPACE = re.compile(r"(?:inline )?namespace\s*([\w:]*)\s*\{\s*(//.*)?$")
+LITERAL = re.compile(r'"(\\.|[^"\\])*"|\'(\\.|[^\'\\])+\'|//.*')
+# What is left of code for an instruction set when all of it stood before; Clang warns of it.
+EMPTY_REGION = re.compile(r"^ESPALIER_BEGIN_TARGET.*\nnamespace .*\n(//.*\n|\n)*\}.*\nESPALIER_END_TARGET\n", re.MULTILINE)
+
+HEADER_PREAMBLE = """\
+// Espalier {version} in one file: what answers queries from a blob. Made by tools/single_file.py out of the library's headers.
+// Compile espalier.cpp with the program, as C++20 or later.
+//
+{licence}
+#pragma once
+"""
+
+SOURCE_PREAMBLE = """\
+// Espalier {version} in one file: the runtime. Made by tools/single_file.py out of lib/runtime.
+//
+// Macros, for the compiler's command line: ESPALIER_INDEXED_LEAVES=0 leaves out the code that reads profile `fast`,
+// ESPALIER_STRIP_LEAVES=0 that of `balanced` and `small`; blobs of a profile that is left out are refused by open.
+// Recommended: -O2 -fno-exceptions -fno-rtti -fno-math-errno. Without the last, square roots refer to sqrtf of libm, although
+// they never call it.
+//
+{licence}
+
+// Answers are the same bits everywhere only if each operation is rounded by itself. In the library flags say so; here the
+// file does, before anything else, so that what it includes is compiled alike.
+#if defined(__FAST_MATH__)
+#error "Espalier is exact: compile espalier.cpp without -ffast-math"
+#elif defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#endif
+
+#include "espalier.hpp"
+"""
+
+
+def licence():
+    lines = (LIBRARY.parent / "LICENSE").read_text().splitlines()
+    return "\n".join(("// " + line).rstrip() for line in lines)
+
+
+def version():
+    return re.search(r'library_version = "([^"]+)"', (LIBRARY / "espalier/version.hpp").read_text()).group(1)
+
+
+def classify(path):
+    """Each line with what it is: includes, condition, directive, opens or closes (a namespace) or code; and the match."""
+    depth, namespaces, continued = 0, [], False
+    for line in path.read_text().splitlines():
+        if continued or line.lstrip().startswith("#"):
+            kind, match = "directive", None
+            if not continued:
+                if match := INCLUDE.match(line):
+                    kind = "includes"
+                elif match := CONDITION.match(line):
+                    kind = "condition"
+            continued = line.endswith("\\")
+            yield line, kind, match
+            continue
+        code = LITERAL.sub("", line)
+        opened = NAMESPACE.match(line)
+        if opened:
+            namespaces.append(depth)
+        depth += code.count("{") - code.count("}")
+        closed = not opened and namespaces and depth == namespaces[-1] and code.strip() == "}"
+        if closed:
+            namespaces.pop()
+        yield line, "opens" if opened else "closes" if closed else "code", opened
+    if depth != 0 or namespaces:
+        sys.exit(f"single_file.py: {path}: braces do not match; two branches of an #if may share one")
+
+
+def declared_names(path, only_private=False):
+    """Types, functions and constants that a file declares. The code is formatted: these begin a line. Private is what stands in
+    unnamed namespaces."""
+    names, namespaces = set(), []
+    for line, kind, match in classify(path):
+        if kind == "opens":
+            namespaces.append(match.group(1))
+        elif kind == "closes":
+            namespaces.pop()
+        elif kind == "code" and ("" in namespaces or not only_private) and re.match(r"[A-Za-z\[]", line):
+            line = re.sub(r"^(template <.*?>\s+(?=[\w\[])|\[\[.*?\]\]\s*)+", "", line)
+            if found := re.match(r"(?:struct|class|enum class|enum|union)\s+(?:alignas\(\w+\)\s*)?(\w+)|using (\w+) =", line):
+                names.add(found.group(1) or found.group(2))
+            elif not re.match(r"(template|static_assert|using|public|private|protected)\b", line):
+                if found := re.search(r"(\w+)(?:\(|\s*=|\{|\[|;)", line):
+                    names.add(found.group(1))
+    return names
+
+
+def included_headers(path, found):
+    """Of the runtime's files, all that a file sees."""
+    for _, kind, match in classify(path):
+        if kind == "includes" and match.group(1).startswith("runtime/") and match.group(1) not in found:
+            found.add(match.group(1))
+            included_headers(LIBRARY / match.group(1), found)
+    return found
+
+
+def words_of(path):
+    return set(re.findall(r"\w+", LITERAL.sub("", path.read_text())))
+
+
+class SingleFile:
+    """One output: files are added, each with what it includes that is not there yet."""
+
+    def __init__(self, skips_public_headers):
+        self.skips_public_headers = skips_public_headers
+        self.system_headers = set()
+        self.lines = []
+        self.conditions = []  # of the preprocessor, around the line that is being written
+        self.namespaces = []  # likewise
+        self.written = collections.defaultdict(list)  # what, in which namespace: under which conditions
+
+    def namespace(self):
+        return "::".join(name or "unnamed" for name in self.namespaces)
+
+    def is_written(self, key):
+        """Whether it stands where the compiler saw it if it sees this line."""
+        here = {part for condition in self.conditions for part in self.parts_of(condition)}
+        return any(here.issuperset(conditions) for conditions in self.written[key])
+
+    @staticmethod
+    def parts_of(condition):
+        """What holds where a condition does: of `if A && B` also `if A` and `if B`."""
+        if condition.startswith("if ") and "||" not in condition:
+            return [condition, *(f"if {part.strip()}" for part in condition[3:].split("&&"))]
+        return [condition]
+
+    def add_once(self, name, path):
+        key = (name, self.namespace())
+        if self.is_written(key):
+            return
+        # Elsewhere it may stand under a condition that is another one, and that may hold too.
+        guard = None
+        if self.conditions or self.written[key]:
+            guard = re.sub(r"\W+", "_", "ESPALIER_SEEN_" + "_".join(key)).upper()
+            self.lines += [f"#ifndef {guard}", f"#define {guard}"]
+        self.written[key].append(list(self.conditions))
+        self.add(path)
+        if guard is not None:
+            self.lines.append(f"#endif  // {guard}")
+
+    def add(self, path, renamed=None):
+        """The lines of a file. Names in `renamed` become others, unless a class or namespace before them says whose they are."""
+        self.lines.append(f"// ---- {path.relative_to(LIBRARY)}")
+        definitions = []
+        for line, kind, match in classify(path):
+            if renamed:
+                line = re.sub(r"(?<![\w.:>])(\w+)\b", lambda word: renamed.get(word.group(1), word.group(1)), line)
+            if kind in ("code", "directive"):
+                definitions.append(line)
+                continue
+            self.add_definitions(definitions)
+            definitions = []
+            if kind == "includes":
+                self.include(match.group(1), line, path)
+                continue
+            if kind == "condition":
+                self.follow(*match.group(1, 2))
+            elif kind == "opens":
+                self.namespaces.append(match.group(1))
+            else:
+                self.namespaces.pop()
+            self.lines.append(line)
+        self.add_definitions(definitions)
+
+    def add_definitions(self, lines):
+        """What stands between two includes. Files that share a namespace may repeat definitions: those are not written twice."""
+        text = "\n".join(line for line in lines if line.strip() and not line.lstrip().startswith("//"))
+        text = text.replace("#pragma once", "").strip()
+        if self.namespaces and text:
+            key = (text, self.namespace())
+            if self.is_written(key):
+                return
+            self.written[key].append(list(self.conditions))
+        self.lines += [line for line in lines if line != "#pragma once"]
+
+    def follow(self, directive, condition):
+        if directive in ("if", "ifdef", "ifndef"):
+            self.conditions.append(f"{directive} {condition}")
+        else:
+            before = self.conditions.pop()
+            if directive != "endif":
+                self.conditions.append(f"{directive} {condition} after {before}")
+
+    def include(self, name, line, path):
+        if name.startswith(("espalier/", "runtime/")):
+            if name.endswith(".h"):
+                self.lines.append(f'#include "{pathlib.PurePath(name).name}"')
+            elif name.startswith("runtime/") or not self.skips_public_headers:
+                self.add_once(name, LIBRARY / name)
+        elif self.conditions:
+            self.lines.append(line)
+        elif self.namespaces:
+            sys.exit(f"single_file.py: {path}: {name} is included inside a namespace")
+        else:
+            self.system_headers.add(name)
+
+    def text(self, preamble):
+        headers = "".join(f"#include <{name}>\n" for name in sorted(self.system_headers))
+        body = re.sub(r"\n{3,}", "\n\n", "\n".join(self.lines))
+        body = EMPTY_REGION.sub("", body)
+        return f"{preamble.format(version=version(), licence=licence())}\n{headers}\n{body}\n"
+
+
+def make_header():
+    header = SingleFile(skips_public_headers=False)
+    for path in sorted((LIBRARY / "espalier").glob("*.hpp")):
+        if path.name not in ("bake.hpp", "espalier.hpp"):
+            header.add_once(f"espalier/{path.name}", path)
+    return header.text(HEADER_PREAMBLE)
+
+
+def make_source():
+    """A private name stays as it is only if nothing has it that its file did not see before, or if the headers that it did see
+    have it too: else a call might mean another function, or a variable hide a constant."""
+    runtime = LIBRARY / "runtime"
+    files = sorted(runtime.rglob("*.cpp"))
+    private = {path: declared_names(path, only_private=True) for path in files}
+    users = collections.Counter(name for names in private.values() for name in names)
+    everything = {path: words_of(path) for path in runtime.rglob("*.[chi][pn][pl]")}
+    source = SingleFile(skips_public_headers=True)
+    for path in files:
+        seen = {LIBRARY / name for name in included_headers(path, set())}
+        known = set().union(*(declared_names(header) for header in seen))
+        new = set().union(*(words for other, words in everything.items() if other != path and other not in seen))
+        renamed = {name for name in private[path] if users[name] > 1 or name in new - known}
+        source.add(path, {name: f"{name}_of_{path.stem}" for name in renamed})
+    return source.text(SOURCE_PREAMBLE)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: single_file.py FOLDER")
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "espalier.hpp").write_text(make_header())
+    (folder / "espalier.cpp").write_text(make_source())
+    for header in (LIBRARY / "espalier").glob("*.h"):
+        (folder / header.name).write_text(header.read_text())
+
+
+main()
