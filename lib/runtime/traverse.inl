@@ -1,9 +1,9 @@
 // The two ways through a tree. Included once per instruction set, inside its namespace.
 // A visitor offers:
-//   unsigned children(const Node&, Key* keys)  mask of the children worth a visit, and for each how near it is
-//   Key limit() const                              children with a larger key are passed over
-//   Visit visit_leaf(const Leaf&)                  stop ends the walk
-// Key is float, or uint32_t for cores without it. In storage order nobody asks for keys, nor for a limit.
+//   unsigned children(const Node&, float* keys)  mask of the children worth a visit, and for each how near it is
+//   float limit() const                              children with a larger key are passed over
+//   Visit visit_leaf(const Leaf&)                    stop ends the walk
+// Keys are not negative and only compared, by their bits: a query without floats may hand over integers as such.
 
 /// Calls the function for the kind of leaf that the blob has.
 template <class Function>
@@ -22,15 +22,13 @@ struct Waiting {
     static constexpr unsigned node_bits = 24;
     static constexpr std::uint32_t child_mask = 7;
     static_assert(format::max_nodes <= 1u << node_bits && format::max_children <= child_mask + 1);
-    template <class Key>
-    static constexpr std::uint32_t entry(Key key, unsigned child) {
+    static constexpr std::uint32_t entry(float key, unsigned child) {
         return (std::bit_cast<std::uint32_t>(key) & ~child_mask) | child;
     }
 
     std::uint64_t packed;
 
-    template <class Key>
-    [[nodiscard]] bool is_within(Key limit) const {
+    [[nodiscard]] bool is_within(float limit) const {
         return static_cast<std::uint32_t>(packed >> 32) <= (std::bit_cast<std::uint32_t>(limit) | child_mask);
     }
     [[nodiscard]] unsigned child() const { return static_cast<unsigned>(packed >> 32) & child_mask; }
@@ -46,9 +44,6 @@ struct Waiting {
     }
 };
 
-template <class Key, class Visitor>
-Key key_of(Key (Visitor::*limit)() const);
-
 /// A walk to the children with the smallest keys first: for queries whose limit shrinks as they find something. A leaf
 /// waits for nodes beside it that are nearer; leaves with no nodes beside them are taken as they lie. Of a node's
 /// children two are put in order; when both have had their turn and there are more that may matter, the node is tested
@@ -56,14 +51,13 @@ Key key_of(Key (Visitor::*limit)() const);
 /// batches can test the nodes of several rays before they branch on any.
 template <class Leaf, class Visitor>
 struct NearestFirst {
-    using Key = decltype(key_of(&Visitor::limit));
     static constexpr unsigned every_child = (1u << format::max_children) - 1u;
 
     std::uint64_t stack[format::max_depth];  // packed
     unsigned size = 0;
     std::uint32_t index = 0;       ///< of the node that is next
     unsigned among = every_child;  ///< the children of it that are still to be visited
-    alignas(16) Key keys[format::max_children];
+    alignas(16) float keys[format::max_children];
 
     void begin(std::uint32_t node) {
         size = 0;
@@ -98,7 +92,7 @@ struct NearestFirst {
             for (; leaves != 0; leaves &= leaves - 1) {
                 const auto number = static_cast<unsigned>(std::countr_zero(leaves));
                 const Node node = node_at(blob, parent);
-                if (parent == index && keys[node.node_children() + number] > visitor.limit()) continue;
+                if (parent == index && is_beyond(keys[node.node_children() + number], visitor.limit())) continue;
                 count_leaf_step();
                 if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, number)) == stop) return false;
             }
@@ -126,6 +120,9 @@ struct NearestFirst {
     }
 
 private:
+    static bool is_beyond(float key, float limit) {
+        return std::bit_cast<std::uint32_t>(key) > std::bit_cast<std::uint32_t>(limit);
+    }
     /// The nearest of several children of the node at hand; the others are left waiting. Compared and chosen as plain
     /// words: no processor could foresee branches here.
     [[gnu::always_inline]] unsigned nearest_of(unsigned mask) {
