@@ -43,6 +43,10 @@ void add_bake(CLI::App& app, Chosen& chosen) {
         ->required()
         ->type_name("MESH");
     verb->add_option("-o,--output", arguments->output, "The blob to write")->required()->type_name("BLOB");
+    verb->add_option("--depfile", arguments->depfile,
+                     "Also write which files were read, those that a mesh refers to included, as a rule that Make, "
+                     "Ninja and CMake understand")
+        ->type_name("FILE");
     CLI::Option* tolerance =
         verb->add_option("--tolerance", arguments->tolerance,
                          "Largest distance between source and blob: 0.5mm, 2cm, 1e-3m, 1in; a bare number is in units "

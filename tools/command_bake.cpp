@@ -1,6 +1,9 @@
 // bake: meshes in, one blob out.
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "bake_report.hpp"
 #include "baking.hpp"
@@ -8,6 +11,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "cost_model_file.hpp"
+#include "depfile.hpp"
 #include "import_assimp.hpp"
 #include "lengths.hpp"
 #include "numbers.hpp"
@@ -80,6 +84,18 @@ Imported import_with_progress(const BakeArguments& arguments, ImportOptions opti
     return import_files(arguments.inputs, options);
 }
 
+/// Before the blob: were it written and this not, a change of a file that is new to the list would go unnoticed.
+void write_depfile(const BakeArguments& arguments, const Imported& imported) {
+    if (arguments.depfile.empty()) return;
+    std::vector<std::string> sources;
+    for (const ImportedFile& file : imported.files) {
+        sources.insert(sources.end(), file.opened.begin(), file.opened.end());
+    }
+    if (!arguments.cost_model.empty()) sources.push_back(arguments.cost_model);
+    const std::string rule = depfile_text(arguments.output, sources);
+    write_output_file(arguments.depfile, std::as_bytes(std::span(rule)));
+}
+
 /// What was picked is said here; the rest of the verb sees a bake like any other.
 Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, const Console& console,
                    Json& picked_json) {
@@ -98,7 +114,13 @@ Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, con
 
 ExitCode run_bake(const BakeArguments& arguments) {
     const Console console(arguments.quiet);
-    for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(arguments.output, input);
+    for (const std::string& input : arguments.inputs) {
+        refuse_to_overwrite_input(arguments.output, input);
+        refuse_to_overwrite_input(arguments.depfile, input);
+    }
+    if (arguments.depfile == arguments.output) {
+        throw CommandError(ExitCode::usage, "--depfile and -o name the same file. Give each its own.");
+    }
     const ImportOptions source = import_options(arguments.source);
     static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import
     static_cast<void>(pick_goal(arguments));
@@ -109,6 +131,7 @@ ExitCode run_bake(const BakeArguments& arguments) {
     const Baked baked = bake_or_pick(imported, arguments, console, picked_json);
     say_findings(console, baked.report);
     say_result(console, baked.report);
+    write_depfile(arguments, imported);
     write_output_file(arguments.output, baked.blob);
     console.say(text("wrote ", printable(arguments.output)));
     if (arguments.json) {

@@ -25,6 +25,7 @@ struct SourceArguments {
 struct BakeArguments {
     std::vector<std::string> inputs;
     std::string output;
+    std::string depfile;  ///< empty: none
     SourceArguments source;
     std::string tolerance;  ///< a length; empty: bits decide
     unsigned bits = 16;
@@ -48,6 +49,18 @@ struct BakeArguments {
     bool quiet = false;
 };
 ExitCode run_bake(const BakeArguments& arguments);
+
+struct EmbedArguments {
+    std::string blob;
+    std::string output;
+    std::string header;   ///< empty: none
+    std::string symbol;   ///< empty: named after the output
+    std::string section;  ///< empty: one of its own in .rodata
+    unsigned alignment = 16;
+    bool json = false;
+    bool quiet = false;
+};
+ExitCode run_embed(const EmbedArguments& arguments);
 
 /// Lists stay text here; command_trade.cpp reads them.
 struct TradeArguments {

@@ -6,9 +6,11 @@
 #include <assimp/metadata.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -72,6 +74,22 @@ public:
 
 private:
     const ImportOptions& options_;
+};
+
+/// The files as they are, and a list of those that an importer opened: the mesh and what it refers to.
+class ListedFiles : public Assimp::DefaultIOSystem {
+public:
+    explicit ListedFiles(std::vector<std::string>& opened) : opened_(opened) {}
+    Assimp::IOStream* Open(const char* path, const char* mode) override {
+        Assimp::IOStream* stream = DefaultIOSystem::Open(path, mode);
+        if (stream != nullptr && std::find(opened_.begin(), opened_.end(), path) == opened_.end()) {
+            opened_.emplace_back(path);
+        }
+        return stream;
+    }
+
+private:
+    std::vector<std::string>& opened_;
 };
 
 /// Reads one file's scene into `imported`.
@@ -236,7 +254,10 @@ void import_file(const std::string& path, const ImportOptions& options, Imported
     Assimp::Importer importer;
     // A skeleton without a skin would come as an invented mesh; it has no surface.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    importer.SetProgressHandler(new ImportProgress(options));  // which the importer deletes
+    ImportedFile file;
+    file.path = path;
+    importer.SetProgressHandler(new ImportProgress(options));  // which the importer deletes, like the next
+    importer.SetIOHandler(new ListedFiles(file.opened));
     // Nothing but triangles is asked for: welding and dropping is the baker's work, which counts what it does.
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
     if (scene == nullptr) {
@@ -244,8 +265,6 @@ void import_file(const std::string& path, const ImportOptions& options, Imported
                            text("'", printable(path), "' cannot be imported: ", sentence(importer.GetErrorString()),
                                 " Is it a mesh file, whole, and named with its format's ending?"));
     }
-    ImportedFile file;
-    file.path = path;
     SceneReader(*scene, options, file, imported).read();
     imported.files.push_back(std::move(file));
 }

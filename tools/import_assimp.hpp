@@ -37,6 +37,7 @@ struct ImportedMesh {
 /// What was found in one file.
 struct ImportedFile {
     std::string path;
+    std::vector<std::string> opened;  ///< the file itself and what it refers to that was there: .mtl, .bin
     std::string format;
     std::uint32_t meshes = 0;
     std::uint64_t triangles = 0;

@@ -23,6 +23,33 @@ namespace espalier::tools {
 
 namespace {
 
+void add_embed(CLI::App& app, Chosen& chosen) {
+    auto arguments = std::make_shared<EmbedArguments>();
+    CLI::App* verb = add_verb(app, "embed", "Make a blob into a source file, to be linked into a program");
+    add_blob(verb, arguments->blob);
+    verb->add_option("-o,--output", arguments->output,
+                     "The source to write: an array for C and C++ (.c, .cpp), or assembler (.S) that includes the blob "
+                     "by its name, which compiles faster; give the compiler the blob's folder with -I")
+        ->required()
+        ->type_name("SOURCE");
+    verb->add_option(
+            "--header", arguments->header,
+            "Also write a header for C and C++ that declares SYMBOL, SYMBOL_size and, in C++20, SYMBOL_bytes()")
+        ->type_name("HEADER");
+    verb->add_option("--symbol", arguments->symbol, "Name of the array; without it, that of SOURCE without its ending")
+        ->type_name("SYMBOL");
+    verb->add_option("--section", arguments->section, "Where the linker finds it; without it .rodata.SYMBOL")
+        ->type_name("SECTION");
+    verb->add_option("--alignment", arguments->alignment,
+                     "Of the first byte; a power of two. Queries need none: it is for caches and for direct memory "
+                     "access")
+        ->capture_default_str()
+        ->type_name("BYTES");
+    add_json(verb, arguments->json);
+    add_quiet(verb, arguments->quiet);
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_embed(*arguments); }; });
+}
+
 void add_info(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<InfoArguments>();
     CLI::App* verb = add_verb(app, "info", "Say what is inside a blob");
@@ -107,6 +134,7 @@ ExitCode run(int count, char** values) {
     app.require_subcommand(1);
     Chosen chosen;
     add_bake(app, chosen);
+    add_embed(app, chosen);
     add_info(app, chosen);
     add_verify(app, chosen);
     add_query(app, chosen);

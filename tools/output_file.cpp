@@ -5,10 +5,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "exit_code.hpp"
@@ -105,6 +108,17 @@ void write_output_file(const std::string& path, std::span<const std::byte> bytes
         std::filesystem::exists(status) ? std::filesystem::canonical(path, error) : std::filesystem::path(path);
     if (error && std::filesystem::exists(status)) fail(path, error.value());
     if (const int failure = replace_file(target, bytes); failure != 0) fail(path, failure);
+}
+
+void write_output_file_if_changed(const std::string& path, std::span<const std::byte> bytes) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error)) {
+        std::ifstream file(path, std::ios::binary);
+        const std::string before{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+        const auto old_bytes = std::as_bytes(std::span(before));
+        if (file && std::equal(bytes.begin(), bytes.end(), old_bytes.begin(), old_bytes.end())) return;
+    }
+    write_output_file(path, bytes);
 }
 
 void refuse_to_overwrite_input(const std::string& output, const std::string& input) {

@@ -12,7 +12,11 @@ namespace espalier::tools {
 /// (file_access).
 void write_output_file(const std::string& path, std::span<const std::byte> bytes);
 
-/// Throws CommandError (usage) when `output` is one of our own inputs, which it would replace.
+/// As write_output_file, but a file that has these bytes already keeps its time: nobody who reads it is built again.
+void write_output_file_if_changed(const std::string& path, std::span<const std::byte> bytes);
+
+/// Throws CommandError (usage) when `output` is one of our own inputs, which it would replace. An empty `output` is
+/// none.
 void refuse_to_overwrite_input(const std::string& output, const std::string& input);
 
 }  // namespace espalier::tools

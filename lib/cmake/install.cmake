@@ -34,6 +34,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/espalier-config-v
 install(FILES
   ${PROJECT_BINARY_DIR}/package/espalier-config.cmake
   ${PROJECT_BINARY_DIR}/package/espalier-config-version.cmake
+  ${PROJECT_SOURCE_DIR}/lib/cmake/espalier_add_blob.cmake
   DESTINATION ${package_folder} COMPONENT runtime)
 
 install_part(runtime espalier_runtime)

@@ -69,7 +69,7 @@ awk 'BEGIN { n = 40
 
 # ---- usage ----------------------------------------------------------------------------------------------------------
 claim "help goes to stdout and names the exit status, for the command and for every verb"
-for verb in "" bake info verify query "query x ray" "query x sphere" "query x nearest" render trade dump; do
+for verb in "" bake embed info verify query "query x ray" "query x sphere" "query x nearest" render trade dump; do
     # shellcheck disable=SC2086
     run 0 $verb --help
     out_has "0 ok, 1 usage, 2 file cannot be read or written, 3 invalid input, 4 internal, 5 unsupported"
@@ -415,6 +415,82 @@ claim "control characters in names do not reach the terminal"
 cp box.obj "$(printf 'red\033[31m.obj')"
 run 0 bake "$(printf 'red\033[31m.obj')" -o x.espl
 ! grep -q "$(printf '\033')" err || fail "an escape sequence came through"
+
+# ---- depfiles -------------------------------------------------------------------------------------------------------
+claim "a depfile names what was read, side files included, and not what was not; as Make and Ninja read it"
+mkdir -p "a b#\$c"
+printf 'mtllib box.mtl missing.mtl\n' | cat - box.obj >"a b#\$c/box.obj"
+printf 'newmtl stone\nmap_Kd stone.png\n' >"a b#\$c/box.mtl"
+touch "a b#\$c/stone.png"
+run 0 bake "a b#\$c/box.obj" far_box.obj -o "with space.espl" -q --depfile box.d --cost-model free_bytes.json
+printf '%s\n' 'with\ space.espl: \' ' a\ b\#$$c/box.obj \' ' a\ b\#$$c/box.mtl \' ' far_box.obj \' ' free_bytes.json' >expected.d
+same expected.d box.d
+run 0 bake box.obj -o plain.espl -q --depfile /dev/stdout
+printf 'plain.espl: \\\n box.obj\n' >expected.d
+same expected.d out
+base64 -d >triangle.bin <<<'AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA'
+cat >triangle.gltf <<'GLTF'
+{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "buffers": [{"uri": "triangle.bin", "byteLength": 36}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}]}
+GLTF
+run 0 bake triangle.gltf -o triangle.espl -q --depfile triangle.d
+printf 'triangle.espl: \\\n triangle.gltf \\\n triangle.bin\n' >expected.d
+same expected.d triangle.d
+
+claim "a depfile is written with the blob or not at all, and over neither mesh nor blob"
+run 3 bake not_finite.obj -o failed.espl --depfile failed.d
+absent failed.d
+run 1 bake box.obj -o x.espl --depfile box.obj
+run 1 bake box.obj -o x.espl --depfile x.espl
+cp box.obj "$(printf 'two\nlines.obj')"
+run 5 bake "$(printf 'two\nlines.obj')" -o failed.espl --depfile failed.d
+err_has "line break"
+absent failed.d
+absent failed.espl
+run 0 bake "$(printf 'two\nlines.obj')" -o x.espl
+
+# ---- embed ----------------------------------------------------------------------------------------------------------
+claim "what is embedded says its name, size, section and alignment, and is the same in any folder"
+run 0 embed box.espl -o level.c --header level.h
+err_has "wrote level.c: level, $(stat -c %s box.espl) bytes in .rodata.level, aligned to 16"
+run 0 embed box.espl -o level.c --header level.h -q --json
+[ ! -s err ] || fail "something was said"
+json ".symbol == \"level\" and .bytes == $(stat -c %s box.espl) and .section == \".rodata.level\" and .header == \"level.h\""
+mkdir embedded
+cp box.espl embedded/other.espl
+run 0 embed embedded/other.espl -o embedded/level.c --header embedded/level.h -q
+same level.c embedded/level.c
+same level.h embedded/level.h
+run 0 embed box.espl -o x.S --symbol arena --section .flash_blobs --alignment 64 -q
+for words in '.section .flash_blobs, "a"' '.balign 64' '.global arena' '"box.espl"'; do
+    grep -qF "$words" x.S || fail "x.S lacks $words"
+done
+
+claim "a header that stays the same is not touched"
+touch -d '2020-01-01' level.h
+run 0 embed box.espl -o level.c --header level.h -q
+[ "$(stat -c %Y level.h)" = "$(date -d '2020-01-01' +%s)" ] || fail "the header has a new time"
+run 0 embed sheet.espl -o level.c --header level.h -q
+[ "$(stat -c %Y level.h)" != "$(date -d '2020-01-01' +%s)" ] || fail "the header of another blob is the old one"
+
+claim "what cannot be embedded is refused, and nothing is written"
+run 1 embed box.espl -o bad.txt
+err_has ".c or .cpp an array, .S assembler"
+for name in 2nd new a-b _x a__b linux; do run 1 embed box.espl -o bad.c --symbol $name; done
+run 1 embed box.espl -o new.c
+err_has "'new' cannot name a variable"
+for alignment in 0 3 131072 -16; do run 1 embed box.espl -o bad.c --alignment $alignment; done
+run 1 embed box.espl -o bad.c --section '.rodata,"aw"'
+run 1 embed box.espl -o bad.c --header bad.c
+run 3 embed box.obj -o bad.c --header bad.h
+err_has "'box.obj' is refused"
+run 2 embed missing.espl -o bad.c --header bad.h
+cp box.espl blob.c
+run 1 embed blob.c -o blob.c
+same box.espl blob.c
+for file in bad.c bad.h new.c; do absent $file; done
 
 # ---- writing --------------------------------------------------------------------------------------------------------
 claim "outputs that cannot be written are exit status 2, name the file, and leave nothing behind"

@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# What espalier_add_blob takes and refuses when a project is configured.
+# Usage: options_test.sh PATH_TO_ESPALIER SOURCE_FOLDER CMAKE GENERATOR
+# shellcheck source=projects.sh
+. "$(dirname "$0")/projects.sh"
+
+write_level level
+# A project without languages: what is refused is refused before anything is compiled.
+refused() { # WORDS_OF_THE_LOG ARGUMENT...
+    local words=$1
+    shift
+    printf 'cmake_minimum_required(VERSION 3.25)\nproject(consumer LANGUAGES NONE)\nset(espalier_VERSION %s)\n' "$version" >level/CMakeLists.txt
+    echo "include(\"$espalier_sources/lib/cmake/espalier_add_blob.cmake\")" >>level/CMakeLists.txt
+    echo "espalier_add_blob($*)" >>level/CMakeLists.txt
+    rm -rf refused
+    ! configure level refused -DESPALIER_EXECUTABLE="${executable:-$counting}" || fail "espalier_add_blob($*) is taken"
+    tr -s ' \n' ' ' <log >lines && mv lines log # CMake breaks lines as it likes
+    log_has "$words"
+}
+version=$("$espalier" --version | sed 's/^espalier \([0-9.]*\).*/\1/')
+
+claim "every option of bake that shapes the blob is an option of the function, and the other way round"
+run 0 bake --help
+sed -n 's/^ *\(-[a-z],\)\{0,1\}--\([a-z-]*\).*/\2/p' out | grep -vxE 'help|output|depfile|json|quiet' | tr 'a-z-' 'A-Z_' | sort >of_bake
+sed -n '/ESPALIER_BAKE_\(FLAGS\|VALUES\)/,/)/p' "$espalier_sources/lib/cmake/espalier_add_blob.cmake" | sed '/get_property/d' |
+    grep -oE '\b[A-Z_]+\b' | grep -vxE 'GLOBAL|PROPERTY|ESPALIER_BAKE_(FLAGS|VALUES)' | sort >of_function
+[ "$(wc -l <of_bake)" -gt 15 ] || fail "the help has only $(wc -l <of_bake) options"
+diff of_bake of_function >differences || fail "$(cat differences)"
+
+claim "an option that there is not is refused with the choices, wherever it stands"
+refused "'TOLERENCE' is no option; the options are MESH, DEPENDS, TOLERANCE, BITS" level MESH level.obj TOLERENCE 0.5mm
+refused "'0.5mm' is no option" level MESH level.obj BITS 12 0.5mm
+refused "'PROFIL' is no option" level PROFIL small MESH level.obj
+
+claim "an option without its value is refused, also where a variable turns out empty"
+refused "TOLERANCE needs a value" level MESH level.obj TOLERANCE
+refused "TOLERANCE needs a value" level MESH level.obj TOLERANCE BITS 12
+refused "TOLERANCE needs a value" level MESH level.obj TOLERANCE "\"\${tolerence}\""
+refused "MESH and at least one mesh file are needed" level TOLERANCE 0.5mm
+refused "MESH needs a value" level MESH TOLERANCE 0.5mm
+
+claim "a format that there is not, or whose language the project lacks, is refused with what to write"
+refused "FORMAT 'rust' is neither c nor assembler" level MESH level.obj FORMAT rust
+refused "FORMAT assembler needs ASM among the LANGUAGES of project()" level MESH level.obj FORMAT assembler
+refused "FORMAT c needs C or CXX among the LANGUAGES of project()" level MESH level.obj
+
+claim "a command that is not there, or of another version, is refused with its path"
+executable=$folder/nothing refused "ESPALIER_EXECUTABLE is $folder/nothing, which does not run" level MESH level.obj
+printf '#!/bin/sh\necho espalier 0.0.1, format 1.0\n' >old_espalier
+chmod +x old_espalier
+executable=$folder/old_espalier refused "of version '0.0.1'; this is $version" level MESH level.obj
+
+# ---- what is taken --------------------------------------------------------------------------------------------------
+write_main level
+write_head level C
+cat >>level/CMakeLists.txt <<'CMAKE'
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/cheap.json" "{\"byte_price\": 0}")
+espalier_add_blob(level MESH level.obj level.obj MAX_BYTES 64K BUILDER sweep_sah LEAF_SIZE 2 MATERIALS 16 IDS EDGE_FLAGS FLAT_ANGLE 7
+  BOUNDS obb,sphere UNIT cm SCALE 3 UP z REPAIR EFFORT 7 THREADS 1 COST_MODEL "${CMAKE_CURRENT_BINARY_DIR}/cheap.json"
+  OUTPUT blobs/all.espl)
+get_target_property(blob level ESPALIER_BLOB)
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/blob.txt" "${blob}")
+espalier_add_blob(arena-2 MESH level.obj SYMBOL arena)
+add_executable(game main.c)
+target_link_libraries(game PRIVATE level)
+CMAKE
+
+claim "options arrive: the blob is the one that the command bakes with them, and lies where OUTPUT says"
+must configure level build -DESPALIER_EXECUTABLE="$espalier"
+must build build --target game arena-2
+run 0 bake level/level.obj level/level.obj -o expected.espl -q --max-bytes 64K --builder sweep_sah --leaf-size 2 --materials 16 \
+    --ids --edge-flags --flat-angle 7 --bounds obb,sphere --unit cm --scale 3 --up z --repair --effort 7 --cost-model build/cheap.json
+same expected.espl build/blobs/all.espl
+[ "$(cat build/blob.txt)" = "$folder/build/blobs/all.espl" ] || fail "the target says $(cat build/blob.txt)"
+build/game >game.bytes
+same game.bytes expected.espl
+
+claim "a symbol names everything that the header declares"
+for word in "arena[" "arena_size" "arena_bytes()"; do
+    grep -qF "$word" build/espalier_blobs/arena-2/arena-2.h || fail "arena-2.h lacks $word"
+done
+
+claim "two blobs of one symbol are refused, as are symbols that no program can say"
+echo 'espalier_add_blob(arena_2 MESH level.obj SYMBOL arena)' >>level/CMakeLists.txt
+must_not configure level build
+log_has "another blob has the symbol arena"
+sed -i '$d' level/CMakeLists.txt
+echo 'espalier_add_blob(new MESH level.obj)' >>level/CMakeLists.txt
+must configure level build
+must_not build build --target new
+log_has "'new' cannot name a variable in C and C++"
+
+finish

@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# A project is baked again exactly when it has to be.
+# Usage: rebuild_test.sh PATH_TO_ESPALIER SOURCE_FOLDER CMAKE GENERATOR
+# shellcheck source=projects.sh
+. "$(dirname "$0")/projects.sh"
+
+project="$folder/my game"
+build="$folder/my build"
+blob="$build/espalier_blobs/level/level.espl"
+write_level "$project/assets"
+write_main "$project"
+write_head "$project" "C CXX"
+cat >>"$project/CMakeLists.txt" <<'CMAKE'
+espalier_add_blob(level MESH assets/level.obj BITS ${bits} MATERIALS 8 ALIGNMENT ${alignment})
+add_executable(game main.c)
+target_link_libraries(game PRIVATE level)
+CMAKE
+options=(-Dbits=12 -Dalignment=16 -DESPALIER_EXECUTABLE="$counting")
+# A file system may count time in steps; what was built must be older than what is touched.
+touch_later() { sleep 0.05 && touch "$1"; }
+
+claim "a build bakes once, and the program holds the blob byte for byte"
+must configure "$project" "$build" "${options[@]}"
+must build "$build" --target game
+verbs_are "bake embed"
+"$build/game" >game.bytes
+same game.bytes "$blob"
+run 0 verify "$blob" --deep
+
+claim "a build of what is built already bakes nothing"
+for _ in 1 2; do
+    must build "$build" --target game
+    verbs_are ""
+done
+
+claim "a side file that the mesh refers to is looked at: touched, it bakes once; so does the mesh"
+for file in level.mtl level.obj; do
+    touch_later "$project/assets/$file"
+    must build "$build" --target game
+    verbs_are "bake embed"
+    must build "$build" --target game
+    verbs_are ""
+done
+
+claim "what includes the header is compiled again only when the header changes"
+object=$(find "$build" -name 'main.c.o')
+cp -p "$object" before.o
+touch_later "$project/assets/level.mtl"
+must build "$build" --target game
+verbs_are "bake embed"
+[ ! "$object" -nt before.o ] || fail "main.c was compiled although level.h is the same"
+echo "f 2 3 4" >>"$project/assets/level.obj"
+must build "$build" --target game
+verbs_are "bake embed"
+[ "$object" -nt before.o ] || fail "main.c was not compiled although level.h is another"
+"$build/game" >game.bytes
+same game.bytes "$blob"
+
+claim "another option bakes once; one of the embedding embeds once and bakes nothing"
+cp "$blob" before.espl
+must configure "$project" "$build" -Dbits=13
+must build "$build" --target game
+verbs_are "bake embed"
+must_not cmp -s "$blob" before.espl
+must configure "$project" "$build" -Dalignment=64
+must build "$build" --target game
+verbs_are "embed"
+must configure "$project" "$build"
+must build "$build" --target game
+verbs_are ""
+
+claim "another espalier bakes again"
+touch_later "$counting"
+must build "$build" --target game
+verbs_are "bake embed"
+
+claim "a bake that fails says file, mesh and triangle in the build's log, and leaves the old blob and program"
+cp "$blob" before.espl
+cp "$project/assets/level.obj" good.obj
+sed -i 's/^v 1 0 0/v nan 0 0/' "$project/assets/level.obj"
+for _ in 1 2; do
+    must_not build "$build" --target game
+    verbs_are "bake"
+    log_has "level.obj, mesh 0"
+    log_has "triangle 0"
+done
+same "$blob" before.espl
+"$build/game" >game.bytes
+same game.bytes before.espl
+cp good.obj "$project/assets/level.obj"
+must build "$build" --target game
+verbs_are "bake embed"
+same "$blob" before.espl
+
+claim "a mesh that is not there stops the build and is named"
+mv "$project/assets/level.obj" away.obj
+must_not build "$build" --target game
+log_has "level.obj"
+mv away.obj "$project/assets/level.obj"
+must build "$build" --target game
+rm -f "$verbs"
+
+claim "the same sources give the same bytes in any folder: blob, source, header"
+cp -r "$project" "$folder/elsewhere"
+must configure "$folder/elsewhere" "$folder/elsewhere/build" -Dbits=13 -Dalignment=64 -DESPALIER_EXECUTABLE="$espalier"
+must build "$folder/elsewhere/build" --target game
+for file in level.espl level.c level.h; do
+    same "$build/espalier_blobs/level/$file" "$folder/elsewhere/build/espalier_blobs/level/$file"
+done
+
+finish
