@@ -7,9 +7,10 @@ namespace espalier::detail {
 
 namespace {
 
+#if !ESPALIER_SMALL_CODE
 /// Its plane from both sides, and beside each edge the plane through it that is upright on the first one, cut down to
 /// integers of 23 bits.
-[[maybe_unused]] void set_planes(LatticeCorners& corners) {
+void set_planes(LatticeCorners& corners) {
     const Integer3* c = corners.triangle.corner;
     const int bits = corners.fraction_bits;
     const Integer3 ab = c[1] - c[0], ac = c[2] - c[0];
@@ -31,6 +32,7 @@ namespace {
     corners.planes = corners.own_planes;
     corners.plane_count = 5;
 }
+#endif
 
 void enclose(LatticeCorners& corners) {
     const Integer3* c = corners.triangle.corner;
@@ -47,7 +49,9 @@ void enclose(LatticeCorners& corners) {
     bound(0, &Integer3::x);
     bound(1, &Integer3::y);
     bound(2, &Integer3::z);
-    if constexpr (!small_code) set_planes(corners);
+#if !ESPALIER_SMALL_CODE
+    set_planes(corners);
+#endif
     corners.is_empty = false;
     corners.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
         return meets(static_cast<const LatticeCorners&>(volume), triangle);

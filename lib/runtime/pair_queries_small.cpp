@@ -10,7 +10,6 @@
 
 namespace espalier::detail::scalar {
 
-using scalar_walk::with_leaves_of;
 #include <runtime/pair_nodes.inl>
 #include <runtime/traverse_pair.inl>
 #include <runtime/pair_beam.inl>
@@ -63,8 +62,8 @@ struct PairVisitor {
     }
 
     Visit visit_leaves(const LeafPlace& a_place, const LeafPlace& b_place) const {
-        return with_leaves_of(*frame.a, [&]<class LeafA>() {
-            return with_leaves_of(*frame.b, [&]<class LeafB>() {
+        return scalar_walk::with_leaves_of(*frame.a, [&]<class LeafA>() {
+            return scalar_walk::with_leaves_of(*frame.b, [&]<class LeafB>() {
                 const auto a = leaf_at<LeafA>(*frame.a, a_place.node, a_place.number);
                 const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
                 const PlacedBox box(a_place.box, frame);

@@ -1,0 +1,63 @@
+# `cpack` in the build folder makes two Debian packages of what is installed: libespalier-dev, the libraries and headers, which
+# depends on nothing, and espalier, the command, which depends on what it is linked to.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME espalier)
+set(CPACK_PACKAGE_VENDOR "The Espalier authors")
+set(CPACK_PACKAGE_CONTACT "The Espalier authors <authors@espalier.invalid>" CACHE STRING "Maintainer of the Debian packages")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libespalier-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "espalier (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME espalier)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_COMPONENT_DEV_DESCRIPTION "Baked collision meshes, queried straight from their bytes: libraries")
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Bakes collision meshes and asks them: the command")
+
+# What Debian asks of every package, and only of those: not part of `cmake --install`.
+find_program(ESPALIER_GZIP gzip)
+mark_as_advanced(ESPALIER_GZIP)
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)  # of SOURCE_DATE_EPOCH where it is set
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/package/changelog CONTENT
+"espalier (@PROJECT_VERSION@) unstable; urgency=medium
+
+  * What changed stands in docs/changelog.md of the source.
+
+ -- @CPACK_PACKAGE_CONTACT@  @now@
+" @ONLY)
+
+# install_compressed(<component> <file> <destination>)
+function(install_compressed component file destination)
+  install(CODE "
+    set(compressed \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${destination}\")
+    cmake_path(GET compressed PARENT_PATH folder)
+    file(MAKE_DIRECTORY \"\${folder}\")
+    execute_process(COMMAND \"${ESPALIER_GZIP}\" -9nc \"${file}\" OUTPUT_FILE \"\${compressed}\" COMMAND_ERROR_IS_FATAL ANY)"
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+endfunction()
+
+foreach(package IN ITEMS libespalier-dev espalier)
+  if(package STREQUAL "espalier")
+    set(component debian_tools)
+  else()
+    set(component debian_dev)
+  endif()
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/${package} RENAME copyright
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install_compressed(${component} ${PROJECT_BINARY_DIR}/package/changelog share/doc/${package}/changelog.gz)
+endforeach()
+install_compressed(debian_tools ${PROJECT_SOURCE_DIR}/tools/espalier.1 share/man/man1/espalier.1.gz)
+
+set(CPACK_COMPONENTS_ALL runtime baker tools debian_dev debian_tools)
+set(CPACK_COMPONENT_RUNTIME_GROUP dev)
+set(CPACK_COMPONENT_BAKER_GROUP dev)
+set(CPACK_COMPONENT_DEBIAN_DEV_GROUP dev)
+set(CPACK_COMPONENT_TOOLS_GROUP tools)
+set(CPACK_COMPONENT_DEBIAN_TOOLS_GROUP tools)
+include(CPack)

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# single_file.sh PYTHON FOLDER BLOBS COMPILER: makes espalier.hpp and espalier.cpp, compiles them by the C++ compiler without any of
+# the library's flags, links them to the program that asks blobs everything, and compares its answers with those that all
+# machines give (tests/platform), by every instruction set that this machine has.
+set -euo pipefail
+
+python=$1 folder=$2 blobs=$3 compiler=$4
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+warnings=(-Werror -Wall -Wextra -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Wcast-align -Wundef)
+command -v "$compiler" >/dev/null || { echo "skipped: there is no $compiler"; exit 77; }
+
+rm -rf "$folder"
+"$python" "$project/tools/single_file.py" "$folder/single"
+cd "$folder/single"
+"$compiler" -std=c++20 -O1 "${warnings[@]}" -c espalier.cpp -o ../espalier.o
+for macro in ESPALIER_INDEXED_LEAVES=0 ESPALIER_STRIP_LEAVES=0 ESPALIER_SMALL_CODE=1; do
+    "$compiler" -std=c++20 -fsyntax-only -fno-exceptions -fno-rtti "${warnings[@]}" "-D$macro" espalier.cpp
+done
+! "$compiler" -std=c++20 -fsyntax-only -ffast-math espalier.cpp 2>/dev/null || { echo "failed: -ffast-math passes"; exit 1; }
+# Nothing is left that needs the library's own files.
+"$compiler" -std=c++20 -MM espalier.cpp >../espalier.d
+! grep -F "$project/lib" ../espalier.d || { echo "failed: it includes files of the library"; exit 1; }
+
+# The program includes parts of the library by their names: all of them are the one header.
+cd ..
+mkdir -p include/espalier
+for header in "$project"/lib/espalier/*.hpp; do
+    echo '#include "../../single/espalier.hpp"' >"include/espalier/${header##*/}"
+done
+ln -s "$project/lib/runtime" include/runtime  # it chooses instruction sets
+"$compiler" -std=c++20 -O1 -Iinclude "$project/tests/platform/query_answers.cpp" espalier.o -o query_answers
+check() { "$project/tests/platform/check_golden.sh" "$project/tests/platform/golden.txt" 100 "$blobs" "$PWD/query_answers" "$@"; }
+check
+for set in scalar sse42 avx2 avx512; do
+    check --set "$set" || [[ $? -eq 77 ]]
+done
+echo "$compiler: $(wc -l <single/espalier.cpp) lines compile without a warning and give everybody's answers"
