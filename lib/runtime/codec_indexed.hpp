@@ -25,7 +25,7 @@ struct IndexedLeaf : LeafVertices<true> {
     [[nodiscard]] unsigned triangle_count() const { return slot_count; }
     /// One for each leaf of the node.
     [[nodiscard]] const std::byte* descriptors() const { return block + format::indexed_leaf::descriptors_at; }
-    [[nodiscard]] LatticeTriangle triangle(unsigned slot) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
         const std::uint32_t corners = load_field(triangles, 3 * corner_width, slot);
         const std::uint32_t mask = (1u << corner_width) - 1u;
         return triangle_of(corners & mask, corners >> corner_width & mask, corners >> (2 * corner_width) & mask);
@@ -33,7 +33,7 @@ struct IndexedLeaf : LeafVertices<true> {
 };
 
 /// The leaf that is child `node.node_children() + number` of the node.
-inline IndexedLeaf indexed_leaf(const BlobData& blob, const Node& node, unsigned number) {
+ESPALIER_SHARED_CODE inline IndexedLeaf indexed_leaf(const BlobData& blob, const Node& node, unsigned number) {
     using namespace format::indexed_leaf;
     IndexedLeaf leaf;
     leaf.node = node;
@@ -68,7 +68,7 @@ inline IndexedLeaf leaf_at(const BlobData& blob, const Node& node, unsigned numb
 /// Storage index of the leaf's first triangle. All descriptors that there could be are read, the later ones masked
 /// out (the guard keeps that inside the blob): how many come before is not to be foreseen, and a mistaken guess costs
 /// more.
-inline std::uint32_t first_triangle(const IndexedLeaf& leaf) {
+ESPALIER_SHARED_CODE inline std::uint32_t first_triangle(const IndexedLeaf& leaf) {
     std::uint32_t first = load_u32(leaf.block);
     const std::byte* descriptor = leaf.descriptors();
     for (unsigned i = 0; i + 1 < format::max_children; ++i, descriptor += format::indexed_leaf::descriptor_bytes) {

@@ -7,6 +7,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
+#include <runtime/small_code.hpp>
 #include <runtime/step_counter.hpp>
 
 namespace espalier::detail {
@@ -32,10 +33,10 @@ struct Node {
     [[nodiscard]] const std::byte* high_planes(int axis) const {
         return bytes + format::node::hi_at + 8 * static_cast<std::size_t>(axis);
     }
-    [[nodiscard]] std::int32_t low(int axis, unsigned child, unsigned bits) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE std::int32_t low(int axis, unsigned child, unsigned bits) const {
         return base(axis, bits) + static_cast<std::int32_t>(load_u8(low_planes(axis) + child) << shift(axis));
     }
-    [[nodiscard]] std::int32_t high(int axis, unsigned child, unsigned bits) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE std::int32_t high(int axis, unsigned child, unsigned bits) const {
         return base(axis, bits) + static_cast<std::int32_t>(load_u8(high_planes(axis) + child) << shift(axis));
     }
     [[nodiscard]] const std::byte* leaf_block(const BlobData& blob) const {

@@ -33,14 +33,14 @@ struct StripLeaf : LeafVertices<false> {
     [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(std::popcount(windows)); }
     [[nodiscard]] unsigned entry_count() const { return slot_count + 2; }
     /// The vertex that an entry names.
-    [[nodiscard]] unsigned entry(unsigned place) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE unsigned entry(unsigned place) const {
         const std::uint64_t before = (std::uint64_t{1} << place) - 1;
         const auto fresh = static_cast<unsigned>(std::popcount(first_uses & before));
         if ((first_uses >> place & 1) != 0) return fresh;
         const unsigned reference = place - fresh;
         return static_cast<unsigned>(load_bits(marks, references_at + reference * reference_width, reference_width));
     }
-    [[nodiscard]] LatticeTriangle triangle(unsigned slot) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
         const std::uint64_t behind = pivots & ((std::uint64_t{2} << slot) - 1);
         const unsigned a = entry(static_cast<unsigned>(std::bit_width(behind)) - 1);
         const unsigned b = entry(slot + 1), c = entry(slot + 2);
@@ -50,7 +50,7 @@ struct StripLeaf : LeafVertices<false> {
 };
 
 /// The leaf that is child `node.node_children() + number` of the node.
-inline StripLeaf strip_leaf(const BlobData& blob, const Node& node, unsigned number) {
+ESPALIER_SHARED_CODE inline StripLeaf strip_leaf(const BlobData& blob, const Node& node, unsigned number) {
     using namespace format::strip_leaf;
     StripLeaf leaf;
     leaf.node = node;

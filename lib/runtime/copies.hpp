@@ -6,6 +6,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
+#include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 
@@ -21,7 +22,7 @@ inline bool is_copy(const BlobData& blob, std::uint32_t index) {
 }
 
 /// The storage index that stands for the triangle: the lowest one it has. O(1).
-inline std::uint32_t owner_of(const BlobData& blob, std::uint32_t index) {
+ESPALIER_SHARED_CODE inline std::uint32_t owner_of(const BlobData& blob, std::uint32_t index) {
     if (!is_copy(blob, index)) return index;
     const std::byte* block = copy_block(blob, index);
     const std::uint32_t bit = index % format::copies::block_indices;

@@ -17,7 +17,7 @@ struct Constraint {
     std::int64_t whole, b, c;
 };
 
-int sign(Int128 a) { return a.is_negative() ? -1 : a.is_zero() ? 0 : 1; }
+int sign(Argument<Int128> a) { return a.is_negative() ? -1 : a.is_zero() ? 0 : 1; }
 
 /// For numbers below 2^41: six products of three stay below 2^126.
 struct Narrow {

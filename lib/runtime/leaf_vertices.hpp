@@ -8,6 +8,7 @@
 #include <runtime/bytes.hpp>
 #include <runtime/codec_node.hpp>
 #include <runtime/ray_triangle.hpp>
+#include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 

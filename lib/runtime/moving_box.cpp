@@ -14,19 +14,19 @@ struct Share {
     float value;  ///< within 3 roundings
 };
 
-Share share(Int128 numerator, Int128 denominator) {
+ESPALIER_SHARED_CODE Share share(Argument<Int128> numerator, Argument<Int128> denominator) {
     return {numerator, denominator, to_float(numerator) / to_float(denominator)};
 }
-bool is_narrow(Int128 a) { return a.high == (static_cast<std::int64_t>(a.low) < 0 ? -1 : 0); }
+bool is_narrow(Argument<Int128> a) { return a.high == (static_cast<std::int64_t>(a.low) < 0 ? -1 : 0); }
 bool is_narrow(const Share& a) { return is_narrow(a.numerator) && is_narrow(a.denominator); }
 
 /// Exactly. Floats tell most often; but equal ones are no exception, as several axes often tell the same.
-bool is_less(const Share& a, const Share& b) {
+ESPALIER_SHARED_CODE bool is_less(const Share& a, const Share& b) {
     constexpr float slack = 1.0f + 0x1p-20f;
     if (a.value * slack < b.value) return true;
     if (b.value * slack < a.value) return false;
-    if (is_narrow(a) && is_narrow(b)) {
-        const auto word = [](Int128 x) { return static_cast<std::int64_t>(x.low); };
+    if (!small_code && is_narrow(a) && is_narrow(b)) {
+        const auto word = [](const Int128& x) { return static_cast<std::int64_t>(x.low); };
         return multiply(word(a.numerator), word(b.denominator)) < multiply(word(b.numerator), word(a.denominator));
     }
     WideSum sum;
@@ -35,15 +35,22 @@ bool is_less(const Share& a, const Share& b) {
     return sum.sign() < 0;
 }
 
+/// Along an axis: what box and triangle take up, and how far the box moves.
+template <class Number>
+struct Extents {
+    Number box_low, box_high, low, high, way;
+};
+
 /// When box and triangle are not separated by any of the axes tried so far.
 class Together {
 public:
     /// Later than at that step is never.
     explicit Together(SweepStep most) : latest_(share_of_way(most) * (1.0f + 0x1p-20f)) {}
 
-    /// False when there is no such time. The extents of box and triangle along an axis, and how far the box moves.
+    /// False when there is no such time.
     template <class Number>
-    bool try_axis(unsigned axis, Number box_low, Number box_high, Number low, Number high, Number way) {
+    bool try_axis(unsigned axis, const Extents<Number>& extents) {
+        const auto& [box_low, box_high, low, high, way] = extents;
         const bool is_before = box_high < low;
         const bool is_behind = high < box_low;
         const bool is_apart = is_before || is_behind;
@@ -128,18 +135,51 @@ bool try_axis(const MovingBox& box, const UnitTriangle& triangle, unsigned numbe
     const Number first = dot<Number>(axis, c[side]);
     const Number second = number == 3 ? first : dot<Number>(axis, c[(side + 2) % 3]);
     const bool is_up = first < second;
-    return together.try_axis(number, dot<Number>(axis, pick(box.low, box.high)),
-                             dot<Number>(axis, pick(box.high, box.low)), is_up ? first : second, is_up ? second : first,
-                             dot<Number>(axis, box.displacement));
+    return together.try_axis<Number>(
+        number, {dot<Number>(axis, pick(box.low, box.high)), dot<Number>(axis, pick(box.high, box.low)),
+                 is_up ? first : second, is_up ? second : first, dot<Number>(axis, box.displacement)});
+}
+
+/// Any axis, in one way.
+[[maybe_unused]] bool try_any_axis(const MovingBox& box, const UnitTriangle& triangle, unsigned number,
+                                   Together& together) {
+    const Integer3 axis = axis_of(triangle, number);
+    Integer3 ahead = box.high, behind = box.low;
+    const auto turn = [&](std::int64_t Integer3::*k) {
+        if (axis.*k >= 0) return;
+        const std::int64_t was = ahead.*k;
+        ahead.*k = behind.*k;
+        behind.*k = was;
+    };
+    turn(&Integer3::x);
+    turn(&Integer3::y);
+    turn(&Integer3::z);
+    Extents<Int128> extents;
+    extents.box_low = dot<Int128>(axis, behind);
+    extents.box_high = dot<Int128>(axis, ahead);
+    extents.way = dot<Int128>(axis, box.displacement);
+    extents.low = extents.high = dot<Int128>(axis, triangle.corner[0]);
+    for (unsigned i = 1; i < 3; ++i) {
+        const Int128 at = dot<Int128>(axis, triangle.corner[i]);
+        if (at < extents.low) extents.low = at;
+        if (extents.high < at) extents.high = at;
+    }
+    return together.try_axis(number, extents);
 }
 
 bool try_axes(const MovingBox& box, const UnitTriangle& triangle, Together& together) {
+    if constexpr (small_code) {
+        for (unsigned number = 0; number < 13; ++number)
+            if (!try_any_axis(box, triangle, number, together)) return false;
+        return true;
+    }
     const auto& c = triangle.corner;
     for (unsigned k = 0; k < 3; ++k) {
         const std::int64_t a = component(c[0], k), b = component(c[1], k), d = component(c[2], k);
-        if (!together.try_axis(k, component(box.low, k), component(box.high, k), smaller_of(a, smaller_of(b, d)),
-                               larger_of(a, larger_of(b, d)), component(box.displacement, k)))
-            return false;
+        const Extents<std::int64_t> extents = {component(box.low, k), component(box.high, k),
+                                               smaller_of(a, smaller_of(b, d)), larger_of(a, larger_of(b, d)),
+                                               component(box.displacement, k)};
+        if (!together.try_axis(k, extents)) return false;
     }
     if (!try_axis<Int128>(box, triangle, 3, together)) return false;
     for (unsigned number = 4; number < 13; ++number)

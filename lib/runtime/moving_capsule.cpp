@@ -38,7 +38,7 @@ public:
     bool next() {
         while (++number_ < 8) {
             face_ = face_of(capsule_, triangle_, number_);
-            if (is_flat_) return true;
+            if (is_flat_) return number_ == 0 || !is_sphere();
             const Int128 along = dot<Int128>(normal_of(face_), capsule_.sphere.displacement);
             if (!along.is_zero() && along.is_negative() != is_turned_) return true;
         }
@@ -48,6 +48,9 @@ public:
     [[nodiscard]] const UnitTriangle& face() const { return face_; }
 
 private:
+    /// Then all faces are parts of the first.
+    [[nodiscard]] bool is_sphere() const { return (capsule_.axis.x | capsule_.axis.y | capsule_.axis.z) == 0; }
+
     const MovingCapsule& capsule_;
     const UnitTriangle& triangle_;
     UnitTriangle face_{};

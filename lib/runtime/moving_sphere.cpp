@@ -72,7 +72,7 @@ public:
             large |= magnitude(side_[i].x) | magnitude(side_[i].y) | magnitude(side_[i].z);
         }
         normal_ = cross(side_[0], side_[1]);
-        is_narrow_ = large < std::uint64_t{1} << 20;
+        is_narrow_ = !small_code && large < std::uint64_t{1} << 20;
         if (!is_narrow_) return;
         for (unsigned i = 0; i < 3; ++i) inward_[i] = cross(normal_, side_[i]);
     }
@@ -162,12 +162,12 @@ private:
     // How far the centre is on the inner side of a side, times length and squared area: proportional to the weight of
     // the corner opposite. For long sides (s x p) . (a x b) = (s . a)(p . b) - (s . b)(p . a).
     [[nodiscard]] bool is_within_side(unsigned i) const {
-        if (is_narrow_) return Int128(0) < wide_dot(inward_[i], seen_[i]);
+        if (!small_code && is_narrow_) return Int128(0) < wide_dot(inward_[i], seen_[i]);
         return compare_products(wide_dot(side_[i], side_[0]), wide_dot(seen_[i], side_[1]),
                                 wide_dot(side_[i], side_[1]), wide_dot(seen_[i], side_[0])) > 0;
     }
     [[nodiscard]] float weight(unsigned i) const {
-        if (is_narrow_) return to_float(wide_dot(inward_[i], seen_[i])) * 0x1p-60f;
+        if (!small_code && is_narrow_) return to_float(wide_dot(inward_[i], seen_[i])) * 0x1p-60f;
         return product_difference(wide_dot(side_[i], side_[0]), wide_dot(seen_[i], side_[1]),
                                   wide_dot(side_[i], side_[1]), wide_dot(seen_[i], side_[0]))
             .to_float(-60);

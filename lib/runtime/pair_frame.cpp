@@ -10,7 +10,7 @@ struct Parts {
     std::int64_t mantissa;
     int exponent;
 };
-Parts parts_of(float x) {
+ESPALIER_SHARED_CODE Parts parts_of(float x) {
     const std::uint32_t bits = magnitude_bits(x);
     const int biased = static_cast<int>(bits >> 23);
     const std::int64_t fraction = bits & 0x007FFFFFu;
@@ -18,24 +18,20 @@ Parts parts_of(float x) {
     return {is_negative(x) ? -mantissa : mantissa, (biased == 0 ? 1 : biased) - 150};
 }
 
-int bit_length(std::uint64_t a) { return 64 - std::countl_zero(a); }
-int bit_length(Int128 a) {
+ESPALIER_SHARED_CODE int bit_length(std::uint64_t a) { return 64 - std::countl_zero(a); }
+int bit_length(Argument<Int128> a) {
     const Int128 m = a.is_negative() ? -a : a;
     return m.high != 0 ? 64 + bit_length(static_cast<std::uint64_t>(m.high)) : bit_length(m.low);
 }
 
 /// a * 2^shift, rounded to the nearest where that drops bits; the result must fit.
-std::int64_t shifted(std::int64_t a, int shift) {
+ESPALIER_SHARED_CODE std::int64_t shifted(std::int64_t a, int shift) {
     if (shift >= 0) return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) << shift);
     if (shift < -62) return 0;
     return ((a >> (-shift - 1)) + 1) >> 1;
 }
-Int128 shifted_down(Int128 a, int shift) {
-    if (shift > 63) return Int128(a.high >> (shift - 64));
-    if (shift == 0) return a;
-    return {a.high >> shift, static_cast<std::uint64_t>(a.high) << (64 - shift) | a.low >> shift};
-}
-Int128 shifted(Int128 a, int shift) {
+ESPALIER_SHARED_CODE Int128 shifted_down(Argument<Int128> a, int shift) { return a >> shift; }
+ESPALIER_SHARED_CODE Int128 shifted(Argument<Int128> a, int shift) {
     if (shift < -126) return Int128(0);
     if (shift < 0) return shifted_down(shifted_down(a, -shift - 1) + Int128(1), 1);
     return shift < 64 ? a << shift : (a << 63) << (shift - 63);
@@ -55,7 +51,7 @@ bool add_steps(Int128& sum, std::int64_t mantissa, int exponent) {
 }
 
 /// The rotation's entries with 30 bits of fraction, each within 2^-30.
-void rotation_entries(const Quaternion& rotation, std::int64_t entries[3][3]) {
+ESPALIER_SHARED_CODE void rotation_entries(const Quaternion& rotation, std::int64_t entries[3][3]) {
     const float components[4] = {rotation.x, rotation.y, rotation.z, rotation.w};
     int top = -1000;
     for (const float c : components) {
@@ -91,7 +87,7 @@ void rotation_entries(const Quaternion& rotation, std::int64_t entries[3][3]) {
 }
 
 /// What the culling tests need: each tree's view of the other. `scale` is b's step in steps of the grid.
-void derive_sides(PairFrame& frame, const std::int64_t rotation[3][3], float scale, float reach) {
+ESPALIER_SHARED_CODE void derive_sides(PairFrame& frame, const std::int64_t rotation[3][3], float scale, float reach) {
     PairSide& in_a = frame.sides[0];
     PairSide& in_b = frame.sides[1];
     float offset[3];
@@ -156,7 +152,7 @@ QueryStatus place_pair(const BlobData& a, const BlobData& b, const Placement& pl
     Int128 farthest(0);
     Int128 gap(0);
     Int128 span(0);
-    const auto raise = [](Int128& most, Int128 to) {
+    const auto raise = [](Int128& most, Argument<Int128> to) {
         if (most < to) most = to;
     };
     for (int i = 0; i < 3; ++i) {
@@ -209,7 +205,9 @@ QueryStatus place_pair(const BlobData& a, const BlobData& b, const Placement& pl
     }
     const float step = scale_by_power_of_two(static_cast<float>(scale.mantissa),
                                              scale.exponent + b.step_exponent - a.step_exponent - frame.shift);
-    const auto on_grid = [&](Int128 length) { return to_float(shifted(length, -frame.shift - wide_fraction)); };
+    const auto on_grid = [&](Argument<Int128> length) {
+        return to_float(shifted(length, -frame.shift - wide_fraction));
+    };
     const float reach = on_grid(farthest) + 1.0f;
     frame.gap = on_grid(gap);
     frame.span = on_grid(span);

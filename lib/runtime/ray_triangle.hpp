@@ -78,7 +78,7 @@ inline bool edges_are_below(const OriginRelative& t) {
 }
 
 /// Sign of numerator / denominator - bound, exactly; numerator >= 0, denominator > 0, 0 < bound < infinity.
-[[gnu::noinline]] inline int compare_quotient(Int128 numerator, Int128 denominator, float bound) {
+[[gnu::noinline]] inline int compare_quotient(Argument<Int128> numerator, Argument<Int128> denominator, float bound) {
     const int exponent = exponent_of(bound) - 23;
     const auto mantissa = static_cast<std::int64_t>((magnitude_bits(bound) & 0x007FFFFFu) | 0x00800000u);
     return compare_scaled(Unsigned256(numerator),
@@ -86,7 +86,7 @@ inline bool edges_are_below(const OriginRelative& t) {
 }
 
 /// Whether low <= numerator / denominator <= high, exactly, given the quotient as a float within 4 ulp.
-inline bool is_within(Int128 numerator, Int128 denominator, float quotient, float low, float high) {
+inline bool is_within(Argument<Int128> numerator, Argument<Int128> denominator, float quotient, float low, float high) {
     constexpr float slack = 1.0f + 0x1p-20f;
     if (quotient * slack < low || high * slack < quotient) return false;
     if (low > 0.0f && quotient < low * slack && compare_quotient(numerator, denominator, low) < 0) return false;

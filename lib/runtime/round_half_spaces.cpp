@@ -14,7 +14,7 @@ struct Parts {
     std::int64_t mantissa;
     int exponent;
 };
-Parts parts_of(float x) {
+ESPALIER_SHARED_CODE Parts parts_of(float x) {
     const std::uint32_t magnitude = magnitude_bits(flush_subnormal(x));
     if (magnitude == 0) return {0, 0};
     const std::int64_t mantissa = (magnitude & 0x007FFFFFu) | 0x00800000u;

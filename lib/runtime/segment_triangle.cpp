@@ -10,10 +10,10 @@ namespace {
 [[maybe_unused]] Int128 product_difference(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
     return multiply(a, b) - multiply(c, d);
 }
-[[maybe_unused]] float quotient(Int128 numerator, Int128 denominator) {
+[[maybe_unused]] float quotient(Argument<Int128> numerator, Argument<Int128> denominator) {
     return to_float(numerator) / to_float(denominator);
 }
-Unsigned256 magnitude_of(Int128 a) { return Unsigned256(negate_if(a, is_negative(a))); }
+ESPALIER_SHARED_CODE Unsigned256 magnitude_of(Argument<Int128> a) { return Unsigned256(negate_if(a, is_negative(a))); }
 
 struct WideDifference {
     Unsigned256 magnitude{Int128{}};
@@ -21,7 +21,7 @@ struct WideDifference {
 
     WideDifference(const Unsigned256& from, bool is_below)
         : magnitude(from), negative(is_below && from.bit_length() != 0) {}
-    explicit WideDifference(Int128 a) : WideDifference(magnitude_of(a), a.is_negative()) {}
+    explicit WideDifference(Argument<Int128> a) : WideDifference(magnitude_of(a), a.is_negative()) {}
 
     [[nodiscard]] bool is_zero() const { return magnitude.bit_length() == 0; }
     [[nodiscard]] bool is_negative() const { return negative; }
@@ -40,7 +40,7 @@ Unsigned256 magnitude_of(const WideDifference& a) { return a.magnitude; }
     return {less ? cd.minus(ab) : ab.minus(cd), less != negative};
 }
 template <class Dot>
-int sign_of_difference(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
+ESPALIER_SHARED_CODE int sign_of_difference(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
     const auto difference = product_difference(a, b, c, d);
     return difference.is_zero() ? 0 : difference.is_negative() ? -1 : 1;
 }
@@ -48,7 +48,7 @@ int sign_of_difference(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
 constexpr float least_squared = 0x1p-126f;
 
 /// Both scaled down alike: the largest numerator then fits, and 1 over the largest denominator stays normal.
-float quotient(const WideDifference& numerator, const WideDifference& denominator) {
+ESPALIER_SHARED_CODE float quotient(const WideDifference& numerator, const WideDifference& denominator) {
     return to_float(numerator.magnitude, -30) / to_float(denominator.magnitude, -30);
 }
 
@@ -158,7 +158,7 @@ private:
 
     /// Between a corner and the inside of the segment: |w|^2 - (w . d)^2 / |d|^2.
     template <class Dot, class Difference>
-    [[gnu::noinline]] void try_corner(const Corner<Dot>& corner, Dot length, int number) {
+    [[gnu::noinline]] void try_corner(const Corner<Dot>& corner, Argument<Dot> length, int number) {
         if (!(Dot(0) < corner.along && corner.along < length)) return;
         const Difference numerator =
             product_difference(dot<Dot>(corner.at, corner.at), length, corner.along, corner.along);
@@ -170,7 +170,7 @@ private:
     /// Between the inside of a side and that of the segment: (w . (d x e))^2 / |d x e|^2.
     template <class Dot, class Difference>
     [[gnu::noinline]] void try_side(const Corner<Dot>& from, const Corner<Dot>& to, const Integer3& e,
-                                    const Integer3& d, Dot length, int number) {
+                                    const Integer3& d, Argument<Dot> length, int number) {
         const Dot ee = dot<Dot>(e, e);
         const Dot de = dot<Dot>(d, e);
         const Dot we = dot<Dot>(from.at, e);

@@ -3,7 +3,7 @@
 
 #include <espalier/sweep.hpp>
 #include <runtime/lattice_round.hpp>
-#include <runtime/simd/lanes_scalar.hpp>
+#include <runtime/scalar_walk.hpp>
 #include <runtime/sweep_queries.hpp>
 
 namespace espalier {
@@ -12,7 +12,6 @@ namespace {
 
 namespace scalar_sweep {
 using namespace scalar;
-#include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
 #include <runtime/sweep_candidates.inl>
 }  // namespace scalar_sweep
@@ -31,6 +30,18 @@ struct FirstTouched {
     }
     template <class Leaf>
     Visit visit_leaf(const Leaf& leaf) {
+        if constexpr (small_code)
+            return scalar_walk::for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
+                if (scalar_sweep::may_touch(triangle, lanes_, limit_))
+                    decide(triangle, scalar::owner_index(leaf, slot));
+                return keep_going;
+            });
+        else return visit_candidates(leaf);
+    }
+
+private:
+    template <class Leaf>
+    Visit visit_candidates(const Leaf& leaf) {
         auto candidates = scalar_sweep::sweep_candidates(leaf, lanes_, limit_);
         for (; candidates != 0; candidates &= candidates - 1) {
             const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
@@ -38,8 +49,6 @@ struct FirstTouched {
         }
         return keep_going;
     }
-
-private:
     void decide(const LatticeTriangle& triangle, std::uint32_t index) {
         if (best.step == 0 && index >= best.index) return;
         const SweepStep step = contact_of(triangle, best.step < whole_way ? best.step : whole_way);
@@ -74,8 +83,7 @@ bool sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacement,
 FoundContact first_contact(const BlobData& blob, const LatticeSweep& sweep, FirstContactOf contact_of,
                            const TriangleFilter* filter) {
     FirstTouched visitor = {spread_sweep(blob, sweep), contact_of, filter};
-    scalar_sweep::with_leaves_of(blob,
-                                 [&]<class Leaf>() { scalar_sweep::traverse_nearest_first<Leaf>(blob, visitor); });
+    scalar_walk::with_leaves_of(blob, [&]<class Leaf>() { scalar_walk::traverse_nearest_first<Leaf>(blob, visitor); });
     return visitor.best;
 }
 
@@ -83,11 +91,24 @@ FoundContact first_contact(const BlobData& blob, const LatticeSweep& sweep, Firs
 
 using namespace detail;
 
+namespace {
+
+/// The same sweep by less code: a capsule whose axis has no length.
+bool sweep_sphere(const Blob& blob, const Sphere& sphere, const Vec3& displacement, SweepHit& hit,
+                  const TriangleFilter* filter) {
+    if constexpr (small_code)
+        return sweep_shape<CapsuleSweep>(blob, Capsule{sphere.center, sphere.center, sphere.radius}, displacement, hit,
+                                         filter);
+    else return sweep_shape<SphereSweep>(blob, sphere, displacement, hit, filter);
+}
+
+}  // namespace
+
 bool sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, SweepHit& hit) noexcept {
-    return sweep_shape<SphereSweep>(blob, sphere, displacement, hit, nullptr);
+    return sweep_sphere(blob, sphere, displacement, hit, nullptr);
 }
 bool sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, SweepHit& hit, TriangleFilter filter) {
-    return sweep_shape<SphereSweep>(blob, sphere, displacement, hit, &filter);
+    return sweep_sphere(blob, sphere, displacement, hit, &filter);
 }
 bool sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, SweepHit& hit) noexcept {
     return sweep_shape<CapsuleSweep>(blob, capsule, displacement, hit, nullptr);
@@ -103,8 +124,12 @@ bool sweep(const Blob& blob, const Box& box, Vec3 displacement, SweepHit& hit, T
 }
 
 QueryStatus check_sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement) noexcept {
-    SphereSweep rounded;
-    return round_sweep(blob.data(), sphere, displacement, rounded);
+    if constexpr (small_code) {
+        return check_sweep(blob, Capsule{sphere.center, sphere.center, sphere.radius}, displacement);
+    } else {
+        SphereSweep rounded;
+        return round_sweep(blob.data(), sphere, displacement, rounded);
+    }
 }
 QueryStatus check_sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement) noexcept {
     CapsuleSweep rounded;

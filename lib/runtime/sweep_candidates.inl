@@ -1,6 +1,18 @@
 // The triangles of a leaf that a moving shape may touch: those whose box meets the one around the shape in time, by the
 // slab test of a node's children. Included inside the namespace of an instruction set.
 
+/// Of one triangle alone.
+inline bool may_touch(const LatticeTriangle& triangle, const RayLanes& sweep, float limit) {
+    float enter = sweep.tau_min, leave = limit;
+    for (int k = 0; k < 3; ++k) {
+        const auto time = [&](int corner) { return static_cast<float>(triangle.corner[corner][k]) * sweep.inverse[k]; };
+        const float a = time(0), b = time(1), c = time(2);
+        enter = maximum(minimum(a, minimum(b, c)) + sweep.near_offset[k], enter);
+        leave = minimum(maximum(a, maximum(b, c)) + sweep.far_offset[k], leave);
+    }
+    return enter <= leave;
+}
+
 template <unsigned groups, class Leaf>
 inline typename Leaf::Slots sweep_candidates_of(const Leaf& leaf, const RayLanes& sweep, float limit) {
     Table<groups> times[3];  // when a plane through the vertex is met, but for the offsets

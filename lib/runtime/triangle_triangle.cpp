@@ -6,7 +6,7 @@ namespace espalier::detail {
 namespace {
 
 int sign(std::int64_t a) { return a < 0 ? -1 : a > 0 ? 1 : 0; }
-int sign(Int128 a) { return a.is_negative() ? -1 : a.is_zero() ? 0 : 1; }
+ESPALIER_SHARED_CODE int sign(Argument<Int128> a) { return a.is_negative() ? -1 : a.is_zero() ? 0 : 1; }
 
 /// For coordinates that differ by at most 2^20: 6 products of three such stay below 2^62.6.
 struct Narrow {

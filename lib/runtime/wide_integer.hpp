@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include <runtime/float_bits.hpp>
 #include <runtime/small_code.hpp>
@@ -67,6 +68,11 @@ struct Int128 {
         return {a.high >> shift, static_cast<std::uint64_t>(a.high) << (64 - shift) | a.low >> shift};
     }
 };
+
+/// How functions that are not copied into their callers take numbers: in registers, or by their place where those are
+/// few.
+template <class Number>
+using Argument = std::conditional_t<small_code && (sizeof(Number) > 8), const Number&, Number>;
 
 /// The full product of two words.
 ESPALIER_SHARED_CODE constexpr void multiply_words(std::uint64_t a, std::uint64_t b, std::uint64_t& high,

@@ -8,21 +8,21 @@ namespace espalier::detail {
 /// What is added up must stay below 2^256 in each sign. Out of line: rare where it matters.
 class WideSum {
 public:
-    [[gnu::noinline]] void add_product(Int128 a, Int128 b) {
+    [[gnu::noinline]] void add_product(Argument<Int128> a, Argument<Int128> b) {
         const Unsigned256 product = Unsigned256::product(Unsigned256(negate_if(a, a.is_negative())),
                                                          Unsigned256(negate_if(b, b.is_negative())));
         Unsigned256& sum = of_sign_[a.is_negative() != b.is_negative() ? 1 : 0];
         sum = sum.plus(product);
     }
     /// -1, 0 or 1.
-    [[nodiscard]] int sign() const { return compare_scaled(of_sign_[0], of_sign_[1], 0); }
+    [[nodiscard]] ESPALIER_SHARED_CODE int sign() const { return compare_scaled(of_sign_[0], of_sign_[1], 0); }
     /// The nearest float to the sum * 2^exponent, which must be zero or normal.
     [[nodiscard]] [[gnu::noinline]] float to_float(int exponent) const {
         return sign() < 0 ? -detail::to_float(of_sign_[1].minus(of_sign_[0]), exponent)
                           : detail::to_float(of_sign_[0].minus(of_sign_[1]), exponent);
     }
     /// Of the magnitude.
-    [[nodiscard]] Unsigned256 magnitude() const {
+    [[nodiscard]] ESPALIER_SHARED_CODE Unsigned256 magnitude() const {
         return sign() < 0 ? of_sign_[1].minus(of_sign_[0]) : of_sign_[0].minus(of_sign_[1]);
     }
 
