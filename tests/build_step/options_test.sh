@@ -27,6 +27,13 @@ sed -n '/ESPALIER_BAKE_\(FLAGS\|VALUES\)/,/)/p' "$espalier_sources/lib/cmake/esp
 [ "$(wc -l <of_bake)" -gt 15 ] || fail "the help has only $(wc -l <of_bake) options"
 diff of_bake of_function >differences || fail "$(cat differences)"
 
+claim "the table in docs/embedding.md has every option and no other"
+# shellcheck disable=SC2016  # backticks of the page
+sed -n '/^## A blob as a build step/,/^## Firmware/p' "$espalier_sources/docs/embedding.md" | grep '^| `[A-Z]' | cut -d'|' -f2 |
+    grep -oE '`[A-Z_]+`' | tr -d '`' | sort >of_page
+printf '%s\n' MESH FORMAT SYMBOL SECTION ALIGNMENT OUTPUT DEPENDS | sort - of_bake >of_all
+diff of_page of_all >differences || fail "$(cat differences)"
+
 claim "an option that there is not is refused with the choices, wherever it stands"
 refused "'TOLERENCE' is no option; the options are MESH, DEPENDS, TOLERANCE, BITS" level MESH level.obj TOLERENCE 0.5mm
 refused "'0.5mm' is no option" level MESH level.obj BITS 12 0.5mm
