@@ -7,6 +7,7 @@
 #include <espalier/collide.hpp>
 #include <espalier/contact.hpp>
 #include <espalier/inside.hpp>
+#include <espalier/lattice.hpp>
 #include <espalier/nearest.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>

@@ -4,30 +4,56 @@
 
 namespace espalier::detail {
 
+namespace {
+
+constexpr int fine = LatticeBox::fraction_bits - 1;
+
+/// From and to, in units of 2^-fine steps.
+void set_sides(LatticeBox& box, int k, std::int64_t low, std::int64_t high) {
+    box.center[k] = low + high;
+    box.half[k] = high - low;
+    box.bounds.low[k] = static_cast<std::int32_t>(-(-low >> fine));
+    box.bounds.high[k] = static_cast<std::int32_t>(high >> fine);
+}
+
+void complete(LatticeBox& box) {
+    box.is_empty = false;
+    box.depth_inside = 0;
+    box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
+        return meets(static_cast<const LatticeBox&>(volume), triangle);
+    };
+}
+
+}  // namespace
+
 QueryStatus round_volume(const BlobData& blob, const Box& world, LatticeBox& box) noexcept {
     if (is_nan(world.min) || is_nan(world.max)) return QueryStatus::invalid_argument;
     if (is_empty(world)) return QueryStatus::ok;
     const float min[3] = {world.min.x, world.min.y, world.min.z};
     const float max[3] = {world.max.x, world.max.y, world.max.z};
-    constexpr int fine = LatticeBox::fraction_bits - 1;
     for (int k = 0; k < 3; ++k) {
         // No triangle is beyond the asset's box: a step outside of it is as good as infinitely far.
         const float last = blob.extent_steps[k] + 1.0f;
         const float low_steps = to_steps(blob, k, min[k]);
         const float high_steps = to_steps(blob, k, max[k]);
         if (low_steps > last || high_steps < -1.0f) return QueryStatus::ok;
-        const std::int64_t low = to_grid(low_steps < -1.0f ? -1.0f : low_steps, fine);
-        const std::int64_t high = to_grid(high_steps > last ? last : high_steps, fine);
-        box.center[k] = low + high;
-        box.half[k] = high - low;
-        box.bounds.low[k] = static_cast<std::int32_t>(-(-low >> fine));
-        box.bounds.high[k] = static_cast<std::int32_t>(high >> fine);
+        set_sides(box, k, to_grid(low_steps < -1.0f ? -1.0f : low_steps, fine),
+                  to_grid(high_steps > last ? last : high_steps, fine));
     }
-    box.is_empty = false;
-    box.depth_inside = 0;
-    box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
-        return meets(static_cast<const LatticeBox&>(volume), triangle);
-    };
+    complete(box);
+    return QueryStatus::ok;
+}
+
+QueryStatus round_volume(const BlobData& blob, const BoxInSteps& steps, LatticeBox& box) noexcept {
+    const std::int32_t min[3] = {steps.min.x, steps.min.y, steps.min.z};
+    const std::int32_t max[3] = {steps.max.x, steps.max.y, steps.max.z};
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t last = blob.extent[k] + 1;  // as above
+        if (min[k] > max[k] || min[k] > last || max[k] < -1) return QueryStatus::ok;
+        set_sides(box, k, std::int64_t{min[k] < -1 ? -1 : min[k]} * (1 << fine),
+                  std::int64_t{max[k] > last ? last : max[k]} * (1 << fine));
+    }
+    complete(box);
     return QueryStatus::ok;
 }
 

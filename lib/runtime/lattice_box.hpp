@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include <espalier/lattice.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <runtime/volume.hpp>
@@ -19,6 +20,8 @@ struct LatticeBox : Volume {
 };
 
 QueryStatus round_volume(const BlobData& blob, const Box& world, LatticeBox& box) noexcept;
+/// Nothing to round.
+QueryStatus round_volume(const BlobData& blob, const BoxInSteps& steps, LatticeBox& box) noexcept;
 
 /// Whether the triangle and the box, which is not empty, share a point, exactly.
 [[nodiscard]] bool meets(const LatticeBox& box, const LatticeTriangle& triangle) noexcept;

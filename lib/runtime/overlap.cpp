@@ -1,5 +1,6 @@
 // Volumes in the caller's units: rounded, answered in lattice units. Spheres have lanes of their own for what is asked
 // most; all else goes the same way for every shape.
+#include <espalier/lattice.hpp>
 #include <espalier/overlap.hpp>
 #include <runtime/lattice_box.hpp>
 #include <runtime/lattice_capsule.hpp>
@@ -73,6 +74,7 @@ bool overlaps(const Blob& blob, const Sphere& sphere) noexcept {
 }
 bool overlaps(const Blob& blob, const Capsule& capsule) noexcept { return any_in<LatticeCapsule>(blob, capsule); }
 bool overlaps(const Blob& blob, const Box& box) noexcept { return any_in<LatticeBox>(blob, box); }
+bool overlaps(const Blob& blob, const BoxInSteps& box) noexcept { return any_in<LatticeBox>(blob, box); }
 bool overlaps(const Blob& blob, const OrientedBox& box) noexcept { return any_in<LatticeOrientedBox>(blob, box); }
 bool overlaps(const Blob& blob, const Corners& triangle) noexcept { return any_in<LatticeCorners>(blob, triangle); }
 bool overlaps(const Blob& blob, HalfSpaces planes) noexcept { return any_in<LatticeHalfSpaces>(blob, planes); }
@@ -87,6 +89,9 @@ bool for_each_overlap(const Blob& blob, const Capsule& capsule, FunctionRef<Visi
     return each_in<LatticeCapsule>(blob, capsule, visit);
 }
 bool for_each_overlap(const Blob& blob, const Box& box, FunctionRef<Visit(Triangle)> visit) {
+    return each_in<LatticeBox>(blob, box, visit);
+}
+bool for_each_overlap(const Blob& blob, const BoxInSteps& box, FunctionRef<Visit(Triangle)> visit) {
     return each_in<LatticeBox>(blob, box, visit);
 }
 bool for_each_overlap(const Blob& blob, const OrientedBox& box, FunctionRef<Visit(Triangle)> visit) {
@@ -114,6 +119,10 @@ OverlapPage collect_overlaps(const Blob& blob, const Capsule& capsule, std::span
     return page_in<LatticeCapsule>(blob, capsule, out, first);
 }
 OverlapPage collect_overlaps(const Blob& blob, const Box& box, std::span<Triangle> out, std::uint32_t first) noexcept {
+    return page_in<LatticeBox>(blob, box, out, first);
+}
+OverlapPage collect_overlaps(const Blob& blob, const BoxInSteps& box, std::span<Triangle> out,
+                             std::uint32_t first) noexcept {
     return page_in<LatticeBox>(blob, box, out, first);
 }
 OverlapPage collect_overlaps(const Blob& blob, const OrientedBox& box, std::span<Triangle> out,

@@ -91,6 +91,19 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeCapsule& 
     return found;
 }
 
+HitInSteps TriangleLoop::first_hit(const detail::WholeSegment& segment) const {
+    HitInSteps hit;
+    detail::Crossing first;
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        detail::Crossing crossing;
+        if (!detail::crosses(segment, triangles_[i], crossing)) continue;
+        if (hit.triangle != no_triangle && !detail::is_before(crossing, first)) continue;
+        first = crossing;
+        hit = {detail::fixed_point(crossing), crossing.front ? Faces::front : Faces::back, Triangle{indices_[i]}};
+    }
+    return hit;
+}
+
 TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeBox& box) const {
     Range range = {place(box.center, box.fraction_bits), place(box.center, box.fraction_bits)};
     const Place half = place(box.half, box.fraction_bits);

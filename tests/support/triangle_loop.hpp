@@ -16,6 +16,7 @@
 #include <runtime/lattice_half_spaces.hpp>
 #include <runtime/lattice_oriented_box.hpp>
 #include <runtime/sweep_queries.hpp>
+#include <runtime/whole_segment.hpp>
 #include <runtime/winding.hpp>
 
 #include "decoder.hpp"
@@ -29,6 +30,9 @@ public:
 
     /// In storage order.
     [[nodiscard]] std::vector<detail::FoundHit> every_hit(const detail::LatticeRay& ray) const;
+
+    /// Of no triangle where there is none.
+    [[nodiscard]] HitInSteps first_hit(const detail::WholeSegment& segment) const;
 
     using Indices = std::vector<std::uint32_t>;
     [[nodiscard]] Indices every_overlap(const detail::LatticePoint& point) const;

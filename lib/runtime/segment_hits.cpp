@@ -1,0 +1,88 @@
+// Segments in lattice steps: the nearest-first walk that rays take, with distances in steps for keys.
+#include <bit>
+
+#include <espalier/lattice.hpp>
+#include <runtime/scalar_walk.hpp>
+#include <runtime/whole_segment.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+template <class Leaf>
+struct SegmentHits {
+    const BlobData& blob;
+    WholeSegment& segment;
+    bool any_will_do;
+    HitInSteps& hit;  ///< of no triangle before there is one
+    Crossing first{};
+
+    [[nodiscard]] float limit() const { return key_of(segment.steps_left); }
+
+    unsigned children(const Node& node, float* keys) const {
+        unsigned mask = children_within(node, blob.bits, segment.bounds);
+        if (mask != 0) mask = children_on_line(segment, node, blob.bits, mask);
+        const int axis = segment.longest;
+        for (unsigned left = mask; left != 0; left &= left - 1) {
+            const auto child = static_cast<unsigned>(std::countr_zero(left));
+            const std::int32_t steps = segment.direction[axis] < 0
+                                           ? segment.origin[axis] - node.high(axis, child, blob.bits)
+                                           : node.low(axis, child, blob.bits) - segment.origin[axis];
+            keys[child] = key_of(steps > 0 ? static_cast<std::uint32_t>(steps) : 0);
+        }
+        return mask;
+    }
+
+    Visit visit_leaf(const Leaf& leaf) {
+        return scalar_walk::for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
+            Crossing crossing;
+            if (is_beside(segment.bounds, triangle.corner) || !crosses(segment, triangle, crossing)) return keep_going;
+            offer(Triangle{scalar::owner_index(leaf, slot)}, crossing);
+            return any_will_do ? stop : keep_going;
+        });
+    }
+
+private:
+    /// Within the bounds nothing is farther than the whole length.
+    [[nodiscard]] float key_of(std::uint32_t steps) const { return std::bit_cast<float>(steps << segment.key_shift); }
+
+    void offer(Triangle triangle, const Crossing& crossing) {
+        if (hit.triangle != no_triangle && !is_before(crossing, first) &&
+            (is_before(first, crossing) || !(triangle < hit.triangle)))
+            return;
+        first = crossing;
+        hit = {fixed_point(crossing), crossing.front ? Faces::front : Faces::back, triangle};
+        segment.end_at(hit.t);
+    }
+};
+
+QueryStatus find_hit(const Blob& blob, const SegmentInSteps& from_caller, bool any_will_do, HitInSteps& hit) {
+    for (const Steps& end : {from_caller.from, from_caller.to})
+        for (const std::int32_t coordinate : {end.x, end.y, end.z})
+            if (coordinate < -max_segment_steps || coordinate > max_segment_steps) return QueryStatus::out_of_range;
+    hit = {};
+    WholeSegment segment;
+    if (blob.triangle_count() == 0 || !segment.set(blob.data(), from_caller)) return QueryStatus::ok;
+    scalar_walk::with_leaves_of(blob.data(), [&]<class Leaf>() {
+        SegmentHits<Leaf> visitor = {blob.data(), segment, any_will_do, hit};
+        scalar_walk::traverse_nearest_first<Leaf>(blob.data(), visitor);
+    });
+    return QueryStatus::ok;
+}
+
+}  // namespace
+
+QueryStatus first_hit(const Blob& blob, const SegmentInSteps& segment, HitInSteps& hit) noexcept {
+    return find_hit(blob, segment, false, hit);
+}
+
+QueryStatus any_hit(const Blob& blob, const SegmentInSteps& segment, bool& hit) noexcept {
+    HitInSteps any;
+    const QueryStatus status = find_hit(blob, segment, true, any);
+    if (status == QueryStatus::ok) hit = any.triangle != no_triangle;
+    return status;
+}
+
+}  // namespace espalier

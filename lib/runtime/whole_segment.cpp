@@ -1,0 +1,143 @@
+// Widths and what the walk may leave out: docs/numerics.md.
+#include <runtime/whole_segment.hpp>
+
+#include <bit>
+
+namespace espalier::detail {
+
+namespace {
+
+std::uint32_t magnitude(std::int32_t a) { return static_cast<std::uint32_t>(a < 0 ? -a : a); }
+
+int width_of(std::uint32_t a) { return 32 - std::countl_zero(a); }
+
+/// a * 2^shift for either sign of the shift, rounded down.
+std::int32_t shifted(std::int32_t a, int shift) {
+    return shift < 0 ? a >> -shift : static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << shift);
+}
+
+/// Products of the narrow case fit int64, of any other one 128 bits.
+template <class Number>
+bool crosses_in(const WholeSegment& segment, const OriginRelative& t, Crossing& crossing) {
+    const Integer3 direction = {segment.direction[0], segment.direction[1], segment.direction[2]};
+    const Integer3 normal = cross(t.ab, t.ac);
+    Number volume = dot<Number>(direction, normal);
+    if (is_zero(volume)) return false;
+    crossing.front = is_negative(volume);
+    volume = negate_if(volume, crossing.front);
+    const Number numerator = negate_if(dot<Number>(normal, t.a), crossing.front);
+    if (is_negative(numerator) || volume < numerator) return false;
+    const Number b = negate_if(dot<Number>(direction, cross(t.ac, t.a)), crossing.front);
+    if (is_negative(b)) return false;
+    const Number c = negate_if(dot<Number>(direction, cross(t.a, t.ab)), crossing.front);
+    if (is_negative(c) || volume < b + c) return false;
+    crossing.numerator = numerator;
+    crossing.denominator = volume;
+    return true;
+}
+[[gnu::noinline]] bool crosses_widely(const WholeSegment& segment, const OriginRelative& t, Crossing& crossing) {
+    return crosses_in<Int128>(segment, t, crossing);
+}
+
+}  // namespace
+
+bool WholeSegment::set(const BlobData& blob, const SegmentInSteps& from_caller) {
+    const Steps& from = from_caller.from;
+    const Steps& to = from_caller.to;
+    const std::int32_t start[3] = {from.x, from.y, from.z};
+    const std::int32_t end[3] = {to.x, to.y, to.z};
+    std::uint32_t any = 0;
+    longest = 0;
+    for (int k = 0; k < 3; ++k) {
+        origin[k] = start[k];
+        direction[k] = end[k] - start[k];
+        if (magnitude(direction[k]) > magnitude(direction[longest])) longest = k;
+        any |= magnitude(direction[k]) | magnitude(origin[k]) | magnitude(blob.extent[k] - origin[k]);
+        const bool is_down = direction[k] < 0;
+        bounds.low[k] = clamp_to_bounds(is_down ? end[k] : start[k]);
+        bounds.high[k] = clamp_to_bounds(is_down ? start[k] : end[k]);
+    }
+    is_narrow = any <= 1u << 24;
+    steps_left = magnitude(direction[longest]);
+    key_shift = width_of(steps_left) < 30 ? 30 - width_of(steps_left) : 0;
+    return steps_left != 0;
+}
+
+void WholeSegment::end_at(std::uint32_t t) {
+    if (t == 1u << 31) return;
+    for (int k = 0; k < 3; ++k) {
+        const bool is_down = direction[k] < 0;
+        const std::uint64_t way = std::uint64_t{magnitude(direction[k])} * (t + 1);
+        const auto steps = static_cast<std::int32_t>((way + (1u << 31) - 1) >> 31);
+        if (is_down) bounds.low[k] = clamp_to_bounds(origin[k] - steps);
+        else bounds.high[k] = clamp_to_bounds(origin[k] + steps);
+        if (k == longest) steps_left = static_cast<std::uint32_t>(steps);
+    }
+}
+
+unsigned children_on_line(const WholeSegment& segment, const Node& node, unsigned bits, unsigned mask) {
+    // Seen along each axis but the longest the line is one in a plane, and a box is a rectangle: on both sides of the
+    // line, or on it, where the line passes it. Sides are told in the node's own planes and by 21 bits of the slopes.
+    constexpr int kept_bits = 21;
+    constexpr std::int32_t far_beside = 1 << 30, slack = 256;
+    const int m = segment.longest;
+    const bool is_down = segment.direction[m] < 0;
+    const std::uint32_t length = magnitude(segment.direction[m]);
+    for (int side = 1; side <= 2; ++side) {
+        const int k = m + side >= 3 ? m + side - 3 : m + side;
+        const std::int32_t slope = is_down ? -segment.direction[k] : segment.direction[k];
+        const int shift = static_cast<int>(node.shift(k)), shift_m = static_cast<int>(node.shift(m));
+        const int width = width_of(length) + shift, width_m = width_of(magnitude(slope)) + shift_m;
+        const int dropped = (width > width_m ? width : width_m) - kept_bits;
+        const int drop = dropped > 0 ? dropped : 0;
+        const std::int32_t across = shifted(static_cast<std::int32_t>(length), shift - drop);
+        const std::int32_t along = shifted(slope, shift_m - drop);
+        const std::int64_t base = (std::int64_t{length} * (node.base(k, bits) - segment.origin[k]) -
+                                   std::int64_t{slope} * (node.base(m, bits) - segment.origin[m])) >>
+                                  drop;
+        if (base > far_beside || base < -far_beside) return 0;
+        const auto at_base = static_cast<std::int32_t>(base);
+        const std::byte* const rising = slope < 0 ? node.high_planes(m) : node.low_planes(m);
+        const std::byte* const falling = slope < 0 ? node.low_planes(m) : node.high_planes(m);
+        for (unsigned left = mask; left != 0; left &= left - 1) {
+            const auto child = static_cast<unsigned>(std::countr_zero(left));
+            const auto place = [&](const std::byte* plane, const std::byte* plane_m) {
+                return at_base + across * static_cast<std::int32_t>(load_u8(plane + child)) -
+                       along * static_cast<std::int32_t>(load_u8(plane_m + child));
+            };
+            if (place(node.high_planes(k), rising) < -slack || place(node.low_planes(k), falling) > slack)
+                mask &= ~(1u << child);
+        }
+    }
+    return mask;
+}
+
+bool crosses(const WholeSegment& segment, const LatticeTriangle& triangle, Crossing& crossing) {
+    const OriginRelative t = relative_to(segment, triangle);
+    if (segment.is_narrow && ray_triangle::edges_are_below<ray_triangle::narrow_bits>(t))
+        return crosses_in<std::int64_t>(segment, t, crossing);
+    return crosses_widely(segment, t, crossing);
+}
+
+std::uint32_t fixed_point(const Crossing& crossing) {
+    Int128 rest = crossing.numerator;
+    std::uint32_t quotient = rest < crossing.denominator ? 0 : 1;
+    if (quotient != 0) rest = rest - crossing.denominator;
+    for (int bit = 0; bit < 31; ++bit) {
+        rest = rest + rest;
+        quotient <<= 1;
+        if (rest < crossing.denominator) continue;
+        rest = rest - crossing.denominator;
+        quotient |= 1;
+    }
+    return quotient;
+}
+
+bool is_before(const Crossing& a, const Crossing& b) {
+    const auto product = [](const Int128& x, const Int128& y) {
+        return Unsigned256::product(Unsigned256(x), Unsigned256(y));
+    };
+    return compare_scaled(product(a.numerator, b.denominator), product(b.numerator, a.denominator), 0) < 0;
+}
+
+}  // namespace espalier::detail

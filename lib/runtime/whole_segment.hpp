@@ -1,0 +1,49 @@
+// A segment between lattice points, as the walk sees it and as the kernel does: in integers, on every machine.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <espalier/lattice.hpp>
+#include <runtime/box_nodes.hpp>
+#include <runtime/ray_triangle.hpp>
+
+namespace espalier::detail {
+
+/// Where a segment crosses a triangle: at numerator / denominator of its length, 0 <= numerator <= denominator.
+struct Crossing {
+    Int128 numerator;
+    Int128 denominator;
+    bool front;
+};
+
+struct WholeSegment {
+    static constexpr int fraction_bits = 0;
+
+    std::int32_t origin[3];     ///< within 2^29
+    std::int32_t direction[3];  ///< to the end: within 2^30
+    int longest;                ///< axis
+    bool is_narrow;             ///< its length, and what it sees of any vertex, are at most 2^24 along every axis
+    int key_shift;              ///< no key has more than 30 bits
+    // Of what is left of it in front of the first hit so far.
+    IntegerBounds bounds;
+    std::uint32_t steps_left;  ///< along the longest axis
+
+    /// False where it has no length.
+    bool set(const BlobData& blob, const SegmentInSteps& from_caller);
+    /// Ends it at t / 2^31, or a little behind.
+    void end_at(std::uint32_t t);
+};
+
+/// The children, of those in the mask, whose box the segment's line may pass. None that it does pass is left out.
+[[nodiscard]] unsigned children_on_line(const WholeSegment& segment, const Node& node, unsigned bits, unsigned mask);
+
+/// Whether the segment hits the triangle, exactly.
+[[nodiscard]] bool crosses(const WholeSegment& segment, const LatticeTriangle& triangle, Crossing& crossing);
+
+/// numerator / denominator * 2^31, rounded down.
+[[nodiscard]] std::uint32_t fixed_point(const Crossing& crossing);
+/// Whether a is at less of the length than b, exactly.
+[[nodiscard]] bool is_before(const Crossing& a, const Crossing& b);
+
+}  // namespace espalier::detail

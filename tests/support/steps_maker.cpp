@@ -1,0 +1,128 @@
+#include "steps_maker.hpp"
+
+#include <algorithm>
+
+namespace espalier::tests {
+
+namespace {
+
+Steps steps(const GridPoint& p) { return {p[0], p[1], p[2]}; }
+
+std::string text(const Steps& p) { return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z); }
+
+/// From one point through another, until an axis ends.
+GridPoint beyond(const GridPoint& from, const GridPoint& through) {
+    std::int64_t times = 1 << 30;
+    for (unsigned k = 0; k < 3; ++k) {
+        const std::int64_t way = std::int64_t{through[k]} - from[k];
+        const std::int64_t room = way > 0 ? std::int64_t{max_segment_steps} - from[k] : max_segment_steps + from[k];
+        if (way != 0) times = std::min(times, room / (way < 0 ? -way : way));
+    }
+    GridPoint result;
+    for (unsigned k = 0; k < 3; ++k)
+        result[k] = static_cast<std::int32_t>(from[k] + times * (std::int64_t{through[k]} - from[k]));
+    return result;
+}
+
+}  // namespace
+
+std::int32_t StepsMaker::extent(std::size_t axis) const { return static_cast<std::int32_t>(decoded_.extent[axis]); }
+
+GridPoint StepsMaker::anywhere() {
+    GridPoint point;
+    for (unsigned k = 0; k < 3; ++k) point[k] = random_.between(-extent(k) / 2 - 1, extent(k) + extent(k) / 2 + 1);
+    return point;
+}
+
+GridPoint StepsMaker::vertex() {
+    const auto& all = decoded_.triangles;
+    const GridTriangle& triangle = all[random_.below(static_cast<std::uint32_t>(all.size()))];
+    const std::uint32_t corner = random_.below(3);
+    return corner == 0 ? triangle.a : corner == 1 ? triangle.b : triangle.c;
+}
+
+GridPoint StepsMaker::side_middle() {
+    const auto& all = decoded_.triangles;
+    const GridTriangle& triangle = all[random_.below(static_cast<std::uint32_t>(all.size()))];
+    GridPoint middle;
+    for (unsigned k = 0; k < 3; ++k) middle[k] = (triangle.a[k] + triangle.b[k]) / 2;
+    return middle;
+}
+
+BoxInSteps StepsMaker::box(bool awkward) {
+    GridPoint low = awkward ? vertex() : anywhere();
+    GridPoint high = low;
+    const std::int32_t part = 1 << random_.below(10);
+    for (unsigned k = 0; k < 3; ++k) high[k] += random_.between(0, extent(k) / part + 1);
+    if (!awkward) return {steps(low), steps(high)};
+    const std::uint32_t axis = random_.below(3);
+    switch (random_.below(6)) {
+        case 0:  // a corner of it touches, from the other side
+            for (unsigned k = 0; k < 3; ++k) low[k] -= high[k] - low[k], high[k] = vertex()[k];
+            break;
+        case 1:  // a step beside
+            ++low[axis], ++high[axis];
+            break;
+        case 2:  // a point
+            high = low;
+            break;
+        case 3:  // flat
+            high[axis] = low[axis];
+            break;
+        case 4:  // all there is, or empty
+            low[axis] = INT32_MIN, high[axis] = random_.coin() ? INT32_MAX : INT32_MIN;
+            break;
+        default:
+            break;
+    }
+    return {steps(low), steps(high)};
+}
+
+SegmentInSteps StepsMaker::segment(bool awkward) {
+    GridPoint from = anywhere(), to = anywhere();
+    if (!awkward) return {steps(from), steps(to)};
+    const std::uint32_t axis = random_.below(3);
+    switch (random_.below(8)) {
+        case 0:  // ends at a corner
+            to = vertex();
+            break;
+        case 1:  // through a corner and on
+            to = beyond(from, vertex());
+            break;
+        case 2:  // from corner to corner
+            from = vertex(), to = vertex();
+            break;
+        case 3:  // along an axis, through a corner
+            from = vertex(), to = from;
+            from[axis] = random_.between(-extent(axis) - 1, 2 * extent(axis) + 1);
+            to[axis] = random_.between(-extent(axis) - 1, 2 * extent(axis) + 1);
+            break;
+        case 4:  // through a side's middle
+            to = beyond(from, side_middle());
+            break;
+        case 5:  // from as far as may be
+            for (std::int32_t& c : from) c = random_.between(-max_segment_steps, max_segment_steps);
+            to = random_.coin() ? vertex() : beyond(from, vertex());
+            break;
+        case 6:  // short
+            from = vertex(), to = from;
+            for (std::int32_t& c : from) c += random_.between(-3, 3);
+            for (std::int32_t& c : to) c += random_.between(-3, 3);
+            break;
+        default:  // diagonal
+            from = vertex(), to = from;
+            for (unsigned k = 0; k < 3; ++k) {
+                const std::int32_t way = random_.coin() ? extent(axis) : -extent(axis);
+                from[k] -= way, to[k] += way;
+            }
+            break;
+    }
+    return {steps(from), steps(to)};
+}
+
+std::string describe(const BoxInSteps& box) { return "box " + text(box.min) + " to " + text(box.max); }
+std::string describe(const SegmentInSteps& segment) {
+    return "segment " + text(segment.from) + " to " + text(segment.to);
+}
+
+}  // namespace espalier::tests
