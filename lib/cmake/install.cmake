@@ -52,9 +52,6 @@ endif()
 
 if(TARGET espalier_command)
   install_part(tools espalier_command)
-  if(EXISTS ${PROJECT_SOURCE_DIR}/lib/cmake/espalier_add_blob.cmake)
-    install(FILES ${PROJECT_SOURCE_DIR}/lib/cmake/espalier_add_blob.cmake DESTINATION ${package_folder} COMPONENT tools)
-  endif()
 endif()
 
 if(PROJECT_IS_TOP_LEVEL AND TARGET espalier_baker AND TARGET espalier_command)
