@@ -158,7 +158,7 @@ constexpr std::string_view header_form = R"(/* Made by espalier embed. */
 
 #ifdef __cplusplus
 #include <cstddef>
-#if __cplusplus >= 202002L
+#if __cplusplus > 201703L
 #include <span>
 #endif
 extern "C" {
@@ -174,7 +174,7 @@ enum { @symbol@_size = @size@ };
 #else
 }
 constexpr std::size_t @symbol@_size = @size@;
-#if __cplusplus >= 202002L
+#if __cplusplus > 201703L
 inline std::span<const std::byte> @symbol@_bytes() noexcept { return std::as_bytes(std::span(@symbol@)); }
 #endif
 #endif

@@ -31,9 +31,9 @@ function(espalier_add_blob target)
   cmake_parse_arguments(PARSE_ARGV 1 blob "${bake_flags}" "${bake_values};${embed_values};FORMAT;OUTPUT" "${lists}")
   set(choices ${lists} ${bake_values} ${bake_flags} FORMAT ${embed_values} OUTPUT)
   list(JOIN choices ", " choices)
-  foreach(word IN LISTS blob_UNPARSED_ARGUMENTS blob_MESH)
+  foreach(word IN LISTS blob_UNPARSED_ARGUMENTS blob_MESH blob_DEPENDS)
     # what is misspelt after MESH would be one more mesh
-    if(word IN_LIST blob_UNPARSED_ARGUMENTS OR word MATCHES "^[A-Z][A-Z_]+$")
+    if(word IN_LIST blob_UNPARSED_ARGUMENTS OR (word MATCHES "^[A-Z][A-Z_]+$" AND NOT TARGET ${word}))
       message(FATAL_ERROR "espalier_add_blob(${target}): '${word}' is no option; the options are ${choices}")
     endif()
   endforeach()
@@ -96,8 +96,8 @@ function(espalier_add_blob target)
   endif()
 
   add_custom_command(OUTPUT ${blob}
-    COMMAND ${command} bake ${meshes} -o ${blob} --depfile ${blob}.d --quiet ${bake_options}
-    DEPENDS ${meshes} ${blob_DEPENDS} ${made_by} DEPFILE ${blob}.d
+    COMMAND ${command} bake ${meshes} -o ${blob} --depfile ${folder}/${target}.d --quiet ${bake_options}
+    DEPENDS ${meshes} ${blob_DEPENDS} ${made_by} DEPFILE ${folder}/${target}.d
     COMMENT "Baking ${target}" VERBATIM)
   # The header keeps its time while it stays the same, so it is a byproduct: who includes it is compiled again only then.
   add_custom_command(OUTPUT ${source} BYPRODUCTS ${header}

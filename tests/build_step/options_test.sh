@@ -37,6 +37,7 @@ diff of_page of_all >differences || fail "$(cat differences)"
 claim "an option that there is not is refused with the choices, wherever it stands"
 refused "'TOLERENCE' is no option; the options are MESH, DEPENDS, TOLERANCE, BITS" level MESH level.obj TOLERENCE 0.5mm
 refused "'0.5mm' is no option" level MESH level.obj BITS 12 0.5mm
+refused "'TOLERENCE' is no option" level MESH level.obj DEPENDS level.mtl TOLERENCE 0.5mm
 refused "'PROFIL' is no option" level PROFIL small MESH level.obj
 
 claim "an option without its value is refused, also where a variable turns out empty"
