@@ -1,20 +1,22 @@
 #!/usr/bin/env bash
 # consume.sh KIND STAGE BUILD CMAKE GENERATOR COMPILER: builds a consumer of the package that install.sh has put into STAGE, runs it
-# on the blob baked there, and compares what it says. KIND is find_package, refusals, fetch_content or pkg_config.
+# on the blob baked there, and compares what it says. KIND is find_package, refusals, fetch_content, pkg_config or game, the example.
 set -euo pipefail
 
 kind=$1 stage=$2 build=$3 cmake=$4 generator=$5 compiler=$6
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 blob=$stage/table.espl
+source=$here/$kind
+answers=$here/program/answers.txt
 rm -rf "$build"
 mkdir -p "$build"
 
 # quietly COMMAND...: its words only if it fails
 quietly() { "$@" >"$build/log" 2>&1 || { tail -n 60 "$build/log"; echo "failed: $*"; exit 1; }; }
 configure() {
-    quietly "$cmake" -S "$here/$kind" -B "$build/build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" "$@"
+    quietly "$cmake" -S "$source" -B "$build/build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" "$@"
 }
-compare() { diff "$here/program/answers.txt" - || { echo "failed: other answers than $here/program/answers.txt"; exit 1; }; }
+compare() { diff "$answers" - || { echo "failed: other answers than $answers"; exit 1; }; }
 
 case $kind in
     find_package)
@@ -43,6 +45,15 @@ case $kind in
         eval "$compiler -std=c++20 '$here/find_package/baking.cpp' $(pkg_config --cflags --libs espalier-baker) -o '$build/baking'"
         [[ $("$build/baking") == "baked 1 triangle" ]]
         [[ $(pkg_config --modversion espalier) == $(sed -n 's/.*version //p' "$here/program/answers.txt") ]]
+        ;;
+    game)
+        source=$here/../../docs/examples/game answers=$here/game_answers.txt
+        # as a part of the project it would compile the library and the command; that is fetch_content's claim, and a build step's
+        configure -DCMAKE_DISABLE_FIND_PACKAGE_espalier=ON
+        rm -rf "$build/build"
+        configure -DCMAKE_PREFIX_PATH="$stage/installed"
+        quietly "$cmake" --build "$build/build"
+        "$build/build/game" | compare
         ;;
     *)
         echo "failed: no such kind of consumer: $kind"

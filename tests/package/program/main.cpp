@@ -20,13 +20,15 @@ int main(int argument_count, char** arguments) {
     espalier::RayHit hit;
     const bool is_hit = espalier::raycast(blob, {.origin = {0.25f, 0.5f, 5}, .direction = {0, 0, -1}}, hit);
     unsigned touched = 0;
-    espalier::for_each_overlap(blob, espalier::Sphere{.center = {3, -3, 0.25f}, .radius = 0.5f}, [&](espalier::Triangle) {
-        ++touched;
-        return espalier::keep_going;
-    });
+    espalier::for_each_overlap(blob, espalier::Sphere{.center = {3, -3, 0.25f}, .radius = 0.5f},
+                               [&](espalier::Triangle) {
+                                   ++touched;
+                                   return espalier::keep_going;
+                               });
     std::printf("%u triangles, version %s\n", static_cast<unsigned>(blob.triangle_count()), espalier::library_version);
     std::printf("a ray down: %s, t = %.3f, normal %g %g %g\n", is_hit ? "hit" : "no hit", static_cast<double>(hit.t),
-                static_cast<double>(hit.normal.x), static_cast<double>(hit.normal.y), static_cast<double>(hit.normal.z));
+                static_cast<double>(hit.normal.x), static_cast<double>(hit.normal.y),
+                static_cast<double>(hit.normal.z));
     std::printf("a sphere beside the table touches %u\n", touched);
     return 0;
 }
