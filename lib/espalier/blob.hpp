@@ -14,6 +14,7 @@ namespace espalier {
 namespace detail {
 
 /// What `open` proved about the bytes; the queries read this and the bytes, nothing else.
+/// All zero when empty: what C fills with zeros is a Blob too.
 struct BlobData {
     const std::byte* bytes = nullptr;  // the whole blob
     const std::byte* nodes = nullptr;  // null when empty
@@ -39,10 +40,10 @@ struct BlobData {
     alignas(16) std::int32_t extent[4] = {};
     alignas(16) float extent_steps[4] = {};  // the same in float, exactly
     float steps_per_unit = 0.0f;             // 2^-step_exponent
-    float base_unit = 1.0f;                  // lattice steps that a node's base counts in
+    float base_unit = 0.0f;                  // lattice steps that a node's base counts in
     float max_error = 0.0f;
     std::int16_t step_exponent = 0;
-    std::uint8_t bits = 1;
+    std::uint8_t bits = 0;
     std::uint8_t depth = 0;
     std::uint8_t id_bits = 0;
     format::Profile profile = format::Profile::fast;

@@ -27,6 +27,7 @@ check("a public header of the runtime includes public headers and freestanding o
   "<espalier/[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
 check("the baker's public header includes public and standard headers only"
   "<espalier/[a-z_]+\\.hpp>|${standard_headers}" ${root}/lib/espalier/bake.hpp)
+check("the header for C includes freestanding headers of C only" "<std(bool|def|int)\\.h>" ${root}/lib/espalier/espalier.h)
 foreach(header IN LISTS public_headers)
   file(STRINGS ${header} baking REGEX "include.*espalier/bake\\.hpp")
   if(baking)
@@ -36,7 +37,7 @@ endforeach()
 
 file(GLOB_RECURSE runtime ${root}/lib/runtime/*.hpp ${root}/lib/runtime/*.inl ${root}/lib/runtime/*.cpp)
 check("the runtime includes public headers, its own and freestanding ones only"
-  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds)\\.hpp>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
+  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds)\\.hpp>|<espalier/espalier\\.h>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
 
 file(GLOB_RECURSE baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
 check("the baker includes public and standard headers, the runtime's and its own only"
