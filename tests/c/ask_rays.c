@@ -1,0 +1,72 @@
+#include "asking.h"
+
+static void tell_hit(struct asking* asking, const espalier_ray_hit* hit) {
+    tell_float(asking, hit->t);
+    tell_float(asking, hit->u);
+    tell_float(asking, hit->v);
+    tell_point(asking, hit->normal);
+    tell(asking, hit->triangle);
+}
+
+static espalier_visit visit_hit(const espalier_ray_hit* hit, void* user) {
+    struct asking* asking = user;
+    tell_hit(asking, hit);
+    return asking->visits-- == 0 ? 17 : ESPALIER_KEEP_GOING; /* stops, as any value does that is not the other */
+}
+
+static void ask_one_ray(struct asking* asking, const espalier_ray* ray) {
+    const espalier_blob* blob = asking->blob;
+    espalier_ray_hit hit, hits[5];
+    espalier_hit_count count;
+    espalier_query_counters counters = {1, 2, 3, 4, 5};
+    memset(&hit, 0, sizeof hit);
+    tell(asking, espalier_raycast(blob, ray, &hit));
+    tell_hit(asking, &hit);
+    tell(asking, espalier_raycast_filtered(blob, ray, &hit, counts, asking));
+    tell_hit(asking, &hit);
+    tell(asking, espalier_occluded(blob, ray));
+    tell(asking, espalier_occluded_filtered(blob, ray, counts, asking));
+    memset(hits, 0, sizeof hits);
+    count = espalier_closest_hits(blob, ray, hits, 5);
+    tell(asking, (uint32_t)count.count);
+    tell(asking, count.status);
+    for (size_t i = 0; i < count.count; ++i) tell_hit(asking, &hits[i]);
+    count = espalier_closest_hits_filtered(blob, ray, hits, 2, counts, asking);
+    tell(asking, (uint32_t)count.count);
+    tell(asking, count.status);
+    for (size_t i = 0; i < count.count; ++i) tell_hit(asking, &hits[i]);
+    asking->visits = asking->question->bits % 9u;
+    tell(asking, espalier_for_each_hit(blob, ray, visit_hit, asking));
+    tell(asking, espalier_raycast_counted(blob, ray, &hit, &counters));
+    tell_hit(asking, &hit);
+    tell(asking, (uint32_t)counters.nodes);
+    tell(asking, (uint32_t)counters.leaves);
+    tell(asking, (uint32_t)counters.groups);
+    tell(asking, (uint32_t)counters.triangles);
+    tell(asking, (uint32_t)counters.candidates);
+}
+
+void ask_rays(struct asking* asking) {
+    const struct question* question = asking->question;
+    espalier_segment segment;
+    espalier_ray rays[18];
+    espalier_ray_hit hits[18];
+    uint8_t answers[18];
+    rays[0] = espalier_ray_from(question->points[0], question->directions[0]);
+    rays[1] = rays[0];
+    rays[1].t_min = question->lengths[0];
+    rays[1].t_max = question->lengths[1];
+    rays[1].faces = (espalier_faces)(question->bits % 4u); /* one value more than there are */
+    segment.from = question->points[0];
+    segment.to = question->points[1];
+    rays[2] = espalier_along(&segment);
+    for (int i = 0; i < 3; ++i) ask_one_ray(asking, &rays[i]);
+    for (int i = 3; i < 18; ++i) { /* a group, and strangers */
+        rays[i] = rays[i % 3];
+        rays[i].origin = question->points[i % 4];
+    }
+    tell(asking, (uint32_t)espalier_raycast_batch(asking->blob, rays, hits, 18));
+    for (int i = 0; i < 18; ++i) tell_hit(asking, &hits[i]);
+    tell(asking, (uint32_t)espalier_occluded_batch(asking->blob, rays, answers, 18));
+    for (int i = 0; i < 18; ++i) tell(asking, answers[i]);
+}

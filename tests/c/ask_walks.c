@@ -1,0 +1,34 @@
+#include "asking.h"
+
+static espalier_visit visit_corners(espalier_triangle triangle, const espalier_corners* corners, void* user) {
+    struct asking* asking = user;
+    tell_point(asking, corners->a);
+    tell_point(asking, corners->b);
+    tell_point(asking, corners->c);
+    return visit_triangle(triangle, asking);
+}
+
+static espalier_node_visit visit_node(const espalier_tree_node* node, void* user) {
+    struct asking* asking = user;
+    tell(asking, node->number);
+    tell(asking, node->depth);
+    tell(asking, node->child_count);
+    for (unsigned i = 0; i < node->child_count; ++i) {
+        const espalier_tree_child* child = &node->children[i];
+        tell_point(asking, child->box.min);
+        tell_point(asking, child->box.max);
+        tell(asking, child->is_leaf);
+        tell(asking, child->node);
+        tell(asking, child->first);
+        tell(asking, child->count);
+    }
+    if (asking->visits-- == 0) return 99; /* ends, as any value does that is not one of the others */
+    return node->number % 3u == 2u ? ESPALIER_NODE_SKIP : ESPALIER_NODE_DESCEND;
+}
+
+void ask_walks(struct asking* asking) {
+    asking->visits = asking->question->bits % 200u;
+    tell(asking, espalier_for_each_triangle(asking->blob, visit_corners, asking));
+    asking->visits = asking->question->bits % 30u;
+    tell(asking, espalier_for_each_node(asking->blob, visit_node, asking));
+}

@@ -1,0 +1,69 @@
+/* Questions that are asked from C and from C++ alike: each side tells its answers word by word, and both must tell the
+ * same words. This side is C99. */
+#ifndef ESPALIER_TESTS_ASKING_H
+#define ESPALIER_TESTS_ASKING_H
+
+#include <espalier/espalier.h>
+#include <string.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a round of questions is made of: some of it near the asset, some of it hostile. */
+struct question {
+    espalier_vec3 points[4];
+    espalier_vec3 directions[4];
+    float lengths[4];
+    float rotation[4];
+    uint32_t bits; /* for triangles, counts, enumerations */
+};
+
+struct asking {
+    const espalier_blob* blob;
+    const espalier_blob* other; /* of pairs */
+    const struct question* question;
+    void (*tell)(uint32_t word, void* log);
+    void* log;
+    uint32_t visits; /* left, of visitors */
+};
+
+void ask_lookups(struct asking* asking);
+void ask_rays(struct asking* asking);
+void ask_volumes(struct asking* asking);
+void ask_points(struct asking* asking);
+void ask_sweeps(struct asking* asking);
+void ask_pairs(struct asking* asking);
+void ask_approximations(struct asking* asking);
+void ask_walks(struct asking* asking);
+void ask_steps(struct asking* asking);
+/* Null functions and arrays of no elements. */
+void ask_nothing(struct asking* asking);
+
+/* The number of what C does otherwise than espalier.h says, 0 when there is nothing. `bytes` are a blob. */
+int misbehaviour_of_open(const void* bytes, size_t size);
+
+static inline void tell(struct asking* asking, uint32_t word) { asking->tell(word, asking->log); }
+
+static inline void tell_float(struct asking* asking, float number) {
+    uint32_t word;
+    memcpy(&word, &number, sizeof word);
+    tell(asking, word);
+}
+
+static inline void tell_point(struct asking* asking, espalier_vec3 point) {
+    tell_float(asking, point.x);
+    tell_float(asking, point.y);
+    tell_float(asking, point.z);
+}
+
+/* Every other triangle counts. */
+bool counts(espalier_triangle triangle, void* asking);
+/* Tells the triangle; stops when no visits are left. */
+espalier_visit visit_triangle(espalier_triangle triangle, void* asking);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,403 @@
+#include "expecting.hpp"
+
+#include <array>
+
+namespace espalier::tests {
+
+void Expecting::tell(const RayHit& hit) {
+    tell(hit.t);
+    tell(hit.u);
+    tell(hit.v);
+    tell(hit.normal);
+    tell(hit.triangle);
+}
+
+void Expecting::tell(const Nearest& nearest) {
+    tell(nearest.point);
+    tell(nearest.distance);
+    tell(nearest.u);
+    tell(nearest.v);
+    tell(nearest.triangle);
+    tell(nearest.feature);
+}
+
+void Expecting::tell(const NearestPair& pair) {
+    tell(pair.on_shape);
+    tell(pair.on_surface);
+    tell(pair.distance);
+    tell(pair.u);
+    tell(pair.v);
+    tell(pair.triangle);
+}
+
+void Expecting::tell(const SweepHit& hit) {
+    tell(hit.t);
+    tell(hit.point);
+    tell(hit.normal);
+    tell(hit.triangle);
+    tell(hit.starts_overlapping);
+}
+
+void Expecting::tell(const QueryCounters& counters) {
+    tell(counters.nodes);
+    tell(counters.leaves);
+    tell(counters.groups);
+    tell(counters.triangles);
+    tell(counters.candidates);
+}
+
+void Expecting::about(Triangle triangle) {
+    OriginalTriangle original = {7, 7, 7, 7};
+    auto kinds = EdgeKinds{EdgeKind{9}, EdgeKind{9}, EdgeKind{9}};
+    Vec3 normal = {5.0f, 5.0f, 5.0f};
+    Corners corners;
+    tell(original_triangle(blob_, triangle, original));
+    tell(original.file);
+    tell(original.mesh);
+    tell(original.triangle);
+    tell(original.first_corner);
+    tell(std::uint32_t{material(blob_, triangle)});
+    tell(edge_kinds(blob_, triangle, kinds));
+    tell(kinds.ab);
+    tell(kinds.bc);
+    tell(kinds.ca);
+    tell(is_on_inner_edge(blob_, {triangle, static_cast<Feature>(asked_.bits % 8), direction(0)}, normal));
+    tell(normal);
+    tell(triangle_corners(blob_, triangle, corners));
+    tell(corners.a);
+    tell(corners.b);
+    tell(corners.c);
+}
+
+void Expecting::lookups() {
+    tell(blob_.triangle_count());
+    tell(blob_.copy_count());
+    tell(blob_.vertex_count());
+    tell(blob_.size_bytes());
+    tell(blob_.checksum());
+    tell(std::uint32_t{blob_.depth()});
+    tell(std::uint32_t{blob_.bits()});
+    tell(blob_.profile());
+    tell(blob_.step());
+    tell(blob_.max_error());
+    tell(blob_.bounds_min());
+    tell(blob_.bounds_max());
+    tell(blob_.closed());
+    tell(blob_.has_original_ids());
+    tell(blob_.has_materials());
+    tell(blob_.has_edge_flags());
+
+    Sphere sphere = {{}, -1.0f};
+    tell(bounding_sphere(blob_, sphere));
+    tell(sphere.center);
+    tell(sphere.radius);
+    OrientedBox oriented;
+    tell(oriented_bounds(blob_, oriented));
+    tell(oriented.center);
+    for (const Vec3& axis : oriented.half_axes) tell(axis);
+    KDop k_dop;
+    tell(k_dop_bounds(blob_, k_dop));
+    for (unsigned i = 0; i < KDop::count; ++i) {
+        tell(KDop::directions[i]);
+        tell(k_dop.lo[i]);
+        tell(k_dop.hi[i]);
+    }
+    tell(is_outside_bounds(blob_, Sphere{point(0), length(0)}));
+    tell(is_outside_bounds(blob_, Box{point(0), point(1)}));
+
+    about({asked_.bits % (blob_.triangle_count() + 1)});
+    about({asked_.bits});
+    about(no_triangle);
+}
+
+void Expecting::one_ray(const Ray& ray) {
+    const auto filter = [&](Triangle triangle) { return counts(triangle); };
+    RayHit hit;
+    tell(raycast(blob_, ray, hit));
+    tell(hit);
+    tell(raycast(blob_, ray, hit, filter));
+    tell(hit);
+    tell(occluded(blob_, ray));
+    tell(occluded(blob_, ray, filter));
+    std::array<RayHit, 5> hits;
+    HitCount count = closest_hits(blob_, ray, hits);
+    tell(std::uint64_t{count.count});
+    tell(count.status);
+    for (std::size_t i = 0; i < count.count; ++i) tell(hits[i]);
+    count = closest_hits(blob_, ray, std::span(hits).first(2), filter);
+    tell(std::uint64_t{count.count});
+    tell(count.status);
+    for (std::size_t i = 0; i < count.count; ++i) tell(hits[i]);
+    visits_ = asked_.bits % 9;
+    tell(for_each_hit(blob_, ray, [&](const RayHit& each) {
+        tell(each);
+        return visit_one();
+    }));
+    QueryCounters counters = {1, 2, 3, 4, 5};
+    tell(raycast_counted(blob_, ray, hit, counters));
+    tell(hit);
+    tell(counters);
+}
+
+void Expecting::rays() {
+    std::array<Ray, 18> rays;
+    rays[0] = {point(0), direction(0)};
+    rays[1] = {point(0), direction(0), length(0), length(1), static_cast<Faces>(asked_.bits % 4)};
+    rays[2] = along({point(0), point(1)});
+    for (std::size_t i = 0; i < 3; ++i) one_ray(rays[i]);
+    for (std::size_t i = 3; i < rays.size(); ++i) {
+        rays[i] = rays[i % 3];
+        rays[i].origin = point(static_cast<int>(i % 4));
+    }
+    std::array<RayHit, 18> hits;
+    tell(std::uint64_t{raycast(blob_, rays, hits)});
+    for (const RayHit& hit : hits) tell(hit);
+    std::array<std::uint8_t, 18> answers;
+    tell(std::uint64_t{occluded(blob_, rays, answers)});
+    for (const std::uint8_t answer : answers) tell(std::uint32_t{answer});
+}
+
+namespace {
+
+Steps bits_of(espalier_vec3 v) {
+    return {std::bit_cast<std::int32_t>(v.x), std::bit_cast<std::int32_t>(v.y), std::bit_cast<std::int32_t>(v.z)};
+}
+
+}  // namespace
+
+template <class Shape>
+void Expecting::volume(const Shape& shape) {
+    tell(overlaps(blob_, shape));
+    visits_ = asked_.bits % 9;
+    tell(for_each_overlap(blob_, shape, [&](Triangle triangle) {
+        tell(triangle);
+        return visit_one();
+    }));
+    std::array<Triangle, 4> triangles;
+    std::uint32_t first = 0;
+    for (const std::size_t places : {4u, 3u}) {
+        const OverlapPage page = collect_overlaps(blob_, shape, std::span(triangles).first(places), first);
+        tell(page.status);
+        tell(page.count);
+        tell(page.next);
+        for (std::uint32_t i = 0; i < page.count; ++i) tell(triangles[i]);
+        first = page.next;
+    }
+}
+
+void Expecting::volumes() {
+    volume(Sphere{point(0), length(0)});
+    volume(Capsule{point(1), point(2), length(1)});
+    volume(Box{point(0), point(3)});
+    volume(OrientedBox{point(1), {direction(0), direction(1), direction(2)}});
+    volume(Corners{point(0), point(1), point(2)});
+    std::array<Plane, 4> planes;
+    for (int i = 0; i < 4; ++i) planes[static_cast<std::size_t>(i)] = {direction(i), length(i)};
+    volume(std::span<const Plane>(planes).first(asked_.bits % 5));
+    BoxInSteps steps;
+    static_cast<void>(steps_around(lattice_of(blob_), {point(0), point(3)}, steps));
+    volume(steps);
+    volume(BoxInSteps{bits_of(asked_.points[0]), bits_of(asked_.points[1])});
+}
+
+void Expecting::points() {
+    Nearest nearest;
+    tell(closest_point(blob_, point(0), length(0), nearest));
+    tell(nearest);
+    std::array<Nearest, 6> some;
+    const std::size_t count = closest_triangles(blob_, point(0), length(0), some);
+    tell(std::uint64_t{count});
+    for (std::size_t i = 0; i < count; ++i) tell(some[i]);
+    NearestPair pair;
+    tell(closest_to_segment(blob_, {point(0), point(1)}, length(1), pair));
+    tell(pair);
+    tell(closest_to_box(blob_, {point(2), point(3)}, length(2), pair));
+    tell(pair);
+    bool inside = false;
+    tell(contains(blob_, point(0), inside));
+    tell(inside);
+    tell(signed_distance(blob_, point(1), length(3), nearest));
+    tell(nearest);
+}
+
+template <class Shape>
+void Expecting::moving(const Shape& shape) {
+    SweepHit hit;
+    tell(check_sweep(blob_, shape, direction(0)));
+    tell(sweep(blob_, shape, direction(0), hit));
+    tell(hit);
+    tell(sweep(blob_, shape, direction(0), hit, [&](Triangle triangle) { return counts(triangle); }));
+    tell(hit);
+}
+
+void Expecting::sweeps() {
+    moving(Sphere{point(0), length(0)});
+    moving(Capsule{point(0), point(1), length(1)});
+    moving(Box{point(2), point(3)});
+}
+
+void Expecting::placed(const Placement& placement, WorkLimit limit) {
+    bool answer = false;
+    tell(collides(blob_, other_, placement, answer, limit));
+    tell(answer);
+    TrianglePair contact = {{8}, {8}};
+    tell(first_contact(blob_, other_, placement, contact, answer, limit));
+    tell(answer);
+    tell(contact.a);
+    tell(contact.b);
+    visits_ = asked_.bits % 9;
+    tell(for_each_contact(
+        blob_, other_, placement,
+        [&](const TrianglePair& each) {
+            tell(each.a);
+            tell(each.b);
+            return visit_one();
+        },
+        limit));
+    std::array<TrianglePair, 5> contacts;
+    std::size_t count = 99;
+    tell(all_contacts(blob_, other_, placement, contacts, count, limit));
+    tell(std::uint64_t{count});
+    for (const TrianglePair& each : contacts) {
+        tell(each.a);
+        tell(each.b);
+    }
+    PairDistance nearest;
+    tell(minimum_distance(blob_, other_, placement, length(1), nearest, answer, limit));
+    tell(answer);
+    tell(nearest.distance);
+    tell(nearest.on_a);
+    tell(nearest.on_b);
+    tell(nearest.pair.a);
+    tell(nearest.pair.b);
+    tell(within_distance(blob_, other_, placement, length(2), answer, limit));
+    tell(answer);
+}
+
+void Expecting::pairs() {
+    const WorkLimit limit = {asked_.bits % 8 == 0 ? asked_.bits % 50 : 300};
+    placed({{}, direction(0)}, limit);
+    const float* q = asked_.rotation;
+    placed({{q[0], q[1], q[2], q[3]}, direction(1), length(0)}, limit);
+}
+
+void Expecting::approximations() {
+    QueryCounters counters;
+    QueryCounters* counting = asked_.bits % 3 == 0 ? nullptr : &counters;
+    tell(may_overlap(blob_, Sphere{point(0), length(0)}, length(3), counting));
+    tell(counters);
+    tell(may_overlap(blob_, Box{point(0), point(1)}, length(3), counting));
+    tell(counters);
+    tell(may_be_occluded(blob_, {point(1), direction(1)}, length(3), counting));
+    tell(counters);
+    DistanceBounds bounds = {-1.0f, -2.0f};
+    tell(distance_bounds(blob_, point(2), length(1), length(3), bounds, counting));
+    tell(bounds.lower);
+    tell(bounds.upper);
+    tell(counters);
+}
+
+void Expecting::walks() {
+    visits_ = asked_.bits % 200;
+    tell(for_each_triangle(blob_, [&](Triangle triangle, const Corners& corners) {
+        tell(corners.a);
+        tell(corners.b);
+        tell(corners.c);
+        tell(triangle);
+        return visit_one();
+    }));
+    visits_ = asked_.bits % 30;
+    tell(for_each_node(blob_, [&](const TreeNode& node) {
+        tell(node.number);
+        tell(std::uint32_t{node.depth});
+        tell(std::uint32_t{node.child_count});
+        for (unsigned i = 0; i < node.child_count; ++i) {
+            const TreeChild& child = node.children[i];
+            tell(child.box.min);
+            tell(child.box.max);
+            tell(child.is_leaf);
+            tell(child.node);
+            tell(child.first);
+            tell(child.count);
+        }
+        if (visit_one() == stop) return NodeVisit::end;
+        return node.number % 3 == 2 ? NodeVisit::skip : NodeVisit::descend;
+    }));
+}
+
+void Expecting::tell(const Steps& steps) {
+    for (const std::int32_t coordinate : {steps.x, steps.y, steps.z}) tell(static_cast<std::uint32_t>(coordinate));
+}
+
+void Expecting::tell(const HitInSteps& hit) {
+    tell(hit.t);
+    tell(hit.side);
+    tell(hit.triangle);
+}
+
+void Expecting::steps() {
+    const Lattice lattice = lattice_of(blob_);
+    tell(lattice.origin);
+    tell(static_cast<std::uint32_t>(lattice.step_exponent));
+    for (const std::int32_t extent : lattice.extent) tell(static_cast<std::uint32_t>(extent));
+    BoxInSteps box = {{1, 2, 3}, {4, 5, 6}};
+    tell(steps_around(lattice, {point(0), point(1)}, box));
+    tell(box.min);
+    tell(box.max);
+    SegmentInSteps segment = {{7, 8, 9}, {-1, -2, -3}};
+    tell(to_steps(lattice, point(2), segment.from));
+    tell(to_steps(lattice, point(3), segment.to));
+    tell(segment.from);
+    tell(segment.to);
+    tell(to_world(lattice, segment.to));
+    const auto ask = [&] {
+        HitInSteps hit = {11, Faces{12}, {13}};
+        bool any = false;
+        tell(first_hit(blob_, segment, hit));
+        tell(hit);
+        tell(any_hit(blob_, segment, any));
+        tell(any);
+    };
+    ask();
+    segment = {bits_of(asked_.directions[0]), bits_of(asked_.directions[1])};
+    ask();
+}
+
+void Expecting::nothing() {
+    const Ray ray = {point(0), direction(0)};
+    RayHit hit;
+    const bool found = raycast(blob_, ray, hit);
+    tell(found);
+    tell(hit.t);
+    tell(found);
+    const HitCount one = closest_hits(blob_, ray, std::span(&hit, 1));
+    tell(std::uint64_t{one.count});
+    tell(one.status);
+    SweepHit swept;
+    tell(sweep(blob_, Sphere{point(0), length(0)}, direction(0), swept));
+    tell(swept.t);
+    tell(sweep(blob_, Capsule{point(0), point(1), length(0)}, direction(0), swept));
+    tell(swept.t);
+    tell(sweep(blob_, Box{point(0), point(1)}, direction(0), swept));
+    tell(swept.t);
+
+    for (int refused = 0; refused < 10; ++refused) tell(false);
+    tell(QueryStatus::invalid_argument);
+
+    tell(std::uint32_t{0});
+    tell(std::uint32_t{0});
+    tell(std::uint32_t{0});
+    tell(found ? QueryStatus::output_full : QueryStatus::ok);
+    tell(std::uint32_t{0});
+    tell(blob_.triangle_count() > 0);  // no planes are all of space
+    for (const OverlapPage& page : {collect_overlaps(blob_, Sphere{point(0), length(0)}, {}),
+                                    collect_overlaps(blob_, std::span<const Plane>{}, {})}) {
+        tell(page.status);
+        tell(page.next);
+    }
+    std::size_t count = 1;
+    tell(all_contacts(blob_, other_, {}, {}, count, {100}));
+    tell(std::uint64_t{count});
+}
+
+}  // namespace espalier::tests

@@ -1,0 +1,80 @@
+// The C++ side of asking.h: the same questions in the same order, asked of the C++ functions.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+
+#include "asking.h"
+
+namespace espalier::tests {
+
+inline Vec3 cpp(espalier_vec3 v) { return {v.x, v.y, v.z}; }
+
+class Expecting {
+public:
+    Expecting(const Blob& blob, const Blob& other, const question& asked) : blob_(blob), other_(other), asked_(asked) {}
+
+    void lookups();
+    void rays();
+    void volumes();
+    void points();
+    void sweeps();
+    void pairs();
+    void approximations();
+    void walks();
+    void steps();
+    void nothing();
+
+    [[nodiscard]] const std::vector<std::uint32_t>& words() const { return words_; }
+
+private:
+    void tell(std::uint32_t word) { words_.push_back(word); }
+    void tell(bool yes) { words_.push_back(yes ? 1 : 0); }
+    void tell(float number) { words_.push_back(std::bit_cast<std::uint32_t>(number)); }
+    void tell(std::uint64_t number) { words_.push_back(static_cast<std::uint32_t>(number)); }
+    void tell(Vec3 v) {
+        tell(v.x);
+        tell(v.y);
+        tell(v.z);
+    }
+    void tell(Triangle triangle) { tell(triangle.index); }
+    template <class Enumeration>
+    requires std::is_enum_v<Enumeration>
+    void tell(Enumeration value) { tell(static_cast<std::uint32_t>(value)); }
+
+    void tell(const RayHit& hit);
+    void tell(const Nearest& nearest);
+    void tell(const NearestPair& pair);
+    void tell(const SweepHit& hit);
+    void tell(const QueryCounters& counters);
+    void tell(const Steps& steps);
+    void tell(const HitInSteps& hit);
+    void about(Triangle triangle);
+    void one_ray(const Ray& ray);
+    template <class Shape>
+    void volume(const Shape& shape);
+    template <class Shape>
+    void moving(const Shape& shape);
+    void placed(const Placement& placement, WorkLimit limit);
+
+    [[nodiscard]] Vec3 point(int i) const { return cpp(asked_.points[i]); }
+    [[nodiscard]] Vec3 direction(int i) const { return cpp(asked_.directions[i]); }
+    [[nodiscard]] float length(int i) const { return asked_.lengths[i]; }
+    [[nodiscard]] bool counts(Triangle triangle) const { return (triangle.index + asked_.bits) % 2 == 0; }
+    Visit visit_one() {
+        if (visits_ == 0) return stop;
+        --visits_;
+        return keep_going;
+    }
+
+    const Blob& blob_;
+    const Blob& other_;
+    const question& asked_;
+    std::uint32_t visits_ = 0;
+    std::vector<std::uint32_t> words_;
+};
+
+}  // namespace espalier::tests
