@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# The program of docs/examples/c, built by a C compiler alone and built by CMake from an installed package.
+# example_test.sh PROJECT RUNTIME_ARCHIVE BUILD_FOLDER CMAKE CC FOLDER
+set -euo pipefail
+project=$1 archive=$2 build=$3 cmake=$4 cc=$5 folder=$6
+
+fail() {
+    echo "example_test: $*" >&2
+    exit 1
+}
+
+# Each way of building gives a program that says this.
+check() {
+    local program=$1 blob=$project/tests/format_versions/1.1_everything_fast.espl said
+    said=$("$program" "$blob" 0.1 0.2 -100 0 0 1)
+    [[ $said == "hit triangle 68 at t = 100.039, normal 0.0114835 -0.199047 0.979923" ]] || fail "$program says: $said"
+    said=$("$program" "$blob" 0.1 0.2 100 0 0 1)
+    [[ $said == "no hit" ]] || fail "$program beside the mesh says: $said"
+    said=$("$program" "$project/README.md" 0 0 0 0 0 1 2>&1) && fail "$program opens what is no blob"
+    [[ $said == *"README.md: these bytes are not an Espalier blob"* ]] || fail "$program of what is no blob says: $said"
+    said=$("$program" "$folder/none" 0 0 0 0 0 1 2>&1) && fail "$program opens what is not there"
+    [[ $said == *"cannot be read" ]] || fail "$program of what is not there says: $said"
+}
+
+rm -rf "$folder"
+mkdir -p "$folder"
+
+# No C++ library, no flags: a C compiler, the header and the archive.
+"$cc" -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -I "$project/lib" "$project/docs/examples/c/main.c" "$archive" \
+    -o "$folder/alone"
+check "$folder/alone"
+needed=$(readelf -d "$folder/alone" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | grep -v '^libc\.so' || true)
+[[ -z $needed ]] || fail "a C program that links the runtime needs: $needed"
+
+# What the page about it shows is C too.
+{
+    printf '#include <espalier/espalier.h>\n#include <stdio.h>\nvoid page(const void* bytes, size_t size);\n'
+    printf 'void page(const void* bytes, size_t size) {\n'
+    sed -n '/^    static espalier_blob/,/^[^ ]/p' "$project/docs/embedding.md" | grep '^    '
+    printf '(void)hit;\n}\n'
+} >"$folder/page.c"
+grep -q espalier_overlaps_box "$folder/page.c" || fail "docs/embedding.md shows no C"
+"$cc" -std=c99 -pedantic -Wall -Wextra -Werror -I "$project/lib" -fsyntax-only "$folder/page.c" || fail "docs/embedding.md shows what is no C"
+
+"$cmake" --install "$build" --prefix "$folder/package" --component runtime >"$folder/install.log"
+"$cmake" -S "$project/docs/examples/c" -B "$folder/example" -DCMAKE_PREFIX_PATH="$folder/package" -DCMAKE_C_COMPILER="$cc" \
+    >"$folder/configure.log" || fail "CMake does not configure the example: $(cat "$folder/configure.log")"
+"$cmake" --build "$folder/example" >"$folder/build.log" 2>&1 ||
+    fail "the example does not build: $(cat "$folder/build.log")"
+check "$folder/example/cast_ray"
