@@ -5,6 +5,7 @@
 #include <runtime/lattice_point.hpp>
 #include <runtime/outward.hpp>
 #include <runtime/stored_bounds.hpp>
+#include <runtime/wide_integer.hpp>
 
 namespace espalier {
 
@@ -133,7 +134,7 @@ bool oriented_bounds(const Blob& blob, OrientedBox& box) noexcept {
     }
     float center[3];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float length = flush_subnormal(static_cast<float>(twice_center[axis]) / norm * 0.5f * unit);
+        const float length = flush_subnormal(to_float(twice_center[axis]) / norm * 0.5f * unit);
         center[axis] = flush_subnormal(data.origin[axis] + length);
     }
     box.center = {center[0], center[1], center[2]};

@@ -5,6 +5,8 @@
 #include <cfloat>
 #include <cstdint>
 
+#include <runtime/small_code.hpp>
+
 namespace espalier::detail {
 
 static_assert(FLT_EVAL_METHOD == 0, "float arithmetic must be done in float: use SSE on 32-bit x86");
@@ -39,7 +41,7 @@ constexpr bool is_subnormal(float x) { return magnitude_bits(x) - 1u < 0x007FFFF
 constexpr float flush_subnormal(float x) { return magnitude_bits(x) < 0x00800000u ? 0.0f : x; }
 
 /// x * 2^exponent, rounded once to nearest even, for every x and exponent.
-constexpr float scale_by_power_of_two(float x, int exponent) {
+ESPALIER_SHARED_CODE constexpr float scale_by_power_of_two(float x, int exponent) {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
     const std::uint32_t sign = bits & 0x80000000u;
     const std::uint32_t magnitude = bits & magnitude_mask;
@@ -67,11 +69,21 @@ constexpr float scale_by_power_of_two(float x, int exponent) {
 
 /// The nearest integer, ties to even, for |x| < 2^24. Relies on round-to-nearest: adding 2^23 leaves no fraction bits.
 /// Without a branch on the sign, which no processor could foresee.
-inline float round_to_integer(float x) {
+ESPALIER_SHARED_CODE inline float round_to_integer(float x) {
     const float big =
         std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) & 0x80000000u) | 0x4B000000u);  // 2^23, x's sign
     const float rounded = (x + big) - big;
     return magnitude_bits(x) < 0x4B000000u ? rounded : x;
+}
+
+/// x cut off towards zero; |x| < 2^63. Small cores have no instruction for it, and compilers bring all of double
+/// arithmetic along.
+ESPALIER_SHARED_CODE inline std::int64_t to_integer(float x) {
+    if constexpr (!small_code) return static_cast<std::int64_t>(x);
+    const std::uint64_t mantissa = (magnitude_bits(x) & 0x007FFFFFu) | 0x00800000u;
+    const int shift = exponent_of(x) - 23;
+    const std::uint64_t magnitude = shift >= 0 ? mantissa << shift : shift > -24 ? mantissa >> -shift : 0;
+    return static_cast<std::int64_t>(is_negative(x) ? 0 - magnitude : magnitude);
 }
 
 /// Where either order is right: the second operand when one is not a number, as x86's instructions do.

@@ -11,8 +11,7 @@ namespace {
 /// The least whole number of steps that is surely no less: floats are off by less than the 2^-20 added.
 std::int64_t round_outward(float steps) {
     const float more = steps * (1.0f + 0x1p-20f);
-    return more < static_cast<float>(bounds_limit) * 4.0f ? static_cast<std::int64_t>(more) + 1
-                                                          : std::int64_t{bounds_limit} * 4;
+    return more < static_cast<float>(bounds_limit) * 4.0f ? to_integer(more) + 1 : std::int64_t{bounds_limit} * 4;
 }
 
 /// Bounds of the segment, grown by the radius.
@@ -82,7 +81,7 @@ float inner(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1] +
         const Integer3& n = normals[k];
         const float squared = to_float(dot<Int128>(n, n));
         const float length = squared > 0.0f ? square_root(squared) * (1.0f + 0x1p-20f) : 0.0f;
-        const Int128 width = multiply(static_cast<std::int64_t>(length) + 1, reach);
+        const Int128 width = multiply(to_integer(length) + 1, reach);
         capsule.side_planes[2 * k] = bounding_plane({{n.x, n.y, n.z}, from, width, size}, s.fraction_bits);
         capsule.side_planes[2 * k + 1] = bounding_plane({{-n.x, -n.y, -n.z}, from, width, size}, s.fraction_bits);
     }

@@ -25,7 +25,8 @@ struct LatticePoint {
 };
 
 /// False when nothing can be within the radius: an argument out of the domain.
-inline bool round_point(const BlobData& blob, const Vec3& world, float radius, LatticePoint& point) {
+ESPALIER_SHARED_CODE inline bool round_point(const BlobData& blob, const Vec3& world, float radius,
+                                             LatticePoint& point) {
     const float center_world[3] = {world.x, world.y, world.z};
     if (!is_radius(radius)) return false;
     float center[3];
@@ -65,8 +66,8 @@ inline bool round_point(const BlobData& blob, const Vec3& world, float radius, L
     point.fraction_bits = spare > 6 ? 6 : spare < 0 ? 0 : spare;
     for (int k = 0; k < 3; ++k) {
         const float fine = center[k] * power_of_two(point.fraction_bits);
-        const float rounded = absolute(fine) < 0x1p24f ? round_to_integer(fine) : fine;
-        point.origin[k] = static_cast<std::int64_t>(rounded);
+        const float rounded = round_to_integer(fine);
+        point.origin[k] = to_integer(rounded);
         point.steps[k] = rounded * power_of_two(-point.fraction_bits);
     }
     point.steps[3] = 0.0f;

@@ -7,6 +7,7 @@
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 
@@ -22,7 +23,8 @@ struct LatticeSegment {
 };
 
 /// Where `status` is not ok the segment is not written.
-inline QueryStatus round_segment(const BlobData& blob, const Segment& world, LatticeSegment& segment) {
+ESPALIER_SHARED_CODE inline QueryStatus round_segment(const BlobData& blob, const Segment& world,
+                                                      LatticeSegment& segment) {
     const Vec3 ends[2] = {world.from, world.to};
     float steps[2][3];
     float reach = 0.0f;
@@ -43,8 +45,8 @@ inline QueryStatus round_segment(const BlobData& blob, const Segment& world, Lat
     const auto round = [&](const float* from, std::int64_t* units, float* exact) {
         for (int k = 0; k < 3; ++k) {
             const float fine = from[k] * power_of_two(segment.fraction_bits);
-            const float rounded = absolute(fine) < 0x1p24f ? round_to_integer(fine) : fine;
-            units[k] = static_cast<std::int64_t>(rounded);
+            const float rounded = round_to_integer(fine);
+            units[k] = to_integer(rounded);
             exact[k] = rounded * power_of_two(-segment.fraction_bits);
         }
         exact[3] = 0.0f;

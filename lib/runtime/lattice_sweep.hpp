@@ -117,7 +117,7 @@ public:
     /// Floats from 2^24 on are integers already.
     [[nodiscard]] std::int64_t to_units(float steps) const {
         const float fine = steps * power_of_two(fraction_bits());
-        return static_cast<std::int64_t>(absolute(fine) < 0x1p24f ? round_to_integer(fine) : fine);
+        return to_integer(round_to_integer(fine));
     }
     [[nodiscard]] Integer3 to_units(const float* steps) const {
         return {to_units(steps[0]), to_units(steps[1]), to_units(steps[2])};

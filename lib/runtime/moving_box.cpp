@@ -74,7 +74,7 @@ public:
     /// The first tick at or after the first contact.
     [[nodiscard]] SweepStep step() const {
         if (!has_enter_) return 0;
-        auto ticks = static_cast<std::int64_t>(enter_.value * 0x1p24f);
+        auto ticks = to_integer(enter_.value * 0x1p24f);
         const Int128 whole = enter_.numerator << tick_bits;
         const auto is_reached = [&](std::int64_t tick) { return !(multiply(enter_.denominator, tick) < whole); };
         while (is_reached(ticks - 1)) --ticks;

@@ -25,12 +25,12 @@ using namespace detail;
 
 namespace {
 
-/// Asks about a shape whose segment or diagonal is set. `to_shape(distance, on_surface, on_shape)` tells the point on
-/// the shape from that on the surface, in lattice steps.
-template <class Shape, class ToShape>
-void find_pair(const BlobData& blob, Shape& shape, bool is_empty, float max_distance, NearestPair& pair,
+/// Tells the point on a shape from that on the surface, in lattice steps.
+using ToShape = FunctionRef<void(const SegmentDistance& distance, const float* on_surface, float* on_shape)>;
+
+/// Asks about a shape that is prepared.
+void find_pair(const BlobData& blob, DistantShape& shape, bool is_empty, float max_distance, NearestPair& pair,
                ToShape to_shape) {
-    prepare(shape);
     shape.radius = radius_in_steps(blob, max_distance);
     pair = {};
     pair.triangle = no_triangle;
@@ -57,6 +57,7 @@ QueryStatus closest_to_segment(const Blob& blob, const Segment& segment, float m
     DistantSegment shape;
     const QueryStatus status = round_segment(blob.data(), segment, shape.segment);
     if (status != QueryStatus::ok) return status;
+    prepare(shape);
     find_pair(blob.data(), shape, false, max_distance, pair,
               [&](const SegmentDistance& distance, const float*, float* point) {
                   const float rest = 1.0f - distance.along;
@@ -71,6 +72,7 @@ QueryStatus closest_to_box(const Blob& blob, const Box& box, float max_distance,
     DistantBox shape;
     const QueryStatus status = round_segment(blob.data(), {box.min, box.max}, shape.diagonal);
     if (status != QueryStatus::ok) return status;
+    prepare(shape);
     find_pair(blob.data(), shape, is_empty(box), max_distance, pair,
               [&](const SegmentDistance&, const float* on_surface, float* point) {
                   const float* low = shape.diagonal.from_steps;

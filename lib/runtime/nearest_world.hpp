@@ -9,7 +9,7 @@
 namespace espalier::detail {
 
 /// A point of the triangle in lattice steps, by the weights of b and c.
-inline void point_of(const LatticeTriangle& triangle, float u, float v, float* point) {
+ESPALIER_SHARED_CODE inline void point_of(const LatticeTriangle& triangle, float u, float v, float* point) {
     const auto& corner = triangle.corner;
     for (int k = 0; k < 3; ++k) {
         const float ab = static_cast<float>(corner[1][k] - corner[0][k]);
@@ -20,13 +20,14 @@ inline void point_of(const LatticeTriangle& triangle, float u, float v, float* p
 
 /// The root of a squared distance in lattice steps, and `offset` of them more. That it is within max_distance was
 /// decided exactly: rounding must not say otherwise.
-inline float to_world_distance(const BlobData& blob, float squared, float offset, float max_distance) {
+ESPALIER_SHARED_CODE inline float to_world_distance(const BlobData& blob, float squared, float offset,
+                                                    float max_distance) {
     const float distance = scale_by_power_of_two(square_root(squared) + offset, blob.step_exponent);
     return magnitude_bits(distance) > magnitude_bits(max_distance) ? max_distance : distance;
 }
 
 /// Everything but the distance, which is still squared and in lattice steps.
-inline Nearest to_nearest(const BlobData& blob, const FoundNearest& found) {
+ESPALIER_SHARED_CODE inline Nearest to_nearest(const BlobData& blob, const FoundNearest& found) {
     const PointDistance& distance = found.distance;
     float point[3];
     point_of(found.triangle, distance.u, distance.v, point);

@@ -19,21 +19,56 @@ static_assert(max_planes == Volume::max_planes);
 
 namespace {
 
-template <class Rounded, class Shape>
-bool any_in(const Blob& blob, const Shape& shape) {
-    Rounded volume;
-    if (blob.triangle_count() == 0 || round_volume(blob.data(), shape, volume) != QueryStatus::ok) return false;
-    return !volume.is_empty && !visit_triangles_in(blob.data(), volume, 0, [](Triangle) { return stop; });
-}
+/// The triangles from storage index `first` on that a shape overlaps, in storage order. `has_seen_all` is written with
+/// ok alone: false when the visitor stopped it.
+using VisitOverlaps = QueryStatus (*)(const BlobData& blob, const void* shape, std::uint32_t first,
+                                      FunctionRef<Visit(Triangle)> visit, bool& has_seen_all);
 
 template <class Rounded, class Shape>
-bool each_in(const Blob& blob, const Shape& shape, FunctionRef<Visit(Triangle)> visit) {
+QueryStatus visit_overlaps(const BlobData& blob, const void* shape, std::uint32_t first,
+                           FunctionRef<Visit(Triangle)> visit, bool& has_seen_all) {
+    Rounded volume;
+    const QueryStatus status = round_volume(blob, *static_cast<const Shape*>(shape), volume);
+    if (status != QueryStatus::ok) return status;
+    has_seen_all = blob.triangle_count == 0 || volume.is_empty || visit_triangles_in(blob, volume, first, visit);
+    return QueryStatus::ok;
+}
+
+QueryStatus visit_sphere_overlaps(const BlobData& blob, const void* shape, std::uint32_t first,
+                                  FunctionRef<Visit(Triangle)> visit, bool& has_seen_all) {
+    const auto& sphere = *static_cast<const Sphere*>(shape);
+    if (!is_finite(sphere.center) || !is_radius(sphere.radius)) return QueryStatus::invalid_argument;
+    LatticePoint rounded;
+    has_seen_all = blob.triangle_count == 0 || !round_point(blob, sphere.center, sphere.radius, rounded) ||
+                   ESPALIER_DISPATCH(every_overlap, blob, rounded, first, visit);
+    return QueryStatus::ok;
+}
+
+using HalfSpaces = std::span<const Plane>;
+
+// How each shape is asked about.
+constexpr VisitOverlaps way_of(const Sphere*) { return visit_sphere_overlaps; }
+constexpr VisitOverlaps way_of(const Capsule*) { return visit_overlaps<LatticeCapsule, Capsule>; }
+constexpr VisitOverlaps way_of(const Box*) { return visit_overlaps<LatticeBox, Box>; }
+constexpr VisitOverlaps way_of(const BoxInSteps*) { return visit_overlaps<LatticeBox, BoxInSteps>; }
+constexpr VisitOverlaps way_of(const OrientedBox*) { return visit_overlaps<LatticeOrientedBox, OrientedBox>; }
+constexpr VisitOverlaps way_of(const Corners*) { return visit_overlaps<LatticeCorners, Corners>; }
+constexpr VisitOverlaps way_of(const HalfSpaces*) { return visit_overlaps<LatticeHalfSpaces, HalfSpaces>; }
+
+bool any_in(const Blob& blob, const void* shape, VisitOverlaps way) {
+    bool has_seen_all = true;
+    return blob.triangle_count() != 0 &&
+           way(
+               blob.data(), shape, 0, [](Triangle) { return stop; }, has_seen_all) == QueryStatus::ok &&
+           !has_seen_all;
+}
+
+bool each_in(const Blob& blob, const void* shape, VisitOverlaps way, FunctionRef<Visit(Triangle)> visit) {
     if (blob.copy_count() != 0) return false;
     if (blob.triangle_count() == 0) return true;
-    Rounded volume;
-    const QueryStatus status = round_volume(blob.data(), shape, volume);
-    if (status != QueryStatus::ok) return status == QueryStatus::invalid_argument;
-    return volume.is_empty || visit_triangles_in(blob.data(), volume, 0, visit);
+    bool has_seen_all = true;
+    const QueryStatus status = way(blob.data(), shape, 0, visit, has_seen_all);
+    return status == QueryStatus::ok ? has_seen_all : status == QueryStatus::invalid_argument;
 }
 
 /// Fills a page with what the walk visits.
@@ -52,90 +87,79 @@ struct PageMaker {
     }
 };
 
-template <class Rounded, class Shape>
-OverlapPage page_in(const Blob& blob, const Shape& shape, std::span<Triangle> out, std::uint32_t first) {
-    Rounded volume;
+OverlapPage page_in(const Blob& blob, const void* shape, VisitOverlaps way, std::span<Triangle> out,
+                    std::uint32_t first) {
     if (blob.copy_count() != 0) return {QueryStatus::has_copies, 0, first};
-    const QueryStatus status = round_volume(blob.data(), shape, volume);
-    if (status != QueryStatus::ok) return {status, 0, first};
     PageMaker maker = {out, {QueryStatus::ok, 0, blob.triangle_count()}};
-    if (blob.triangle_count() != 0 && !volume.is_empty) visit_triangles_in(blob.data(), volume, first, maker);
+    bool has_seen_all = true;
+    const QueryStatus status = way(blob.data(), shape, first, maker, has_seen_all);
+    if (status != QueryStatus::ok) return {status, 0, first};
     return maker.page;
 }
-
-using HalfSpaces = std::span<const Plane>;
 
 }  // namespace
 
 bool overlaps(const Blob& blob, const Sphere& sphere) noexcept {
+    if constexpr (small_code) return any_in(blob, &sphere, way_of(&sphere));
     LatticePoint rounded;
     return blob.triangle_count() != 0 && round_point(blob.data(), sphere.center, sphere.radius, rounded) &&
            ESPALIER_DISPATCH(any_overlap, blob.data(), rounded);
 }
-bool overlaps(const Blob& blob, const Capsule& capsule) noexcept { return any_in<LatticeCapsule>(blob, capsule); }
-bool overlaps(const Blob& blob, const Box& box) noexcept { return any_in<LatticeBox>(blob, box); }
-bool overlaps(const Blob& blob, const BoxInSteps& box) noexcept { return any_in<LatticeBox>(blob, box); }
-bool overlaps(const Blob& blob, const OrientedBox& box) noexcept { return any_in<LatticeOrientedBox>(blob, box); }
-bool overlaps(const Blob& blob, const Corners& triangle) noexcept { return any_in<LatticeCorners>(blob, triangle); }
-bool overlaps(const Blob& blob, HalfSpaces planes) noexcept { return any_in<LatticeHalfSpaces>(blob, planes); }
+bool overlaps(const Blob& blob, const Capsule& capsule) noexcept { return any_in(blob, &capsule, way_of(&capsule)); }
+bool overlaps(const Blob& blob, const Box& box) noexcept { return any_in(blob, &box, way_of(&box)); }
+bool overlaps(const Blob& blob, const BoxInSteps& box) noexcept { return any_in(blob, &box, way_of(&box)); }
+bool overlaps(const Blob& blob, const OrientedBox& box) noexcept { return any_in(blob, &box, way_of(&box)); }
+bool overlaps(const Blob& blob, const Corners& triangle) noexcept { return any_in(blob, &triangle, way_of(&triangle)); }
+bool overlaps(const Blob& blob, HalfSpaces planes) noexcept { return any_in(blob, &planes, way_of(&planes)); }
 
 bool for_each_overlap(const Blob& blob, const Sphere& sphere, FunctionRef<Visit(Triangle)> visit) {
-    LatticePoint rounded;
-    if (blob.copy_count() != 0) return false;
-    if (blob.triangle_count() == 0 || !round_point(blob.data(), sphere.center, sphere.radius, rounded)) return true;
-    return ESPALIER_DISPATCH(every_overlap, blob.data(), rounded, 0, visit);
+    return each_in(blob, &sphere, way_of(&sphere), visit);
 }
 bool for_each_overlap(const Blob& blob, const Capsule& capsule, FunctionRef<Visit(Triangle)> visit) {
-    return each_in<LatticeCapsule>(blob, capsule, visit);
+    return each_in(blob, &capsule, way_of(&capsule), visit);
 }
 bool for_each_overlap(const Blob& blob, const Box& box, FunctionRef<Visit(Triangle)> visit) {
-    return each_in<LatticeBox>(blob, box, visit);
+    return each_in(blob, &box, way_of(&box), visit);
 }
 bool for_each_overlap(const Blob& blob, const BoxInSteps& box, FunctionRef<Visit(Triangle)> visit) {
-    return each_in<LatticeBox>(blob, box, visit);
+    return each_in(blob, &box, way_of(&box), visit);
 }
 bool for_each_overlap(const Blob& blob, const OrientedBox& box, FunctionRef<Visit(Triangle)> visit) {
-    return each_in<LatticeOrientedBox>(blob, box, visit);
+    return each_in(blob, &box, way_of(&box), visit);
 }
 bool for_each_overlap(const Blob& blob, const Corners& triangle, FunctionRef<Visit(Triangle)> visit) {
-    return each_in<LatticeCorners>(blob, triangle, visit);
+    return each_in(blob, &triangle, way_of(&triangle), visit);
 }
 bool for_each_overlap(const Blob& blob, HalfSpaces planes, FunctionRef<Visit(Triangle)> visit) {
-    return each_in<LatticeHalfSpaces>(blob, planes, visit);
+    return each_in(blob, &planes, way_of(&planes), visit);
 }
 
 OverlapPage collect_overlaps(const Blob& blob, const Sphere& sphere, std::span<Triangle> out,
                              std::uint32_t first) noexcept {
-    if (blob.copy_count() != 0) return {QueryStatus::has_copies, 0, first};
-    if (!is_finite(sphere.center) || !is_radius(sphere.radius)) return {QueryStatus::invalid_argument, 0, first};
-    PageMaker maker = {out, {QueryStatus::ok, 0, blob.triangle_count()}};
-    LatticePoint rounded;
-    if (blob.triangle_count() != 0 && round_point(blob.data(), sphere.center, sphere.radius, rounded))
-        ESPALIER_DISPATCH(every_overlap, blob.data(), rounded, first, maker);
-    return maker.page;
+    return page_in(blob, &sphere, way_of(&sphere), out, first);
 }
 OverlapPage collect_overlaps(const Blob& blob, const Capsule& capsule, std::span<Triangle> out,
                              std::uint32_t first) noexcept {
-    return page_in<LatticeCapsule>(blob, capsule, out, first);
+    return page_in(blob, &capsule, way_of(&capsule), out, first);
 }
 OverlapPage collect_overlaps(const Blob& blob, const Box& box, std::span<Triangle> out, std::uint32_t first) noexcept {
-    return page_in<LatticeBox>(blob, box, out, first);
+    return page_in(blob, &box, way_of(&box), out, first);
 }
 OverlapPage collect_overlaps(const Blob& blob, const BoxInSteps& box, std::span<Triangle> out,
                              std::uint32_t first) noexcept {
-    return page_in<LatticeBox>(blob, box, out, first);
+    return page_in(blob, &box, way_of(&box), out, first);
 }
 OverlapPage collect_overlaps(const Blob& blob, const OrientedBox& box, std::span<Triangle> out,
                              std::uint32_t first) noexcept {
-    return page_in<LatticeOrientedBox>(blob, box, out, first);
+    return page_in(blob, &box, way_of(&box), out, first);
 }
 OverlapPage collect_overlaps(const Blob& blob, const Corners& triangle, std::span<Triangle> out,
                              std::uint32_t first) noexcept {
-    return page_in<LatticeCorners>(blob, triangle, out, first);
+    return page_in(blob, &triangle, way_of(&triangle), out, first);
 }
 OverlapPage collect_overlaps(const Blob& blob, HalfSpaces planes, std::span<Triangle> out,
                              std::uint32_t first) noexcept {
-    return page_in<LatticeHalfSpaces>(blob, planes, out, first);
+    return page_in(blob, &planes, way_of(&planes), out, first);
 }
 
 }  // namespace espalier

@@ -1,5 +1,6 @@
 // Where the second blob's vertices land on the common grid: in integers, so that every machine places them alike.
 #include <runtime/pair_frame.hpp>
+#include <runtime/wide_integer.hpp>
 
 namespace espalier::detail {
 
@@ -71,18 +72,18 @@ ESPALIER_SHARED_CODE void rotation_entries(const Quaternion& rotation, std::int6
     const std::int64_t numerators[3][3] = {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
                                            {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
                                            {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
-    const float inverse = 1.0f / static_cast<float>(n);
+    const float inverse = 1.0f / to_float(n);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             // Twice a float quotient, the second of what the first left: the remainder is below 2 n, so that it may be
             // computed modulo 2^64.
             const auto numerator = static_cast<std::uint64_t>(numerators[i][j]);
-            const float first = static_cast<float>(numerators[i][j]) * inverse * 0x1p22f;
-            const auto high = static_cast<std::int64_t>(round_to_integer(first));
+            const float first = to_float(numerators[i][j]) * inverse * 0x1p22f;
+            const auto high = to_integer(round_to_integer(first));
             const auto rest = static_cast<std::int64_t>((numerator << 22) - static_cast<std::uint64_t>(high) *
                                                                                 static_cast<std::uint64_t>(n));
-            const float second = static_cast<float>(rest) * inverse * 0x1p8f;
-            entries[i][j] = high * 256 + static_cast<std::int64_t>(round_to_integer(second));
+            const float second = to_float(rest) * inverse * 0x1p8f;
+            entries[i][j] = high * 256 + to_integer(round_to_integer(second));
         }
 }
 
@@ -91,12 +92,11 @@ ESPALIER_SHARED_CODE void derive_sides(PairFrame& frame, const std::int64_t rota
     PairSide& in_a = frame.sides[0];
     PairSide& in_b = frame.sides[1];
     float offset[3];
-    for (int k = 0; k < 3; ++k)
-        offset[k] = static_cast<float>(frame.translation[k]) * power_of_two(-frame.fraction_bits);
+    for (int k = 0; k < 3; ++k) offset[k] = to_float(frame.translation[k]) * power_of_two(-frame.fraction_bits);
     const float inverse = 1.0f / scale;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-            const float entry = static_cast<float>(rotation[i][j]) * 0x1p-30f;
+            const float entry = to_float(rotation[i][j]) * 0x1p-30f;
             in_a.axis[i][j] = in_b.axis[j][i] = entry;
             in_a.absolute_axis[i][j] = in_b.absolute_axis[j][i] = absolute(entry);
         }
