@@ -108,4 +108,16 @@ for file in level.espl level.c level.h; do
     same "$build/espalier_blobs/level/$file" "$folder/elsewhere/build/espalier_blobs/level/$file"
 done
 
+if [ "$generator" = Ninja ]; then
+    claim "two configurations of one build share the blob: it is baked once"
+    generator="Ninja Multi-Config"
+    must configure "$project" several "${options[@]}"
+    for configuration in Debug Release Debug; do must build several --config $configuration --target game; done
+    verbs_are "bake embed"
+    for configuration in Debug Release; do
+        several/$configuration/game >game.bytes
+        same game.bytes several/espalier_blobs/level/level.espl
+    done
+fi
+
 finish
