@@ -31,7 +31,7 @@ EmbeddingLanguage language_of(const std::string& output) {
 }
 
 std::string symbol_of(const EmbedArguments& arguments) {
-    const std::string symbol =
+    std::string symbol =
         arguments.symbol.empty() ? std::filesystem::path(arguments.output).stem().string() : arguments.symbol;
     if (is_variable_name(symbol)) return symbol;
     throw CommandError(ExitCode::usage,
@@ -59,7 +59,7 @@ unsigned alignment_of(const EmbedArguments& arguments) {
 
 /// As the assembler finds it in an include folder.
 std::string blob_name(const EmbedArguments& arguments) {
-    const std::string name = std::filesystem::path(arguments.blob).filename().string();
+    std::string name = std::filesystem::path(arguments.blob).filename().string();
     if (name == printable(name)) return name;
     throw CommandError(ExitCode::usage, text("'", printable(name), "': a name with control characters cannot stand in ",
                                              "assembler. Rename the blob, or write C."));

@@ -1,4 +1,5 @@
-// What a build system is told about a bake: which files were read, in the syntax of Make, which Ninja and CMake read too.
+// What a build system is told about a bake: which files were read, in the syntax of Make, which Ninja and CMake read
+// too.
 #pragma once
 
 #include <span>
