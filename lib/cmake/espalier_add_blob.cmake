@@ -56,6 +56,12 @@ function(espalier_add_blob target)
   set_property(GLOBAL APPEND PROPERTY ESPALIER_BLOB_SYMBOLS ${blob_SYMBOL})
 
   espalier_blob_command(command made_by)
+  # What CMake's Makefiles once read in a depfile they add to for ever: a side file that goes away would be missed in every
+  # build. Without this file, which they keep that in, they read the depfiles anew.
+  set(forget "")
+  if(CMAKE_GENERATOR MATCHES "Makefiles")
+    set(forget COMMAND ${CMAKE_COMMAND} -E rm -f ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/compiler_depend.internal)
+  endif()
   # A folder for each blob, so that what is included by name is found in one place only.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/espalier_blobs/${target})
   set(blob ${folder}/${target}.espl)
@@ -96,7 +102,7 @@ function(espalier_add_blob target)
   endif()
 
   add_custom_command(OUTPUT ${blob}
-    COMMAND ${command} bake ${meshes} -o ${blob} --depfile ${folder}/${target}.d --quiet ${bake_options}
+    COMMAND ${command} bake ${meshes} -o ${blob} --depfile ${folder}/${target}.d --quiet ${bake_options} ${forget}
     DEPENDS ${meshes} ${blob_DEPENDS} ${made_by} DEPFILE ${folder}/${target}.d
     COMMENT "Baking ${target}" VERBATIM)
   # The header keeps its time while it stays the same, so it is a byproduct: who includes it is compiled again only then.

@@ -42,6 +42,17 @@ for file in level.mtl level.obj; do
     verbs_are ""
 done
 
+claim "a side file that goes away bakes once, without it"
+mv "$project/assets/level.mtl" away.mtl
+must build "$build" --target game
+verbs_are "bake embed"
+must build "$build" --target game
+verbs_are ""
+mv away.mtl "$project/assets/level.mtl"
+touch_later "$project/assets/level.obj"
+must build "$build" --target game
+verbs_are "bake embed"
+
 claim "what includes the header is compiled again only when the header changes"
 object=$(find "$build" -name 'main.c.o')
 cp -p "$object" before.o
