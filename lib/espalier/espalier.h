@@ -5,8 +5,7 @@
  * Values. Structures are plain and hold what their C++ twins hold, field by field. Enumerations are integers of one
  * byte with all their values listed. A blob is a value too: put it on the stack, into static storage or into a
  * structure of yours, copy it freely, forget it. Filled with zeros it is the empty blob: no triangles, every query
- * finds nothing. Memory that malloc gives may be aligned to less than the 16 bytes that its type says: use
- * aligned_alloc.
+ * finds nothing. It is aligned to 16 bytes, as its type says; malloc of small machines aligns to 8.
  *
  * Arguments. Any bit pattern of numbers and enumerations is safe. Pointers are the caller's word: none may be null but
  * `user`, which is passed on, arrays of no elements, and functions: a null filter lets everything count, a null visitor

@@ -250,9 +250,44 @@ std::set<std::string> cpp_functions() {
     return functions;
 }
 
+std::string upper(std::string text) {
+    for (char& c : text)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return text;
+}
+
+/// How enumerators begin in C.
+const std::map<std::string, std::string> prefixes = {
+    {"Status", "ESPALIER_STATUS_"}, {"QueryStatus", "ESPALIER_QUERY_"}, {"Feature", "ESPALIER_FEATURE_"},
+    {"Visit", "ESPALIER_"},         {"Profile", "ESPALIER_PROFILE_"},   {"EdgeKind", "ESPALIER_EDGE_"},
+    {"Faces", "ESPALIER_FACES_"},   {"NodeVisit", "ESPALIER_NODE_"}};
+
 }  // namespace
 
 TEST_SUITE("C") {
+    TEST_CASE("every enumerator of the C++ headers has a counterpart in C") {
+        const std::string in_c = text_of(project / "lib/espalier/espalier.h");
+        const std::regex enumeration("enum class (\\w+) : std::uint8_t \\{([^}]*)\\}"), enumerator("\\w+");
+        std::size_t enumerations = 0;
+        for (const auto& entry : std::filesystem::directory_iterator(project / "lib/espalier")) {
+            const std::string header = entry.path().filename().string();
+            if (entry.path().extension() != ".hpp" || header == "bake.hpp") continue;
+            const std::string code = plain_code(entry.path());
+            for (std::sregex_iterator match(code.begin(), code.end(), enumeration), end; match != end; ++match) {
+                const std::string name = (*match)[1];
+                REQUIRE_MESSAGE(prefixes.count(name) == 1, name << " of " << header << " has no counterpart");
+                ++enumerations;
+                const std::string values = replaced((*match)[2], " = [0-9]+", "");
+                for (std::sregex_iterator value(values.begin(), values.end(), enumerator); value != end; ++value) {
+                    const std::string in_upper = prefixes.at(name) + upper(value->str());
+                    CHECK_MESSAGE(std::regex_search(in_c, std::regex("\\b" + in_upper + " = ")),
+                                  "espalier.h lacks " << in_upper);
+                }
+            }
+        }
+        CHECK(enumerations == prefixes.size());
+    }
+
     TEST_CASE("every query of the C++ headers has a counterpart in C") {
         const std::set<std::string> functions = cpp_functions(), in_c = c_functions();
         const std::map<std::string, std::string> table = listed();
