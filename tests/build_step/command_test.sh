@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Which espalier bakes: what a project says, a target, one on the path, one that the build makes of sources.
 # Usage: command_test.sh PATH_TO_ESPALIER SOURCE_FOLDER CMAKE GENERATOR
-# Exit status 77: nothing is broken, and a cross compiler is missing.
+# Exit status 77: nothing is broken, and a generator or a cross compiler is missing.
 # shellcheck source=projects.sh
 . "$(dirname "$0")/projects.sh"
 
@@ -89,14 +89,17 @@ from_sources() {
 }
 
 claim "where there is no command, the build makes one of the sources, once for all blobs, and again when they change"
-from_sources build_ninja Ninja
-from_sources build_make "Unix Makefiles"
+status=0
+generators=()
+for each in Ninja "Unix Makefiles"; do
+    if has_generator "$each"; then generators+=("$each"); else status=77; fi
+done
+for each in "${generators[@]}"; do from_sources "own ${each::1}" "$each"; done
 
 claim "a cross build makes it with the compiler of this machine, whatever the environment says"
-status=0
 if command -v arm-none-eabi-g++ >/dev/null; then
     export CXX=arm-none-eabi-g++ CXXFLAGS=-mthumb
-    for each in Ninja "Unix Makefiles"; do
+    for each in "${generators[@]}"; do
         from_sources "cross ${each::1}" "$each" -DCMAKE_TOOLCHAIN_FILE="$espalier_sources/lib/cmake/toolchains/cortex-m4f.cmake"
         object=$(find "cross ${each::1}" -path '*level.dir*.obj')
         readelf -hW "$object" | grep -q 'Machine: *ARM' || fail "$object is for another machine"

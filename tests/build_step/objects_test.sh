@@ -10,6 +10,7 @@ write_level level
 mkdir made
 "$espalier" bake level/level.obj -o made/level.espl -q || fail "the level cannot be baked"
 size=$(stat -c %s made/level.espl)
+any_compiler=$(command -v gcc || command -v clang) || { echo "skipped: there is neither gcc nor clang" && exit 77; }
 strict=(-Wall -Wextra -Wpedantic -Wconversion -Werror)
 
 # object_is FILE SECTION ALIGNMENT SYMBOL [OBJCOPY]: in it the blob, read-only and hidden, and nothing else that takes memory
@@ -40,15 +41,15 @@ done
 claim "name, section and alignment are what was asked for"
 for source in c S; do
     run 0 embed made/level.espl -o made/arena.$source --symbol arena --section .blobs --alignment 4096 -q
-    gcc "${strict[@]}" -Imade -c made/arena.$source -o arena.o || fail "arena.$source"
+    "$any_compiler" "${strict[@]}" -Imade -c made/arena.$source -o arena.o || fail "arena.$source"
     object_is arena.o .blobs 4096 arena
 done
 
 claim "the header is C99 and C++11 and later, and from C++20 on it has a span"
 echo '#include "level.h"' >use.c
-gcc -std=c99 "${strict[@]}" -Imade -c use.c -o use.o || fail "c99"
+"$any_compiler" -std=c99 "${strict[@]}" -Imade -c use.c -o use.o || fail "c99"
 echo '_Static_assert(level_size == sizeof level, "");' >>use.c
-gcc -std=c11 "${strict[@]}" -Imade -c use.c -o use.o || fail "c11"
+"$any_compiler" -std=c11 "${strict[@]}" -Imade -c use.c -o use.o || fail "c11"
 for language in c++11 c++17 c++20; do
     printf '#include "level.h"\n#include "level.h"\nstatic_assert(level_size == sizeof level, "");\n' >use.cpp
     [ $language != c++20 ] || echo 'std::span<const std::byte> all() { return level_bytes(); }' >>use.cpp
@@ -60,17 +61,17 @@ done
 
 claim "code of a shared library reaches the blob without a table that another library could change"
 echo 'unsigned char at(int i) { return level[i]; }' >>use.c
-gcc -O2 -fPIC -Imade -c use.c -o use.o || fail "use.c"
+"$any_compiler" -O2 -fPIC -Imade -c use.c -o use.o || fail "use.c"
 readelf -rW use.o | grep -q ' level ' || fail "nothing refers to the blob: $(readelf -rW use.o)"
 ! readelf -rW use.o | grep -q GOT || fail "$(readelf -rW use.o)"
 
 claim "assembler takes neither the program's protected stack nor its control-flow protection away"
-gcc -Imade -c made/level.S -o level.o
+"$any_compiler" -Imade -c made/level.S -o level.o
 write_main made
-gcc -Wl,--fatal-warnings -Imade made/main.c level.o -o game || fail "the linker warns"
+"$any_compiler" -Wl,--fatal-warnings -Imade made/main.c level.o -o game || fail "the linker warns"
 readelf -lW game | grep GNU_STACK | grep -q ' RW ' || fail "$(readelf -lW game | grep GNU_STACK)"
 if [ "$(uname -m)" = x86_64 ]; then
-    gcc -fcf-protection -Imade -c made/level.S -o level.o
+    "$any_compiler" -fcf-protection -Imade -c made/level.S -o level.o
     readelf -nW level.o | grep -q 'IBT, SHSTK' || fail "no note of control-flow protection: $(readelf -nW level.o)"
 fi
 

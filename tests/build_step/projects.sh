@@ -40,6 +40,12 @@ set(ESPALIER_BAKER OFF)
 add_subdirectory("$espalier_sources" espalier EXCLUDE_FROM_ALL)
 CMAKE
 }
+# has_generator NAME: says what is missing where it cannot be used
+has_generator() {
+    local tool=make
+    [ "$1" != Ninja ] || tool=ninja
+    command -v $tool >/dev/null || { echo "skipped: $tool is not installed (tools/dev test installs it)" && false; }
+}
 # configure SOURCE BUILD OPTION...: may fail; what is said is left in ./log
 configure() {
     local source=$1 build=$2

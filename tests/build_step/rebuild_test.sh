@@ -1,8 +1,11 @@
 #!/usr/bin/env bash
 # A project is baked again exactly when it has to be.
 # Usage: rebuild_test.sh PATH_TO_ESPALIER SOURCE_FOLDER CMAKE GENERATOR
+# Exit status 77: the generator's tool is missing.
 # shellcheck source=projects.sh
 . "$(dirname "$0")/projects.sh"
+
+has_generator "$generator" || exit 77
 
 project="$folder/my game"
 build="$folder/my build"
