@@ -1,0 +1,28 @@
+// What a level costs in flash, the blob alone. tests/firmware runs it on a Cortex-M0; docs/small_cores.md adds code and
+// stack.
+#include <doctest/doctest.h>
+
+#include <cstdint>
+
+#include <espalier/bake.hpp>
+
+#include "../support/baking.hpp"
+#include "../support/level_maker.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+TEST_SUITE("promises") {
+    TEST_CASE("a level of 5,000 triangles takes at most 24 KB in profile small on 14 bits") {
+        for (const std::uint64_t seed : {2026u, 1u, 2u, 3u}) {  // whichever level it is
+            BakeOptions options;
+            options.profile = format::Profile::small;
+            options.bits = 14;
+            const OpenedBlob level(make_level(5000, seed), options);
+            CAPTURE(seed);
+            CHECK(level.blob.triangle_count() >= 5000);
+            CHECK(level.bytes.size() <= 24 * 1024);
+            MESSAGE(level.blob.triangle_count(), " triangles, ", level.bytes.size(), " bytes");
+        }
+    }
+}
