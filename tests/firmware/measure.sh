@@ -1,21 +1,30 @@
 #!/usr/bin/env bash
-# measure.sh CORE PROFILE MESH|BLOB.espl [BAKE_OPTION...]: what queries of a mesh cost on an emulated core, by instructions,
-# bytes read of the blob, stack and writes outside the stack; and how much code they take. By hand:
+# measure.sh CORE PROFILE MESH|BLOB.espl [BAKE_OPTION...]: what queries of a mesh cost on an emulated core: instructions,
+# bytes read of the blob, stack, writes outside the stack; and how much code they take. By hand:
 #     bash tests/firmware/measure.sh m4f fast bunny.obj --bits 16
-# Cores: cores.txt. The command that bakes is found in ../build/tools or build/tools, or by ESPALIER=...; images and blobs
-# are made in build/firmware/CORE_PROFILE, or in the folder BUILD=... Images are compiled again when the library changes.
+# Cores: cores.txt. The command that bakes is found in ../build/tools or build/tools, or by ESPALIER=...; images are made
+# in build/measure/CORE_PROFILE, or in the folder BUILD=..., and compiled again when the library changes. ROWS=FILE: the
+# figures are added to that file too, one row each:
+#     CORE PROFILE MESH QUERY calls, instructions mean max, blob bytes mean max, stack, writes elsewhere
+#     CORE PROFILE code IMAGE bytes
+#     CORE PROFILE blob MESH bytes
 set -euo pipefail
 
 core=$1 profile=$2 mesh=$3
 shift 3
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
-build=${BUILD:-$root/build/firmware/${core}_$profile}
+source "$here/meter.sh"
+build=${BUILD:-$root/build/measure/${core}_$profile}
 
 fail() {
     echo "failed: $*" >&2
     exit 1
 }
+
+# ---- the blob and the images
+
+name=$(basename "${mesh%.*}" "_$profile")
 mkdir -p "$build"
 if [[ $mesh == *.espl ]]; then
     blob=$mesh
@@ -27,32 +36,40 @@ else
     blob=$build/baked.espl
     "$espalier" bake "$mesh" -o "$blob" --profile "$profile" --quiet "$@"
 fi
-TARGETS=${TARGETS:-"measure closest_ray five_queries every_query empty"} bash "$here/build_images.sh" "$core" "$profile" "$blob" "$build"
+TARGETS="measure closest_ray in_steps five_queries every_query empty" \
+    bash "$here/build_images.sh" "$core" "$profile" "$blob" "$build"
 
-# The plugin for this QEMU: until version 9 it takes interface 1, since then 2 and later.
-major=$(qemu-system-arm --version | sed -nE '1s/.*version ([0-9]+).*/\1/p')
-plugin=$build/query_meter.so
-if [[ ! $plugin -nt $here/plugin/query_meter.cpp ]]; then
-    "${CXX:-c++}" -std=c++20 -O2 -shared -fPIC -DQUERY_METER_PLUGIN_VERSION=$((major < 9 ? 1 : 2)) -o "$plugin" "$here/plugin/query_meter.cpp"
-fi
+# ---- the run
 
-read -r _ board _ memory _ < <(grep "^$core " "$here/cores.txt")
-address_of() { arm-none-eabi-nm "$build/measure.elf" | awk -v name="$1" '$3 == name { print "0x" $1 }'; }
-stack_bottom=$(address_of image_bss_end) stack_top=$(address_of image_stack_top) blob_at=$(address_of firmware_blob)
-timeout 600 qemu-system-arm -M "$board" -nographic -monitor none -serial null \
-    -semihosting-config enable=on,target=native -kernel "$build/measure.elf" -d plugin \
-    -plugin "$plugin,marks=$(address_of firmware_marks),blob=$blob_at,blob_size=$(stat -c %s "$blob"),stack=$stack_bottom,stack_size=$((stack_top - stack_bottom))" \
-    </dev/null >"$build/measured.txt" 2>&1 || { cat "$build/measured.txt"; fail "measure.elf ended with status $?"; }
+read -r _ board _ < <(grep "^$core " "$here/cores.txt")
+build_meter "$build"
+run_metered "$board" "$build/measure.elf" "$build/query_meter.so" >"$build/measured.txt" ||
+    { cat "$build/measured.txt"; fail "measure.elf ended with status $?"; }
 
-flash_bytes() { arm-none-eabi-size -A "$build/$1.elf" | awk '$1 == ".text" || $1 == ".ARM.exidx" || $1 == ".data" { sum += $2 } END { print sum }'; }
+# ---- what it says
+
+# Code, its constants and initial values: what lies in flash besides the blob.
+flash_bytes() {
+    arm-none-eabi-size -A "$build/$1.elf" |
+        awk '$1 == ".text" || $1 == ".ARM.exidx" || $1 == ".data" { sum += $2 } END { print sum }'
+}
 empty=$(flash_bytes empty)
-echo "$core $profile $(basename "$mesh") $(stat -c %s "$blob") bytes"
-for image in closest_ray five_queries every_query; do
-    printf 'code %s %d\n' "$image" $(($(flash_bytes "$image") - empty))
-done
-# names of kinds, from the workload itself
-names=$(sed -nE '/kind_names\[/,/\};/p' "$here/workload.hpp" | grep -oE '"[a-z_]+"' | tr -d '"')
-awk -v names="$names" '
-    BEGIN { split(names, name, "\n"); printf "%-24s %6s %14s %10s %10s %8s %6s %9s\n", "query", "calls", "instructions", "max", "blob_bytes", "max", "stack", "elsewhere" }
-    $1 == "measured" { printf "%-24s %6d %14d %10d %10d %8d %6d %9d\n", name[$2 + 1], $4, $6, $7, $9, $10, $12, $14; next }
-    { print }' "$build/measured.txt"
+kinds=$(sed -nE '/kind_names\[/,/\};/p' "$here/workload.hpp" | grep -oE '"[a-z_]+"' | tr -d '"' | tr '\n' ' ')
+rows=$build/rows.txt
+{
+    for image in closest_ray in_steps five_queries every_query; do
+        echo "$core $profile code $image $(($(flash_bytes "$image") - empty))"
+    done
+    echo "$core $profile blob $name $(stat -c %s "$blob")"
+    awk -v prefix="$core $profile $name" -v kinds="$kinds" '
+        BEGIN { split(kinds, kind, " ") }
+        $1 == "measured" { print prefix, kind[$2 + 1], $4, $6, $7, $9, $10, $12, $14 }' "$build/measured.txt"
+} >"$rows"
+[[ -z ${ROWS:-} ]] || cat "$rows" >>"$ROWS"
+answers=$(grep '^workload ' "$build/measured.txt") || fail "measure.elf printed no answers"
+echo "$core, profile $profile, $name"
+awk 'NF == 5 { print $3 " " $4 " " $5; next }
+    ++row == 1 { printf "%-24s %6s %13s %10s %10s %8s %6s %9s\n",
+        "query", "calls", "instructions", "max", "blob bytes", "max", "stack", "elsewhere" }
+    { printf "%-24s %6d %13d %10d %10d %8d %6d %9d\n", $4, $5, $6, $7, $8, $9, $10, $11 }' "$rows"
+echo "$answers"

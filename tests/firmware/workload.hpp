@@ -10,16 +10,21 @@
 #include <espalier/espalier.hpp>
 
 #include "../platform/fingerprint.hpp"
+#include "../platform/report.hpp"
 
 namespace espalier::firmware {
 
 enum Kind : unsigned {
     opening,
+    trusted_opening,
     closest_ray,
     any_ray,
     sphere_overlap,
     nearest_point,
     box_overlap,
+    box_in_steps,
+    first_in_steps,
+    any_in_steps,
     two_touch,
     two_distance,
     two_within,
@@ -48,42 +53,22 @@ enum Kind : unsigned {
     kind_count
 };
 
-inline constexpr const char* kind_names[kind_count] = {"open",
-                                                       "raycast",
-                                                       "occluded",
-                                                       "overlaps_sphere",
-                                                       "closest_point",
-                                                       "overlaps_box",
-                                                       "collides",
-                                                       "minimum_distance",
-                                                       "within_distance",
-                                                       "for_each_contact",
-                                                       "for_each_hit",
-                                                       "closest_hits",
-                                                       "raycast_batch",
-                                                       "for_each_overlap_sphere",
-                                                       "for_each_overlap_box",
-                                                       "overlaps_capsule",
-                                                       "overlaps_oriented_box",
-                                                       "overlaps_triangle",
-                                                       "overlaps_planes",
-                                                       "closest_triangles",
-                                                       "contains",
-                                                       "signed_distance",
-                                                       "closest_to_segment",
-                                                       "closest_to_box",
-                                                       "sweep_sphere",
-                                                       "sweep_capsule",
-                                                       "sweep_box",
-                                                       "may_overlap_sphere",
-                                                       "may_overlap_box",
-                                                       "may_be_occluded",
-                                                       "distance_bounds"};
+// clang-format off
+inline constexpr const char* kind_names[] = {
+    "open", "open_trusted_image", "raycast", "occluded", "overlaps_sphere", "closest_point", "overlaps_box",
+    "overlaps_box_in_steps", "first_hit_in_steps", "any_hit_in_steps", "collides", "minimum_distance",
+    "within_distance", "for_each_contact", "for_each_hit", "closest_hits", "raycast_batch", "for_each_overlap_sphere",
+    "for_each_overlap_box", "overlaps_capsule", "overlaps_oriented_box", "overlaps_triangle", "overlaps_planes",
+    "closest_triangles", "contains", "signed_distance", "closest_to_segment", "closest_to_box", "sweep_sphere",
+    "sweep_capsule", "sweep_box", "may_overlap_sphere", "may_overlap_box", "may_be_occluded", "distance_bounds",
+};
+// clang-format on
+static_assert(sizeof kind_names / sizeof *kind_names == kind_count);
 
 struct Counts {
-    std::uint32_t usual = 1000;  ///< of each of the five usual queries
-    std::uint32_t other = 100;
-    std::uint32_t pairs = 4;  ///< of each query of two blobs
+    std::uint32_t usual = 250;  ///< of each of the five usual queries
+    std::uint32_t other = 20;   ///< of the others, unless the blob is large
+    std::uint32_t pairs = 1;    ///< of each query of two blobs
 };
 
 /// Asks the blob; `measure(kind, call)` runs each call. Every bit that comes back goes into the fingerprint.
@@ -92,6 +77,7 @@ class Workload {
 public:
     Workload(std::span<const std::byte> bytes, const Blob& blob, const Measure& measure)
         : bytes_(bytes), blob_(blob), measure_(measure) {
+        lattice_ = lattice_of(blob);
         low_ = blob.bounds_min();
         size_ = difference(blob.bounds_max(), low_);
         center_ = {low_.x + 0.5f * size_.x, low_.y + 0.5f * size_.y, low_.z + 0.5f * size_.z};
@@ -102,6 +88,7 @@ public:
     platform::Fingerprint run(const Counts& counts) {
         open_again();
         for (std::uint32_t i = 0; i < counts.usual; ++i) ask_usual();
+        if (blob_.triangle_count() > large) return answers_;
         for (std::uint32_t i = 0; i < counts.other; ++i) {
             ask_rays();
             ask_volumes();
@@ -114,6 +101,10 @@ public:
     }
 
 private:
+    /// From here on the usual queries are all that is asked: the distance of two dragons, or the sweep of a capsule
+    /// through thousands of triangles, takes an emulated core without floats minutes.
+    static constexpr std::uint32_t large = 100'000;
+
     std::uint32_t word() {  // xorshift32
         state_ ^= state_ << 13;
         state_ ^= state_ >> 17;
@@ -204,6 +195,8 @@ private:
         Status status = Status::ok;
         measure_(opening, [&] { status = open(bytes_, blob); });
         answers_.add(static_cast<std::uint32_t>(status));
+        measure_(trusted_opening, [&] { status = open_trusted_image(bytes_, blob); });
+        answers_.add(static_cast<std::uint32_t>(status));
     }
 
     void ask_usual() {
@@ -225,6 +218,31 @@ private:
         answers_.add(answer);
         add(nearest);
         measure_(box_overlap, [&] { answer = overlaps(blob_, box); });
+        answers_.add(answer);
+        ask_in_steps(box, ray);
+    }
+
+    /// The same box and ray, the latter to twice as far as its target.
+    void ask_in_steps(const Box& world_box, const Ray& ray) {
+        BoxInSteps box;
+        add(steps_around(lattice_, world_box, box));
+        SegmentInSteps segment;
+        add(to_steps(lattice_, ray.origin, segment.from));
+        add(to_steps(lattice_,
+                     {ray.origin.x + 2.0f * ray.direction.x, ray.origin.y + 2.0f * ray.direction.y,
+                      ray.origin.z + 2.0f * ray.direction.z},
+                     segment.to));
+        bool answer = false;
+        measure_(box_in_steps, [&] { answer = overlaps(blob_, box); });
+        answers_.add(answer);
+        HitInSteps hit;
+        QueryStatus status{};
+        measure_(first_in_steps, [&] { status = first_hit(blob_, segment, hit); });
+        add(status);
+        answers_.add(hit.t);
+        answers_.add(hit.triangle.index);
+        measure_(any_in_steps, [&] { status = any_hit(blob_, segment, answer); });
+        add(status);
         answers_.add(answer);
     }
 
@@ -334,14 +352,27 @@ private:
         answers_.add(bounds.upper);
     }
 
-    /// The blob against itself, turned and half a box aside; for distances, a box and a half.
+    /// Where a rotation without translation takes a point; the quaternion may have any length.
+    static Vec3 turned(const Quaternion& q, const Vec3& p) {
+        const float scale = 1.0f / (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+        const float diagonal = (q.w * q.w - q.x * q.x - q.y * q.y - q.z * q.z) * scale;
+        const float along = 2.0f * (q.x * p.x + q.y * p.y + q.z * p.z) * scale;
+        const float twice = 2.0f * q.w * scale;
+        return {diagonal * p.x + along * q.x + twice * (q.y * p.z - q.z * p.y),
+                diagonal * p.y + along * q.y + twice * (q.z * p.x - q.x * p.z),
+                diagonal * p.z + along * q.z + twice * (q.x * p.y - q.y * p.x)};
+    }
+
+    /// The blob against itself, turned about its middle, so far aside that the boxes overlap by half; for distances,
+    /// that they are half their size apart.
     void ask_pairs() {
         Placement placement;
-        placement.rotation = {0.25f * symmetric(), 0.25f * symmetric(), 0.25f * symmetric(), 1.0f};
+        placement.rotation = {0.5f * symmetric(), 0.5f * symmetric(), 0.5f * symmetric(), 1.0f};
+        const Vec3 back = difference(center_, turned(placement.rotation, center_));
         const Vec3 direction = unit_vector();
         const auto aside = [&](float distance) {
-            return Vec3{direction.x * distance * extent_, direction.y * distance * extent_,
-                        direction.z * distance * extent_};
+            return Vec3{back.x + direction.x * distance * size_.x, back.y + direction.y * distance * size_.y,
+                        back.z + direction.z * distance * size_.z};
         };
         bool answer = false;
         QueryStatus status{};
@@ -370,6 +401,7 @@ private:
     std::span<const std::byte> bytes_;
     const Blob& blob_;
     const Measure& measure_;
+    Lattice lattice_;
     Vec3 low_;
     Vec3 size_;
     Vec3 center_;
@@ -377,5 +409,14 @@ private:
     std::uint32_t state_ = 0x9E3779B9u;
     platform::Fingerprint answers_;
 };
+
+/// The line that every machine must print alike.
+inline platform::Line workload_line(const platform::Fingerprint& answers) {
+    platform::Line line;
+    line.text("workload ");
+    line.hexadecimal(answers.value());
+    line.text("\n");
+    return line;
+}
 
 }  // namespace espalier::firmware

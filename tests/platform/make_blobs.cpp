@@ -1,7 +1,6 @@
-// make_blobs FOLDER: bakes the blobs that every machine is asked about, as .espl files, and two small ones also as
-// lists of numbers that a firmware image can include: five of everything that a blob may carry, and one by each builder
-// in each profile. The meshes are made here, from integers: a landscape and a lumpy closed body above it, so that ids,
-// materials and several inputs have something to say.
+// make_blobs FOLDER: bakes the blobs that every machine is asked about, as .espl files: five of everything
+// that a blob may carry, and one by each builder in each profile. The meshes are made here, from integers: a landscape
+// and a lumpy closed body above it, so that ids, materials and several inputs have something to say.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -106,26 +105,15 @@ bool write_file(const std::string& path, const void* bytes, std::size_t count) {
     return written && closed;
 }
 
-bool write_number_list(const std::string& path, const std::vector<std::byte>& blob) {
-    std::string text;
-    for (std::size_t index = 0; index < blob.size(); ++index) {
-        text += std::to_string(std::to_integer<unsigned>(blob[index]));
-        text += index % 32 == 31 ? ",\n" : ",";
-    }
-    text += '\n';
-    return write_file(path, text.data(), text.size());
-}
-
 bool bake_to(const std::string& path, const std::vector<espalier::MeshView>& meshes,
-             const espalier::BakeOptions& options, const std::string& number_list_path = {}) {
+             const espalier::BakeOptions& options) {
     const auto baked = espalier::bake(meshes, options);
     if (!baked) {
         std::fprintf(stderr, "make_blobs: %s: %s\n", path.c_str(), baked.error().message.c_str());
         return false;
     }
     std::fprintf(stderr, "%s: %u triangles, %zu bytes\n", path.c_str(), baked->report.triangles, baked->blob.size());
-    return write_file(path, baked->blob.data(), baked->blob.size()) &&
-           (number_list_path.empty() || write_number_list(number_list_path, baked->blob));
+    return write_file(path, baked->blob.data(), baked->blob.size());
 }
 
 bool bake_by_every_builder(const std::string& folder, const std::vector<espalier::MeshView>& meshes) {
@@ -178,8 +166,8 @@ int main(int argument_count, char** arguments) {
     options.profile = espalier::format::Profile::fast;
     options.original_ids = true;
     options.materials = espalier::Materials::bits_8;
-    const bool small = bake_to(folder + "small.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")}, options,
-                               folder + "small.inc");
+    const bool small =
+        bake_to(folder + "small.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")}, options);
     options.bits = 24;
     options.materials = espalier::Materials::bits_16;
     options.edge_flags = 5.0;
@@ -192,8 +180,8 @@ int main(int argument_count, char** arguments) {
     const bool coarse = bake_to(folder + "coarse.espl", {view(landscape, 0, "landscape")}, plain);
     options.profile = espalier::format::Profile::balanced;
     options.bits = 16;
-    const bool strips = bake_to(folder + "strips.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")},
-                                options, folder + "strips.inc");
+    const bool strips =
+        bake_to(folder + "strips.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")}, options);
     options.profile = espalier::format::Profile::small;
     options.bits = 22;
     const bool dense =

@@ -10,7 +10,9 @@ namespace espalier::firmware {
 inline constexpr unsigned mark_count = 64;
 inline constexpr unsigned end_mark = mark_count - 1;
 
-extern "C" volatile std::uint32_t firmware_marks[mark_count];
+extern "C" {
+inline volatile std::uint32_t firmware_marks[mark_count] = {};
+}
 
 /// Runs the call between two marks. One function for all calls: what it adds itself is the same few instructions for
 /// each.

@@ -6,6 +6,7 @@
 
 extern "C" {
 
+// Of image.ld.
 extern std::uint32_t image_stack_top;
 extern std::uint32_t image_data_load;
 extern std::uint32_t image_data_begin;
@@ -16,16 +17,16 @@ extern std::uint32_t image_bss_end;
 int main();
 
 // Plain loops; the attribute keeps the compiler from turning them into calls of themselves.
-#define ESPALIER_NO_LOOP_PATTERNS __attribute__((used, optimize("no-tree-loop-distribute-patterns")))
+#define BOARD_NO_LOOP_PATTERNS __attribute__((used, optimize("no-tree-loop-distribute-patterns")))
 
-ESPALIER_NO_LOOP_PATTERNS void* memcpy(void* to, const void* from, std::size_t count) {
+BOARD_NO_LOOP_PATTERNS void* memcpy(void* to, const void* from, std::size_t count) {
     auto* out = static_cast<unsigned char*>(to);
     const auto* in = static_cast<const unsigned char*>(from);
     while (count-- > 0) *out++ = *in++;
     return to;
 }
 
-ESPALIER_NO_LOOP_PATTERNS void* memmove(void* to, const void* from, std::size_t count) {
+BOARD_NO_LOOP_PATTERNS void* memmove(void* to, const void* from, std::size_t count) {
     auto* out = static_cast<unsigned char*>(to);
     const auto* in = static_cast<const unsigned char*>(from);
     if (out <= in) return memcpy(to, from, count);
@@ -33,7 +34,7 @@ ESPALIER_NO_LOOP_PATTERNS void* memmove(void* to, const void* from, std::size_t 
     return to;
 }
 
-ESPALIER_NO_LOOP_PATTERNS void* memset(void* to, int value, std::size_t count) {
+BOARD_NO_LOOP_PATTERNS void* memset(void* to, int value, std::size_t count) {
     auto* out = static_cast<unsigned char*>(to);
     while (count-- > 0) *out++ = static_cast<unsigned char>(value);
     return to;
@@ -41,19 +42,19 @@ ESPALIER_NO_LOOP_PATTERNS void* memset(void* to, int value, std::size_t count) {
 
 [[noreturn]] void reset_handler() {
 #if defined(__ARM_FP)
-    *reinterpret_cast<volatile std::uint32_t*>(0xE000ED88u) |= 0xFu
-                                                               << 20;  // CPACR: the floating-point unit is off at reset
+    // The floating-point unit is off at reset: full access to coprocessors 10 and 11 in the register CPACR.
+    *reinterpret_cast<volatile std::uint32_t*>(0xE000ED88u) |= 0xFu << 20;
     asm volatile("dsb\n isb" ::: "memory");
 #endif
     const std::uint32_t* load = &image_data_load;
     for (std::uint32_t* word = &image_data_begin; word < &image_data_end;) *word++ = *load++;
     for (std::uint32_t* word = &image_bss_begin; word < &image_bss_end;) *word++ = 0;
-    espalier::firmware::exit_with(static_cast<std::uint32_t>(main()));
+    board::exit_with(static_cast<std::uint32_t>(main()));
 }
 
 [[noreturn]] void fault_handler() {
-    espalier::firmware::print("fault: the core stopped on an illegal access or instruction\n");
-    espalier::firmware::exit_with(101);
+    board::print("fault: the core stopped on an illegal access or instruction\n");
+    board::exit_with(101);
 }
 
 using Handler = void (*)();
@@ -63,10 +64,12 @@ struct VectorTable {
     Handler handlers[15];
 };
 
+// clang-format off
 extern const VectorTable image_vectors;
 __attribute__((section(".vectors"), used)) const VectorTable image_vectors = {
     &image_stack_top,
-    {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, nullptr, nullptr,
-     nullptr, nullptr, fault_handler, fault_handler, nullptr, fault_handler, fault_handler}};
+    {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, nullptr, nullptr, nullptr,
+     nullptr, fault_handler, fault_handler, nullptr, fault_handler, fault_handler}};
+// clang-format on
 
 }  // extern "C"

@@ -1,9 +1,10 @@
-// Talking to the debugger, which under QEMU is the terminal: the only way out of a chip without peripherals.
+// Talking to the debugger, which under QEMU is the terminal: the only way out of a board without peripherals. On your own
+// board print by its UART, and do not return from main.
 #pragma once
 
 #include <cstdint>
 
-namespace espalier::firmware {
+namespace board {
 
 inline std::int32_t semihosting_call(std::int32_t operation, const void* argument) {
     register std::int32_t result asm("r0") = operation;
@@ -24,4 +25,4 @@ inline void print(const char* text) { semihosting_call(0x04, text); }
     }
 }
 
-}  // namespace espalier::firmware
+}  // namespace board

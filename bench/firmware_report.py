@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""Turns rows of `tools/dev firmware` into the tables of docs/small_cores.md.
+
+    bench/firmware_report.py bench/results/FILE.jsonl    writes docs/small_cores.md (between its markers)
+    bench/firmware_report.py --check                     exits with 1 when the page is not what its rows say
+
+Standard library only.
+"""
+
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays as it is
+from report_page import ROOT, fail, fill, links, read_objects, run, table  # noqa: E402
+
+DOCUMENT = ROOT / "docs" / "small_cores.md"
+CORES = {"m0": "M0", "m3": "M3", "m4f": "M4F", "m7": "M7", "m33": "M33", "m55": "M55"}
+IMAGES = {"closest_ray": "`open` and closest ray", "in_steps": "`open_trusted_image`, a segment in steps",
+          "five_queries": "`open` and the five", "every_query": "every query"}
+FIVE = {"raycast": "closest ray", "occluded": "any ray", "overlaps_sphere": "sphere overlap", "closest_point": "closest point",
+        "overlaps_box": "box overlap"}
+IN_STEPS = {"overlaps_box_in_steps": "box", "first_hit_in_steps": "segment, first hit", "any_hit_in_steps": "segment, any hit"}
+STACKS = {"open": "`open`", **FIVE, "collides": "two touch", "minimum_distance": "two: distance"}
+
+
+def needed(row):
+    if "image" in row:
+        return ("core", "profile", "code_bytes", "compiler", "qemu")
+    if "blob_size" in row:
+        return ("core", "profile", "mesh")
+    return ("core", "profile", "mesh", "query", "calls", "instructions", "instructions_max", "blob_bytes", "blob_bytes_max",
+            "stack", "writes_elsewhere")
+
+
+class Rows:
+    def __init__(self, rows):
+        self.code = {(r["core"], r["profile"], r["image"]): r["code_bytes"] for r in rows if "image" in r}
+        self.blobs = {(r["profile"], r["mesh"]): r["blob_size"] for r in rows if "blob_size" in r}
+        self.queries = {(r["core"], r["profile"], r["mesh"], r["query"]): r for r in rows if "query" in r}
+        self.tools = sorted({(r["compiler"], r["qemu"]) for r in rows if "compiler" in r})
+        if not self.code or not self.queries or len(self.tools) != 1:
+            fail("the rows are not those of a whole run with one compiler and one QEMU")
+
+    def asked(self):
+        """Core, profile and mesh, in the order of the rows."""
+        return list(dict.fromkeys(key[:3] for key in self.queries))
+
+    def largest(self, core):
+        """What the columns of a core are about: a mesh that all but the smallest core hold."""
+        for mesh in ("bunny", "fandisk", "level"):
+            if (core, "fast", mesh) in self.asked():
+                return mesh
+        fail(f"{core}: no mesh was asked in profile fast")
+
+
+def thousands(number):
+    return f"{number:,}"
+
+
+def code_table(rows):
+    kinds = list(dict.fromkeys((core, profile) for core, profile, _ in rows.code))
+    return table(["core", "profile"] + list(IMAGES.values()),
+                 [[CORES[core], f"`{profile}`"] + [thousands(rows.code[core, profile, image]) for image in IMAGES]
+                  for core, profile in kinds])
+
+
+def of_each_core(rows, first, names, cell):
+    """A row for each core in profile fast, a column for each query."""
+    lines = []
+    for core in dict.fromkeys(key[0] for key in rows.queries):
+        mesh = rows.largest(core)
+        lines.append([CORES[core], mesh] + [cell(rows.queries[core, "fast", mesh, query]) for query in names])
+    return table(["core", first] + list(names.values()), lines)
+
+
+def instructions_table(rows):
+    return of_each_core(rows, "mesh", FIVE, lambda r: f"{thousands(r['instructions'])} ({thousands(r['instructions_max'])})")
+
+
+def steps_table(rows):
+    return of_each_core(rows, "mesh", IN_STEPS, lambda r: f"{thousands(r['instructions'])} ({thousands(r['instructions_max'])})")
+
+
+def blob_bytes_table(rows):
+    return of_each_core(rows, "mesh", FIVE, lambda r: f"{thousands(r['blob_bytes'])} ({thousands(r['blob_bytes_max'])})")
+
+
+def stack_table(rows):
+    """The deepest of all meshes, because which branches run depends on them."""
+    lines = []
+    for core, profile in dict.fromkeys(key[:2] for key in rows.queries):
+        own = [row for key, row in rows.queries.items() if key[:2] == (core, profile)]
+        deepest = {query: max(row["stack"] for row in own if row["query"] == query) for query in STACKS}
+        others = max(own, key=lambda row: (row["query"] not in STACKS, row["stack"]))
+        lines.append([CORES[core], f"`{profile}`"] + [thousands(deepest[query]) for query in STACKS] +
+                     [f"{thousands(others['stack'])} (`{others['query']}`)"])
+    return table(["core", "profile"] + list(STACKS.values()) + ["deepest of the others"], lines)
+
+
+def level_table(rows):
+    lines = []
+    for core, profile, mesh in rows.asked():
+        if mesh != "level":
+            continue
+        blob = rows.blobs[profile, mesh]
+        ray, five = (rows.code[core, profile, image] for image in ("closest_ray", "five_queries"))
+        ray_stack = rows.queries[core, profile, mesh, "raycast"]["stack"]
+        five_stack = max(rows.queries[core, profile, mesh, query]["stack"] for query in FIVE)
+        opening = rows.queries[core, profile, mesh, "open"]["stack"]
+        lines.append([CORES[core], f"`{profile}`", thousands(blob), thousands(blob + ray), thousands(max(ray_stack, opening)),
+                      thousands(blob + five), thousands(max(five_stack, opening))])
+    return table(["core", "profile", "blob", "blob and code of a closest ray", "stack of it", "blob and code of the five",
+                  "stack of them"], lines)
+
+
+def largest_table(rows):
+    lines = []
+    for core in dict.fromkeys(key[0] for key in rows.queries):
+        _, profile, mesh = max((key for key in rows.asked() if key[0] == core), key=lambda key: rows.blobs[key[1:]])
+        ray = rows.queries[core, profile, mesh, "raycast"]
+        opening = rows.queries[core, profile, mesh, "open"]
+        lines.append([CORES[core], mesh, f"`{profile}`", thousands(rows.blobs[profile, mesh]), thousands(opening["instructions"]),
+                      f"{thousands(ray['instructions'])} ({thousands(ray['instructions_max'])})"])
+    return table(["core", "mesh", "profile", "blob", "instructions of `open`", "closest ray"], lines)
+
+
+def all_queries_table(rows):
+    own = [row for key, row in rows.queries.items() if key[:3] == ("m4f", "fast", rows.largest("m4f"))]
+    return table(["query", "instructions (most)", "blob bytes (most)", "stack"],
+                 [[f"`{r['query']}`", f"{thousands(r['instructions'])} ({thousands(r['instructions_max'])})",
+                   f"{thousands(r['blob_bytes'])} ({thousands(r['blob_bytes_max'])})", thousands(r["stack"])] for r in own])
+
+
+def outputs(files):
+    rows = Rows(read_objects(files, "tools/dev firmware --publish", needed))
+    compiler, qemu = rows.tools[0]
+    elsewhere = sum(row["writes_elsewhere"] for row in rows.queries.values())
+    conditions = (f"Rows: {links(files)}. GCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}. "
+                  f"Writes outside the stack in all {sum(row['calls'] for row in rows.queries.values()):,} calls: {elsewhere}.")
+    return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
+                                      "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows),
+                                      "largest": largest_table(rows), "queries": all_queries_table(rows)})}
+
+
+if __name__ == "__main__":
+    run(DOCUMENT, __doc__, outputs)

@@ -1,0 +1,72 @@
+// make_blobs FOLDER: bakes what firmware is measured with, as MESH_PROFILE.espl: meshes that are made here, and bunny,
+// fandisk and dragon where the folder ESPALIER_MESHES has them.
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <span>
+#include <string>
+
+#include <espalier/bake.hpp>
+
+#include "../support/level_maker.hpp"
+#include "../support/mesh_files.hpp"
+#include "../support/mesh_makers.hpp"
+
+namespace {
+
+using espalier::format::Profile;
+using namespace espalier::tests;
+
+bool bake_to(const std::string& folder, const Mesh& mesh, const std::string& name, Profile profile, unsigned bits) {
+    espalier::BakeOptions options;
+    options.profile = profile;
+    options.bits = bits;
+    const espalier::MeshView view = mesh.view();
+    const auto baked = espalier::bake(std::span(&view, 1), options);
+    if (!baked) {
+        std::fprintf(stderr, "make_blobs: %s: %s\n", name.c_str(), baked.error().message.c_str());
+        return false;
+    }
+    const std::string path = folder + "/" + name + (profile == Profile::fast ? "_fast.espl" : "_small.espl");
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(baked->blob.data()), static_cast<std::streamsize>(baked->blob.size()));
+    file.close();
+    if (!file) {
+        std::fprintf(stderr, "make_blobs: %s could not be written\n", path.c_str());
+        return false;
+    }
+    std::printf("%s %u triangles %zu bytes\n", path.c_str(), baked->report.triangles, baked->blob.size());
+    return true;
+}
+
+bool bake_real_mesh(const std::string& folder, const std::string& name, const char* file_name, bool also_small) {
+    const auto file = mesh_file(file_name);
+    if (!file) return true;
+    const Mesh mesh = read_mesh(*file);
+    return bake_to(folder, mesh, name, Profile::fast, 16) &&
+           (!also_small || bake_to(folder, mesh, name, Profile::small, 16));
+}
+
+bool bake_all(const std::string& folder) {
+    const Mesh level = make_level(5000, 2026);
+    const Mesh torus = make_torus(64, 24, 3.0, 1.0);
+    return bake_to(folder, level, "level", Profile::fast, 14) && bake_to(folder, level, "level", Profile::small, 14) &&
+           bake_to(folder, torus, "torus", Profile::fast, 16) && bake_real_mesh(folder, "bunny", "bunny.obj", true) &&
+           bake_real_mesh(folder, "fandisk", "fandisk.obj", false) &&
+           bake_real_mesh(folder, "dragon", "dragon.ply", false);
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    if (argument_count != 2) {
+        std::fputs("usage: make_blobs FOLDER\n", stderr);
+        return 1;
+    }
+    try {
+        return bake_all(arguments[1]) ? 0 : 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "make_blobs: %s\n", error.what());
+        return 2;
+    }
+}

@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# What measure.sh found, its rows, in other forms:
+#     rows.sh check ROWS     holds them to budgets.txt. Exit status: 0 within, 1 something takes more
+#     rows.sh budgets ROWS   a new budgets.txt, which allows a fiftieth more than what was found
+#     rows.sh json ROWS      a JSON object for each row, for bench/results
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+rows=$2
+compiler=$(arm-none-eabi-g++ -dumpfullversion)
+
+# The queries that have a line of their own in budgets.txt. Of all others the deepest stack is held.
+usual='open raycast occluded overlaps_sphere closest_point overlaps_box overlaps_box_in_steps first_hit_in_steps
+    collides minimum_distance'
+
+# Rows as lines of budgets.txt; what was measured several times, code, is one line.
+as_budgets() {
+    awk -v usual="$usual" '
+        BEGIN { split(usual, names, " "); for (i in names) own[names[i]] = 1 }
+        $3 == "code" || $3 == "blob" { if (!seen[$1, $2, $3, $4]++) print $1, $2, $3, $4, $5; next }
+        $4 in own { print $1, $2, $3, $4, $6, $7, $8, $9, $10; next }
+        { key = $1 " " $2 " " $3 }
+        !(key in most) { order[++count] = key }
+        $10 > most[key] { most[key] = $10 }
+        END { for (i = 1; i <= count; ++i) print order[i], "others", "-", "-", "-", "-", most[order[i]] }' "$rows"
+}
+
+print_budgets() {
+    cat <<TEXT
+# What a core may take at most, for answers to the queries of workload.hpp. A test holds every figure to its line here. They
+# are counts, the same at every run, and a fiftieth more than what was found when this file was made by
+#     tools/dev firmware --publish NAME FOLDER_OF_MESHES
+# code: bytes in flash of open and the closest hit of a ray; of open_trusted_image and the first hit of a segment in whole
+# lattice steps, without floats; of open and the five usual queries; of every query.
+# blob: its bytes. instructions are those of QEMU, no cycles; blob bytes count as often as they are read; others: the deepest
+# stack of all queries without a line. Counts belong to a compiler: with another one nothing is held to them.
+# compiler $compiler
+TEXT
+    as_budgets | awk '
+        BEGIN { row = "%-5s %-8s %-8s %-18s %12s %12s %11s %9s %6s\n"
+            printf row, "#core", "profile", "mesh", "query", "instructions", "max", "blob bytes", "max", "stack" }
+        function more(value) { return value == "-" ? value : int(value * 1.02 + 0.999) }
+        NF == 5 { printf "%-5s %-8s %-8s %-18s %12d\n", $1, $2, $3, $4, more($5); next }
+        { printf row, $1, $2, $3, $4, more($5), more($6), more($7), more($8), more($9) }'
+}
+
+check() {
+    if ! grep -qx "# compiler $compiler" "$here/budgets.txt"; then
+        echo "not held: the budgets are of $(sed -n 's/^# \(compiler .*\)/\1/p' "$here/budgets.txt"), this is $compiler"
+        return
+    fi
+    as_budgets | awk '
+        BEGIN {
+            split("instructions on average,instructions at most,blob bytes on average,blob bytes at most,bytes of stack",
+                what, ",")
+        }
+        FNR == NR { if ($1 !~ /^#/) for (i = 5; i <= NF; ++i) budget[$1, $2, $3, $4, i] = $i; next }
+        {
+            for (i = 5; i <= NF; ++i) {
+                if ($i == "-") continue
+                if (!(($1, $2, $3, $4, i) in budget)) {
+                    print "failed: no budget for " $1 " " $2 " " $3 " " $4
+                    bad = 1
+                    break
+                }
+                ++held
+                if ($i > budget[$1, $2, $3, $4, i] + 0) {
+                    print "failed: " $1 " " $2 " " $3 " " $4 " takes " $i " " (NF == 5 ? "bytes" : what[i - 4]) \
+                        ", its budget is " budget[$1, $2, $3, $4, i]
+                    bad = 1
+                }
+            }
+        }
+        END { print held + 0 " figures held to budgets"; exit bad }' "$here/budgets.txt" -
+}
+
+print_json() {
+    local qemu
+    qemu=$(qemu-system-arm --version | sed -nE '1s/.*version ([0-9.]+).*/\1/p')
+    awk -v tools="\"compiler\":\"$compiler\",\"qemu\":\"$qemu\"" '
+        { start = "{\"core\":\"" $1 "\",\"profile\":\"" $2 "\"," }
+        $3 == "code" && seen[$1, $2, $4]++ { next }
+        $3 == "code" { print start "\"image\":\"" $4 "\",\"code_bytes\":" $5 "," tools "}"; next }
+        $3 == "blob" { print start "\"mesh\":\"" $4 "\",\"blob_size\":" $5 "," tools "}"; next }
+        {
+            printf "%s\"mesh\":\"%s\",\"query\":\"%s\",\"calls\":%d,", start, $3, $4, $5
+            printf "\"instructions\":%.0f,\"instructions_max\":%.0f,", $6, $7
+            printf "\"blob_bytes\":%.0f,\"blob_bytes_max\":%.0f,", $8, $9
+            printf "\"stack\":%d,\"writes_elsewhere\":%d,%s}\n", $10, $11, tools
+        }' "$rows"
+}
+
+case $1 in
+    check) check ;;
+    budgets) print_budgets ;;
+    json) print_json ;;
+    *) echo "rows.sh check|budgets|json ROWS" >&2; exit 1 ;;
+esac
