@@ -19,7 +19,7 @@ struct Place {
 /// A side of the triangle, against a box.
 class SideAndBox {
 public:
-    SideAndBox(const LatticeSegment& diagonal, const std::int32_t* from, const std::int32_t* to)
+    SideAndBox(const UnitSegment& diagonal, const std::int32_t* from, const std::int32_t* to)
         : box_(diagonal), bits_(diagonal.fraction_bits) {
         for (int k = 0; k < 3; ++k) {
             start_[k] = std::int64_t{from[k]} << bits_;
@@ -90,19 +90,19 @@ private:
         return multiply(gap[0], edge_[0]) + multiply(gap[1], edge_[1]) + multiply(gap[2], edge_[2]);
     }
 
-    const LatticeSegment& box_;
+    const UnitSegment& box_;
     int bits_;
     std::int64_t start_[3];
     std::int64_t edge_[3];
 };
 
 /// The diagonal of the box that leads straightest through the triangle's plane.
-LatticeSegment diagonal_across(const LatticeSegment& diagonal, const LatticeTriangle& triangle) {
+UnitSegment diagonal_across(const UnitSegment& diagonal, const LatticeTriangle& triangle) {
     const auto& c = triangle.corner;
     const auto edge = [&](int to, int k) { return std::int64_t{c[to][k]} - c[0][k]; };
     const Integer3 normal = cross({edge(1, 0), edge(1, 1), edge(1, 2)}, {edge(2, 0), edge(2, 1), edge(2, 2)});
     const bool backward[3] = {normal.x < 0, normal.y < 0, normal.z < 0};
-    LatticeSegment across;
+    UnitSegment across;
     across.fraction_bits = diagonal.fraction_bits;
     for (int k = 0; k < 3; ++k) {
         across.from[k] = backward[k] ? diagonal.to[k] : diagonal.from[k];
@@ -113,7 +113,7 @@ LatticeSegment diagonal_across(const LatticeSegment& diagonal, const LatticeTria
 
 /// Calls visit(distance, along) for each side in turn, a to b first.
 template <class Visitor>
-void for_each_side(const LatticeSegment& diagonal, const LatticeTriangle& triangle, Visitor visit) {
+void for_each_side(const UnitSegment& diagonal, const LatticeTriangle& triangle, Visitor visit) {
     for (int i = 0; i < 3; ++i) {
         float along = 0.0f;
         const SideAndBox side(diagonal, triangle.corner[i], triangle.corner[i == 2 ? 0 : i + 1]);
@@ -124,7 +124,7 @@ void for_each_side(const LatticeSegment& diagonal, const LatticeTriangle& triang
 
 }  // namespace
 
-SegmentDistance distance_to_box(const LatticeSegment& diagonal, const LatticeTriangle& triangle) noexcept {
+SegmentDistance distance_to_box(const UnitSegment& diagonal, const LatticeTriangle& triangle) noexcept {
     SegmentDistance nearest = distance_to(diagonal_across(diagonal, triangle), triangle);
     for_each_side(diagonal, triangle, [&](int i, const PointDistance& side, float along) {
         if (side.squared < nearest.squared) nearest = at_side(side.squared, 0.0f, i, along);
@@ -132,13 +132,13 @@ SegmentDistance distance_to_box(const LatticeSegment& diagonal, const LatticeTri
     return nearest;
 }
 
-bool is_within_radius_of_box(const LatticeSegment& diagonal, const LatticeTriangle& triangle,
+bool is_within_radius_of_box(const UnitSegment& diagonal, const LatticeTriangle& triangle,
                              const SegmentDistance& distance, float radius) noexcept {
     const float squared = radius * radius;
     if (distance.squared > squared * distance_slack) return false;
     if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
     if (radius == 0.0f) return false;
-    const LatticeSegment across = diagonal_across(diagonal, triangle);
+    const UnitSegment across = diagonal_across(diagonal, triangle);
     bool within = is_within_radius(across, triangle, distance_to(across, triangle), radius);
     for_each_side(diagonal, triangle, [&](int, const PointDistance& side, float) {
         within = within || is_within_radius(side, diagonal.fraction_bits, radius);

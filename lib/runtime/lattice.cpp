@@ -1,6 +1,7 @@
 // Between the world and the lattice: exactly, in integers, so that no core needs floats for it.
 #include <espalier/lattice.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/lattice_round.hpp>
 #include <runtime/wide_integer.hpp>
 
 namespace espalier {
@@ -53,8 +54,6 @@ bool floor_steps(float from, float to, int step_exponent, int halves, std::int32
     return true;
 }
 
-bool is_finite(const Vec3& v) { return detail::is_finite(v.x) && detail::is_finite(v.y) && detail::is_finite(v.z); }
-
 }  // namespace
 
 Lattice lattice_of(const Blob& blob) noexcept {
@@ -65,7 +64,7 @@ Lattice lattice_of(const Blob& blob) noexcept {
 }
 
 QueryStatus to_steps(const Lattice& lattice, const Vec3& world, Steps& steps) noexcept {
-    if (!is_finite(world)) return QueryStatus::invalid_argument;
+    if (!detail::is_finite(world)) return QueryStatus::invalid_argument;
     Steps nearest;
     const auto round = [&](float from, float to, std::int32_t& rounded) {
         return floor_steps(from, to, lattice.step_exponent, 1, rounded);
@@ -78,7 +77,7 @@ QueryStatus to_steps(const Lattice& lattice, const Vec3& world, Steps& steps) no
 }
 
 QueryStatus steps_around(const Lattice& lattice, const Box& world, BoxInSteps& box) noexcept {
-    if (!is_finite(world.min) || !is_finite(world.max)) return QueryStatus::invalid_argument;
+    if (!detail::is_finite(world.min) || !detail::is_finite(world.max)) return QueryStatus::invalid_argument;
     BoxInSteps around;
     bool is_empty = false;
     const auto enclose = [&](float origin, float min, float max, std::int32_t& low, std::int32_t& high) {

@@ -15,13 +15,13 @@ namespace espalier::detail {
 inline constexpr float distance_slack = 1.0f + 0x1p-18f;
 
 struct LatticePoint {
-    std::int64_t origin[3];      ///< the point, in units of 2^-fraction_bits lattice steps; below 2^37 steps
-    int fraction_bits;           ///< 0..6
-    alignas(16) float steps[4];  ///< the same in float, exactly; the fourth is zero
-    float radius;                ///< lattice steps; may be infinite
-    float limit;                 ///< squared radius with slack: boxes farther away hold nothing
-    float inner_limit;           ///< squared radius less the slack: what is all nearer overlaps
-    float distance_offset;       ///< lattice steps: how far a point from far away was moved towards the asset
+    std::int64_t origin[3];  ///< the point, in units of 2^-fraction_bits lattice steps; below 2^37 steps
+    int fraction_bits;       ///< 0..6
+    alignas(register_alignment) float steps[4];  ///< the same in float, exactly; the fourth is zero
+    float radius;                                ///< lattice steps; may be infinite
+    float limit;                                 ///< squared radius with slack: boxes farther away hold nothing
+    float inner_limit;                           ///< squared radius less the slack: what is all nearer overlaps
+    float distance_offset;  ///< lattice steps: how far a point from far away was moved towards the asset
 };
 
 /// False when nothing can be within the radius: an argument out of the domain.

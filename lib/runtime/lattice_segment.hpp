@@ -14,12 +14,17 @@ namespace espalier::detail {
 /// How far, in lattice steps, an end may be from any point of the asset, along any axis: beyond, a segment is refused.
 inline constexpr float segment_reach = 0x1p36f;
 
-struct LatticeSegment {
+/// All that its exact distances need.
+struct UnitSegment {
     std::int64_t from[3];  ///< in units of 2^-fraction_bits lattice steps; at most 2^36 of them from the asset
     std::int64_t to[3];
-    int fraction_bits;                ///< 0..6
-    alignas(16) float from_steps[4];  ///< the same in float and in lattice steps, exactly; the fourth is zero
-    alignas(16) float to_steps[4];
+    int fraction_bits;  ///< 0..6
+};
+
+struct LatticeSegment : UnitSegment {
+    alignas(register_alignment) float from_steps[4];  ///< the same in float and in lattice steps, exactly; the fourth
+                                                      ///< is zero
+    alignas(register_alignment) float to_steps[4];
 };
 
 /// Where `status` is not ok the segment is not written.

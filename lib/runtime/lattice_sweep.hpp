@@ -70,8 +70,7 @@ struct BoxSweep : LatticeSweep {};
 inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle) {
     if (!boxes_meet_at_start(sweep, triangle)) return false;
     const Integer3 to = sum(sweep.from, sweep.moving.axis);
-    const LatticeSegment axis = {
-        {sweep.from.x, sweep.from.y, sweep.from.z}, {to.x, to.y, to.z}, sweep.fraction_bits, {}, {}};
+    const UnitSegment axis = {{sweep.from.x, sweep.from.y, sweep.from.z}, {to.x, to.y, to.z}, sweep.fraction_bits};
     // The radius came from a float and is one still.
     const float radius = to_float(sweep.moving.sphere.radius) * power_of_two(-sweep.fraction_bits);
     return is_within_radius(axis, triangle, distance_to(axis, triangle), radius);

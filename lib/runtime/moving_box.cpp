@@ -1,7 +1,7 @@
 // The kernel of boxes that move. Widths and roundings: docs/numerics.md.
 #include <runtime/moving_box.hpp>
 #include <runtime/square_root.hpp>
-#include <runtime/wide_sum.hpp>
+#include <runtime/wide_difference.hpp>
 
 namespace espalier::detail {
 
@@ -29,10 +29,7 @@ ESPALIER_SHARED_CODE bool is_less(const Share& a, const Share& b) {
         const auto word = [](const Int128& x) { return static_cast<std::int64_t>(x.low); };
         return multiply(word(a.numerator), word(b.denominator)) < multiply(word(b.numerator), word(a.denominator));
     }
-    WideSum sum;
-    sum.add_product(a.numerator, b.denominator);
-    sum.add_product(-b.numerator, a.denominator);
-    return sum.sign() < 0;
+    return compare_products(a.numerator, b.denominator, b.numerator, a.denominator) < 0;
 }
 
 /// Along an axis: what box and triangle take up, and how far the box moves.

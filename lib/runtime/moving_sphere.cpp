@@ -1,7 +1,7 @@
 // The kernel of spheres and, through it, of capsules that move. Widths and roundings: docs/numerics.md.
 #include <runtime/moving_sphere.hpp>
 #include <runtime/square_root.hpp>
-#include <runtime/wide_sum.hpp>
+#include <runtime/wide_difference.hpp>
 
 namespace espalier::detail {
 
@@ -28,17 +28,6 @@ Float3 rounded_cross(const Integer3& a, const Integer3& b) {
         return to_float(multiply(p, q) - multiply(r, s)) * 0x1p-40f;
     };
     return {difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z), difference(a.x, b.y, a.y, b.x)};
-}
-/// a * b - c * d, exactly.
-WideSum product_difference(const Int128& a, const Int128& b, const Int128& c, const Int128& d) {
-    WideSum sum;
-    sum.add_product(a, b);
-    sum.add_product(-c, d);
-    return sum;
-}
-/// Its sign. Out of line: the sum does not lie on the stack of those who ask.
-[[gnu::noinline]] int compare_products(const Int128& a, const Int128& b, const Int128& c, const Int128& d) {
-    return product_difference(a, b, c, d).sign();
 }
 bool is_zero_vector(const Integer3& a) { return (a.x | a.y | a.z) == 0; }
 
@@ -95,7 +84,8 @@ public:
                 constexpr float us[3] = {0.0f, 1.0f, 0.0f};
                 constexpr float vs[3] = {0.0f, 0.0f, 1.0f};
                 const Integer3& p = seen_[number_];
-                return {us[number_], vs[number_], is_zero_vector(p) ? normal_against_displacement() : to_unit(p, false)};
+                return {us[number_], vs[number_],
+                        is_zero_vector(p) ? normal_against_displacement() : to_unit(p, false)};
             }
             case Part::side: {
                 const float along = to_float(forward_) * 0x1p-24f / to_float(length_[number_]);

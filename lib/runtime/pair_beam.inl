@@ -39,7 +39,7 @@ inline void offer_children(const PairFrame& frame, const PairTrees& trees, const
     const TwiceBox boxes[2] = {trees.box(0, candidate.items[0]), trees.box(1, candidate.items[1])};
     const unsigned side = trees.side_to_open(candidate.items, boxes);
     const std::uint32_t node = trees.node_in(side, candidate.items[side]);
-    alignas(32) float keys[format::max_children];
+    alignas(wide_register_alignment) float keys[format::max_children];
     count_node_step();
     unsigned mask = visitor.children(side, node_at(*trees.blob[side], node), boxes[1 - side], keys);
     const float unit = frame.sides[side].common_size;

@@ -92,7 +92,7 @@ private:
         return keep_going;
     }
     template <class LeafA, class LeafB>
-    Visit visit_touching(const LeafA& a, const LeafB& b, const PlacedBox& box) const {
+    [[gnu::noinline]] Visit visit_touching(const LeafA& a, const LeafB& b, const PlacedBox& box) const {
         return for_each_pair(a, b, box, [&](const SlotPair& pair) {
             if (!triangles_meet(integer_triangle(pair.a), integer_triangle(pair.b))) return keep_going;
             return (*on_touching)({{storage_index(a, pair.a_slot)}, {storage_index(b, pair.b_slot)}});
@@ -100,7 +100,7 @@ private:
     }
     /// First what corners tell: how far apart the leaves are at most, and which pair is a good one to begin with.
     template <class LeafA, class LeafB>
-    Visit visit_near(const LeafA& a, const LeafB& b, const PlacedBox& box) const {
+    [[gnu::noinline]] Visit visit_near(const LeafA& a, const LeafB& b, const PlacedBox& box) const {
         NearestCorners nearest;
         for_each_pair(a, b, box, [&](const SlotPair& pair) {
             nearest.offer(squared_between_corners(pair, least->axes(0), least->limit()),

@@ -1,5 +1,8 @@
 // The kernel of capsules and of closest segments. Widths and roundings: docs/numerics.md.
+#include <type_traits>
+
 #include <runtime/segment_triangle.hpp>
+#include <runtime/wide_difference.hpp>
 
 namespace espalier::detail {
 
@@ -13,34 +16,9 @@ namespace {
 [[maybe_unused]] float quotient(Argument<Int128> numerator, Argument<Int128> denominator) {
     return to_float(numerator) / to_float(denominator);
 }
-ESPALIER_SHARED_CODE Unsigned256 magnitude_of(Argument<Int128> a) { return Unsigned256(negate_if(a, is_negative(a))); }
-
-struct WideDifference {
-    Unsigned256 magnitude{Int128{}};
-    bool negative = false;
-
-    WideDifference(const Unsigned256& from, bool is_below)
-        : magnitude(from), negative(is_below && from.bit_length() != 0) {}
-    explicit WideDifference(Argument<Int128> a) : WideDifference(magnitude_of(a), a.is_negative()) {}
-
-    [[nodiscard]] bool is_zero() const { return magnitude.bit_length() == 0; }
-    [[nodiscard]] bool is_negative() const { return negative; }
-};
-Unsigned256 magnitude_of(const WideDifference& a) { return a.magnitude; }
-
-[[gnu::noinline]] WideDifference product_difference(const Int128& a, const Int128& b, const Int128& c,
-                                                    const Int128& d) {
-    const bool negative = is_negative(a) != is_negative(b);
-    const bool subtracted_is_negative = is_negative(c) != is_negative(d);
-    const Unsigned256 ab = Unsigned256::product(magnitude_of(a), magnitude_of(b));
-    const Unsigned256 cd = Unsigned256::product(magnitude_of(c), magnitude_of(d));
-    if (ab.bit_length() == 0) return {cd, !subtracted_is_negative};
-    if (negative != subtracted_is_negative) return {ab.plus(cd), negative};
-    const bool less = compare_scaled(ab, cd, 0) < 0;
-    return {less ? cd.minus(ab) : ab.minus(cd), less != negative};
-}
 template <class Dot>
-ESPALIER_SHARED_CODE int sign_of_difference(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
+int sign_of_difference(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
+    if constexpr (std::is_same_v<Dot, Int128>) return compare_products(a, b, c, d);
     const auto difference = product_difference(a, b, c, d);
     return difference.is_zero() ? 0 : difference.is_negative() ? -1 : 1;
 }
@@ -70,7 +48,7 @@ public:
     [[nodiscard]] bool is_any_within() const { return within_; }
 
     /// `inside_of_sides_only`: not the places at an end of the segment or at a corner, nor where they meet.
-    void try_all(const LatticeSegment& segment, const LatticeTriangle& triangle, bool inside_of_sides_only = false) {
+    void try_all(const UnitSegment& segment, const LatticeTriangle& triangle, bool inside_of_sides_only = false) {
         OriginRelative from_start{};
         const auto& c = triangle.corner;
         Integer3 d{}, w[3];
@@ -91,11 +69,10 @@ public:
         from_start.a = w[0];
 
         if (!inside_of_sides_only) {
-            OriginRelative from_end = from_start;
-            from_end.a = {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z};
-            if (crosses_face(from_start, from_end, d, w)) return;
+            if (crosses_face(from_start, d, w)) return;
             try_end(from_start, 0.0f);
-            try_end(from_end, 1.0f);
+            from_start.a = {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z};
+            try_end(from_start, 1.0f);
         }
         if constexpr (has_native_int128)  // elsewhere code is dearer than time
             if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w, !inside_of_sides_only);
@@ -109,11 +86,10 @@ private:
 
     /// Whether the segment leads through the face: its ends on different sides of the plane, and its line on the same
     /// side of all three sides. Where it only touches, or lies in the plane, the others find distance 0.
-    [[gnu::noinline]] bool crosses_face(const OriginRelative& from_start, const OriginRelative& from_end,
-                                        const Integer3& d, const Integer3* w) {
+    [[gnu::noinline]] bool crosses_face(const OriginRelative& from_start, const Integer3& d, const Integer3* w) {
         const Integer3 normal = cross(from_start.ab, from_start.ac);
         Int128 start = dot<Int128>(normal, from_start.a);
-        Int128 end = dot<Int128>(normal, from_end.a);
+        Int128 end = dot<Int128>(normal, {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z});
         if (start.is_zero() || end.is_zero() || start.is_negative() == end.is_negative()) return false;
         const Integer3& ab = from_start.ab;
         const Integer3& ac = from_start.ac;
@@ -145,14 +121,15 @@ private:
 
     template <class Dot, class Difference>
     [[gnu::noinline]] void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w, bool corners_too) {
-        const Integer3 edges[3] = {
-            t.ab, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, {-t.ac.x, -t.ac.y, -t.ac.z}};
         const Dot length = dot<Dot>(d, d);
         const Corner<Dot> corners[3] = {
             {w[0], dot<Dot>(w[0], d)}, {w[1], dot<Dot>(w[1], d)}, {w[2], dot<Dot>(w[2], d)}};
         for (int i = 0; i < 3; ++i) {
             if (corners_too) try_corner<Dot, Difference>(corners[i], length, i);
-            try_side<Dot, Difference>(corners[i], corners[(i + 1) % 3], edges[i], d, length, i);
+            const Integer3 edge = i == 0   ? t.ab
+                                  : i == 1 ? Integer3{t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}
+                                           : Integer3{-t.ac.x, -t.ac.y, -t.ac.z};
+            try_side<Dot, Difference>(corners[i], corners[(i + 1) % 3], edge, d, length, i);
         }
     }
 
@@ -213,19 +190,19 @@ private:
 
 }  // namespace
 
-SegmentDistance distance_to(const LatticeSegment& segment, const LatticeTriangle& triangle) noexcept {
+SegmentDistance distance_to(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept {
     Candidates candidates(segment.fraction_bits);
     candidates.try_all(segment, triangle);
     return candidates.nearest();
 }
 
-SegmentDistance distance_to_sides(const LatticeSegment& segment, const LatticeTriangle& triangle) noexcept {
+SegmentDistance distance_to_sides(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept {
     Candidates candidates(segment.fraction_bits);
     candidates.try_all(segment, triangle, true);
     return candidates.nearest();
 }
 
-bool is_within_radius(const LatticeSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
+bool is_within_radius(const UnitSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
                       float radius) noexcept {
     const float squared = radius * radius;
     if (distance.squared > squared * distance_slack && distance.squared != least_squared) return false;

@@ -26,15 +26,15 @@ inline SegmentDistance at_side(float squared, float along, int side, float share
     return {squared, along, side == 0 ? share : side == 1 ? rest : 0.0f, side == 0 ? 0.0f : side == 1 ? share : rest};
 }
 
-SegmentDistance distance_to(const LatticeSegment& segment, const LatticeTriangle& triangle) noexcept;
+SegmentDistance distance_to(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept;
 
 /// The same between the inside of the segment and the insides of the triangle's sides alone: infinite where no two of
 /// them have closest points there.
-SegmentDistance distance_to_sides(const LatticeSegment& segment, const LatticeTriangle& triangle) noexcept;
+SegmentDistance distance_to_sides(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept;
 
 /// Whether they are at most `radius` apart (lattice steps, 0 or at least 2^-100), exactly; touching counts. `distance`
 /// is theirs.
-bool is_within_radius(const LatticeSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
+bool is_within_radius(const UnitSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
                       float radius) noexcept;
 
 }  // namespace espalier::detail

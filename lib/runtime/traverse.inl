@@ -57,7 +57,7 @@ struct NearestFirst {
     unsigned size = 0;
     std::uint32_t index = 0;       ///< of the node that is next
     unsigned among = every_child;  ///< the children of it that are still to be visited
-    alignas(16) float keys[format::max_children];
+    alignas(register_alignment) float keys[format::max_children];
 
     void begin(std::uint32_t node) {
         size = 0;
@@ -166,7 +166,7 @@ template <class Leaf, class Visitor>
     std::uint32_t index = 0;
     for (;;) {
         const Node node = node_at(blob, index);
-        alignas(16) float keys[format::max_children];
+        alignas(register_alignment) float keys[format::max_children];
         count_node_step();
         const unsigned mask = visitor.children(node, keys);
         const unsigned node_children = node.node_children();

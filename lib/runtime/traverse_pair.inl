@@ -84,7 +84,7 @@ template <class Visitor>
         unsigned side = 0;
         std::uint32_t index = 0;
         unsigned mask = 0;
-        alignas(32) float keys[format::max_children];
+        alignas(wide_register_alignment) float keys[format::max_children];
         if (items[0].is_leaf() && items[1].is_leaf()) {
             count_leaf_step();
             if (visitor.visit_leaves(trees.leaf(0, items[0], boxes[0]), trees.leaf(1, items[1], boxes[1])) == stop)

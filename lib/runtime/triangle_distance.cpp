@@ -8,10 +8,10 @@ namespace espalier::detail {
 namespace {
 
 /// Side `number` of a triangle, from that corner to the next.
-LatticeSegment side_of(const LatticeTriangle& triangle, int number) {
+UnitSegment side_of(const LatticeTriangle& triangle, int number) {
     const std::int32_t* from = triangle.corner[number];
     const std::int32_t* to = triangle.corner[number == 2 ? 0 : number + 1];
-    LatticeSegment side{};
+    UnitSegment side{};
     for (int k = 0; k < 3; ++k) {
         side.from[k] = from[k];
         side.to[k] = to[k];
@@ -45,6 +45,11 @@ OriginRelative from_corner(const LatticeTriangle& one, int number, const Lattice
     return seen;
 }
 
+/// Out of line: what it needs must not lie on the stack below the other kernels.
+[[gnu::noinline]] bool share_a_point(const LatticeTriangle& a, const LatticeTriangle& b) {
+    return triangles_meet(integer_triangle(a), integer_triangle(b));
+}
+
 /// Six sides against the other triangle each: places are looked at more than once, but a common point is found.
 [[gnu::noinline]] TriangleDistance distance_of_touching(const LatticeTriangle& a, const LatticeTriangle& b) {
     TriangleDistance best;
@@ -66,7 +71,7 @@ OriginRelative from_corner(const LatticeTriangle& one, int number, const Lattice
 }  // namespace
 
 TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangle& b) noexcept {
-    if (triangles_meet(integer_triangle(a), integer_triangle(b))) return distance_of_touching(a, b);
+    if (share_a_point(a, b)) return distance_of_touching(a, b);
     TriangleDistance best;
     best.squared = infinity;
     for (int number = 0; number < 6; ++number) {
@@ -98,7 +103,7 @@ bool is_within_radius(const LatticeTriangle& a, const LatticeTriangle& b, const 
     if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
     // Which of the six is the least is known to some ulp only: one of them decides.
     for (int number = 0; number < 6; ++number) {
-        const LatticeSegment side = side_of(number < 3 ? a : b, number % 3);
+        const UnitSegment side = side_of(number < 3 ? a : b, number % 3);
         const LatticeTriangle& face = number < 3 ? b : a;
         const SegmentDistance nearest = distance_to(side, face);
         if (is_within_radius(side, face, nearest, radius)) return true;

@@ -212,7 +212,7 @@ TEST_SUITE("promises") {
         // 2^30 steps long, and 2^-67.4 steps away: the square of that is subnormal.
         const detail::LatticeTriangle triangle = {{{0, 0, 0}, {9696974, 9377736, 14976601}, {1125151, 0, 0}}};
         const detail::LatticeSegment segment = {
-            {52803576937, -56540579173, -47683688657}, {-40262203119, 43493936486, 36817496848}, 6, {}, {}};
+            {{52803576937, -56540579173, -47683688657}, {-40262203119, 43493936486, 36817496848}, 6}, {}, {}};
         for (const unsigned flags : {0u, 0x8040u}) {
             CAPTURE(flags);
             const FloatMode mode(flags);
