@@ -45,6 +45,8 @@ SOURCE_PREAMBLE = """\
 #error "Espalier is exact: compile espalier.cpp without -ffast-math"
 #elif defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
+// Of a header Clang would not ask that each function be used.
+#pragma clang diagnostic ignored "-Wunneeded-internal-declaration"
 #elif defined(__GNUC__)
 #pragma GCC optimize("fp-contract=off")
 #endif

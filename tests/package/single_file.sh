@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# single_file.sh PYTHON FOLDER BLOBS COMPILER: makes espalier.hpp and espalier.cpp, compiles them by the C++ compiler without any of
-# the library's flags, links them to the program that asks blobs everything, and compares its answers with those that all
-# machines give (tests/platform), by every instruction set that this machine has.
+# single_file.sh PYTHON FOLDER BLOBS COMPILER C_COMPILER: makes espalier.hpp and espalier.cpp, compiles them by the C++ compiler
+# without any of the library's flags, links them to the program that asks blobs everything, and compares its answers with those that
+# all machines give (tests/platform), by every instruction set that this machine has. Then links them to a program in C.
 set -euo pipefail
 
-python=$1 folder=$2 blobs=$3 compiler=$4
+python=$1 folder=$2 blobs=$3 compiler=$4 c_compiler=$5
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 warnings=(-Werror -Wall -Wextra -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Wcast-align -Wundef)
 command -v "$compiler" >/dev/null || { echo "skipped: there is no $compiler"; exit 77; }
@@ -24,6 +24,7 @@ done
 # The program includes parts of the library by their names: all of them are the one header.
 cd ..
 mkdir -p include/espalier
+ln -s ../../single/espalier.h include/espalier/espalier.h
 for header in "$project"/lib/espalier/*.hpp; do
     echo '#include "../../single/espalier.hpp"' >"include/espalier/${header##*/}"
 done
@@ -34,4 +35,9 @@ check
 for set in scalar sse42 avx2 avx512; do
     check --set "$set" || [[ $? -eq 77 ]]
 done
+
+"$c_compiler" -std=c99 -pedantic -Wall -Wextra -Werror -c "$project/docs/examples/c/main.c" -Iinclude -o cast_ray.o
+"$compiler" cast_ray.o espalier.o -o cast_ray
+hit=$(./cast_ray "$project/tests/format_versions/1.1_everything_fast.espl" 0.1 0.2 -100 0 0 1)
+[[ $hit == "hit triangle 68 at t = 100.039,"* ]] || { echo "failed: from C: $hit"; exit 1; }
 echo "$compiler: $(wc -l <single/espalier.cpp) lines compile without a warning and give everybody's answers"
