@@ -111,24 +111,21 @@ UnitSegment diagonal_across(const UnitSegment& diagonal, const LatticeTriangle& 
     return across;
 }
 
-/// Calls visit(distance, along) for each side in turn, a to b first.
-template <class Visitor>
-void for_each_side(const UnitSegment& diagonal, const LatticeTriangle& triangle, Visitor visit) {
-    for (int i = 0; i < 3; ++i) {
-        float along = 0.0f;
-        const SideAndBox side(diagonal, triangle.corner[i], triangle.corner[i == 2 ? 0 : i + 1]);
-        const PointDistance distance = side.closest(along);
-        visit(i, distance, along);
-    }
+/// Of side `number`, 0 from a to b.
+ESPALIER_SHARED_CODE PointDistance distance_of_side(const UnitSegment& diagonal, const LatticeTriangle& triangle,
+                                                    int number, float& along) {
+    return SideAndBox(diagonal, triangle.corner[number], triangle.corner[number == 2 ? 0 : number + 1]).closest(along);
 }
 
 }  // namespace
 
 SegmentDistance distance_to_box(const UnitSegment& diagonal, const LatticeTriangle& triangle) noexcept {
     SegmentDistance nearest = distance_to(diagonal_across(diagonal, triangle), triangle);
-    for_each_side(diagonal, triangle, [&](int i, const PointDistance& side, float along) {
+    for (int i = 0; i < 3; ++i) {
+        float along = 0.0f;
+        const PointDistance side = distance_of_side(diagonal, triangle, i, along);
         if (side.squared < nearest.squared) nearest = at_side(side.squared, 0.0f, i, along);
-    });
+    }
     return nearest;
 }
 
@@ -140,9 +137,10 @@ bool is_within_radius_of_box(const UnitSegment& diagonal, const LatticeTriangle&
     if (radius == 0.0f) return false;
     const UnitSegment across = diagonal_across(diagonal, triangle);
     bool within = is_within_radius(across, triangle, distance_to(across, triangle), radius);
-    for_each_side(diagonal, triangle, [&](int, const PointDistance& side, float) {
-        within = within || is_within_radius(side, diagonal.fraction_bits, radius);
-    });
+    for (int i = 0; i < 3 && !within; ++i) {
+        float along = 0.0f;
+        within = is_within_radius(distance_of_side(diagonal, triangle, i, along), diagonal.fraction_bits, radius);
+    }
     return within;
 }
 

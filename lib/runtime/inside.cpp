@@ -1,8 +1,6 @@
 // Inside or outside in the caller's units.
 #include <espalier/inside.hpp>
-#include <runtime/nearest_world.hpp>
-#include <runtime/point_queries.hpp>
-#include <runtime/simd/dispatch.hpp>
+#include <runtime/lattice_point.hpp>
 #include <runtime/winding.hpp>
 
 namespace espalier {
@@ -38,13 +36,7 @@ QueryStatus signed_distance(const Blob& blob, Vec3 point, float max_distance, Ne
     LatticePoint rounded;
     if (!round_point(blob.data(), point, infinity, rounded)) return QueryStatus::out_of_range;
     const Winding winding = winding_around(blob.data(), rounded);
-    FoundNearest found;
-    if (round_point(blob.data(), point, max_distance, rounded) &&
-        ESPALIER_DISPATCH(closest_triangle, blob.data(), rounded, found)) {
-        nearest = to_nearest(blob.data(), found);
-        nearest.distance =
-            to_world_distance(blob.data(), found.distance.squared, rounded.distance_offset, max_distance);
-    } else {
+    if (!closest_point(blob, point, max_distance, nearest)) {
         nearest = {};
         nearest.triangle = no_triangle;
         nearest.distance = absolute(max_distance);

@@ -62,16 +62,21 @@ ESPALIER_SHARED_CODE void rotation_entries(const Quaternion& rotation, std::int6
                         parts.exponent;
         if (end > top) top = end;
     }
-    std::int64_t q[4];  // the largest in [2^28, 2^29]
+    std::int32_t q[4];  // the largest in [2^28, 2^29]
     for (int k = 0; k < 4; ++k) {
         const Parts parts = parts_of(components[k]);
-        q[k] = shifted(parts.mantissa, parts.exponent + 29 - top);
+        q[k] = static_cast<std::int32_t>(shifted(parts.mantissa, parts.exponent + 29 - top));
     }
-    const std::int64_t x = q[0], y = q[1], z = q[2], w = q[3];
-    const std::int64_t n = x * x + y * y + z * z + w * w;  // 2^56 to 2^60
-    const std::int64_t numerators[3][3] = {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-                                           {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-                                           {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+    const auto product = [&](int i, int j) { return std::int64_t{q[i]} * q[j]; };
+    const std::int64_t xx = product(0, 0), yy = product(1, 1), zz = product(2, 2), ww = product(3, 3);
+    const std::int64_t n = xx + yy + zz + ww;  // 2^56 to 2^60
+    std::int64_t numerators[3][3];
+    for (int i = 0; i < 3; ++i) {
+        const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+        numerators[i][i] = 2 * (ww + product(i, i)) - n;
+        numerators[i][j] = 2 * (product(i, j) - product(3, k));
+        numerators[j][i] = 2 * (product(i, j) + product(3, k));
+    }
     const float inverse = 1.0f / to_float(n);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {

@@ -5,6 +5,7 @@
 
 #include <espalier/collide.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/small_code.hpp>
 #include <runtime/triangle_triangle.hpp>
 
 namespace espalier::detail {
@@ -45,13 +46,13 @@ struct PairFrame {
                                            std::int64_t{matrix[k][2]} * v[2] + translation[k]) >>
                                           fraction_bits);
     }
-    [[nodiscard]] LatticeTriangle place_a(const LatticeTriangle& t) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle place_a(const LatticeTriangle& t) const {
         LatticeTriangle placed;
         for (int corner = 0; corner < 3; ++corner)
             for (int k = 0; k < 3; ++k) placed.corner[corner][k] = place_a(t.corner[corner][k]);
         return placed;
     }
-    [[nodiscard]] LatticeTriangle place_b(const LatticeTriangle& t) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle place_b(const LatticeTriangle& t) const {
         LatticeTriangle placed;
         for (int corner = 0; corner < 3; ++corner) place_b(t.corner[corner], placed.corner[corner]);
         return placed;

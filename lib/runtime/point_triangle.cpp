@@ -20,6 +20,17 @@ Feature feature_of(bool no_a, bool no_b, bool no_c) {
     return no_a ? Feature::edge_bc : Feature::face;
 }
 
+/// Keeps the closest point of a side if it is closer than the best.
+ESPALIER_SHARED_CODE void offer(PointDistance& best, const Integer3& from, const Integer3& edge, int bits,
+                                const point_triangle::Side& name) {
+    float along = 0.0f;
+    PointDistance side = point_triangle::to_segment(from, edge, bits, name, along);
+    if (!is_closer(side, best)) return;
+    if (name.edge != Feature::edge_ca) side.u = name.edge == Feature::edge_ab ? along : 1.0f - along;
+    if (name.edge != Feature::edge_ab) side.v = along;
+    best = side;
+}
+
 }  // namespace
 
 PointDistance distance_to(const OriginRelative& t, int bits) noexcept {
@@ -47,24 +58,11 @@ PointDistance distance_to(const OriginRelative& t, int bits) noexcept {
     // Outside of the prism over the face the closest point lies on a side that the point is beyond of.
     PointDistance best;
     best.squared = infinity;
-    const auto offer = [&](const Integer3& from, const Integer3& edge, const point_triangle::Side& name, auto place) {
-        float along = 0.0f;
-        PointDistance side = point_triangle::to_segment(from, edge, bits, name, along);
-        if (!is_closer(side, best)) return;
-        place(side, along);
-        best = side;
-    };
-    if (flat || weight_c.is_negative())
-        offer(p, t.ab, point_triangle::side_ab, [](PointDistance& side, float along) { side.u = along; });
-    if (flat || weight_b.is_negative())
-        offer(p, t.ac, point_triangle::side_ac, [](PointDistance& side, float along) { side.v = along; });
+    if (flat || weight_c.is_negative()) offer(best, p, t.ab, bits, point_triangle::side_ab);
+    if (flat || weight_b.is_negative()) offer(best, p, t.ac, bits, point_triangle::side_ac);
     if (flat || weight_a.is_negative()) {
         const Integer3 from_b = {p.x - (t.ab.x << bits), p.y - (t.ab.y << bits), p.z - (t.ab.z << bits)};
-        offer(from_b, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, point_triangle::side_bc,
-              [](PointDistance& side, float along) {
-                  side.u = 1.0f - along;
-                  side.v = along;
-              });
+        offer(best, from_b, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, bits, point_triangle::side_bc);
     }
     return best;
 }
