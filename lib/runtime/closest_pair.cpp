@@ -11,13 +11,11 @@
 namespace espalier::detail {
 namespace {
 
-template <class Leaf>
-struct ClosestPair {
+/// What may be within the limit of a shape.
+struct NearShape {
     const BlobData& blob;
     const DistantShape& shape;
-    FoundPair& best;
     float limit_ = shape.radius * shape.radius * distance_slack;
-    bool found = false;
 
     [[nodiscard]] float limit() const { return limit_; }
     unsigned children(const Node& node, float* keys) const {
@@ -34,17 +32,26 @@ struct ClosestPair {
         }
         return mask;
     }
+    [[nodiscard]] bool is_near(const LatticeTriangle& triangle) const {
+        float low[3], high[3];
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t a = triangle.corner[0][k], b = triangle.corner[1][k], c = triangle.corner[2][k];
+            const std::int32_t less = a < b ? a : b, more = a < b ? b : a;
+            low[k] = static_cast<float>(less < c ? less : c);
+            high[k] = static_cast<float>(more < c ? c : more);
+        }
+        return shape.squared_bound(shape, low, high) <= limit_ && shape.squared_plane_bound(shape, triangle) <= limit_;
+    }
+};
+
+template <class Leaf>
+struct ClosestPair : NearShape {
+    FoundPair& best;
+    bool found = false;
+
     Visit visit_leaf(const Leaf& leaf) {
         return scalar_walk::for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
-            float low[3], high[3];
-            for (int k = 0; k < 3; ++k) {
-                const std::int32_t a = triangle.corner[0][k], b = triangle.corner[1][k], c = triangle.corner[2][k];
-                const std::int32_t less = a < b ? a : b, more = a < b ? b : a;
-                low[k] = static_cast<float>(less < c ? less : c);
-                high[k] = static_cast<float>(more < c ? c : more);
-            }
-            if (shape.squared_bound(shape, low, high) <= limit_ && shape.squared_plane_bound(shape, triangle) <= limit_)
-                offer(leaf, slot, triangle);
+            if (is_near(triangle)) offer(leaf, slot, triangle);
             return keep_going;
         });
     }
@@ -60,6 +67,22 @@ private:
         best = {distance, index, triangle};
         found = true;
         limit_ = minimum(distance.squared * distance_slack, limit_);
+    }
+};
+
+template <class Leaf>
+struct WithinRadius : NearShape {
+    std::uint32_t first;
+    FunctionRef<Visit(Triangle)> visit;
+
+    Visit visit_leaf(const Leaf& leaf) const {
+        return scalar_walk::for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
+            const std::uint32_t index = scalar::storage_index(leaf, slot);
+            if (index < first || !is_near(triangle) ||
+                !shape.is_within_radius(shape, triangle, shape.distance_to(shape, triangle), shape.radius))
+                return keep_going;
+            return visit(Triangle{index});
+        });
     }
 };
 
@@ -133,9 +156,17 @@ float bound_of_segment(const DistantShape& shape, const float* low, const float*
 
 bool closest_pair(const BlobData& blob, const DistantShape& shape, FoundPair& best) noexcept {
     return scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
-        ClosestPair<Leaf> visitor = {blob, shape, best};
+        ClosestPair<Leaf> visitor = {{blob, shape}, best};
         scalar_walk::traverse_nearest_first<Leaf>(blob, visitor);
         return visitor.found;
+    });
+}
+
+bool visit_triangles_within(const BlobData& blob, const DistantShape& shape, std::uint32_t first,
+                            FunctionRef<Visit(Triangle)> visit) {
+    return scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+        WithinRadius<Leaf> visitor = {{blob, shape}, first, visit};
+        return scalar_walk::traverse_in_storage_order<Leaf>(blob, visitor) == keep_going;
     });
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
+#include <espalier/function_ref.hpp>
 #include <runtime/lattice_segment.hpp>
 #include <runtime/segment_triangle.hpp>
 
@@ -30,6 +31,10 @@ struct FoundPair {
 /// The closest triangle within the radius, of equal ones the one with the lowest storage index. False, and `best`
 /// means nothing, when there is none.
 bool closest_pair(const BlobData& blob, const DistantShape& shape, FoundPair& best) noexcept;
+
+/// The triangles within the radius from storage index `first` on, in storage order. False when the visitor stopped it.
+bool visit_triangles_within(const BlobData& blob, const DistantShape& shape, std::uint32_t first,
+                            FunctionRef<Visit(Triangle)> visit);
 
 /// A segment, with a unit vector across it and each axis.
 struct DistantSegment : DistantShape {

@@ -30,7 +30,7 @@ float inner(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1] +
 
 /// What floats are sure of: 1 within the radius, -1 not, 0 neither. No square is a sum of more than eight roundings of
 /// numbers below `size`, so that distances are off by less than `doubt` (docs/numerics.md).
-[[maybe_unused]] int guess(const LatticeCapsule& capsule, const LatticeTriangle& triangle) {
+int guess(const LatticeCapsule& capsule, const LatticeTriangle& triangle) {
     const LatticeSegment& s = capsule.segment;
     float along[3], corner[3][3];  // seen from the segment's start
     float size = capsule.radius;
@@ -70,7 +70,7 @@ float inner(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1] +
 }
 
 /// For each axis of space two planes along the segment and that axis: a long capsule is narrower than its bounds.
-[[maybe_unused]] void set_side_planes(LatticeCapsule& capsule) {
+void set_side_planes(LatticeCapsule& capsule) {
     const LatticeSegment& s = capsule.segment;
     const Integer3 along = {s.to[0] - s.from[0], s.to[1] - s.from[1], s.to[2] - s.from[2]};
     const Integer3 from = {s.from[0], s.from[1], s.from[2]};
@@ -99,7 +99,7 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCaps
     capsule.bounded = capsule.radius < static_cast<float>(bounds_limit);
     if (capsule.bounded) {
         set_bounds(capsule);
-        if constexpr (!small_code) set_side_planes(capsule);
+        set_side_planes(capsule);
     }
     capsule.is_empty = false;
     capsule.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
@@ -109,7 +109,7 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCaps
 }
 
 bool meets(const LatticeCapsule& capsule, const LatticeTriangle& triangle) noexcept {
-    if (!small_code && capsule.bounded) {  // the distance is dear
+    if (capsule.bounded) {  // the distance is dear
         if (is_beside(capsule.bounds, triangle.corner)) return false;
         if (const int sure = guess(capsule, triangle); sure != 0) return sure > 0;
     }

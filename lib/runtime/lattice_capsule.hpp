@@ -11,7 +11,7 @@ namespace espalier::detail {
 struct LatticeCapsule : Volume {
     LatticeSegment segment;
     float radius;  ///< lattice steps; 0 or at least 2^-100, may be infinite
-    LatticePlane side_planes[small_code ? 1 : 6];
+    LatticePlane side_planes[6];
 };
 
 QueryStatus round_volume(const BlobData& blob, const Capsule& world, LatticeCapsule& capsule) noexcept;
