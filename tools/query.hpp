@@ -16,6 +16,7 @@ struct QueryWord {
         length,  ///< takes units; `inf` and `nan` too, which go to the query as they are
         number,  ///< no units; likewise
         index,   ///< a whole number
+        steps,   ///< a whole number of lattice steps, of either sign
         name,    ///< any text
     };
     const char* name;
@@ -27,6 +28,7 @@ constexpr QueryWord point_word(const char* name) { return {name, QueryWord::Type
 constexpr QueryWord vector_word(const char* name) { return {name, QueryWord::Type::number, 3}; }
 constexpr QueryWord length_word(const char* name) { return {name, QueryWord::Type::length, 1}; }
 constexpr QueryWord index_word(const char* name) { return {name, QueryWord::Type::index, 1}; }
+constexpr QueryWord steps_word(const char* name) { return {name, QueryWord::Type::steps, 3}; }
 constexpr QueryWord name_word(const char* name) { return {name, QueryWord::Type::name, 1}; }
 
 /// Which options a kind takes; arguments_query.cpp says what each means.

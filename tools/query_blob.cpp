@@ -37,6 +37,26 @@ Answer ask_bounds(QueryCall& call) {
     return answer;
 }
 
+Answer ask_lattice(QueryCall& call) {
+    const Lattice lattice = lattice_of(call.blob());
+    Answer answer(call);
+    const std::int32_t* extent = lattice.extent;
+    answer.record.title(text("lattice of ", extent[0], " x ", extent[1], " x ", extent[2], " steps"));
+    answer.record.add_silently("extent", Json::array({extent[0], extent[1], extent[2]}));
+    answer.record.add("origin", lattice.origin).add("step", call.blob().step());
+    answer.record.add_silently("step_exponent", lattice.step_exponent);
+    return answer;
+}
+
+Answer ask_steps(QueryCall& call) {
+    Steps steps;
+    Answer answer(call, to_steps(lattice_of(call.blob()), call.next_vector(), steps));
+    answer.record.title(text("steps ", steps.x, ' ', steps.y, ' ', steps.z));
+    answer.record.add_silently("steps", Json::array({steps.x, steps.y, steps.z}));
+    answer.record.add("point", to_world(lattice_of(call.blob()), steps));
+    return answer;
+}
+
 void add_corners(Record& record, const Corners& corners) {
     record.add("a", corners.a).add("b", corners.b).add("c", corners.c);
 }
@@ -133,6 +153,18 @@ QueryKinds blob_kinds() {
     constexpr const char* family = "What the blob holds";
     return {
         {family, "bounds", "The bounds of the whole asset, those that the blob carries", {}, 0, ask_bounds},
+        {family,
+         "lattice",
+         "Where the lattice begins, its step, and how many steps the asset is long",
+         {},
+         0,
+         ask_lattice},
+        {family,
+         "steps",
+         "The lattice point nearest to a point of the world, in whole steps",
+         {point_word("point")},
+         0,
+         ask_steps},
         {family,
          "show",
          "One triangle: its corners, its source, how the surface bends at its edges",

@@ -57,6 +57,15 @@ void QueryCall::read_word(const std::string& input, const QueryWord& word) {
             indices_.push_back(static_cast<std::uint32_t>(*value));
             return;
         }
+        case QueryWord::Type::steps: {
+            const std::optional<double> value = parse_double(input);
+            if (!value || !(*value >= -2147483648.0 && *value <= 2147483647.0) || *value != std::floor(*value)) {
+                throw CommandError(ExitCode::usage, text(word.name, ": '", printable(input),
+                                                         "' is no whole number of lattice steps of 32 bits."));
+            }
+            steps_.push_back(static_cast<std::int32_t>(*value));
+            return;
+        }
         case QueryWord::Type::name:
             names_.push_back(input);
             return;
@@ -74,6 +83,14 @@ Vec3 QueryCall::next_vector() {
 }
 
 std::uint32_t QueryCall::next_index() { return indices_.at(index_++); }
+
+Steps QueryCall::next_steps() {
+    Steps result;
+    result.x = steps_.at(step_++);
+    result.y = steps_.at(step_++);
+    result.z = steps_.at(step_++);
+    return result;
+}
 
 Triangle QueryCall::next_triangle() {
     const Triangle triangle{next_index()};

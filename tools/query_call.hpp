@@ -33,6 +33,7 @@ public:
     Vec3 next_vector();
     float next_number();
     std::uint32_t next_index();
+    Steps next_steps();
     const std::string& next_name();
     [[nodiscard]] bool has_numbers() const { return number_ < numbers_.size(); }
     /// As next_index, and of the blob. Throws CommandError (usage) when the blob has no such triangle.
@@ -45,9 +46,11 @@ private:
     BlobFile file_;
     std::vector<float> numbers_;
     std::vector<std::uint32_t> indices_;
+    std::vector<std::int32_t> steps_;
     std::vector<std::string> names_;
     std::size_t number_ = 0;
     std::size_t index_ = 0;
+    std::size_t step_ = 0;
     std::size_t name_ = 0;
 };
 

@@ -80,6 +80,13 @@ Answer ask_box(QueryCall& call) {
     return overlap(call, box);
 }
 
+Answer ask_box_in_steps(QueryCall& call) {
+    BoxInSteps box;
+    box.min = call.next_steps();
+    box.max = call.next_steps();
+    return overlap(call, box);
+}
+
 Answer ask_oriented_box(QueryCall& call) {
     OrientedBox box;
     box.center = call.next_vector();
@@ -130,6 +137,12 @@ QueryKinds overlap_kinds() {
          {point_word("min"), point_word("max")},
          more_options,
          ask_box},
+        {family,
+         "box-in-steps",
+         "Which triangles a box touches that is given in whole lattice steps",
+         {steps_word("min"), steps_word("max")},
+         options,
+         ask_box_in_steps},
         {family,
          "oriented-box",
          "Which triangles a box of any orientation touches; half axes lead from center to faces",

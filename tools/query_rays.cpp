@@ -1,5 +1,6 @@
 // Rays and segments.
 #include <algorithm>
+#include <cmath>
 
 #include "numbers.hpp"
 #include "query.hpp"
@@ -80,6 +81,26 @@ Answer ask_segment(QueryCall& call) {
     return cast(call, along(segment));
 }
 
+Answer ask_segment_in_steps(QueryCall& call) {
+    SegmentInSteps segment;
+    segment.from = call.next_steps();
+    segment.to = call.next_steps();
+    if (call.options().any) {
+        bool any = false;
+        const QueryStatus status = any_hit(call.blob(), segment, any);
+        return Answer(call, status).yes_or_no("occluded", any, "occluded", "not occluded");
+    }
+    HitInSteps hit;
+    Answer answer(call, first_hit(call.blob(), segment, hit));
+    const bool found = hit.triangle != no_triangle;
+    answer.record.title("no hit").add_silently("hit", found);
+    if (!found) return answer;
+    answer.record.triangle(call.blob(), hit.triangle, "hit ");
+    answer.record.add("t", std::ldexp(static_cast<float>(hit.t), -31)).add_count("t_fixed_point", hit.t);
+    answer.record.add("side", std::string(hit.side == Faces::front ? "front" : "back"));
+    return answer;
+}
+
 }  // namespace
 
 QueryKinds ray_kinds() {
@@ -97,6 +118,12 @@ QueryKinds ray_kinds() {
          {point_word("from"), point_word("to")},
          options,
          ask_segment},
+        {"Rays",
+         "segment-in-steps",
+         "The same between lattice points, given in whole steps; exact, and t is rounded down",
+         {steps_word("from"), steps_word("to")},
+         option_any,
+         ask_segment_in_steps},
     };
 }
 

@@ -36,15 +36,53 @@ struct SegmentHits {
     }
 
     Visit visit_leaf(const Leaf& leaf) {
-        return scalar_walk::for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
+        std::uint16_t beyond[Leaf::max_vertices];
+        find_places(leaf, beyond);
+        auto corners = scalar::corners_of(leaf);
+        const auto used = leaf.used_slots();
+        for (unsigned slot = 0; slot < leaf.slot_count; ++slot) {
+            const scalar::CornerNumbers vertices = corners.next();
+            if ((used >> slot & 1u) == 0 || (beyond[vertices.a] & beyond[vertices.b] & beyond[vertices.c]) != 0)
+                continue;
             Crossing crossing;
-            if (is_beside(segment.bounds, triangle.corner) || !crosses(segment, triangle, crossing)) return keep_going;
+            if (!crosses(segment, leaf.triangle(slot), crossing)) continue;
             offer(Triangle{scalar::owner_index(leaf, slot)}, crossing);
-            return any_will_do ? stop : keep_going;
-        });
+            if (any_will_do) return stop;
+        }
+        return keep_going;
     }
 
 private:
+    /// For each vertex a bit for each side of the bounds that it is beyond of, and for each side of the line, seen
+    /// along two axes: a triangle all of whose corners are beyond the same one is not hit.
+    void find_places(const Leaf& leaf, std::uint16_t* beyond) const {
+        LineGrid grid;
+        unsigned widest = 0;
+        std::int32_t low[3], high[3];
+        for (int k = 0; k < 3; ++k) {
+            grid.base[k] = leaf.anchor(k);
+            grid.shift[k] = 0;
+            widest = leaf.width[k] > widest ? leaf.width[k] : widest;
+            low[k] = segment.bounds.low[k] - grid.base[k];
+            high[k] = segment.bounds.high[k] - grid.base[k];
+        }
+        grid.bits = static_cast<int>(widest);
+        const LineSide sides[2] = {LineSide(segment, 1, grid), LineSide(segment, 2, grid)};
+        for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+            std::int32_t at[3];
+            unsigned places = 0;
+            for (int k = 0; k < 3; ++k) {
+                at[k] = static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], vertex));
+                places = places << 2 | (at[k] < low[k] ? 1u : 0u) | (at[k] > high[k] ? 2u : 0u);
+            }
+            for (const LineSide& side : sides) {
+                const std::int32_t place = side.place(at[side.axis], at[segment.longest]);
+                places = places << 2 | (side.is_below(place) ? 1u : 0u) | (side.is_above(place) ? 2u : 0u);
+            }
+            beyond[vertex] = static_cast<std::uint16_t>(places);
+        }
+    }
+
     /// Within the bounds nothing is farther than the whole length.
     [[nodiscard]] float key_of(std::uint32_t steps) const { return std::bit_cast<float>(steps << segment.key_shift); }
 

@@ -75,37 +75,46 @@ void WholeSegment::end_at(std::uint32_t t) {
     }
 }
 
-unsigned children_on_line(const WholeSegment& segment, const Node& node, unsigned bits, unsigned mask) {
-    // Seen along each axis but the longest the line is one in a plane, and a box is a rectangle: on both sides of the
-    // line, or on it, where the line passes it. Sides are told in the node's own planes and by 21 bits of the slopes.
-    constexpr int kept_bits = 21;
-    constexpr std::int32_t far_beside = 1 << 30, slack = 256;
+LineSide::LineSide(const WholeSegment& segment, int turn, const LineGrid& grid) {
     const int m = segment.longest;
+    axis = m + turn >= 3 ? m + turn - 3 : m + turn;
     const bool is_down = segment.direction[m] < 0;
     const std::uint32_t length = magnitude(segment.direction[m]);
-    for (int side = 1; side <= 2; ++side) {
-        const int k = m + side >= 3 ? m + side - 3 : m + side;
-        const std::int32_t slope = is_down ? -segment.direction[k] : segment.direction[k];
-        const int shift = static_cast<int>(node.shift(k)), shift_m = static_cast<int>(node.shift(m));
-        const int width = width_of(length) + shift, width_m = width_of(magnitude(slope)) + shift_m;
-        const int dropped = (width > width_m ? width : width_m) - kept_bits;
-        const int drop = dropped > 0 ? dropped : 0;
-        const std::int32_t across = shifted(static_cast<std::int32_t>(length), shift - drop);
-        const std::int32_t along = shifted(slope, shift_m - drop);
-        const std::int64_t base = (std::int64_t{length} * (node.base(k, bits) - segment.origin[k]) -
-                                   std::int64_t{slope} * (node.base(m, bits) - segment.origin[m])) >>
-                                  drop;
-        if (base > far_beside || base < -far_beside) return 0;
-        const auto at_base = static_cast<std::int32_t>(base);
-        const std::byte* const rising = slope < 0 ? node.high_planes(m) : node.low_planes(m);
-        const std::byte* const falling = slope < 0 ? node.low_planes(m) : node.high_planes(m);
+    const std::int32_t slope = is_down ? -segment.direction[axis] : segment.direction[axis];
+    const int width = width_of(length) + grid.shift[axis], width_m = width_of(magnitude(slope)) + grid.shift[m];
+    const int dropped = (width > width_m ? width : width_m) - (29 - grid.bits);
+    const int drop = dropped > 0 ? dropped : 0;
+    across_ = shifted(static_cast<std::int32_t>(length), grid.shift[axis] - drop);
+    along_ = shifted(slope, grid.shift[m] - drop);
+    slack_ = 1 << grid.bits;
+    constexpr std::int64_t far_beside = 1 << 30;
+    const std::int64_t base = (std::int64_t{length} * (grid.base[axis] - segment.origin[axis]) -
+                               std::int64_t{slope} * (grid.base[m] - segment.origin[m])) >>
+                              drop;
+    base_ = static_cast<std::int32_t>(base > far_beside ? far_beside : base < -far_beside ? -far_beside : base);
+}
+
+unsigned children_on_line(const WholeSegment& segment, const Node& node, unsigned bits, unsigned mask) {
+    LineGrid grid;
+    grid.bits = 8;
+    for (int k = 0; k < 3; ++k) {
+        grid.base[k] = node.base(k, bits);
+        grid.shift[k] = static_cast<int>(node.shift(k));
+    }
+    const int m = segment.longest;
+    for (int turn = 1; turn <= 2; ++turn) {
+        const LineSide side(segment, turn, grid);
+        // The corners of the rectangle that lie farthest above and below of the line.
+        const std::byte* const above = side.rises() ? node.low_planes(m) : node.high_planes(m);
+        const std::byte* const below = side.rises() ? node.high_planes(m) : node.low_planes(m);
         for (unsigned left = mask; left != 0; left &= left - 1) {
             const auto child = static_cast<unsigned>(std::countr_zero(left));
             const auto place = [&](const std::byte* plane, const std::byte* plane_m) {
-                return at_base + across * static_cast<std::int32_t>(load_u8(plane + child)) -
-                       along * static_cast<std::int32_t>(load_u8(plane_m + child));
+                return side.place(static_cast<std::int32_t>(load_u8(plane + child)),
+                                  static_cast<std::int32_t>(load_u8(plane_m + child)));
             };
-            if (place(node.high_planes(k), rising) < -slack || place(node.low_planes(k), falling) > slack)
+            if (side.is_below(place(node.high_planes(side.axis), above)) ||
+                side.is_above(place(node.low_planes(side.axis), below)))
                 mask &= ~(1u << child);
         }
     }

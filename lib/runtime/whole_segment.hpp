@@ -35,6 +35,33 @@ struct WholeSegment {
     void end_at(std::uint32_t t);
 };
 
+/// What numbers of `bits` bits mean along each axis: base + number * 2^shift lattice steps.
+struct LineGrid {
+    std::int32_t base[3];
+    int shift[3];
+    int bits;
+};
+
+/// The segment's line, seen along an axis that it is not longest along: a line in a plane. It tells on which side of it
+/// a place is, by products of 32 bits: as surely as their error allows, and never the wrong one.
+class LineSide {
+public:
+    /// `turn` is 1 or 2: how many axes behind the longest the one is that is looked at.
+    LineSide(const WholeSegment& segment, int turn, const LineGrid& grid);
+
+    int axis;  ///< the places' second coordinate; the first is along the longest
+
+    [[nodiscard]] bool rises() const { return along_ >= 0; }
+    [[nodiscard]] std::int32_t place(std::int32_t number, std::int32_t number_along) const {
+        return base_ + across_ * number - along_ * number_along;
+    }
+    [[nodiscard]] bool is_below(std::int32_t place) const { return place < -slack_; }
+    [[nodiscard]] bool is_above(std::int32_t place) const { return place > slack_; }
+
+private:
+    std::int32_t base_, across_, along_, slack_;
+};
+
 /// The children, of those in the mask, whose box the segment's line may pass. None that it does pass is left out.
 [[nodiscard]] unsigned children_on_line(const WholeSegment& segment, const Node& node, unsigned bits, unsigned mask);
 

@@ -146,6 +146,30 @@ inline void ask_volumes(const Blob& blob, Questions& questions, std::uint32_t co
     }
 }
 
+inline void ask_in_steps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    const Lattice lattice = lattice_of(blob);
+    for (std::uint32_t number = 0; number < count; ++number) {
+        ask_volume(blob, questions.box_in_steps(number), answers);
+        const SegmentInSteps segment = questions.segment_in_steps(number);
+        HitInSteps hit;
+        bool any = false;
+        answers.calls += 4;
+        answers.fingerprint.add(static_cast<std::uint32_t>(first_hit(blob, segment, hit)));
+        answers.fingerprint.add(hit.t);
+        answers.fingerprint.add(static_cast<std::uint32_t>(hit.side));
+        add_triangle(answers.fingerprint, blob, hit.triangle);
+        answers.fingerprint.add(static_cast<std::uint32_t>(any_hit(blob, segment, any)));
+        answers.fingerprint.add(any);
+        Steps nearest;
+        answers.fingerprint.add(static_cast<std::uint32_t>(to_steps(lattice, questions.point(number), nearest)));
+        answers.fingerprint.add(to_world(lattice, nearest));
+        BoxInSteps around;
+        answers.fingerprint.add(static_cast<std::uint32_t>(steps_around(lattice, questions.box(number), around)));
+        answers.fingerprint.add(static_cast<std::uint32_t>(around.min.x));
+        answers.fingerprint.add(static_cast<std::uint32_t>(around.max.z));
+    }
+}
+
 inline void ask_approximately(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
         const float accuracy = questions.distance(number + 1) * 0.0625f;
@@ -246,6 +270,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_closest_points(blob, questions, questions_of_a_kind, answers);
     ask_closest_pairs(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_pairs(blob, blob, questions, (questions_of_a_kind + 3) / 4, answers);
+    ask_in_steps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     return answers;
 }
 

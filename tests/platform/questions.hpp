@@ -81,6 +81,23 @@ public:
         return {a, {a.x + away, a.y + away, number % 3 == 0 ? __builtin_inff() : a.z + away}};
     }
 
+    BoxInSteps box_in_steps(std::uint32_t number) {
+        const Steps low = steps(number);
+        const std::int32_t away = static_cast<std::int32_t>(word() >> 16) & (number % 2 == 0 ? 0xFF : 0xFFFF);
+        if (number % 4 == 3) return {low, steps(number)};
+        const auto moved = [](std::int32_t from, std::int32_t by) {  // round and round
+            return static_cast<std::int32_t>(static_cast<std::uint32_t>(from) + static_cast<std::uint32_t>(by));
+        };
+        return {low, {moved(low.x, away), moved(low.y, away / 2), moved(low.z, number % 3 == 0 ? 0 : away)}};
+    }
+
+    SegmentInSteps segment_in_steps(std::uint32_t number) {
+        const Steps from = steps(number);
+        Steps to = steps(number / 4);
+        if (number % 8 == 4) to = {from.x, from.y, to.z};
+        return {from, to};
+    }
+
     OrientedBox oriented_box(std::uint32_t number) {
         OrientedBox box = {number % 4 == 3 ? any_bits() : surface_point(), {}};
         for (Vec3& half : box.half_axes) half = difference(point_around(0.25f), center_);
@@ -181,6 +198,23 @@ private:
         const Vec3 near = point_around(1.0f);
         Nearest nearest;
         return closest_point(blob_, near, __builtin_inff(), nearest) ? nearest.point : near;
+    }
+
+    /// In the asset's box, at a corner, out to the ends of the range, or any bit pattern at all.
+    Steps steps(std::uint32_t number) {
+        const Lattice lattice = lattice_of(blob_);
+        Steps place;
+        if (number % 4 == 1 && to_steps(lattice, corner(), place) == QueryStatus::ok) return place;
+        const auto along = [&](int axis) {
+            const auto any = static_cast<std::int32_t>(word());
+            if (number % 8 == 7) return any;
+            if (number % 8 == 3) return any >> 2;
+            return static_cast<std::int32_t>(static_cast<std::uint32_t>(any) >> 8) % (lattice.extent[axis] + 1);
+        };
+        place.x = along(0);
+        place.y = along(1);
+        place.z = along(2);
+        return place;
     }
 
     Vec3 corner() { return corner_count_ == 0 ? center_ : corners_[word() % corner_count_]; }

@@ -296,6 +296,62 @@ void exercise_volumes(Exercise& run) {
     }
 }
 
+/// In lattice steps: near the asset more often than not, at the ends of the range, or anything.
+std::int32_t some_steps(const Exercise& run, Random& random, int axis) {
+    const std::int32_t extent = lattice_of(run.blob.unmeasured()).extent[axis];
+    switch (random.below(8)) {
+        case 0:
+            return static_cast<std::int32_t>(random.next());
+        case 1:
+            return random.coin() ? max_segment_steps : -max_segment_steps;
+        case 2:
+            return 0;
+        case 3:
+            return extent;
+        default:
+            return random.between(-extent / 4 - 1, extent + extent / 4 + 1);
+    }
+}
+
+void exercise_steps(Exercise& run) {
+    const MeasuredBlob& blob = run.blob;
+    Random& random = run.random;
+    Verdict& verdict = run.verdict;
+    const auto some_place = [&] {
+        const std::int32_t x = some_steps(run, random, 0);
+        const std::int32_t y = some_steps(run, random, 1);
+        return Steps{x, y, some_steps(run, random, 2)};
+    };
+    const SegmentInSteps segment = {some_place(), some_place()};
+    HitInSteps hit;
+    bool any = false;
+    const QueryStatus status = first_hit(blob, segment, hit);
+    verdict.require(any_hit(blob, segment, any) == status, "any_hit and first_hit disagree about the range");
+    verdict.require(any == (hit.triangle != no_triangle), "any_hit and first_hit disagree");
+    if (any) {
+        verdict.require(hit.triangle.index < blob.triangle_count(), "a segment hit a triangle that does not exist");
+        verdict.require(hit.t <= 1u << 31, "a segment is hit beyond its end");
+        run.hash.add(hit.triangle.index);
+        run.hash.add(hit.t);
+        run.hash.add(static_cast<std::uint32_t>(hit.side));
+    }
+    exercise_volume(run, BoxInSteps{segment.from, segment.to});
+    const Lattice lattice = lattice_of(blob.unmeasured());
+    const Box world = {some_point(blob, random), some_point(blob, random)};
+    Steps nearest;
+    BoxInSteps around;
+    if (to_steps(lattice, world.min, nearest) == QueryStatus::ok) {
+        run.hash.add(static_cast<std::uint32_t>(nearest.x));
+        const Vec3 back = to_world(lattice, nearest);
+        verdict.require(is_number(back.x) && is_number(back.y) && is_number(back.z), "a lattice point is nowhere");
+    }
+    if (steps_around(lattice, world, around) == QueryStatus::ok) {
+        verdict.require(overlaps(blob, around) || !overlaps(blob, world),
+                        "a box in steps misses what the box in it overlaps");
+        run.hash.add(static_cast<std::uint32_t>(around.max.z));
+    }
+}
+
 void exercise_bounds(Exercise& run) {
     AnswerHash& hash = run.hash;
     Sphere sphere;
@@ -559,6 +615,7 @@ std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds, bool s
         exercise_distances(run);
         exercise_sweeps(run);
         exercise_pairs(run);
+        exercise_steps(run);
     }
     run.verdict.require(measured.is_within_bounds(), "a query took more steps than it may");
     run.verdict.speak();

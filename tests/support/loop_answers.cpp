@@ -1,8 +1,10 @@
 #include "loop_answers.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <espalier/inside.hpp>
+#include <espalier/lattice.hpp>
 #include <espalier/nearest.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/sweep.hpp>
@@ -11,6 +13,7 @@
 
 #include "query_maker.hpp"
 #include "same_bits.hpp"
+#include "steps_maker.hpp"
 
 namespace espalier::tests {
 
@@ -92,6 +95,32 @@ Difference inside(const Blob& blob, const TriangleLoop& loop, Vec3 point) {
     return is_inside == expected ? Difference() : "whether a point is inside, " + describe(Sphere{point, 0.0f});
 }
 
+/// A box and a segment in lattice steps, of places in the world.
+Difference in_steps(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shapes) {
+    const Lattice lattice = lattice_of(blob);
+    SegmentInSteps segment;
+    const Vec3 from = shapes.point_around(), to = shapes.random().coin() ? shapes.vertex() : shapes.point_around();
+    if (to_steps(lattice, from, segment.from) != QueryStatus::ok ||
+        to_steps(lattice, to, segment.to) != QueryStatus::ok)
+        return std::nullopt;
+    HitInSteps hit, expected;
+    bool any = false;
+    detail::WholeSegment whole;
+    if (whole.set(blob.data(), segment)) expected = loop.first_hit(whole);
+    const bool answered =
+        first_hit(blob, segment, hit) == QueryStatus::ok && any_hit(blob, segment, any) == QueryStatus::ok;
+    if (!answered || hit.triangle != expected.triangle || hit.t != expected.t || hit.side != expected.side ||
+        any != (hit.triangle != no_triangle))
+        return describe(segment);
+    const auto ordered = [](std::int32_t& low, std::int32_t& high) {
+        if (low > high) std::swap(low, high);
+    };
+    ordered(segment.from.x, segment.to.x);
+    ordered(segment.from.y, segment.to.y);
+    ordered(segment.from.z, segment.to.z);
+    return volume<detail::LatticeBox>(blob, loop, BoxInSteps{segment.from, segment.to});
+}
+
 }  // namespace
 
 std::optional<std::string> loop_difference(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shapes,
@@ -111,7 +140,8 @@ std::optional<std::string> loop_difference(const Blob& blob, const TriangleLoop&
     if (auto d = moving<detail::CapsuleSweep>(blob, loop, awkward ? sweeps.awkward_capsule() : sweeps.random_capsule()))
         return d;
     if (auto d = moving<detail::BoxSweep>(blob, loop, awkward ? sweeps.awkward_box() : sweeps.random_box())) return d;
-    return inside(blob, loop, shapes.point_around());
+    if (auto d = inside(blob, loop, shapes.point_around())) return d;
+    return in_steps(blob, loop, shapes);
 }
 
 }  // namespace espalier::tests

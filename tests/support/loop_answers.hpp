@@ -13,8 +13,8 @@
 
 namespace espalier::tests {
 
-/// Volumes, the distances of a segment and of a box, sweeps, and whether a point is inside: what differs first, and for
-/// which shape. The blob has triangles, and no copies of them.
+/// Volumes, the distances of a segment and of a box, sweeps, whether a point is inside, and a segment and a box in
+/// lattice steps: what differs first, and for which shape. The blob has triangles, and no copies of them.
 std::optional<std::string> loop_difference(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shapes,
                                            SweepMaker& sweeps);
 

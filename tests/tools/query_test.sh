@@ -72,6 +72,34 @@ json '.status == "output_full" and .count == 1 and .hits[0].t == 7'
 run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --first 0
 out_has "and there are more"
 
+claim "boxes and segments in lattice steps, and where the lattice is"
+run 0 query box.espl lattice
+out_has "step "
+top=$(sed -nE 's/^lattice of [0-9]+ x [0-9]+ x ([0-9]+) steps$/\1/p' out)
+run 0 query box.espl lattice --json
+json ".extent[2] == $top"
+run 0 query box.espl segment-in-steps 20 30 $((2 * top)) 20 30 0
+out_has "hit triangle "
+out_has "t 0.5"
+out_has "side front"
+run 0 query box.espl segment-in-steps 20 30 -1 20 30 $top --json
+json '.hit and .side == "front"'
+run 0 query box.espl segment-in-steps 20 30 $((top / 2)) 20 30 $((top / 2 + 1)) --any
+out_has "not occluded"
+run 6 query box.espl segment-in-steps 0 0 536870913 0 0 0 --json
+json '.status == "out_of_range"'
+run 1 query box.espl segment-in-steps 0 0 0.5 0 0 0
+run 1 query box.espl segment-in-steps 0 0 2147483648 0 0 0
+run 0 query box.espl box-in-steps 0 0 0 0 0 0 --any
+out_has "overlaps"
+run 0 query box.espl box-in-steps 1 1 1 2 2 2 --any
+out_has "does not overlap"
+run 0 query box.espl box-in-steps -2147483648 -2147483648 -2147483648 2147483647 2147483647 2147483647
+out_has "12 triangles"
+run 0 query box.espl steps 0 0 0 --json
+json '.steps | length == 3'
+run 6 query box.espl steps nan 0 0
+
 claim "arguments are any numbers and lengths there are, and nothing else"
 for number in nan -inf 1e999 -1e-999; do
     run 0 query box.espl ray $number 0 0 1 0 0
