@@ -28,7 +28,7 @@ done
 if [[ $(id -u) -eq 0 ]]; then
     how="dpkg installs them"
     cp -a /var/lib/dpkg "$folder/database"
-    dpkg --admindir="$folder/database" --instdir="$root" --no-triggers -i "$development" "$command" >"$folder/dpkg.log" 2>&1 ||
+    dpkg --admindir="$folder/database" --instdir="$root" --no-triggers --force-unsafe-io -i "$development" "$command" >"$folder/dpkg.log" 2>&1 ||
         { cat "$folder/dpkg.log"; fail "dpkg does not install them"; }
     [[ $(dpkg-query --admindir="$folder/database" -W -f '${Status}' espalier) == "install ok installed" ]] || fail "not installed"
     rm -rf "$folder/database"
