@@ -10,13 +10,22 @@ namespace espalier::detail {
 
 static_assert(sizeof(float) == 4, "float must be IEEE binary32");
 
+/// One instruction where the machine reads from any address; elsewhere several, which small code has only once.
+#if defined(__arm__) && !defined(__ARM_FEATURE_UNALIGNED)
+#define ESPALIER_LOAD inline
+#else
+#define ESPALIER_LOAD [[gnu::always_inline]] inline
+#endif
+
 inline std::uint32_t load_u8(const std::byte* at) { return std::to_integer<std::uint32_t>(*at); }
-inline std::uint32_t load_u16(const std::byte* at) { return load_u8(at) | load_u8(at + 1) << 8; }
-inline std::uint32_t load_u32(const std::byte* at) { return load_u16(at) | load_u16(at + 2) << 16; }
+ESPALIER_LOAD std::uint32_t load_u16(const std::byte* at) { return load_u8(at) | load_u8(at + 1) << 8; }
+ESPALIER_LOAD std::uint32_t load_u32(const std::byte* at) { return load_u16(at) | load_u16(at + 2) << 16; }
 inline std::uint64_t load_u64(const std::byte* at) { return load_u32(at) | std::uint64_t{load_u32(at + 4)} << 32; }
-inline std::int16_t load_i16(const std::byte* at) { return static_cast<std::int16_t>(load_u16(at)); }
-inline std::int32_t load_i32(const std::byte* at) { return static_cast<std::int32_t>(load_u32(at)); }
-inline float load_f32(const std::byte* at) { return std::bit_cast<float>(load_u32(at)); }
+ESPALIER_LOAD std::int16_t load_i16(const std::byte* at) { return static_cast<std::int16_t>(load_u16(at)); }
+ESPALIER_LOAD std::int32_t load_i32(const std::byte* at) { return static_cast<std::int32_t>(load_u32(at)); }
+ESPALIER_LOAD float load_f32(const std::byte* at) { return std::bit_cast<float>(load_u32(at)); }
+
+#undef ESPALIER_LOAD
 
 /// Field `index` of a stream of `width`-bit fields, low bits first; width at most 25. Reads the 4 bytes from the one in
 /// which the field begins: the format's guard keeps that inside the blob.

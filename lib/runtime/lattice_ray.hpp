@@ -3,6 +3,9 @@
 // rounding moves.
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include <espalier/blob.hpp>
@@ -14,13 +17,17 @@ namespace espalier::detail {
 /// The far end of what is still of interest is widened by this factor, 8 roundings: they cover those of tau.
 inline constexpr float interval_slack = 1.0f + 0x1p-21f;
 
+/// Cores without lanes would only lose room on their stacks.
+inline constexpr std::size_t lane_alignment = sizeof(void*) < 8 ? 4 : 16;
+
 struct LatticeRay {
     // The ray, exactly: point(tau) = origin * 2^-fraction_bits + tau * direction, in lattice steps from lattice point 0
     // 0 0. What follows each vector fills its register, so that one load fetches it and no room is lost.
-    alignas(16) std::int32_t origin[3];  ///< |origin - 2^fraction_bits * v| <= 2^24 for every lattice point v
-    std::int32_t fraction_bits;          ///< 0..6
-    std::int32_t direction[3];           ///< the largest is in [2^23, 2^24)
-    std::int32_t t_exponent;             ///< see tau_offset
+    alignas(
+        lane_alignment) std::int32_t origin[3];  ///< |origin - 2^fraction_bits * v| <= 2^24 for every lattice point v
+    std::int32_t fraction_bits;                  ///< 0..6
+    std::int32_t direction[3];                   ///< the largest is in [2^23, 2^24)
+    std::int32_t t_exponent;                     ///< see tau_offset
 
     float tau_min;  ///< >= 0
     float tau_max;  ///< may be infinite
@@ -72,37 +79,37 @@ inline float reach(const float* origin, const BlobData& blob) {
 /// Moves an origin far outside the asset along the ray to the asset's box, grown by its own size where the lattice has
 /// room. False when the ray passes the box by.
 inline bool approach(const BlobData& blob, LatticeRay& ray, const RaySlope& slope, float* origin) {
-    const std::int32_t size = blob.extent[0] > blob.extent[1] ? blob.extent[0] : blob.extent[1];
-    const std::int32_t largest = size > blob.extent[2] ? size : blob.extent[2];
+    std::int32_t largest = 0;
+    for (int k = 0; k < 3; ++k) largest = blob.extent[k] > largest ? blob.extent[k] : largest;
     const std::int32_t room = (1 << format::max_bits) - 1 - largest;
     const std::int32_t margin = largest < room ? largest : room;
-    float low[3], high[3];
+    const auto low = static_cast<float>(-margin);
+    const auto high = [&](int k) { return static_cast<float>(blob.extent[k] + margin); };
     float near = -infinity;
     float far = infinity;
     int entry = 0;
     for (int k = 0; k < 3; ++k) {
-        low[k] = static_cast<float>(-margin);
-        high[k] = static_cast<float>(blob.extent[k] + margin);
         if (ray.direction[k] == 0) {
-            if (origin[k] < low[k] || origin[k] > high[k]) return false;
+            if (origin[k] < low || origin[k] > high(k)) return false;
             continue;
         }
+        const float to_low = (low - origin[k]) * slope.inverse[k];
+        const float to_high = (high(k) - origin[k]) * slope.inverse[k];
         const bool negative = ray.direction[k] < 0;
-        const float enter = ((negative ? high[k] : low[k]) - origin[k]) * slope.inverse[k];
-        const float leave = ((negative ? low[k] : high[k]) - origin[k]) * slope.inverse[k];
+        const float enter = negative ? to_high : to_low;
         if (enter > near) {
             near = enter;
             entry = k;
         }
-        far = minimum(leave, far);
+        far = minimum(negative ? to_low : to_high, far);
     }
     if (!(near <= far * interval_slack) || far < 0.0f) return false;
     if (near <= 0.0f) return true;  // already inside the grown box
     for (int k = 0; k < 3; ++k) {
-        const float moved = origin[k] + near * static_cast<float>(ray.direction[k]);
-        origin[k] = moved > high[k] ? high[k] : moved > low[k] ? moved : low[k];
+        const float moved = k == entry ? (ray.direction[k] < 0 ? infinity : -infinity)
+                                       : origin[k] + near * static_cast<float>(ray.direction[k]);
+        origin[k] = moved > high(k) ? high(k) : moved > low ? moved : low;
     }
-    origin[entry] = ray.direction[entry] < 0 ? high[entry] : low[entry];
     ray.tau_offset = near;
     return true;
 }
@@ -129,10 +136,10 @@ inline void set_shear(LatticeRay& ray, RaySlope& slope, unsigned longest_axis, f
 
 /// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by.
 inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
-    const float origin_world[3] = {world.origin.x, world.origin.y, world.origin.z};
-    const float direction_world[3] = {world.direction.x, world.direction.y, world.direction.z};
+    const auto origin_world = std::bit_cast<std::array<float, 3>>(world.origin);
+    const auto direction_world = std::bit_cast<std::array<float, 3>>(world.direction);
     std::uint32_t longest = 0;
-    for (int k = 0; k < 3; ++k) {
+    for (unsigned k = 0; k < 3; ++k) {
         if (!is_finite(origin_world[k])) return false;
         const std::uint32_t magnitude = magnitude_bits(direction_world[k]);
         longest = magnitude > longest ? magnitude : longest;
@@ -142,36 +149,25 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, R
     if (magnitude_bits(world.t_max) != 0 && is_negative(world.t_max)) return false;
     if (magnitude_bits(t_min) > magnitude_bits(world.t_max)) return false;
 
-    // The direction as three integers. One whose components are tiny is scaled first, in integers: it may be subnormal.
-    int exponent = static_cast<int>(longest >> 23) - 127;
-    float scaled[3];
-    if (exponent < -100) {
-        constexpr int lift = 120;
-        longest = 0;
-        for (int k = 0; k < 3; ++k) {
-            scaled[k] = scale_by_power_of_two(direction_world[k], lift);
-            longest = magnitude_bits(scaled[k]) > longest ? magnitude_bits(scaled[k]) : longest;
-        }
-        const int lifted = static_cast<int>(longest >> 23) - 127;
-        exponent = lifted - lift;
-        for (float& component : scaled) component *= power_of_two(23 - lifted);
-    } else {
-        for (int k = 0; k < 3; ++k) scaled[k] = direction_world[k] * power_of_two(23 - exponent);
-    }
-    for (int k = 0; k < 3; ++k) {
-        const float rounded = round_to_integer(scaled[k]);
-        ray.direction[k] = static_cast<std::int32_t>(rounded);
-        slope.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
-    }
-
+    // The direction as three integers. Its components may be subnormal, so that they are scaled in integers.
+    const int exponent =
+        (longest >> 23) != 0 ? static_cast<int>(longest >> 23) - 127 : static_cast<int>(std::bit_width(longest)) - 150;
+    unsigned last = 0;
     float origin[3];
-    for (int k = 0; k < 3; ++k) {
+    for (unsigned k = 0; k < 3; ++k) {
+        ray.direction[k] =
+            static_cast<std::int32_t>(round_to_integer(scale_by_power_of_two(direction_world[k], 23 - exponent)));
+        slope.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
+        const auto length = [&](unsigned axis) {
+            return ray.direction[axis] < 0 ? -ray.direction[axis] : ray.direction[axis];
+        };
+        if (length(k) > length(last)) last = k;
+
         origin[k] = (flush_subnormal(origin_world[k]) - blob.origin[k]) * blob.steps_per_unit;
         if (!(absolute(origin[k]) < 0x1p120f)) return false;
+        // What the last rounding makes zero anyway is zero from here on, so that nothing below is ever subnormal.
+        if (absolute(origin[k]) < 0x1p-30f) origin[k] = 0.0f;
     }
-    // What the last rounding makes zero anyway is zero from here on, so that nothing below is ever subnormal.
-    for (float& coordinate : origin)
-        if (absolute(coordinate) < 0x1p-30f) coordinate = 0.0f;
     ray.tau_offset = 0.0f;
     float reach = lattice_ray::reach(origin, blob);
     if (reach >= 0x1p23f) {
@@ -188,17 +184,12 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, R
 
     ray.t_exponent = blob.step_exponent - exponent + 23;
     ray.tau_min = lattice_ray::to_tau(t_min, ray.t_exponent);
-    ray.tau_max = lattice_ray::to_tau(world.t_max, ray.t_exponent);
+    ray.tau_max = lattice_ray::to_tau(world.t_max, ray.t_exponent) - ray.tau_offset;
     if (ray.tau_offset > 0.0f) {
         ray.tau_min = maximum(ray.tau_min - ray.tau_offset, 0.0f);
-        ray.tau_max = ray.tau_max - ray.tau_offset;
         if (ray.tau_max < 0.0f) return false;
     }
     if (ray.tau_min == infinity) return false;
-
-    const auto length = [&](int k) { return ray.direction[k] < 0 ? -ray.direction[k] : ray.direction[k]; };
-    const std::int32_t longer = length(0) > length(1) ? length(0) : length(1);
-    const unsigned last = length(2) > longer ? 2u : length(1) > length(0) ? 1u : 0u;
     set_shear(ray, slope, last, reach);
     ray.faces = world.faces;
     return true;

@@ -8,7 +8,7 @@
 #include <runtime/bytes.hpp>
 #include <runtime/checksum.hpp>
 #include <runtime/copies.hpp>
-#include <runtime/id_field.hpp>
+#include <runtime/leaf_kinds.hpp>
 #include <runtime/open_checks.hpp>
 #include <runtime/open_header.hpp>
 
@@ -19,7 +19,7 @@ namespace {
 /// Whether a stream of so many bits is filled up with zeros to 4 bytes.
 [[gnu::noinline]] bool is_padded_to_words(const std::byte* stream, std::uint64_t bit_count) {
     const std::uint64_t used = (bit_count + 7) / 8;
-    return is_padded_with_zeros(stream, bit_count) &&
+    return is_padded_with_zeros(stream + static_cast<std::size_t>(bit_count / 8), bit_count % 8) &&
            is_zero(stream + static_cast<std::size_t>(used), static_cast<std::size_t>(-used & 3));
 }
 
@@ -81,12 +81,17 @@ Status check_original_ids(const BlobData& blob) {
     }
     if (previous > blob.source_triangles || (blob.source_count == 0 && blob.triangle_count != 0))
         return Status::bad_section;
-    const unsigned corner_bits = format::first_corner_bits(blob.profile);
-    if (!is_padded_to_words(blob.ids, std::uint64_t{blob.triangle_count} * (corner_bits + blob.id_bits)))
-        return Status::bad_section;
+    const unsigned corner_bits = reads_strip_leaves ? format::first_corner_bits(blob.profile) : 0;
+    const unsigned field_bits = corner_bits + blob.id_bits;
+    const std::uint64_t bits = std::uint64_t{blob.triangle_count} * field_bits;
+    if (!is_padded_to_words(blob.ids, bits)) return Status::bad_section;
+    // Not both bits of a first corner.
+    const auto bit = [&](std::uint64_t at) {
+        return load_u8(blob.ids + static_cast<std::size_t>(at / 8)) >> (at % 8) & 1u;
+    };
     if (corner_bits != 0)
-        for (std::uint32_t i = 0; i < blob.triangle_count; ++i)
-            if ((id_field(blob, i) & 3u) == 3) return Status::bad_section;
+        for (std::uint64_t at = 0; at < bits; at += field_bits)
+            if ((bit(at) & bit(at + 1)) != 0) return Status::bad_section;
     return Status::ok;
 }
 

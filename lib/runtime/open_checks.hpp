@@ -18,7 +18,7 @@ inline bool is_zero(const std::byte* bytes, std::size_t count) {
 }
 
 /// The unused high bits of the last byte of a stream.
-inline bool is_padded_with_zeros(const std::byte* stream, std::uint64_t bit_count) {
+inline bool is_padded_with_zeros(const std::byte* stream, unsigned bit_count) {
     return bit_count % 8 == 0 || load_u8(stream + bit_count / 8) >> (bit_count % 8) == 0;
 }
 

@@ -72,22 +72,23 @@ Status read_fields(BlobData& blob) {
     const unsigned id_bits = load_u8(h + id_bits_at);
 
     const bool empty = blob.triangle_count == 0;
+    const bool any = (blob.node_count | blob.leaf_bytes | blob.vertex_count | depth) != 0;
+    const bool all = blob.node_count != 0 && blob.leaf_bytes != 0 && blob.vertex_count != 0 && depth != 0;
     const bool ids = (blob.features & format::feature::original_ids) != 0;
-    bool good = bits >= 1 && bits <= unsigned{format::max_bits};
-    good &= blob.step_exponent >= format::min_step_exponent && blob.step_exponent <= format::max_step_exponent;
-    good &= blob.triangle_count <= format::max_triangles && blob.node_count <= format::max_nodes;
-    good &= empty == (blob.node_count == 0) && empty == (blob.leaf_bytes == 0) && empty == (blob.vertex_count == 0);
-    good &= empty == (depth == 0) && depth <= format::max_depth && blob.leaf_bytes % 4 == 0;
-    good &= is_finite(blob.max_error) && !is_negative(blob.max_error);
-    good &= (blob.features & (materials_8 | materials_16)) != (materials_8 | materials_16);
+    constexpr std::uint32_t materials = materials_8 | materials_16;
     constexpr std::uint32_t of_triangles =
         format::feature::closed | format::feature::edge_flags | format::feature::bounds;
-    good &= !(empty && (blob.features & of_triangles) != 0);
     // Strips turn their triangles' corners, so that copies of one would not give the same weights.
-    good &= has_indexed_leaves(blob.profile) || (blob.features & format::feature::split_references) == 0;
-    good &= ids ? id_bits <= 32 : id_bits == 0 && blob.source_count == 0;
-    good &= is_zero(h + id_bits_at + 1, 2) && is_zero(h + reserved_at, format::header::bytes - reserved_at);
-    if (!good) return Status::bad_header;
+    const std::uint32_t of_indexed_leaves =
+        has_indexed_leaves(blob.profile) ? 0 : std::uint32_t{format::feature::split_references};
+    if (bits < 1 || bits > unsigned{format::max_bits} || blob.step_exponent < format::min_step_exponent ||
+        blob.step_exponent > format::max_step_exponent || blob.triangle_count > format::max_triangles ||
+        blob.node_count > format::max_nodes || (empty ? any : !all) || depth > format::max_depth ||
+        blob.leaf_bytes % 4 != 0 || !is_finite(blob.max_error) || is_negative(blob.max_error) ||
+        (blob.features & materials) == materials || (empty && (blob.features & of_triangles) != 0) ||
+        (blob.features & of_indexed_leaves) != 0 || (ids ? id_bits > 32 : (id_bits | blob.source_count) != 0) ||
+        !is_zero(h + id_bits_at + 1, 2) || !is_zero(h + reserved_at, format::header::bytes - reserved_at))
+        return Status::bad_header;
     for (std::size_t k = 0; k < 3; ++k) {
         blob.origin[k] = load_f32(h + origin_at + 4 * k);
         const std::uint32_t extent = load_u32(h + extent_at + 4 * k);

@@ -10,7 +10,7 @@ namespace {
 template <class Leaf>
 [[gnu::always_inline]] inline bool are_vertices_inside(const BlobData& blob, const Leaf& leaf) {
     for (int k = 0; k < 3; ++k) {
-        if (!is_padded_with_zeros(leaf.coordinates[k], std::uint64_t{leaf.vertex_count} * leaf.width[k])) return false;
+        if (!is_padded_with_zeros(leaf.coordinates[k], unsigned{leaf.vertex_count} * leaf.width[k])) return false;
         const std::int32_t anchor = leaf.anchor(k);
         for (unsigned i = 0; i < leaf.vertex_count; ++i)
             if (anchor + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], i)) > blob.extent[k])
@@ -21,16 +21,16 @@ template <class Leaf>
 
 /// Bytes of a leaf's data, or 0.
 std::size_t checked_size(const BlobData& blob, const IndexedLeaf& leaf, std::size_t left) {
-    std::size_t size = 0;
-    for (int k = 0; k < 3; ++k) size += format::indexed_leaf::stream_bytes(leaf.vertex_count, leaf.width[k]);
-    size += format::indexed_leaf::stream_bytes(leaf.slot_count, 3 * leaf.corner_width);
+    const unsigned field = 3u * leaf.corner_width;
+    const std::size_t size = static_cast<std::size_t>(leaf.triangles - leaf.coordinates[0]) +
+                             format::indexed_leaf::stream_bytes(leaf.slot_count, field);
     if (size > left) return 0;
     for (int k = 0; k < 3; ++k)
         if (leaf.width[k] > blob.bits) return 0;
-    if (!is_padded_with_zeros(leaf.triangles, std::uint64_t{leaf.slot_count} * 3 * leaf.corner_width)) return 0;
+    if (!is_padded_with_zeros(leaf.triangles, leaf.slot_count * field)) return 0;
     if (!are_vertices_inside(blob, leaf)) return 0;
     for (unsigned i = 0; i < leaf.slot_count; ++i) {
-        std::uint32_t corners = load_field(leaf.triangles, 3 * leaf.corner_width, i);
+        std::uint32_t corners = load_field(leaf.triangles, field, i);
         for (int corner = 0; corner < 3; ++corner, corners >>= leaf.corner_width)
             if ((corners & ((1u << leaf.corner_width) - 1u)) >= leaf.vertex_count) return 0;
     }

@@ -9,34 +9,34 @@ namespace espalier {
 using namespace detail;
 
 bool raycast(const Blob& blob, const Ray& ray, RayHit& hit) noexcept {
-    return blob.triangle_count() != 0 && ESPALIER_DISPATCH(closest_hit, blob.data(), ray, hit, nullptr);
+    return blob.triangle_count() != 0 && ESPALIER_DISPATCH_RAY(closest_hit, blob.data(), ray, hit, nullptr);
 }
 
 bool raycast(const Blob& blob, const Ray& ray, RayHit& hit, TriangleFilter filter) {
-    return blob.triangle_count() != 0 && ESPALIER_DISPATCH(closest_hit, blob.data(), ray, hit, &filter);
+    return blob.triangle_count() != 0 && ESPALIER_DISPATCH_RAY(closest_hit, blob.data(), ray, hit, &filter);
 }
 
 bool occluded(const Blob& blob, const Ray& ray) noexcept {
-    return blob.triangle_count() != 0 && ESPALIER_DISPATCH(any_hit, blob.data(), ray, nullptr);
+    return blob.triangle_count() != 0 && ESPALIER_DISPATCH_RAY(any_hit, blob.data(), ray, nullptr);
 }
 
 bool occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) {
-    return blob.triangle_count() != 0 && ESPALIER_DISPATCH(any_hit, blob.data(), ray, &filter);
+    return blob.triangle_count() != 0 && ESPALIER_DISPATCH_RAY(any_hit, blob.data(), ray, &filter);
 }
 
 HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept {
     if (blob.triangle_count() == 0) return {};
-    return ESPALIER_DISPATCH(first_hits, blob.data(), ray, hits, nullptr);
+    return ESPALIER_DISPATCH_RAY(first_hits, blob.data(), ray, hits, nullptr);
 }
 
 HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter) {
     if (blob.triangle_count() == 0) return {};
-    return ESPALIER_DISPATCH(first_hits, blob.data(), ray, hits, &filter);
+    return ESPALIER_DISPATCH_RAY(first_hits, blob.data(), ray, hits, &filter);
 }
 
 bool for_each_hit(const Blob& blob, const Ray& ray, FunctionRef<Visit(const RayHit&)> visit) {
     if (blob.copy_count() != 0) return false;
-    return blob.triangle_count() == 0 || ESPALIER_DISPATCH(every_hit, blob.data(), ray, visit);
+    return blob.triangle_count() == 0 || ESPALIER_DISPATCH_RAY(every_hit, blob.data(), ray, visit);
 }
 
 bool raycast_counted(const Blob& blob, const Ray& ray, RayHit& hit, QueryCounters& counters) noexcept {

@@ -46,3 +46,31 @@ inline typename Leaf::Slots ray_candidates(const Leaf& leaf, const LatticeRay& r
     return with_table_groups<Leaf::max_vertices>(leaf.vertex_count,
                                                  [&](auto groups) { return ray_candidates_of<groups>(leaf, ray); });
 }
+
+/// Whether the ray hits the triangle in a slot, which lanes did not reject. Apart from the walk, and the kernels for
+/// long edges apart from the one for short ones, which jumps to them: on the stack there is never more than one's need.
+template <class Leaf>
+[[gnu::noinline]] inline bool hits_slot_of_huge_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
+                                                     TriangleHit& hit) {
+    return ray_triangle::hits<Int128, Int128>(ray, relative_to(ray, leaf.triangle(slot)), hit);
+}
+template <class Leaf>
+[[gnu::noinline]] inline bool hits_slot_of_large_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
+                                                      TriangleHit& hit) {
+    using namespace ray_triangle;
+    if (leaf.size > 1u << middle_bits) return hits_slot_of_huge_leaf(leaf, slot, ray, hit);
+    const OriginRelative t = relative_to(ray, leaf.triangle(slot));
+    if (edges_are_below<narrow_bits>(t)) return hits<std::int64_t, std::int64_t>(ray, t, hit);
+    return hits<std::int64_t, Int128>(ray, t, hit);
+}
+template <class Leaf>
+[[gnu::noinline]] inline bool hits_slot(const Leaf& leaf, unsigned slot, const LatticeRay& ray, TriangleHit& hit) {
+    using namespace ray_triangle;
+    count_decision();
+    if constexpr (has_native_int128) {
+        if (leaf.size > 1u << narrow_bits) return hits_slot_of_large_leaf(leaf, slot, ray, hit);
+        return hits<std::int64_t, std::int64_t>(ray, relative_to(ray, leaf.triangle(slot)), hit);
+    } else {
+        return intersect(ray, leaf.triangle(slot), hit);  // code is dearer than time
+    }
+}

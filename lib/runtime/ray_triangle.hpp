@@ -85,16 +85,14 @@ inline bool edges_are_below(const OriginRelative& t) {
                           Unsigned256::product(Unsigned256(denominator), Unsigned256(Int128(mantissa))), exponent);
 }
 
-/// Whether low <= numerator / denominator <= high, exactly, given the quotient as a float within 4 ulp.
-inline bool is_within(Argument<Int128> numerator, Argument<Int128> denominator, float quotient, float low, float high) {
+/// Whether a quotient lies in [low, high], exactly, given it as a float within 4 ulp; `compare` knows the sign of the
+/// quotient less a bound.
+template <class Compare>
+inline bool is_within(float quotient, float low, float high, Compare compare) {
     constexpr float slack = 1.0f + 0x1p-20f;
     if (quotient * slack < low || high * slack < quotient) return false;
-    if (low > 0.0f && quotient < low * slack && compare_quotient(numerator, denominator, low) < 0) return false;
-    if (quotient * slack >= high) {
-        if (high == 0.0f) return numerator.is_zero();
-        return compare_quotient(numerator, denominator, high) <= 0;
-    }
-    return true;
+    if (low > 0.0f && quotient < low * slack && compare(low) < 0) return false;
+    return quotient * slack < high || compare(high) <= 0;
 }
 
 /// `Volume` holds the products of the normal with the direction and with corner a, `Sum` the weights, which are larger.
@@ -123,7 +121,10 @@ inline bool hits(const LatticeRay& ray, const OriginRelative& t, TriangleHit& hi
     hit.normal[0] = to_float(normal.x);
     hit.normal[1] = to_float(normal.y);
     hit.normal[2] = to_float(normal.z);
-    return is_within(numerator, denominator, hit.tau, ray.tau_min, ray.tau_max);
+    return is_within(hit.tau, ray.tau_min, ray.tau_max, [&](float bound) {
+        if (bound == 0.0f) return is_zero(numerator) ? 0 : 1;
+        return compare_quotient(numerator, denominator, bound);
+    });
 }
 
 /// Edges below 2^narrow_bits steps keep every determinant, and the sum of two that is formed of them, below 2^63; edges

@@ -1,34 +1,6 @@
 // Rays: what the queries do at nodes and leaves. Included once per instruction set, inside its namespace, after
 // ray_filter.inl.
 
-/// Whether the ray hits the triangle in a slot, which lanes did not reject. Apart from the walk, and the kernels for
-/// long edges apart from the one for short ones, which jumps to them: on the stack there is never more than one's need.
-template <class Leaf>
-[[gnu::noinline]] inline bool hits_slot_of_huge_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
-                                                     TriangleHit& hit) {
-    return ray_triangle::hits<Int128, Int128>(ray, relative_to(ray, leaf.triangle(slot)), hit);
-}
-template <class Leaf>
-[[gnu::noinline]] inline bool hits_slot_of_large_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
-                                                      TriangleHit& hit) {
-    using namespace ray_triangle;
-    if (leaf.size > 1u << middle_bits) return hits_slot_of_huge_leaf(leaf, slot, ray, hit);
-    const OriginRelative t = relative_to(ray, leaf.triangle(slot));
-    if (edges_are_below<narrow_bits>(t)) return hits<std::int64_t, std::int64_t>(ray, t, hit);
-    return hits<std::int64_t, Int128>(ray, t, hit);
-}
-template <class Leaf>
-[[gnu::noinline]] inline bool hits_slot(const Leaf& leaf, unsigned slot, const LatticeRay& ray, TriangleHit& hit) {
-    using namespace ray_triangle;
-    count_decision();
-    if constexpr (has_native_int128) {
-        if (leaf.size > 1u << narrow_bits) return hits_slot_of_large_leaf(leaf, slot, ray, hit);
-        return hits<std::int64_t, std::int64_t>(ray, relative_to(ray, leaf.triangle(slot)), hit);
-    } else {
-        return intersect(ray, leaf.triangle(slot), hit);  // code is dearer than time
-    }
-}
-
 /// The closest hit; of equal ones the lowest index.
 template <class Leaf, class Counters>
 struct ClosestHit {
@@ -42,7 +14,7 @@ struct ClosestHit {
 
     [[nodiscard]] bool found() const { return volume != 0.0f; }
     [[nodiscard]] float limit() const { return limit_; }
-    [[gnu::always_inline]] unsigned children(const Node& node, float* keys) {
+    [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         counters.count_node();
         return slab_test(node, lanes_, limit_, keys);
     }
@@ -84,7 +56,7 @@ struct FirstHitsOf {
     float limit_ = ray.tau_max * interval_slack;
 
     [[nodiscard]] float limit() const { return limit_; }
-    [[gnu::always_inline]] unsigned children(const Node& node, float* keys) {
+    [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         return slab_test(node, lanes_, limit_, keys);
     }
     Visit visit_leaf(const Leaf& leaf) {
@@ -111,7 +83,7 @@ struct EveryHit {
     const RayLanes& lanes_;
     OnHit on_hit;
 
-    [[gnu::always_inline]] unsigned children(const Node& node, float* keys) {
+    [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         return slab_test(node, lanes_, ray.tau_max * interval_slack, keys);
     }
     Visit visit_leaf(const Leaf& leaf) {

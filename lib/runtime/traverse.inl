@@ -1,18 +1,13 @@
 // The two ways through a tree. Included once per instruction set, inside its namespace.
 // A visitor offers:
-//   unsigned children(const Node&, float* keys)  mask of the children worth a visit, and for each how near it is
+//   unsigned children(const Node&, Keys keys)    mask of the children worth a visit, and for each how near it is
 //   float limit() const                              children with a larger key are passed over
 //   Visit visit_leaf(const Leaf&)                    stop ends the walk
 // Keys are not negative and only compared, by their bits: a query without floats may hand over integers as such.
 
-/// Calls the function for the kind of leaf that the blob has.
-template <class Function>
-inline auto with_leaves_of(const BlobData& blob, Function function) {
-    if constexpr (!reads_strip_leaves) return function.template operator()<IndexedLeaf>();
-    else if constexpr (!reads_indexed_leaves) return function.template operator()<StripLeaf>();
-    else if (has_indexed_leaves(blob.profile)) return function.template operator()<IndexedLeaf>();
-    else return function.template operator()<StripLeaf>();
-}
+#include <runtime/with_leaves_of.inl>
+
+using Keys = float*;  ///< one for each child
 
 /// What waits at a node on the way down: the second nearest of its children worth a visit, how near that is, and which
 /// others there are, none of them nearer. Keys are not negative, so that their bits order like integers; the lowest

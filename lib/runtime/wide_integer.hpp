@@ -125,6 +125,35 @@ ESPALIER_SHARED_CODE constexpr Int128 negate_if(const Int128& a, bool condition)
 constexpr bool is_zero(std::int64_t a) { return a == 0; }
 constexpr bool is_zero(const Int128& a) { return a.is_zero(); }
 
+/// The nearest float, ties to even, to a number in two's complement, low words first. For cores without wide registers:
+/// the compiler's own conversion would bring all of its float addition along.
+[[gnu::noinline]] inline float words_to_float(const std::uint32_t* words, int count) {
+    const std::uint32_t sign = 0u - (words[count - 1] >> 31);
+    std::uint32_t carry = sign & 1u;
+    std::uint32_t top = 0, below = 0, rest = 0;  // the highest word that is not zero, the next one, all others
+    std::uint32_t previous = 0, seen = 0;
+    int exponent = 0;
+    for (int i = 0; i < count; ++i) {
+        const std::uint32_t word = (words[i] ^ sign) + carry;  // of the magnitude
+        if (word != 0) {
+            carry = 0;
+            top = word;
+            below = previous;
+            rest = seen;
+            exponent = 32 * i;
+        }
+        seen |= previous;
+        previous = word;
+    }
+    if (top == 0) return 0.0f;
+    const int shift = std::countl_zero(top);
+    // 32 bits, more than a float has; whatever is below only matters as "not zero".
+    const std::uint32_t kept = top << shift | below >> 1 >> (31 - shift) | ((below << shift | rest) != 0 ? 1u : 0u);
+    const float value = static_cast<float>(kept) * power_of_two(exponent - shift);
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) | (sign << 31));
+}
+
+#if ESPALIER_NATIVE_INT128
 /// The nearest float, ties to even.
 ESPALIER_SHARED_CODE inline float to_float(std::int64_t a) { return static_cast<float>(a); }
 ESPALIER_SHARED_CODE inline float to_float(const Int128& a) {
@@ -141,6 +170,19 @@ ESPALIER_SHARED_CODE inline float to_float(const Int128& a) {
                         std::bit_cast<float>(static_cast<std::uint32_t>(shift + 127) << 23);
     return negative ? -value : value;
 }
+#else
+ESPALIER_SHARED_CODE inline float to_float(const Int128& a) {
+    const auto high = static_cast<std::uint64_t>(a.high);
+    const std::uint32_t words[4] = {static_cast<std::uint32_t>(a.low), static_cast<std::uint32_t>(a.low >> 32),
+                                    static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(high >> 32)};
+    return words_to_float(words, 4);
+}
+ESPALIER_SHARED_CODE inline float to_float(std::int64_t a) {
+    const auto bits = static_cast<std::uint64_t>(a);
+    const std::uint32_t words[2] = {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
+    return words_to_float(words, 2);
+}
+#endif
 
 /// Unsigned 256 bits, for comparing products of wide numbers.
 struct Unsigned256 {

@@ -90,6 +90,10 @@ TEST_SUITE("runtime arithmetic") {
                 continue;
             }
             const float value = detail::to_float(a);
+            const auto high = static_cast<std::uint64_t>(a.high);
+            const std::uint32_t words[4] = {static_cast<std::uint32_t>(a.low), static_cast<std::uint32_t>(a.low >> 32),
+                                            static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(high >> 32)};
+            REQUIRE(detail::words_to_float(words, 4) == value);
             const Rational error = oracle::error_in_ulp(value, Rational(exact(a), 1));
             CAPTURE(exact(a).to_string());
             REQUIRE(error <= Rational(1, 2));

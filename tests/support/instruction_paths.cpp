@@ -2,20 +2,21 @@
 
 #include <runtime/simd/select.hpp>
 
-#define ESPALIER_PATH(set)                                                                                          \
-    InstructionPath {                                                                                               \
-#set, detail::set::closest_hit, detail::set::first_hits, detail::set::any_hit, detail::set::every_hit,      \
-            detail::set::closest_hits, detail::set::any_hits, detail::set::any_overlap, detail::set::every_overlap, \
-            detail::set::closest_triangle, detail::set::closest_triangles,                                          \
-            detail::set::may_overlap, detail::set::closest_bounds, detail::set::may_hit,                            \
-            detail::set::touching_pairs, detail::set::nearest_pair                                                  \
+/// By the name of the one that single rays take, and of the one for everything else.
+#define ESPALIER_PATH_OF(rays, set)                                                                                   \
+    InstructionPath {                                                                                                 \
+#rays, detail::rays::closest_hit, detail::rays::first_hits, detail::rays::any_hit, detail::rays::every_hit,   \
+            detail::set::closest_hits, detail::set::any_hits, detail::set::any_overlap, detail::set::every_overlap,   \
+            detail::set::closest_triangle, detail::set::closest_triangles, detail::set::may_overlap,                  \
+            detail::set::closest_bounds, detail::set::may_hit, detail::set::touching_pairs, detail::set::nearest_pair \
     }
+#define ESPALIER_PATH(set) ESPALIER_PATH_OF(set, set)
 
 namespace espalier::tests {
 
 const std::vector<InstructionPath>& instruction_paths() {
     static const std::vector<InstructionPath> paths = [] {
-        std::vector<InstructionPath> found = {ESPALIER_PATH(scalar)};
+        std::vector<InstructionPath> found = {ESPALIER_PATH(scalar), ESPALIER_PATH_OF(small, scalar)};
 #if ESPALIER_X86
         const detail::InstructionSet best = detail::detect_instruction_set();
         using detail::InstructionSet;  // each has all of those before it

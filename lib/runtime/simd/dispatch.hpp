@@ -19,3 +19,10 @@
 #else
 #define ESPALIER_DISPATCH(query, ...) scalar::query(__VA_ARGS__)
 #endif
+
+/// The same for single rays: where code is dearer than time, those go their own way.
+#if ESPALIER_SMALL_CODE
+#define ESPALIER_DISPATCH_RAY(query, ...) small::query(__VA_ARGS__)
+#else
+#define ESPALIER_DISPATCH_RAY(query, ...) ESPALIER_DISPATCH(query, __VA_ARGS__)
+#endif

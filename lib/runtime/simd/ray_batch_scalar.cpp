@@ -5,11 +5,17 @@
 
 namespace espalier::detail::scalar {
 
+#if ESPALIER_SMALL_CODE
+namespace single = small;
+#else
+namespace single = scalar;
+#endif
+
 std::size_t closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
     std::size_t found = 0;
     for (std::size_t i = 0; i < count; ++i) {
         hits[i] = no_hit;
-        if (closest_hit(blob, rays[i], hits[i], nullptr)) ++found;
+        if (single::closest_hit(blob, rays[i], hits[i], nullptr)) ++found;
     }
     return found;
 }
@@ -17,7 +23,7 @@ std::size_t closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, st
 std::size_t any_hits(const BlobData& blob, const Ray* rays, std::uint8_t* occluded, std::size_t count) {
     std::size_t found = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        occluded[i] = any_hit(blob, rays[i], nullptr) ? 1 : 0;
+        occluded[i] = single::any_hit(blob, rays[i], nullptr) ? 1 : 0;
         found += occluded[i];
     }
     return found;

@@ -1,0 +1,87 @@
+// The two ways through a tree for small cores, which have little stack: what waits is a word a level. Included inside
+// their namespace. Visitors as for traverse.inl;  only children of `among` are asked about.
+
+#include <runtime/with_leaves_of.inl>
+
+struct Keys {
+    AheadPlanes& ahead;
+    unsigned among;
+};
+inline constexpr unsigned every_child = (1u << format::max_children) - 1u;
+
+/// Nodes on the way down of which some children have not had their turn.
+class WaitingNodes {
+public:
+    void push(std::uint32_t node, unsigned children) { waiting_[size_++] = children << 24 | node; }
+    /// False when there are none.
+    bool pop(std::uint32_t& node, unsigned& children) {
+        if (size_ == 0) return false;
+        const std::uint32_t last = waiting_[--size_];
+        node = last & ((1u << 24) - 1u);
+        children = last >> 24;
+        return true;
+    }
+
+private:
+    static_assert(format::max_nodes <= 1u << 24 && format::max_children <= 8);
+    std::uint32_t waiting_[format::max_depth];
+    unsigned size_ = 0;
+};
+
+/// A walk to the children with the smallest keys first. Once it has gone down to one of them, or a leaf has been
+/// visited, the others are tested again: that is more exact by then, and no keys need to wait.
+template <class Leaf, class Visitor>
+[[gnu::always_inline]] inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
+    WaitingNodes waiting;
+    std::uint32_t index = 0;
+    unsigned among = every_child;
+    do {
+        count_node_step();
+        const Node node = node_at(blob, index);
+        unsigned nearest = format::max_children;
+        {
+            AheadPlanes keys;
+            among = visitor.children(node, {keys, among});
+            for (unsigned child = 0; among >> child != 0; ++child)
+                if ((among >> child & 1u) != 0 &&
+                    (nearest == format::max_children || keys.begin[child] < keys.begin[nearest]))
+                    nearest = child;
+        }
+        if (among == 0) continue;
+        among &= ~(1u << nearest);
+        const unsigned node_children = node.node_children();
+        if (nearest < node_children) {
+            if (among != 0) waiting.push(index, among);
+            index = node.first_child() + nearest;
+            among = every_child;
+        } else {
+            count_leaf_step();
+            if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, nearest - node_children)) == stop) return;
+        }
+    } while (among != 0 || waiting.pop(index, among));
+}
+
+/// Children in storage order. `stop` when the visitor said so.
+template <class Leaf, class Visitor>
+[[gnu::always_inline]] inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
+    WaitingNodes waiting;
+    std::uint32_t index = 0;
+    for (;;) {
+        count_node_step();
+        const Node node = node_at(blob, index);
+        AheadPlanes keys;
+        const unsigned mask = visitor.children(node, {keys, every_child});
+        const unsigned node_children = node.node_children();
+        for (unsigned number = 0; mask >> node_children >> number != 0; ++number) {
+            if ((mask >> node_children >> number & 1u) == 0) continue;
+            count_leaf_step();
+            if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, number)) == stop) return stop;
+        }
+        std::uint32_t first = node.first_child();
+        unsigned nodes = mask & ((1u << node_children) - 1u);
+        if (nodes == 0 && !waiting.pop(first, nodes)) return keep_going;
+        index = first + static_cast<unsigned>(std::countr_zero(nodes));
+        nodes &= nodes - 1;
+        if (nodes != 0) waiting.push(first, nodes);
+    }
+}

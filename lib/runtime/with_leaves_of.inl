@@ -1,0 +1,10 @@
+// Included once per instruction set, inside its namespace.
+
+/// Calls the function for the kind of leaf that the blob has.
+template <class Function>
+inline auto with_leaves_of(const BlobData& blob, Function function) {
+    if constexpr (!reads_strip_leaves) return function.template operator()<IndexedLeaf>();
+    else if constexpr (!reads_indexed_leaves) return function.template operator()<StripLeaf>();
+    else if (has_indexed_leaves(blob.profile)) return function.template operator()<IndexedLeaf>();
+    else return function.template operator()<StripLeaf>();
+}
