@@ -151,7 +151,8 @@ constexpr std::string_view assembler_form = R"(/* Made by espalier embed. */
     .section .note.GNU-stack, "", %progbits
 )";
 
-// Hidden, so that another shared library's blob of the same name is never taken for this one.
+// Hidden, so that another shared library's blob of the same name is never taken for this one; the function, too, which is
+// called where a compiler does not inline it.
 constexpr std::string_view header_form = R"(/* Made by espalier embed. */
 #ifndef ESPALIER_EMBEDDED_@symbol@
 #define ESPALIER_EMBEDDED_@symbol@
@@ -175,6 +176,9 @@ enum { @symbol@_size = @size@ };
 }
 constexpr std::size_t @symbol@_size = @size@;
 #if __cplusplus > 201703L
+#ifdef __ELF__
+__attribute__((visibility("hidden")))
+#endif
 inline std::span<const std::byte> @symbol@_bytes() noexcept { return std::as_bytes(std::span(@symbol@)); }
 #endif
 #endif

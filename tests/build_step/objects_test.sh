@@ -65,6 +65,27 @@ echo 'unsigned char at(int i) { return level[i]; }' >>use.c
 readelf -rW use.o | grep -q ' level ' || fail "nothing refers to the blob: $(readelf -rW use.o)"
 ! readelf -rW use.o | grep -q GOT || fail "$(readelf -rW use.o)"
 
+claim "two shared libraries of one program have each their own blob of one name, also where nothing is inlined"
+if command -v g++ >/dev/null; then
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >other.obj
+    mkdir other
+    run 0 bake other.obj -o other/level.espl -q
+    run 0 embed other/level.espl -o other/level.S --header other/level.h -q
+    for library in made other; do
+        printf '#include "level.h"\nunsigned long size_of_%s() { return level_bytes().size(); }\n' $library >$library.cpp
+        g++ -std=c++20 -O0 -fPIC -shared -I$library $library.cpp $library/level.S -o lib$library.so || fail "lib$library.so"
+    done
+    cat >sizes.cpp <<'CPP'
+#include <cstdio>
+unsigned long size_of_made(), size_of_other();
+int main() { std::printf("%lu %lu\n", size_of_made(), size_of_other()); }
+CPP
+    g++ sizes.cpp -L. -lmade -lother -Wl,-rpath,. -o sizes || fail "sizes.cpp"
+    [ "$(./sizes)" = "$size $(stat -c %s other/level.espl)" ] || fail "the libraries say $(./sizes)"
+else
+    echo "skipped: there is no g++"
+fi
+
 claim "assembler takes neither the program's protected stack nor its control-flow protection away"
 "$any_compiler" -Imade -c made/level.S -o level.o
 write_main made
