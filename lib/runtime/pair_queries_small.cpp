@@ -42,6 +42,10 @@ PlacedLanes lanes_of(const LatticeTriangle& triangle) {
     return squared_of_nearest_corners(t, other);
 }
 
+[[gnu::noinline]] float squared_gap_to(const PlacedBox& box, const LatticeTriangle& triangle) {
+    return squared_gap(lanes_of(triangle), box.low, box.high);
+}
+
 /// Contacts, or the least distance: whichever is there.
 struct PairVisitor {
     const PairFrame& frame;
@@ -81,7 +85,7 @@ private:
         for (auto b_slots = b.used_slots(); b_slots != 0; b_slots &= b_slots - 1) {
             pair.b_slot = static_cast<unsigned>(std::countr_zero(b_slots));
             pair.b = frame.place_b(b.triangle(pair.b_slot));
-            if (squared_gap(lanes_of(pair.b), box.low, box.high) > limit()) continue;
+            if (squared_gap_to(box, pair.b) > limit()) continue;
             for (auto a_slots = a.used_slots(); a_slots != 0; a_slots &= a_slots - 1) {
                 pair.a_slot = static_cast<unsigned>(std::countr_zero(a_slots));
                 pair.a = frame.place_a(a.triangle(pair.a_slot));
@@ -109,15 +113,20 @@ private:
             return keep_going;
         });
         if (!(nearest.squared < infinity)) return keep_going;
-        const auto decide = [&](const SlotPair& pair) {
-            return least->visit_pair(pair.a, pair.b, [&] {
-                return TrianglePair{{owner_index(a, pair.a_slot)}, {owner_index(b, pair.b_slot)}};
-            });
-        };
+        if (decide_nearest(a, b, nearest) == stop) return stop;
+        if (least->surveys) return keep_going;
+        return for_each_pair(a, b, box, [&](const SlotPair& pair) { return decide(a, b, pair); });
+    }
+    template <class LeafA, class LeafB>
+    Visit decide(const LeafA& a, const LeafB& b, const SlotPair& pair) const {
+        return least->visit_pair(pair.a, pair.b, [&] {
+            return TrianglePair{{owner_index(a, pair.a_slot)}, {owner_index(b, pair.b_slot)}};
+        });
+    }
+    template <class LeafA, class LeafB>
+    [[gnu::noinline]] Visit decide_nearest(const LeafA& a, const LeafB& b, const NearestCorners& nearest) const {
         const unsigned a_slot = nearest.a_slot(), b_slot = nearest.b_slot();
-        if (decide({a_slot, b_slot, frame.place_a(a.triangle(a_slot)), frame.place_b(b.triangle(b_slot))}) == stop)
-            return stop;
-        return least->surveys ? keep_going : for_each_pair(a, b, box, decide);
+        return decide(a, b, {a_slot, b_slot, frame.place_a(a.triangle(a_slot)), frame.place_b(b.triangle(b_slot))});
     }
 };
 

@@ -70,8 +70,10 @@ OriginRelative from_corner(const LatticeTriangle& one, int number, const Lattice
 
 }  // namespace
 
-TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangle& b) noexcept {
-    if (share_a_point(a, b)) return distance_of_touching(a, b);
+namespace {
+
+/// Six corners, and the insides of nine pairs of sides.
+[[gnu::noinline]] TriangleDistance distance_of_apart(const LatticeTriangle& a, const LatticeTriangle& b) {
     TriangleDistance best;
     best.squared = infinity;
     for (int number = 0; number < 6; ++number) {
@@ -94,6 +96,12 @@ TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangl
         best.on_b[1] = distance.v;
     }
     return best;
+}
+
+}  // namespace
+
+TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangle& b) noexcept {
+    return share_a_point(a, b) ? distance_of_touching(a, b) : distance_of_apart(a, b);
 }
 
 bool is_within_radius(const LatticeTriangle& a, const LatticeTriangle& b, const TriangleDistance& distance,

@@ -98,26 +98,10 @@ void find_ends(const IntegerTriangle& segment, Integer3* ends) {
     }
 }
 
-/// For a triangle p without area.
-[[gnu::noinline]] bool segment_meets(const IntegerTriangle& p, const IntegerTriangle& q) {
-    Integer3 s[2];
+/// For two triangles without area.
+[[gnu::noinline]] bool segments_meet(const IntegerTriangle& p, const IntegerTriangle& q) {
+    Integer3 s[2], t[2];
     find_ends(p, s);
-    const Wide::Normal normal = Wide::normal(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]);
-    if (!Wide::is_zero(normal)) {
-        const int from = Wide::side(normal, s[0] - q.corner[0]);
-        const int to = Wide::side(normal, s[1] - q.corner[0]);
-        if (from == 0 && to == 0) return meet_in_plane(p, q, normal);
-        if (from == to) return false;
-        bool left = false;
-        bool right = false;
-        for (int k = 0; k < 3; ++k) {
-            const int side = volume<Wide>(s[0], s[1], q.corner[k], q.corner[k == 2 ? 0 : k + 1]);
-            left = left || side < 0;
-            right = right || side > 0;
-        }
-        return !(left && right);
-    }
-    Integer3 t[2];
     find_ends(q, t);
     if (volume<Wide>(s[0], s[1], t[0], t[1]) != 0) return false;
     // Any three of the four points that are not on one line tell the plane.
@@ -125,6 +109,25 @@ void find_ends(const IntegerTriangle& segment, Integer3* ends) {
     if (Wide::is_zero(plane)) plane = Wide::normal(s[1] - s[0], t[1] - s[0]);
     if (Wide::is_zero(plane)) plane = Wide::normal(t[1] - t[0], s[0] - t[0]);
     return meet_in_plane(p, q, plane);
+}
+
+/// For a triangle p without area, and q with some.
+[[gnu::noinline]] bool segment_meets(const IntegerTriangle& p, const IntegerTriangle& q) {
+    Integer3 s[2];
+    find_ends(p, s);
+    const Wide::Normal normal = Wide::normal(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]);
+    const int from = Wide::side(normal, s[0] - q.corner[0]);
+    const int to = Wide::side(normal, s[1] - q.corner[0]);
+    if (from == 0 && to == 0) return meet_in_plane(p, q, normal);
+    if (from == to) return false;
+    bool left = false;
+    bool right = false;
+    for (int k = 0; k < 3; ++k) {
+        const int side = volume<Wide>(s[0], s[1], q.corner[k], q.corner[k == 2 ? 0 : k + 1]);
+        left = left || side < 0;
+        right = right || side > 0;
+    }
+    return !(left && right);
 }
 
 /// The corner that is alone on its side of a plane or, where there is none, the one in the plane. The line that both
@@ -158,8 +161,16 @@ bool is_above(const int* sides, unsigned corner) {
 
 bool all_strictly_alike(const int* sides) { return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2]; }
 
+/// Whether the triangles meet, unless one has no area or both lie in one plane.
+struct Meeting {
+    bool is_special = false;
+    bool p_is_flat = false;
+    bool q_is_flat = false;
+    bool answer = false;
+};
+
 template <class Arithmetic>
-inline bool meet(const IntegerTriangle& p, const IntegerTriangle& q) {
+inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
     const auto sides_of = [](const IntegerTriangle& t, const typename Arithmetic::Normal& normal, const Integer3& from,
                              int* sides) {
         for (int k = 0; k < 3; ++k) sides[k] = Arithmetic::side(normal, t.corner[k] - from);
@@ -168,15 +179,12 @@ inline bool meet(const IntegerTriangle& p, const IntegerTriangle& q) {
     int q_sides[3];
     const auto q_normal = Arithmetic::normal(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]);
     sides_of(p, q_normal, q.corner[0], p_sides);
-    if (all_strictly_alike(p_sides)) return false;
+    if (all_strictly_alike(p_sides)) return {};
     const auto p_normal = Arithmetic::normal(p.corner[1] - p.corner[0], p.corner[2] - p.corner[0]);
     sides_of(q, p_normal, p.corner[0], q_sides);
-    if (all_strictly_alike(q_sides)) return false;
-    if ((p_sides[0] | p_sides[1] | p_sides[2]) == 0 || (q_sides[0] | q_sides[1] | q_sides[2]) == 0) {
-        if (Arithmetic::is_zero(p_normal)) return segment_meets(p, q);
-        if (Arithmetic::is_zero(q_normal)) return segment_meets(q, p);
-        return meet_in_plane(p, q, Wide::normal(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]));
-    }
+    if (all_strictly_alike(q_sides)) return {};
+    if ((p_sides[0] | p_sides[1] | p_sides[2]) == 0 || (q_sides[0] | q_sides[1] | q_sides[2]) == 0)
+        return {true, Arithmetic::is_zero(p_normal), Arithmetic::is_zero(q_normal)};
     // Both triangles cross the line that their planes share. Turn and flip each so that its first corner is above the
     // other and the two others are not: then p's part of the line reaches from side ab to side ac, q's the other way.
     const unsigned p_first = lonely_corner(p_sides);
@@ -185,10 +193,11 @@ inline bool meet(const IntegerTriangle& p, const IntegerTriangle& q) {
     Turned t(q, q_first);
     if (!is_above(p_sides, p_first)) t.flip();
     if (!is_above(q_sides, q_first)) s.flip();
-    return volume<Arithmetic>(*s.a, *s.b, *t.a, *t.b) <= 0 && volume<Arithmetic>(*s.a, *s.c, *t.a, *t.c) >= 0;
+    return {false, false, false,
+            volume<Arithmetic>(*s.a, *s.b, *t.a, *t.b) <= 0 && volume<Arithmetic>(*s.a, *s.c, *t.a, *t.c) >= 0};
 }
 
-[[gnu::noinline]] bool meet_wide(const IntegerTriangle& p, const IntegerTriangle& q) { return meet<Wide>(p, q); }
+[[gnu::noinline]] Meeting meet_wide(const IntegerTriangle& p, const IntegerTriangle& q) { return meet<Wide>(p, q); }
 
 /// Whether all corners lie within 2^19 of the first one, along every axis.
 [[maybe_unused]] bool are_near(const IntegerTriangle& p, const IntegerTriangle& q) {
@@ -207,9 +216,22 @@ inline bool meet(const IntegerTriangle& p, const IntegerTriangle& q) {
 
 }  // namespace
 
+namespace {
+
+/// For two triangles with area.
+[[gnu::noinline]] bool meet_in_own_plane(const IntegerTriangle& p, const IntegerTriangle& q) {
+    return meet_in_plane(p, q, Wide::normal(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]));
+}
+
+}  // namespace
+
 bool triangles_meet(const IntegerTriangle& p, const IntegerTriangle& q) noexcept {
-    if constexpr (small_code) return meet_wide(p, q);
-    else return are_near(p, q) ? meet<Narrow>(p, q) : meet_wide(p, q);
+    const Meeting meeting = !small_code && are_near(p, q) ? meet<Narrow>(p, q) : meet_wide(p, q);
+    if (!meeting.is_special) return meeting.answer;
+    if (meeting.p_is_flat && meeting.q_is_flat) return segments_meet(p, q);
+    if (meeting.p_is_flat) return segment_meets(p, q);
+    if (meeting.q_is_flat) return segment_meets(q, p);
+    return meet_in_own_plane(p, q);
 }
 
 }  // namespace espalier::detail
