@@ -68,7 +68,7 @@ void WholeSegment::end_at(std::uint32_t t) {
     for (int k = 0; k < 3; ++k) {
         const bool is_down = direction[k] < 0;
         const std::uint64_t way = std::uint64_t{magnitude(direction[k])} * (t + 1);
-        const auto steps = static_cast<std::int32_t>((way + (1u << 31) - 1) >> 31);
+        const auto steps = static_cast<std::int32_t>(way >> 31);  // boxes and corners are whole
         if (is_down) bounds.low[k] = clamp_to_bounds(origin[k] - steps);
         else bounds.high[k] = clamp_to_bounds(origin[k] + steps);
         if (k == longest) steps_left = static_cast<std::uint32_t>(steps);
