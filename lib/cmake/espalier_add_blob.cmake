@@ -112,7 +112,7 @@ function(espalier_add_blob target)
     COMMENT "Embedding ${target}" VERBATIM)
 
   add_library(${target} STATIC ${source})
-  target_include_directories(${target} INTERFACE ${folder})
+  target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${folder}>) # nothing of it when installed
   set_target_properties(${target} PROPERTIES ESPALIER_BLOB ${blob})
   set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
   if(ending STREQUAL ".S")

@@ -98,4 +98,15 @@ must configure level build
 must_not build build --target new
 log_has "'new' cannot name a variable in C and C++"
 
+claim "a library that carries a blob can be installed for other projects"
+write_head level C
+cat >>level/CMakeLists.txt <<'CMAKE'
+espalier_add_blob(level MESH level.obj)
+add_library(engine STATIC main.c)
+target_link_libraries(engine PRIVATE level)
+install(TARGETS engine level EXPORT engine)
+install(EXPORT engine DESTINATION lib/cmake/engine)
+CMAKE
+must configure level exporting -DESPALIER_EXECUTABLE="$espalier"
+
 finish
