@@ -40,10 +40,9 @@ SOURCE_PREAMBLE = """\
 {licence}
 
 // Answers are the same bits everywhere only if each operation is rounded by itself. In the library flags say so; here the
-// file does, before anything else, so that what it includes is compiled alike.
-#if defined(__FAST_MATH__)
-#error "Espalier is exact: compile espalier.cpp without -ffast-math"
-#elif defined(__clang__)
+// file does, before anything else, so that what it includes is compiled alike. Clang does not listen where its command line has
+// -ffp-contract=fast: leave that out.
+#if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 // Of a header Clang would not ask that each function be used.
 #pragma clang diagnostic ignored "-Wunneeded-internal-declaration"

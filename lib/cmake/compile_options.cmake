@@ -3,6 +3,9 @@
 
 # espalier_compile_options(<target>): warnings, and arithmetic that means the same on every machine (no contraction).
 function(espalier_compile_options target)
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    target_compile_options(${target} PRIVATE -fno-fast-math)  # which the project around may ask for
+  endif()
   target_compile_options(${target} PRIVATE
     -ffp-contract=off -fno-math-errno
     -Wall -Wextra -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow -Wcast-align -Wundef)

@@ -9,6 +9,9 @@
 
 namespace espalier::detail {
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "Espalier is exact: compile it without -ffast-math and -ffinite-math-only"
+#endif
 static_assert(FLT_EVAL_METHOD == 0, "float arithmetic must be done in float: use SSE on 32-bit x86");
 
 inline constexpr float infinity = __builtin_inff();
