@@ -34,8 +34,7 @@ SOURCE_PREAMBLE = """\
 // Macros, for the compiler's command line: ESPALIER_INDEXED_LEAVES=0 leaves out the code that reads profile `fast`,
 // ESPALIER_STRIP_LEAVES=0 that of `balanced` and `small`; blobs of a profile that is left out are refused by open.
 // ESPALIER_SMALL_CODE=1 answers the same by less code, as on microcontrollers, where it is the default; 0 is fast.
-// Recommended: -O2 -fno-exceptions -fno-rtti -fno-math-errno. Without the last, square roots refer to sqrtf of libm, although
-// they never call it.
+// Recommended: -O2 -fno-exceptions -fno-rtti.
 //
 {licence}
 

@@ -26,14 +26,36 @@ inline float square_root_in_integers(float x) {
     return std::bit_cast<float>((static_cast<std::uint32_t>(exponent / 2 + 127 - 1) << 23) + rounded);
 }
 
-/// The square root of zero or of a positive, normal and finite number.
-inline float square_root(float x) {
 #if defined(__SSE2__) || defined(__aarch64__) || (defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__riscv_flen) || \
     defined(__s390x__)
-    return __builtin_sqrtf(x);
+inline constexpr bool has_square_root = true;
 #else
-    return square_root_in_integers(x);
+inline constexpr bool has_square_root = false;
 #endif
+
+/// The core's instruction. Where the compiler has to care for errno, its own way would also call libm's sqrtf.
+inline float square_root_by_instruction(float x) {
+    float root = x;
+#if defined(__NO_MATH_ERRNO__)
+    root = __builtin_sqrtf(x);
+#elif defined(__SSE2__)
+    asm("sqrtss %1, %0" : "=x"(root) : "x"(x));
+#elif defined(__aarch64__)
+    asm("fsqrt %s0, %s1" : "=w"(root) : "w"(x));
+#elif defined(__ARM_FP) && (__ARM_FP & 4)
+    asm("vsqrt.f32 %0, %1" : "=t"(root) : "t"(x));
+#elif defined(__riscv_flen)
+    asm("fsqrt.s %0, %1" : "=f"(root) : "f"(x));
+#elif defined(__s390x__)
+    asm("sqebr %0, %1" : "=f"(root) : "f"(x));
+#endif
+    return root;
+}
+
+/// The square root of zero or of a positive, normal and finite number.
+inline float square_root(float x) {
+    if constexpr (has_square_root) return square_root_by_instruction(x);
+    else return square_root_in_integers(x);
 }
 
 }  // namespace espalier::detail

@@ -13,6 +13,7 @@ rm -rf "$folder"
 "$python" "$project/tools/single_file.py" "$folder/single"
 cd "$folder/single"
 "$compiler" -std=c++20 -O1 "${warnings[@]}" -c espalier.cpp -o ../espalier.o
+! nm -u ../espalier.o | grep -w sqrtf || { echo "failed: it asks for libm"; exit 1; }
 for macro in ESPALIER_INDEXED_LEAVES=0 ESPALIER_STRIP_LEAVES=0 ESPALIER_SMALL_CODE=1; do
     "$compiler" -std=c++20 -fsyntax-only -fno-exceptions -fno-rtti "${warnings[@]}" "-D$macro" espalier.cpp
 done
