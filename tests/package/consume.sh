@@ -45,6 +45,11 @@ case $kind in
         eval "$compiler -std=c++20 '$here/find_package/baking.cpp' $(pkg_config --cflags --libs espalier-baker) -o '$build/baking'"
         [[ $("$build/baking") == "baked 1 triangle" ]]
         [[ $(pkg_config --modversion espalier) == $(sed -n 's/.*version //p' "$here/program/answers.txt") ]]
+        # Some systems give every package absolute folders.
+        source=$here/../..
+        configure -DESPALIER_{TOOLS,TESTS,BENCH,BAKER}=OFF -DCMAKE_INSTALL_{PREFIX=/a,LIBDIR=/b/lib,INCLUDEDIR=/c/include}
+        flags=$(PKG_CONFIG_PATH=$build/build/package pkg-config --cflags --libs espalier)
+        [[ ${flags% } == "-I/c/include -L/b/lib -lespalier_runtime" ]] || { echo "failed: absolute folders become $flags"; exit 1; }
         ;;
     game)
         source=$here/../../docs/examples/game answers=$here/game_answers.txt
