@@ -28,8 +28,9 @@ bool may_overlap(const Blob& blob, const Box& box, float accuracy, QueryCounters
 
 bool may_be_occluded(const Blob& blob, const Ray& ray, float accuracy, QueryCounters* counters) noexcept {
     QueryCounters unread;
-    return blob.triangle_count() != 0 && ESPALIER_DISPATCH(may_hit, blob.data(), ray, steps_in(blob.data(), accuracy),
-                                                           counters != nullptr ? *counters : unread);
+    return blob.triangle_count() != 0 &&
+           ESPALIER_DISPATCH_RAY(may_hit, blob.data(), ray, steps_in(blob.data(), accuracy),
+                                 counters != nullptr ? *counters : unread);
 }
 
 bool distance_bounds(const Blob& blob, Vec3 point, float max_distance, float accuracy, DistanceBounds& bounds,

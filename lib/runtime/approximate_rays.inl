@@ -9,7 +9,7 @@ struct MayHit {
     QueryCounters& counters;
     bool found = false;
 
-    unsigned children(const Node& node, float* keys) {
+    [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         if (found) return 0;
         counters.count_node();
         const unsigned mask = slab_test(node, lanes_, ray.tau_max * interval_slack, keys);
@@ -34,7 +34,7 @@ bool may_hit(const BlobData& blob, const Ray& world, std::int32_t steps, QueryCo
     if (!prepare(blob, world, prepared)) return false;
     return with_leaves_of(blob, [&]<class Leaf>() {
         MayHit<Leaf> visitor = {blob, prepared.ray, prepared.lanes, steps, counters};
-        traverse_in_storage_order<Leaf>(blob, visitor);
+        (void)walk_in_storage_order<Leaf>(blob, visitor);
         return visitor.found;
     });
 }

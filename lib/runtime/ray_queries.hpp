@@ -19,7 +19,7 @@
 namespace espalier::detail {
 
 ESPALIER_DECLARE_RAY_QUERIES(scalar)
-ESPALIER_DECLARE_RAY_QUERIES(small)  // but for may_hit, which asks for more of boxes than small cores know
+ESPALIER_DECLARE_RAY_QUERIES(small)
 #if ESPALIER_X86
 ESPALIER_DECLARE_RAY_QUERIES(sse42)
 ESPALIER_DECLARE_RAY_QUERIES(avx2)

@@ -4,6 +4,7 @@
 #include <runtime/ray_queries.hpp>
 #include <runtime/seen_boxes.hpp>
 #include <runtime/seen_triangles.hpp>
+#include <runtime/small_boxes.hpp>
 #include <runtime/small_ray_triangle.hpp>
 #include <runtime/simd/lanes_scalar.hpp>
 
@@ -55,5 +56,6 @@ using scalar::owner_index;
 
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
+#include <runtime/approximate_rays.inl>
 
 }  // namespace espalier::detail::small
