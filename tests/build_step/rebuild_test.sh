@@ -14,10 +14,13 @@ write_level "$project/assets"
 write_main "$project"
 write_head "$project" "C CXX"
 cat >>"$project/CMakeLists.txt" <<'CMAKE'
-espalier_add_blob(level MESH assets/level.obj BITS ${bits} MATERIALS 8 ALIGNMENT ${alignment})
+espalier_add_blob(level MESH assets/level.obj BITS ${bits} MATERIALS 8 ALIGNMENT ${alignment} COST_MODEL assets/cost.json
+  DEPENDS assets/reason.txt)
 add_executable(game main.c)
 target_link_libraries(game PRIVATE level)
 CMAKE
+echo '{"byte_price": 0}' >"$project/assets/cost.json"
+touch "$project/assets/reason.txt"
 options=(-Dbits=12 -Dalignment=16 -DESPALIER_EXECUTABLE="$counting")
 # A file system may count time in steps; what was built must be older than what is touched.
 touch_later() { sleep 0.05 && touch "$1"; }
@@ -38,6 +41,15 @@ done
 
 claim "a side file that the mesh refers to is looked at: touched, it bakes once; so does the mesh"
 for file in level.mtl level.obj; do
+    touch_later "$project/assets/$file"
+    must build "$build" --target game
+    verbs_are "bake embed"
+    must build "$build" --target game
+    verbs_are ""
+done
+
+claim "what else it depends on bakes once when it is touched: the cost model, and what DEPENDS names"
+for file in cost.json reason.txt; do
     touch_later "$project/assets/$file"
     must build "$build" --target game
     verbs_are "bake embed"
