@@ -129,7 +129,7 @@ bool oriented_bounds(const Blob& blob, OrientedBox& box) noexcept {
         const std::int64_t lo = load_i32(stored + format::bounds::lo_at + 4 * k);
         const std::int64_t hi = load_i32(stored + format::bounds::hi_at + 4 * k);
         for (std::size_t axis = 0; axis < 3; ++axis) twice_center[axis] += (lo + hi) * rotation.row[k][axis];
-        half[k] = static_cast<float>(hi - lo) * 0.5f * unit;
+        half[k] = to_float(hi - lo) * 0.5f * unit;
         sum += half[k];
     }
     float center[3];

@@ -208,7 +208,7 @@ QueryStatus place_pair(const BlobData& a, const BlobData& b, const Placement& pl
         frame.translation[i] =
             static_cast<std::int64_t>(placed.low) + (fraction > 0 ? std::int64_t{1} << (fraction - 1) : 0);
     }
-    const float step = scale_by_power_of_two(static_cast<float>(scale.mantissa),
+    const float step = scale_by_power_of_two(to_float(scale.mantissa),
                                              scale.exponent + b.step_exponent - a.step_exponent - frame.shift);
     const auto on_grid = [&](Argument<Int128> length) {
         return to_float(shifted(length, -frame.shift - wide_fraction));
