@@ -56,6 +56,23 @@ def thousands(number):
     return f"{number:,}"
 
 
+def goals_table(rows):
+    """What the project set out to reach on the M4F with profile fast and the bunny, and what is reached."""
+    def query(name):
+        return rows.queries["m4f", "fast", rows.largest("m4f"), name]
+    pairs = [row for key, row in rows.queries.items()
+             if key[:2] == ("m4f", "fast") and key[3] in ("collides", "for_each_contact", "minimum_distance", "within_distance")]
+    goals = [("code of `open` and a closest ray", rows.code["m4f", "fast", "closest_ray"], 6 * 1024),
+             ("code of every query", rows.code["m4f", "fast", "every_query"], 24 * 1024),
+             ("stack of a closest ray", query("raycast")["stack"], 512),
+             ("stack of two blobs", max(row["stack"] for row in pairs), 2048),
+             ("instructions of a closest ray, on average", query("raycast")["instructions"], 4000),
+             ("the level as a blob, profile `small`", rows.blobs["small", "level"], 24 * 1024)]
+    return table(["", "is", "should be at most", ""],
+                 [[what, thousands(value), thousands(most), "yes" if value <= most else f"no, {value / most:.1f} times"]
+                  for what, value, most in goals])
+
+
 def code_table(rows):
     kinds = list(dict.fromkeys((core, profile) for core, profile, _ in rows.code))
     return table(["core", "profile"] + list(IMAGES.values()),
@@ -136,7 +153,7 @@ def outputs(files):
     elsewhere = sum(row["writes_elsewhere"] for row in rows.queries.values())
     conditions = (f"Rows: {links(files)}. GCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}. "
                   f"Writes outside the stack in all {sum(row['calls'] for row in rows.queries.values()):,} calls: {elsewhere}.")
-    return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
+    return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
                                       "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows),
                                       "largest": largest_table(rows), "queries": all_queries_table(rows)})}
 

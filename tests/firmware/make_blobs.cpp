@@ -39,21 +39,29 @@ bool bake_to(const std::string& folder, const Mesh& mesh, const std::string& nam
     return true;
 }
 
-bool bake_real_mesh(const std::string& folder, const std::string& name, const char* file_name, bool also_small) {
-    const auto file = mesh_file(file_name);
-    if (!file) return true;
-    const Mesh mesh = read_mesh(*file);
-    return bake_to(folder, mesh, name, Profile::fast, 16) &&
-           (!also_small || bake_to(folder, mesh, name, Profile::small, 16));
-}
+struct RealBlob {
+    const char* name;
+    const char* file;
+    Profile profile;
+    unsigned bits;
+};
+/// bunny10: coarse enough for a core with 256 KB of flash.
+constexpr RealBlob real_blobs[] = {{"bunny", "bunny.obj", Profile::fast, 16},
+                                   {"bunny", "bunny.obj", Profile::small, 16},
+                                   {"bunny10", "bunny.obj", Profile::small, 10},
+                                   {"fandisk", "fandisk.obj", Profile::fast, 16},
+                                   {"dragon", "dragon.ply", Profile::fast, 16}};
 
 bool bake_all(const std::string& folder) {
     const Mesh level = make_level(5000, 2026);
     const Mesh torus = make_torus(64, 24, 3.0, 1.0);
-    return bake_to(folder, level, "level", Profile::fast, 14) && bake_to(folder, level, "level", Profile::small, 14) &&
-           bake_to(folder, torus, "torus", Profile::fast, 16) && bake_real_mesh(folder, "bunny", "bunny.obj", true) &&
-           bake_real_mesh(folder, "fandisk", "fandisk.obj", false) &&
-           bake_real_mesh(folder, "dragon", "dragon.ply", false);
+    bool all = bake_to(folder, level, "level", Profile::fast, 14) &&
+               bake_to(folder, level, "level", Profile::small, 14) &&
+               bake_to(folder, torus, "torus", Profile::fast, 16);
+    for (const RealBlob& blob : real_blobs)
+        if (const auto file = mesh_file(blob.file); file && all)
+            all = bake_to(folder, read_mesh(*file), blob.name, blob.profile, blob.bits);
+    return all;
 }
 
 }  // namespace

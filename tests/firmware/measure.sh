@@ -4,7 +4,7 @@
 #     bash tests/firmware/measure.sh m4f fast bunny.obj --bits 16
 # Cores: cores.txt. The command that bakes is found in ../build/tools or build/tools, or by ESPALIER=...; images are made
 # in build/measure/CORE_PROFILE, or in the folder BUILD=..., and compiled again when the library changes. ROWS=FILE: the
-# figures are added to that file too, one row each:
+# figures are added to that file too, one row each. QUERIES=usual: open and the usual queries alone.
 #     CORE PROFILE MESH QUERY calls, instructions mean max, blob bytes mean max, stack, writes elsewhere
 #     CORE PROFILE code IMAGE bytes
 #     CORE PROFILE blob MESH bytes
@@ -15,6 +15,8 @@ shift 3
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
 source "$here/meter.sh"
+image=measure
+[[ ${QUERIES:-every} == every ]] || image=measure_$QUERIES
 build=${BUILD:-$root/build/measure/${core}_$profile}
 
 fail() {
@@ -36,15 +38,15 @@ else
     blob=$build/baked.espl
     "$espalier" bake "$mesh" -o "$blob" --profile "$profile" --quiet "$@"
 fi
-TARGETS="measure closest_ray in_steps five_queries every_query empty" \
+TARGETS="$image closest_ray in_steps five_queries every_query empty" \
     bash "$here/build_images.sh" "$core" "$profile" "$blob" "$build"
 
 # ---- the run
 
 read -r _ board _ < <(grep "^$core " "$here/cores.txt")
 build_meter "$build"
-run_metered "$board" "$build/measure.elf" "$build/query_meter.so" >"$build/measured.txt" ||
-    { cat "$build/measured.txt"; fail "measure.elf ended with status $?"; }
+run_metered "$board" "$build/$image.elf" "$build/query_meter.so" >"$build/measured.txt" ||
+    { cat "$build/measured.txt"; fail "$image.elf ended with status $?"; }
 
 # ---- what it says
 
@@ -57,8 +59,8 @@ empty=$(flash_bytes empty)
 kinds=$(sed -nE '/kind_names\[/,/\};/p' "$here/workload.hpp" | grep -oE '"[a-z_]+"' | tr -d '"' | tr '\n' ' ')
 rows=$build/rows.txt
 {
-    for image in closest_ray in_steps five_queries every_query; do
-        echo "$core $profile code $image $(($(flash_bytes "$image") - empty))"
+    for part in closest_ray in_steps five_queries every_query; do
+        echo "$core $profile code $part $(($(flash_bytes "$part") - empty))"
     done
     echo "$core $profile blob $name $(stat -c %s "$blob")"
     awk -v prefix="$core $profile $name" -v kinds="$kinds" '
@@ -66,7 +68,7 @@ rows=$build/rows.txt
         $1 == "measured" { print prefix, kind[$2 + 1], $4, $6, $7, $9, $10, $12, $14 }' "$build/measured.txt"
 } >"$rows"
 [[ -z ${ROWS:-} ]] || cat "$rows" >>"$ROWS"
-answers=$(grep '^workload ' "$build/measured.txt") || fail "measure.elf printed no answers"
+answers=$(grep '^workload ' "$build/measured.txt") || fail "$image.elf printed no answers"
 echo "$core, profile $profile, $name"
 awk 'NF == 5 { print $3 " " $4 " " $5; next }
     ++row == 1 { printf "%-24s %6s %13s %10s %10s %8s %6s %9s\n",

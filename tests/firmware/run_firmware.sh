@@ -35,10 +35,10 @@ compare_answers() {  # PROFILE
     echo "$core, profile $1: the same bits as here, $(cat "$folder/there.txt")"
 }
 
-measure() {  # PROFILE BLOB
+measure() {  # PROFILE BLOB every|usual
     local folder=$build/$1
-    "$host/espalier_firmware_workload" "$2" >"$folder/here.txt"
-    ROWS=$build/rows.txt BUILD=$folder bash "$here/measure.sh" "$core" "$1" "$2" >"$folder/said.txt" ||
+    "$host/espalier_firmware_workload" "$3" "$2" >"$folder/here.txt"
+    QUERIES=$3 ROWS=$build/rows.txt BUILD=$folder bash "$here/measure.sh" "$core" "$1" "$2" >"$folder/said.txt" ||
         { cat "$folder/said.txt"; return 1; }
     cat "$folder/said.txt"
     diff "$folder/here.txt" <(grep '^workload ' "$folder/said.txt") ||
@@ -48,19 +48,20 @@ measure() {  # PROFILE BLOB
 mkdir -p "$build"
 : >"$build/rows.txt"
 profile=
-for pair in $asked; do
-    if [[ $profile != "${pair%:*}" ]]; then
-        profile=${pair%:*}
+for one in $asked; do
+    IFS=: read -r own_profile mesh queries <<<"$one"
+    if [[ $profile != "$own_profile" ]]; then
+        profile=$own_profile
         status=0
         compare_answers "$profile" || status=$?
         [[ $status -ne 77 ]] || exit 77
         [[ $status -eq 0 ]] || failures=$((failures + 1))
     fi
-    blob=$host/blobs/${pair#*:}_$profile.espl
+    blob=$host/blobs/${mesh}_$profile.espl
     if [[ -f $blob ]]; then
-        measure "$profile" "$blob" || failures=$((failures + 1))
+        measure "$profile" "$blob" "${queries:-every}" || failures=$((failures + 1))
     else
-        echo "left out: ${pair#*:}, which the folder ESPALIER_MESHES does not have"
+        echo "left out: $mesh, which the folder ESPALIER_MESHES does not have"
     fi
 done
 [[ -z ${ROWS:-} ]] || cat "$build/rows.txt" >>"$ROWS"

@@ -66,8 +66,8 @@ inline constexpr const char* kind_names[] = {
 static_assert(sizeof kind_names / sizeof *kind_names == kind_count);
 
 struct Counts {
-    std::uint32_t usual = 250;  ///< of each of the five usual queries
-    std::uint32_t other = 20;   ///< of the others, unless the blob is large
+    std::uint32_t usual = 200;  ///< of each of the five usual queries
+    std::uint32_t other = 10;   ///< of the others
     std::uint32_t pairs = 1;    ///< of each query of two blobs
 };
 
@@ -85,10 +85,12 @@ public:
         extent_ = largest > size_.z ? largest : size_.z;
     }
 
-    platform::Fingerprint run(const Counts& counts) {
+    /// Opening and the five usual queries.
+    void ask_usual(const Counts& counts) {
         open_again();
         for (std::uint32_t i = 0; i < counts.usual; ++i) ask_usual();
-        if (blob_.triangle_count() > large) return answers_;
+    }
+    void ask_others(const Counts& counts) {
         for (std::uint32_t i = 0; i < counts.other; ++i) {
             ask_rays();
             ask_volumes();
@@ -97,14 +99,10 @@ public:
             ask_coarsely();
         }
         for (std::uint32_t i = 0; i < counts.pairs; ++i) ask_pairs();
-        return answers_;
     }
+    [[nodiscard]] const platform::Fingerprint& answers() const { return answers_; }
 
 private:
-    /// From here on the usual queries are all that is asked: the distance of two dragons, or the sweep of a capsule
-    /// through thousands of triangles, takes an emulated core without floats minutes.
-    static constexpr std::uint32_t large = 100'000;
-
     std::uint32_t word() {  // xorshift32
         state_ ^= state_ << 13;
         state_ ^= state_ >> 17;

@@ -1,5 +1,7 @@
-// workload_here BLOB: asks on this machine what image/measure_main.cpp asks on a core, and prints the same line.
+// workload_here every|usual BLOB: asks on this machine what image/measure_main.cpp asks on a core, and prints the same
+// line.
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <vector>
@@ -11,19 +13,22 @@
 
 int main(int argument_count, char** arguments) {
     using namespace espalier;
-    if (argument_count != 2) {
-        std::fputs("usage: workload_here BLOB\n", stderr);
+    const bool every = argument_count == 3 && std::strcmp(arguments[1], "every") == 0;
+    if (argument_count != 3 || (!every && std::strcmp(arguments[1], "usual") != 0)) {
+        std::fputs("usage: workload_here every|usual BLOB\n", stderr);
         return 1;
     }
-    std::ifstream file(arguments[1], std::ios::binary);
+    std::ifstream file(arguments[2], std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
     Blob blob;
     if (const Status status = open(std::as_bytes(std::span(bytes)), blob); status != Status::ok) {
-        std::fprintf(stderr, "workload_here: %s: %s\n", arguments[1], describe(status));
+        std::fprintf(stderr, "workload_here: %s: %s\n", arguments[2], describe(status));
         return 2;
     }
     const auto just_call = [](unsigned, FunctionRef<void()> call) { call(); };
     firmware::Workload workload(std::as_bytes(std::span(bytes)), blob, just_call);
-    std::fputs(firmware::workload_line(workload.run({})).c_str(), stdout);
+    workload.ask_usual({});
+    if (every) workload.ask_others({});
+    std::fputs(firmware::workload_line(workload.answers()).c_str(), stdout);
     return 0;
 }
