@@ -146,6 +146,19 @@ TEST_SUITE("C") {
         }
     }
 
+    TEST_CASE("a ray and a placement made from C are what C++ has without being told more") {
+        const Ray ray = {.origin = {1, 2, 3}, .direction = {4, 5, 6}};
+        const espalier_ray c_ray = espalier_ray_from({1, 2, 3}, {4, 5, 6});
+        CHECK(c(ray.origin).x == c_ray.origin.x);
+        CHECK(c(ray.direction).z == c_ray.direction.z);
+        CHECK(ray.t_min == c_ray.t_min);
+        CHECK(ray.t_max == c_ray.t_max);
+        CHECK(static_cast<espalier_faces>(ray.faces) == c_ray.faces);
+        const Placement placement;
+        const espalier_placement c_placement = espalier_unplaced();
+        CHECK(std::memcmp(&placement, &c_placement, sizeof placement) == 0);
+    }
+
     TEST_CASE("every value of a status has the same words in C") {
         for (unsigned value = 0; value < 256; ++value) {
             const auto byte = static_cast<std::uint8_t>(value);
