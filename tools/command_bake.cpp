@@ -118,9 +118,7 @@ ExitCode run_bake(const BakeArguments& arguments) {
         refuse_to_overwrite_input(arguments.output, input);
         refuse_to_overwrite_input(arguments.depfile, input);
     }
-    if (arguments.depfile == arguments.output) {
-        throw CommandError(ExitCode::usage, "--depfile and -o name the same file. Give each its own.");
-    }
+    refuse_one_file_for_two(arguments.output, "--depfile", arguments.depfile);
     const ImportOptions source = import_options(arguments.source);
     static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import
     static_cast<void>(pick_goal(arguments));

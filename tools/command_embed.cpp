@@ -68,9 +68,7 @@ std::string blob_name(const EmbedArguments& arguments) {
 void refuse_to_meet(const EmbedArguments& arguments) {
     refuse_to_overwrite_input(arguments.output, arguments.blob);
     refuse_to_overwrite_input(arguments.header, arguments.blob);
-    if (arguments.header == arguments.output) {
-        throw CommandError(ExitCode::usage, "--header and -o name the same file. Give each its own.");
-    }
+    refuse_one_file_for_two(arguments.output, "--header", arguments.header);
 }
 
 }  // namespace

@@ -129,4 +129,13 @@ void refuse_to_overwrite_input(const std::string& output, const std::string& inp
                                              "' itself, which it would replace. Give another name to -o."));
 }
 
+void refuse_one_file_for_two(const std::string& output, const char* option, const std::string& other) {
+    const auto place = [](const std::string& path) { return std::filesystem::absolute(path).lexically_normal(); };
+    std::error_code error;
+    if (output.empty() || other.empty()) return;
+    if (place(output) != place(other) && !std::filesystem::equivalent(output, other, error)) return;
+    if (std::filesystem::exists(other, error) && !std::filesystem::is_regular_file(other, error)) return;
+    throw CommandError(ExitCode::usage, text(option, " and -o name the same file. Give each its own."));
+}
+
 }  // namespace espalier::tools

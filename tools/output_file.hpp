@@ -19,4 +19,8 @@ void write_output_file_if_changed(const std::string& path, std::span<const std::
 /// none.
 void refuse_to_overwrite_input(const std::string& output, const std::string& input);
 
+/// Throws CommandError (usage) when `output`, of -o, and what `option` names are one file, of which the last would
+/// stay.
+void refuse_one_file_for_two(const std::string& output, const char* option, const std::string& other);
+
 }  // namespace espalier::tools

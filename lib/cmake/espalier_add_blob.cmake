@@ -228,8 +228,8 @@ function(espalier_command_of_sources sources executable_variable)
     set(generator Ninja)
   endif()
   include(ExternalProject)
-  # Built always: only that build knows whether its sources have changed.
-  ExternalProject_Add(espalier_for_this_machine EXCLUDE_FROM_ALL TRUE BUILD_ALWAYS TRUE
+  # Built always: only that build knows whether its sources have changed. It takes minutes, so Ninja shows what it says.
+  ExternalProject_Add(espalier_for_this_machine EXCLUDE_FROM_ALL TRUE BUILD_ALWAYS TRUE USES_TERMINAL_BUILD TRUE
     PREFIX ${folder}/steps SOURCE_DIR ${sources} BINARY_DIR ${folder}
     CONFIGURE_COMMAND ${CMAKE_COMMAND} -E env ${environment}
       ${CMAKE_COMMAND} -S ${sources} -B ${folder} -G ${generator} ${options} ${ESPALIER_HOST_OPTIONS}

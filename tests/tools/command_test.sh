@@ -444,6 +444,8 @@ run 3 bake not_finite.obj -o failed.espl --depfile failed.d
 absent failed.d
 run 1 bake box.obj -o x.espl --depfile box.obj
 run 1 bake box.obj -o x.espl --depfile x.espl
+run 1 bake box.obj -o x.espl --depfile ./x.espl
+err_has "--depfile and -o name the same file"
 cp box.obj "$(printf 'two\nlines.obj')"
 run 5 bake "$(printf 'two\nlines.obj')" -o failed.espl --depfile failed.d
 err_has "line break"
@@ -484,6 +486,8 @@ err_has "'new' cannot name a variable"
 for alignment in 0 3 131072 -16; do run 1 embed box.espl -o bad.c --alignment $alignment; done
 run 1 embed box.espl -o bad.c --section '.rodata,"aw"'
 run 1 embed box.espl -o bad.c --header bad.c
+run 1 embed box.espl -o bad.c --header "$PWD/./bad.c"
+err_has "--header and -o name the same file"
 run 3 embed box.obj -o bad.c --header bad.h
 err_has "'box.obj' is refused"
 run 2 embed missing.espl -o bad.c --header bad.h
