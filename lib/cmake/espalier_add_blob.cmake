@@ -14,7 +14,8 @@ set(ESPALIER_EXECUTABLE "" CACHE FILEPATH
   "The espalier command that bakes; empty: that of the package, one on the path, or one made of ESPALIER_SOURCES")
 set(ESPALIER_SOURCES "" CACHE PATH
   "Espalier's source folder, of which the build makes a command when there is none; empty: where this file lies in one")
-set(ESPALIER_HOST_OPTIONS "" CACHE STRING "For CMake when it makes that command, as in -DCMAKE_CXX_COMPILER=g++")
+set(ESPALIER_HOST_OPTIONS "" CACHE STRING
+  "For CMake when it makes that command, a list with semicolons, as in -DCMAKE_CXX_COMPILER=g++;-DCMAKE_BUILD_TYPE=Debug")
 mark_as_advanced(ESPALIER_HOST_OPTIONS)
 set_property(GLOBAL PROPERTY ESPALIER_BLOB_VERSION "${espalier_VERSION}")
 

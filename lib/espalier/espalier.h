@@ -3,9 +3,10 @@
  * overloads end in their shape (espalier_overlaps_box), those that take a filter in _filtered.
  *
  * Values. Structures are plain and hold what their C++ twins hold, field by field. Enumerations are integers of one
- * byte with all their values listed. A blob is a value too: put it on the stack, into static storage or into a
- * structure of yours, copy it freely, forget it. Filled with zeros it is the empty blob: no triangles, every query
- * finds nothing. It is aligned to 16 bytes, as its type says; malloc of small machines aligns to 8.
+ * byte with all their values listed; what visitors answer is an int. A blob is a value too: put it on the stack, into
+ * static storage or into a structure of yours, copy it freely, forget it. Filled with zeros it is the empty blob: no
+ * triangles, every query finds nothing. One that was refused is empty, too. It is aligned to 16 bytes, as its type
+ * says; malloc of small machines aligns to 8.
  *
  * Arguments. Any bit pattern of numbers and enumerations is safe. Pointers are the caller's word: none may be null but
  * `user`, which is passed on, arrays of no elements, and functions: a null filter lets everything count, a null visitor
