@@ -27,6 +27,8 @@ set_property(GLOBAL PROPERTY ESPALIER_BAKE_VALUES TOLERANCE BITS MAX_BYTES FASTE
 function(espalier_add_blob target)
   get_property(bake_flags GLOBAL PROPERTY ESPALIER_BAKE_FLAGS)
   get_property(bake_values GLOBAL PROPERTY ESPALIER_BAKE_VALUES)
+  set(headers_of_c assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg
+    stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype)
   set(lists MESH DEPENDS)
   set(embed_values SYMBOL SECTION ALIGNMENT)
   cmake_parse_arguments(PARSE_ARGV 1 blob "${bake_flags}" "${bake_values};${embed_values};FORMAT;OUTPUT" "${lists}")
@@ -47,6 +49,9 @@ function(espalier_add_blob target)
     message(FATAL_ERROR "espalier_add_blob(${target}): MESH and at least one mesh file are needed")
   endif()
 
+  if(target IN_LIST headers_of_c)
+    message(FATAL_ERROR "espalier_add_blob(${target}): its header would hide <${target}.h>; give the target another name")
+  endif()
   if(NOT blob_SYMBOL)
     string(MAKE_C_IDENTIFIER "${target}" blob_SYMBOL)
   endif()

@@ -47,6 +47,9 @@ refused "TOLERANCE needs a value" level MESH level.obj TOLERANCE "\"\${tolerence
 refused "MESH and at least one mesh file are needed" level TOLERANCE 0.5mm
 refused "MESH needs a value" level MESH TOLERANCE 0.5mm
 
+claim "a name whose header would take the place of one of the C library is refused"
+refused "espalier_add_blob(string): its header would hide <string.h>; give the target another name" string MESH level.obj
+
 claim "a format that there is not, or whose language the project lacks, is refused with what to write"
 refused "FORMAT 'rust' is neither c nor assembler" level MESH level.obj FORMAT rust
 refused "FORMAT assembler needs ASM among the LANGUAGES of project()" level MESH level.obj FORMAT assembler
