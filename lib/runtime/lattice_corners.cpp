@@ -7,7 +7,6 @@ namespace espalier::detail {
 
 namespace {
 
-#if !ESPALIER_SMALL_CODE
 /// Its plane from both sides, and beside each edge the plane through it that is upright on the first one, cut down to
 /// integers of 23 bits.
 void set_planes(LatticeCorners& corners) {
@@ -32,7 +31,6 @@ void set_planes(LatticeCorners& corners) {
     corners.planes = corners.own_planes;
     corners.plane_count = 5;
 }
-#endif
 
 void enclose(LatticeCorners& corners) {
     const Integer3* c = corners.triangle.corner;
@@ -49,9 +47,7 @@ void enclose(LatticeCorners& corners) {
     bound(0, &Integer3::x);
     bound(1, &Integer3::y);
     bound(2, &Integer3::z);
-#if !ESPALIER_SMALL_CODE
     set_planes(corners);
-#endif
     corners.is_empty = false;
     corners.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
         return meets(static_cast<const LatticeCorners&>(volume), triangle);

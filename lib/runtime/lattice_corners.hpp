@@ -14,7 +14,7 @@ namespace espalier::detail {
 struct LatticeCorners : Volume {
     int fraction_bits;         ///< 0..6
     IntegerTriangle triangle;  ///< in units of 2^-fraction_bits steps
-    LatticePlane own_planes[small_code ? 1 : 5];
+    LatticePlane own_planes[5];
 };
 
 QueryStatus round_volume(const BlobData& blob, const Corners& world, LatticeCorners& corners) noexcept;

@@ -7,7 +7,7 @@ namespace espalier::detail {
 namespace {
 
 /// The planes of its faces. They are off by up to 2 size + 1 units.
-[[maybe_unused]] void set_planes(LatticeOrientedBox& box, std::int64_t size) {
+void set_planes(LatticeOrientedBox& box, std::int64_t size) {
     for (int i = 0; i < 3; ++i) {
         const WideVector& n = box.face[i];
         box.face_planes[2 * i] = bounding_plane({n, box.center, box.face_reach, size}, box.fraction_bits);
@@ -36,7 +36,7 @@ void enclose(LatticeOrientedBox& box) {
         box.face[i] = wide_cross(box.half[j], box.half[k]);
     }
     box.face_reach = magnitude(dot(box.face[0], box.half[0]));
-    if constexpr (!small_code) set_planes(box, size);
+    set_planes(box, size);
     box.is_empty = false;
     box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
         return meets(static_cast<const LatticeOrientedBox&>(volume), triangle);

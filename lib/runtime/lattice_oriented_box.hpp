@@ -20,7 +20,7 @@ struct LatticeOrientedBox : Volume {
 
     WideVector face[3];  ///< normals of the faces: products of two half axes
     Int128 face_reach;   ///< how far each face is along its normal; zero for a flat box
-    LatticePlane face_planes[small_code ? 1 : 6];
+    LatticePlane face_planes[6];
 };
 
 QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, LatticeOrientedBox& box) noexcept;

@@ -73,6 +73,21 @@ void find_places(const Leaf& leaf, const Volume& volume, std::uint32_t matter, P
     }
 }
 
+/// Whether all corners are beyond one of the planes.
+[[maybe_unused]] bool is_beyond_a_plane(const Volume& volume, const LatticeTriangle& triangle) {
+    for (unsigned i = 0; i < volume.plane_count; ++i) {
+        const LatticePlane& plane = volume.planes[i];
+        bool is_beyond = true;
+        for (const auto& corner : triangle.corner) {
+            std::int64_t reached = 0;
+            for (int k = 0; k < 3; ++k) reached += std::int64_t{plane.normal[k]} * corner[k];
+            is_beyond = is_beyond && reached > plane.offset;
+        }
+        if (is_beyond) return true;
+    }
+    return false;
+}
+
 template <class Leaf>
 struct TrianglesIn {
     const BlobData& blob;
@@ -100,7 +115,7 @@ private:
         return scalar_walk::for_each_triangle_of(leaf, [&](unsigned, const LatticeTriangle& triangle) {
             const std::uint32_t own = index++;
             if (own < first || (volume.bounded && is_beside(volume.bounds, triangle.corner)) ||
-                !volume.meets(volume, triangle))
+                is_beyond_a_plane(volume, triangle) || !volume.meets(volume, triangle))
                 return keep_going;
             return visit(Triangle{own});
         });
