@@ -151,8 +151,8 @@ constexpr std::string_view assembler_form = R"(/* Made by espalier embed. */
     .section .note.GNU-stack, "", %progbits
 )";
 
-// Hidden, so that another shared library's blob of the same name is never taken for this one; the function, too, which is
-// called where a compiler does not inline it.
+// Hidden, so that another shared library's blob of the same name is never taken for this one; the function, too, which
+// is called where a compiler does not inline it.
 constexpr std::string_view header_form = R"(/* Made by espalier embed. */
 #ifndef ESPALIER_EMBEDDED_@symbol@
 #define ESPALIER_EMBEDDED_@symbol@
