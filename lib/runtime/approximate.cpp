@@ -2,7 +2,6 @@
 #include <espalier/approximate.hpp>
 #include <runtime/lattice_box.hpp>
 #include <runtime/point_queries.hpp>
-#include <runtime/ray_lanes.hpp>
 #include <runtime/ray_queries.hpp>
 #include <runtime/simd/dispatch.hpp>
 #include <runtime/small_boxes.hpp>
@@ -27,24 +26,8 @@ bool may_overlap(const Blob& blob, const Box& box, float accuracy, QueryCounters
            may_meet(blob.data(), rounded, steps_in(blob.data(), accuracy), counters != nullptr ? *counters : unread);
 }
 
-#if ESPALIER_SMALL_CODE
-namespace {
-
-/// Boxes may stick out of the asset's, by less than a plane of their node. Elsewhere every ray is held against the
-/// asset's box first; where rays do without, this keeps the answers the same.
-bool meets_asset(const BlobData& blob, const Ray& world) {
-    PreparedRay prepared;
-    return prepare_ray(blob, world, prepared);
-}
-
-}  // namespace
-#endif
-
 bool may_be_occluded(const Blob& blob, const Ray& ray, float accuracy, QueryCounters* counters) noexcept {
     QueryCounters unread;
-#if ESPALIER_SMALL_CODE
-    if (blob.triangle_count() != 0 && !meets_asset(blob.data(), ray)) return false;
-#endif
     return blob.triangle_count() != 0 &&
            ESPALIER_DISPATCH_RAY(may_hit, blob.data(), ray, steps_in(blob.data(), accuracy),
                                  counters != nullptr ? *counters : unread);

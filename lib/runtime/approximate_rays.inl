@@ -13,9 +13,12 @@ struct MayHit {
         if (found) return 0;
         counters.count_node();
         const unsigned mask = slab_test(node, lanes_, ray.tau_max * interval_slack, keys);
-        for (unsigned small = mask & children_no_larger(node, steps); small != 0 && !found; small &= small - 1)
-            found = passes_through(ray, node, blob.bits, static_cast<unsigned>(std::countr_zero(small)));
-        return found ? 0 : mask & ~children_no_larger(node, steps);
+        const unsigned small = mask & children_no_larger(node, steps);
+        bool passes = false;
+        for (unsigned left = small; left != 0 && !passes; left &= left - 1)
+            passes = passes_through(ray, node, blob.bits, static_cast<unsigned>(std::countr_zero(left)));
+        found = passes && passes_down_to(ray, blob, node);
+        return found ? 0 : mask & ~small;
     }
     Visit visit_leaf(const Leaf& leaf) {
         counters.count_leaf();

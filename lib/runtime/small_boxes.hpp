@@ -30,19 +30,20 @@ inline float farthest_squared(const Node& node, unsigned bits, unsigned child, c
     return sum;
 }
 
-/// Whether the ray passes through a child's box within its window, exactly: what lanes say depends on the machine.
-inline bool passes_through(const LatticeRay& ray, const Node& node, unsigned bits, unsigned child) {
+/// Whether the ray passes through a box of whole lattice steps within its window, exactly: what lanes say depends on
+/// the machine.
+[[gnu::noinline]] inline bool passes_through(const LatticeRay& ray, const std::int32_t* low, const std::int32_t* high) {
     // Where the ray enters and leaves along each axis, as fractions: numerators in units of 2^-fraction_bits steps,
     // below 2^33, over the direction's magnitude, which is not 0 and below 2^25.
     std::int64_t enter[3], leave[3], length[3];
     for (int k = 0; k < 3; ++k) {
-        const std::int64_t low = (std::int64_t{node.low(k, child, bits)} << ray.fraction_bits) - ray.origin[k];
-        const std::int64_t high = (std::int64_t{node.high(k, child, bits)} << ray.fraction_bits) - ray.origin[k];
+        const std::int64_t from = (std::int64_t{low[k]} << ray.fraction_bits) - ray.origin[k];
+        const std::int64_t to = (std::int64_t{high[k]} << ray.fraction_bits) - ray.origin[k];
         const bool is_down = ray.direction[k] < 0;
         length[k] = is_down ? -std::int64_t{ray.direction[k]} : std::int64_t{ray.direction[k]};
-        if (length[k] == 0 && (low > 0 || high < 0)) return false;
-        enter[k] = is_down ? -high : low;
-        leave[k] = is_down ? -low : high;
+        if (length[k] == 0 && (from > 0 || to < 0)) return false;
+        enter[k] = is_down ? -to : from;
+        leave[k] = is_down ? -from : to;
     }
     const auto is_within_window = [&](int k) {
         const Int128 denominator = Int128(length[k]) << ray.fraction_bits;
@@ -57,6 +58,42 @@ inline bool passes_through(const LatticeRay& ray, const Node& node, unsigned bit
         if (!is_within_window(k)) return false;
         for (int j = 0; j < 3; ++j)
             if (length[j] != 0 && enter[k] * length[j] > leave[j] * length[k]) return false;
+    }
+    return true;
+}
+
+/// The same of a child's box.
+inline bool passes_through(const LatticeRay& ray, const Node& node, unsigned bits, unsigned child) {
+    std::int32_t low[3], high[3];
+    for (int k = 0; k < 3; ++k) {
+        low[k] = node.low(k, child, bits);
+        high[k] = node.high(k, child, bits);
+    }
+    return passes_through(ray, low, high);
+}
+
+/// The same of the asset's box and of every one on the way to a node. Boxes may stick out of those above them, and
+/// whether a ray just beside one of those was let through to here depends on the machine.
+[[gnu::noinline]] inline bool passes_down_to(const LatticeRay& ray, const BlobData& blob, const Node& target) {
+    constexpr std::int32_t low[3] = {0, 0, 0};
+    if (!passes_through(ray, low, blob.extent)) return false;
+    const auto index = static_cast<std::uint32_t>(static_cast<std::size_t>(target.bytes - blob.nodes) /
+                                                  std::size_t{format::node::bytes});
+    Node node = node_at(blob, 0);
+    for (unsigned depth = 0; node.bytes != target.bytes && depth < format::max_depth; ++depth) {
+        const std::uint32_t first = node.first_child();
+        unsigned child = 0;
+        if (index - first < node.node_children()) {
+            child = index - first;
+        } else {
+            // Depth first: what is below a node begins with its first child and ends before what is below the next one.
+            for (unsigned each = 0; each < node.node_children(); ++each) {
+                const std::uint32_t begin = node_at(blob, first + each).first_child();
+                if (begin != 0 && begin <= index) child = each;
+            }
+        }
+        if (!passes_through(ray, node, blob.bits, child)) return false;
+        node = node_at(blob, first + child);
     }
     return true;
 }

@@ -11,6 +11,7 @@
 
 #include <espalier/approximate.hpp>
 #include <espalier/overlap.hpp>
+#include <runtime/codec_node.hpp>
 #include <runtime/closest_pair.hpp>
 #include <runtime/lattice_box.hpp>
 #include <runtime/lattice_point.hpp>
@@ -225,6 +226,87 @@ void check_instruction_sets(Asked& asked, bool awkward, Tally&) {
     }
 }
 
+struct StepBox {
+    std::int32_t low[3], high[3];
+    [[nodiscard]] std::int32_t longest_side() const {
+        return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    }
+};
+
+StepBox box_of(const detail::BlobData& blob, const detail::Node& node, unsigned child) {
+    StepBox box;
+    for (int k = 0; k < 3; ++k) {
+        box.low[k] = node.low(k, child, blob.bits);
+        box.high[k] = node.high(k, child, blob.bits);
+    }
+    return box;
+}
+
+/// A box of the tree, and another one on the way to it: that of its node, or the asset's.
+void pick_boxes(const detail::BlobData& blob, Random& random, StepBox& upper, StepBox& lower) {
+    const detail::Node node = detail::node_at(blob, random.below(blob.node_count));
+    if (node.node_children() == 0 || random.coin()) {
+        upper = {{0, 0, 0}, {blob.extent[0], blob.extent[1], blob.extent[2]}};
+        lower = box_of(blob, node, random.below(node.node_children() + node.leaf_children()));
+        return;
+    }
+    const unsigned child = random.below(node.node_children());
+    const detail::Node below = detail::node_at(blob, node.first_child() + child);
+    upper = box_of(blob, node, child);
+    lower = box_of(blob, below, random.below(below.node_children() + below.leaf_children()));
+}
+
+/// Through a box of the tree, where there is such a place beyond the box above it or the asset; `steps` is small enough
+/// for nothing but that box to do.
+Ray ray_beside_a_box(const detail::BlobData& blob, Random& random, std::int32_t& steps) {
+    StepBox upper, lower;
+    std::uint32_t side = 0;
+    bool is_high = false;
+    for (int tries = 0; tries < 50; ++tries) {
+        pick_boxes(blob, random, upper, lower);
+        side = random.below(3);
+        is_high = random.coin();
+        if (is_high ? lower.high[side] > upper.high[side] : lower.low[side] < upper.low[side]) break;
+    }
+    steps = lower.longest_side();
+    float from[3], to[3];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const auto place = [&] {
+            return static_cast<float>(lower.low[k]) + static_cast<float>(lower.high[k] - lower.low[k]) * random.unit();
+        };
+        from[k] = place(), to[k] = place();
+    }
+    const float beyond = static_cast<float>(random.between(-2, 24)) * 0.125f;
+    from[side] = to[side] =
+        is_high ? static_cast<float>(upper.high[side]) + beyond : static_cast<float>(upper.low[side]) - beyond;
+    const float step = std::ldexp(1.0f, blob.step_exponent);
+    Ray ray;
+    ray.direction = {(to[0] - from[0]) * step, (to[1] - from[1]) * step, (to[2] - from[2]) * step};
+    ray.origin = {blob.origin[0] + from[0] * step, blob.origin[1] + from[1] * step, blob.origin[2] + from[2] * step};
+    const float back = random.coin() ? 0.0f : 4.0f * random.unit();
+    ray.origin.x -= back * ray.direction.x;
+    ray.origin.y -= back * ray.direction.y;
+    ray.origin.z -= back * ray.direction.z;
+    return ray;
+}
+
+/// Boxes may stick out of those above them, and of the asset's.
+void check_rays_beside_boxes(Asked& asked, bool, Tally& tally) {
+    const detail::BlobData& blob = asked.blob.data();
+    std::int32_t steps = 0;
+    const Ray ray = ray_beside_a_box(blob, asked.maker.random(), steps);
+    CAPTURE(describe(ray));
+    CAPTURE(steps);
+    QueryCounters counters;
+    const InstructionPath& scalar = instruction_paths().front();
+    const bool maybe = scalar.may_hit(blob, ray, steps, counters);
+    for (const InstructionPath& path : instruction_paths()) {
+        CAPTURE(path.name);
+        REQUIRE(path.may_hit(blob, ray, steps, counters) == maybe);
+    }
+    tally.add(maybe, scalar.any_hit(blob, ray, nullptr));
+}
+
 struct Kind {
     const char* name;
     Check check;
@@ -294,6 +376,10 @@ TEST_SUITE("approximate queries") {
     TEST_CASE("every instruction set answers the same and does the same work") {
         std::uint64_t awkward = 0;
         check_test_blobs(check_instruction_sets, 85, scaled_share(60), awkward);
+    }
+    TEST_CASE("a ray just beyond a box, or beyond the asset, is answered the same on every path") {
+        std::uint64_t awkward = 0;
+        check_test_blobs(check_rays_beside_boxes, 87, scaled_share(2'000), awkward).check();
     }
     TEST_CASE("real meshes: all of these claims") { for_each_real_mesh(check_real_mesh, quickly_baked); }
 
