@@ -56,8 +56,9 @@ struct SegmentInSteps {
 inline constexpr std::int32_t max_segment_steps = 1 << 29;
 
 // From the world to the lattice and back. They take floats, but no float operation: exactly rounded on every core.
-// invalid_argument for a NaN or an infinity; out_of_range for what is beyond max_segment_steps. Then nothing is
-// written. Subnormal coordinates count as zero.
+// invalid_argument for a NaN or an infinity, also in the lattice, and for a step_exponent beyond -100 .. 100, which no
+// blob has; out_of_range for what is beyond max_segment_steps. Then nothing is written. Subnormal coordinates count as
+// zero.
 
 /// The nearest lattice point, of two the upper one.
 QueryStatus to_steps(const Lattice& lattice, const Vec3& world, Steps& steps) noexcept;

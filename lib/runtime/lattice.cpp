@@ -1,4 +1,5 @@
 // Between the world and the lattice: exactly, in integers, so that no core needs floats for it.
+#include <espalier/format.hpp>
 #include <espalier/lattice.hpp>
 #include <runtime/float_bits.hpp>
 #include <runtime/lattice_round.hpp>
@@ -9,6 +10,12 @@ namespace espalier {
 using namespace detail;
 
 namespace {
+
+/// As those of blobs are: then nothing overflows.
+bool is_lattice(const Lattice& lattice) {
+    return lattice.step_exponent >= format::min_step_exponent && lattice.step_exponent <= format::max_step_exponent &&
+           detail::is_finite(lattice.origin);
+}
 
 /// Orders like the number, subnormal ones as zero; for what is no NaN.
 std::int32_t order_of(float x) {
@@ -39,8 +46,13 @@ bool to_fine_steps(float world, int step_exponent, FineSteps& fine) {
     return true;
 }
 
-/// The difference of two numbers in steps plus `halves` / 2, rounded down. False beyond max_segment_steps.
+/// The difference of two numbers in steps plus `halves` / 2, rounded down; `halves` is 0 or 1. False beyond
+/// max_segment_steps.
 bool floor_steps(float from, float to, int step_exponent, int halves, std::int32_t& steps) {
+    if (order_of(from) == order_of(to)) {  // however far away
+        steps = 0;
+        return true;
+    }
     FineSteps low, high;
     if (!to_fine_steps(from, step_exponent, low) || !to_fine_steps(to, step_exponent, high)) return false;
     Int128 units = high.units - low.units + (Int128(halves) << (FineSteps::fine_bits - 1));
@@ -64,7 +76,7 @@ Lattice lattice_of(const Blob& blob) noexcept {
 }
 
 QueryStatus to_steps(const Lattice& lattice, const Vec3& world, Steps& steps) noexcept {
-    if (!detail::is_finite(world)) return QueryStatus::invalid_argument;
+    if (!is_lattice(lattice) || !detail::is_finite(world)) return QueryStatus::invalid_argument;
     Steps nearest;
     const auto round = [&](float from, float to, std::int32_t& rounded) {
         return floor_steps(from, to, lattice.step_exponent, 1, rounded);
@@ -77,7 +89,8 @@ QueryStatus to_steps(const Lattice& lattice, const Vec3& world, Steps& steps) no
 }
 
 QueryStatus steps_around(const Lattice& lattice, const Box& world, BoxInSteps& box) noexcept {
-    if (!detail::is_finite(world.min) || !detail::is_finite(world.max)) return QueryStatus::invalid_argument;
+    if (!is_lattice(lattice) || !detail::is_finite(world.min) || !detail::is_finite(world.max))
+        return QueryStatus::invalid_argument;
     BoxInSteps around;
     bool is_empty = false;
     const auto enclose = [&](float origin, float min, float max, std::int32_t& low, std::int32_t& high) {
@@ -97,9 +110,9 @@ QueryStatus steps_around(const Lattice& lattice, const Box& world, BoxInSteps& b
 }
 
 Vec3 to_world(const Lattice& lattice, const Steps& steps) noexcept {
-    const float step = power_of_two(lattice.step_exponent);
     const auto coordinate = [&](float origin, std::int32_t number) {
-        return flush_subnormal(origin + flush_subnormal(static_cast<float>(number) * step));
+        return flush_subnormal(
+            origin + flush_subnormal(scale_by_power_of_two(static_cast<float>(number), lattice.step_exponent)));
     };
     return {coordinate(lattice.origin.x, steps.x), coordinate(lattice.origin.y, steps.y),
             coordinate(lattice.origin.z, steps.z)};
