@@ -251,8 +251,8 @@ def make_source():
 
 
 def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: single_file.py FOLDER")
+    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+        sys.exit("usage: single_file.py FOLDER: writes espalier.hpp, espalier.cpp and espalier.h there")
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "espalier.hpp").write_text(make_header())
