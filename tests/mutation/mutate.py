@@ -69,7 +69,7 @@ def build(folder):
     mutants = [json.loads(line) for line in (folder / "mutants.jsonl").open()]
     flags = f"-std=c++20 -O1 -w -include {source}/tests/mutation/mutants.hpp"
     subprocess.run(["cmake", "-S", source, "-B", folder / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
-                    "-DESPALIER_TESTS=OFF", "-DESPALIER_TOOLS=OFF", "-DESPALIER_BENCH=OFF",
+                    "-DESPALIER_TESTS=OFF", "-DESPALIER_TOOLS=OFF", "-DESPALIER_BENCH=OFF", "-DESPALIER_INSTALL=OFF",
                     "-DESPALIER_COUNT_STEPS=ON",
                     f"-DCMAKE_CXX_FLAGS={flags}", f"-DMUTANT_COUNT={mutants[-1]['number'] + 1}",
                     f"-DMUTANT_CLAIMS={';'.join(CLAIMS)}"], check=True, stdout=subprocess.DEVNULL)
