@@ -384,6 +384,56 @@ TEST_SUITE("open") {
         CHECK(status_resized(without(bytes, bytes.size() - 4, 4)) == Status::bad_section);
     }
 
+    TEST_CASE("a map of copies that would begin behind the blob is refused before it is read") {
+        BakeOptions options = with_profile(format::Profile::fast);
+        options.builder = Builder::spatial_splits;
+        options.duplicates = 1.0;
+        Bytes bytes = bake_or_throw(make_soup(60, 1), options);
+        REQUIRE((get(bytes, at::features_at, 4) & feature::split_references) != 0);
+        const std::uint64_t to_the_end = bytes.size() - sections_of(bytes);
+        REQUIRE(to_the_end % 4 == 0);
+        put(bytes, at::leaf_bytes_at, get(bytes, at::leaf_bytes_at, 4) + to_the_end, 4);
+        repair_checksum(bytes);
+        const GuardedPages pages(bytes, true);
+        Blob blob;
+        CHECK(open(pages.bytes(), blob) == Status::bad_section);
+    }
+
+    TEST_CASE("each section is proved, whichever others are good") {
+        for_each_profile([](format::Profile profile) {
+            Mesh mesh = make_soup(61, 1);
+            mesh.materials.assign(mesh.triangles.size(), 7);
+            BakeOptions options = with_profile(profile);
+            if (profile == format::Profile::fast) {
+                options.builder = Builder::spatial_splits;
+                options.duplicates = 1.0;
+            }
+            options.original_ids = true;
+            options.materials = Materials::bits_8;
+            options.edge_flags = 5.0;
+            options.bounds = {true, true, true};
+            const Bytes bytes = bake_or_throw(mesh, options);
+            Blob blob;
+            REQUIRE(open(bytes, blob) == Status::ok);
+            const detail::BlobData& sections = blob.data();
+            const auto place_of = [&](const std::byte* section) {
+                return static_cast<std::size_t>(section - sections.bytes);
+            };
+            const auto is_bad = [&](std::size_t place, std::uint64_t value, unsigned size) {
+                return status_with(bytes, place, value, size) == Status::bad_section;
+            };
+            REQUIRE(sections.triangle_count % 4 != 0);  // so that materials are filled up
+            CHECK(is_bad(place_of(sections.ids) - format::source::bytes, ~0u, 4));
+            CHECK(is_bad(place_of(sections.materials) + sections.triangle_count, 1, 1));
+            if (profile == format::Profile::fast) {
+                REQUIRE(sections.copy_count != 0);
+                CHECK(is_bad(place_of(sections.edge_flags) - format::copies::owner_bytes, ~0u, 4));
+            }
+            CHECK(is_bad(place_of(sections.edge_flags), ~0u, 4));
+            CHECK(is_bad(bytes.size() - 4, ~0u >> 1, 4));
+        });
+    }
+
     TEST_CASE("a map of copies that has none is refused") {
         Bytes bytes = plain_blob(format::Profile::fast);
         const std::uint32_t triangles = static_cast<std::uint32_t>(get(bytes, at::triangle_count_at, 4));
