@@ -87,12 +87,7 @@ OpenedBlob blob_with_everything(format::Profile profile) {
     Mesh mesh = make_torus(12, 8, 2.0, 0.5);
     mesh.materials.resize(mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.materials.size(); ++i) mesh.materials[i] = static_cast<std::uint32_t>(i * 77);
-    BakeOptions options = with_profile(profile);
-    options.original_ids = true;
-    options.materials = Materials::bits_16;
-    options.edge_flags = 5.0;
-    options.bounds = {true, true, true};
-    return {mesh, options};
+    return {mesh, with_every_section(profile)};
 }
 
 OpenedBlob blob_with_materials_alone() {

@@ -33,28 +33,12 @@ bool is_empty(const Blob& blob) {
            !raycast(blob, {{0.0f, 0.0f, 9.0f}, {0.0f, 0.0f, -1.0f}}, hit);
 }
 
-Bytes full_blob(format::Profile profile) {
-    Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i);
-    BakeOptions options = with_profile(profile);
-    options.original_ids = true;
-    options.materials = Materials::bits_16;
-    options.edge_flags = 5.0;
-    options.bounds = {true, true, true};
-    return bake_or_throw(mesh, options);
-}
-
 /// With every optional section, and small enough to be broken in every place.
 Bytes blob_of_one_triangle(format::Profile profile) {
     Mesh mesh = make_cube(0.0f, 1.0f);
     mesh.triangles.resize(1);
     mesh.materials = {7};
-    BakeOptions options = with_profile(profile);
-    options.original_ids = true;
-    options.materials = Materials::bits_16;
-    options.edge_flags = 5.0;
-    options.bounds = {true, true, true};
-    return bake_or_throw(mesh, options);
+    return bake_or_throw(mesh, with_every_section(profile));
 }
 
 Mesh first_triangle_of_a_cube() {
@@ -102,7 +86,7 @@ constexpr std::array header_fields = {
 TEST_SUITE("open") {
     TEST_CASE("what the baker writes opens at every misalignment with the same answers") {
         for_each_profile([](format::Profile profile) {
-            const Bytes bytes = full_blob(profile);
+            const Bytes bytes = make_blob_with_every_section(profile);
             std::uint64_t expected = 0;
             for (std::size_t misalignment = 0; misalignment < 16; ++misalignment) {
                 CAPTURE(misalignment);
@@ -133,7 +117,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("every truncation is refused as too short at every misalignment and leaves the blob empty") {
         for_each_profile([](format::Profile profile) {
-            const Bytes bytes = full_blob(profile);
+            const Bytes bytes = make_blob_with_every_section(profile);
             for (std::size_t size = 0; size < bytes.size(); ++size) {
                 for (std::size_t misalignment = 0; misalignment < 16; ++misalignment) {
                     const ExactBuffer shorter(std::span<const std::byte>(bytes).first(size), misalignment);
@@ -167,7 +151,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("every truncation is refused even when size and checksum are repaired") {
         for_each_profile([](format::Profile profile) {
-            const Bytes bytes = full_blob(profile);
+            const Bytes bytes = make_blob_with_every_section(profile);
             for (std::size_t size = format::header::bytes; size < bytes.size(); ++size) {
                 ExactBuffer shorter(std::span<const std::byte>(bytes).first(size));
                 for (unsigned i = 0; i < 4; ++i) {
@@ -183,7 +167,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("trailing bytes are refused, also when the size is made to fit") {
         for_each_profile([](format::Profile profile) {
-            Bytes bytes = full_blob(profile);
+            Bytes bytes = make_blob_with_every_section(profile);
             for (const std::size_t more : {1u, 3u, 4u, 64u, 1000u}) {
                 Bytes longer = bytes;
                 longer.resize(bytes.size() + more);
@@ -229,7 +213,7 @@ TEST_SUITE("open") {
                 REQUIRE_NOTHROW(exercise(blob, random, 2, is_sound(buffer.bytes())));
             };
             for (const std::byte value : {std::byte{0x00}, std::byte{0xFF}}) {
-                for (const Bytes& good : {full_blob(profile), blob_of_one_triangle(profile)}) {
+                for (const Bytes& good : {make_blob_with_every_section(profile), blob_of_one_triangle(profile)}) {
                     const bool is_small = good.size() < 1000;
                     for (std::size_t from = 0; from < good.size(); from += is_small ? 4 : 64)
                         for (const std::size_t count : {std::size_t{4}, std::size_t{64}, good.size()})
@@ -242,7 +226,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("each status has its cause") {
         for_each_profile([](format::Profile profile) {
-            const Bytes bytes = full_blob(profile);
+            const Bytes bytes = make_blob_with_every_section(profile);
             REQUIRE(status_of(bytes) == Status::ok);
             namespace at = format::header;
             Bytes changed = bytes;
@@ -509,7 +493,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("each header field at its extremes is refused or leaves every query safe") {
         for_each_profile([](format::Profile profile) {
-            const Bytes bytes = full_blob(profile);
+            const Bytes bytes = make_blob_with_every_section(profile);
             for (const Field& field : header_fields) {
                 CAPTURE(std::string(field.name));
                 const std::uint64_t was = get(bytes, field.at, field.size);
@@ -538,7 +522,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("a refused blob empties the view that was open before") {
         for_each_profile([](format::Profile profile) {
-            const Bytes bytes = full_blob(profile);
+            const Bytes bytes = make_blob_with_every_section(profile);
             Blob blob;
             REQUIRE(open(bytes, blob) == Status::ok);
             CHECK(open(std::span<const std::byte>(bytes).first(100), blob) == Status::too_short);

@@ -27,17 +27,6 @@ namespace {
 namespace at = format::header;
 using Bytes = std::vector<std::byte>;
 
-Bytes with_everything(format::Profile profile) {
-    Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i);
-    BakeOptions options = with_profile(profile);
-    options.original_ids = true;
-    options.materials = Materials::bits_16;
-    options.edge_flags = 5.0;
-    options.bounds = {true, true, true};
-    return bake_or_throw(mesh, options);
-}
-
 Bytes with_copies() {
     BakeOptions options = with_profile(format::Profile::fast);
     options.builder = Builder::spatial_splits;
@@ -98,7 +87,7 @@ TEST_SUITE("open") {
         for (const TestBlob& blob : small_test_blobs()) check_opens_alike(blob.opened.bytes);
         for_each_profile([](format::Profile profile) {
             check_opens_alike(bake_or_throw(Mesh{}, with_profile(profile)));
-            const Bytes bytes = with_everything(profile);
+            const Bytes bytes = make_blob_with_every_section(profile);
             for (std::size_t misalignment = 0; misalignment < 16; ++misalignment)
                 check_opens_alike(ExactBuffer(bytes, misalignment).bytes());
         });
@@ -123,7 +112,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("a trusted image is trusted: neither its checksum nor a node is looked at") {
         for_each_profile([](format::Profile profile) {
-            Bytes bytes = with_everything(profile);
+            Bytes bytes = make_blob_with_every_section(profile);
             put(bytes, at::checksum_at, get(bytes, at::checksum_at, 4) ^ 1, 4);
             put(bytes, at::bytes + format::node::shifts_at, 0xFFFF, 2);
             Blob blob;
@@ -135,7 +124,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("a trusted image that is too short, too long or none is refused as open does, and the blob is empty") {
         for_each_profile([](format::Profile profile) {
-            const Bytes bytes = with_everything(profile);
+            const Bytes bytes = make_blob_with_every_section(profile);
             const auto check = [](std::span<const std::byte> changed, Status expected) {
                 Blob blob, proved;
                 const Status status = open_trusted_image(changed, blob);
@@ -158,7 +147,8 @@ TEST_SUITE("open") {
 
     TEST_CASE("whatever a bit of the header becomes, a trusted image is refused as open refuses it") {
         for_each_profile([](format::Profile profile) {
-            for (const Bytes& bytes : {with_everything(profile), bake_or_throw(Mesh{}, with_profile(profile))}) {
+            for (const Bytes& bytes :
+                 {make_blob_with_every_section(profile), bake_or_throw(Mesh{}, with_profile(profile))}) {
                 unsigned refused = 0, trusted = 0;
                 for (std::size_t bit = 0; bit < 8 * at::bytes; ++bit) {
                     Bytes changed = bytes;
@@ -187,7 +177,7 @@ TEST_SUITE("open") {
     }
 
     TEST_CASE("a blob that was opened before is empty after a refusal of a trusted image") {
-        const Bytes bytes = with_everything(format::Profile::small);
+        const Bytes bytes = make_blob_with_every_section(format::Profile::small);
         Blob blob;
         REQUIRE(open_trusted_image(bytes, blob) == Status::ok);
         CHECK(open_trusted_image({}, blob) == Status::too_short);

@@ -31,6 +31,16 @@ inline BakeOptions with_profile(format::Profile profile, BakeOptions options = {
     return options;
 }
 
+/// Asks for all that a blob may carry besides; the mesh has to have materials.
+inline BakeOptions with_every_section(format::Profile profile) {
+    BakeOptions options = with_profile(profile);
+    options.original_ids = true;
+    options.materials = Materials::bits_16;
+    options.edge_flags = 5.0;
+    options.bounds = {true, true, true};
+    return options;
+}
+
 /// What a failure says besides is which profile it was.
 template <class Call>
 void for_each_profile(Call call) {

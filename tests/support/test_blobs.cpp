@@ -64,4 +64,10 @@ const std::vector<TestBlob>& medium_test_blobs() {
     return blobs;
 }
 
+std::vector<std::byte> make_blob_with_every_section(format::Profile profile) {
+    Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i);
+    return bake_or_throw(mesh, with_every_section(profile));
+}
+
 }  // namespace espalier::tests
