@@ -46,7 +46,7 @@ TARGETS="$image closest_ray in_steps five_queries every_query empty" \
 read -r _ board _ < <(grep "^$core " "$here/cores.txt")
 build_meter "$build"
 run_metered "$board" "$build/$image.elf" "$build/query_meter.so" >"$build/measured.txt" ||
-    { cat "$build/measured.txt"; fail "$image.elf ended with status $?"; }
+    { status=$?; cat "$build/measured.txt"; fail "$image.elf ended with status $status"; }
 
 # ---- what it says
 
