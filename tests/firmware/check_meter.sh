@@ -30,6 +30,9 @@ awk '
         expect("writes elsewhere of what writes to the stack", writes[3], 0)
         expect("the stack of 100 words", stack[3], 400)
         expect("bytes read of the blob", bytes[4], 3)
+        expect("bytes read of the blob by a word and a half", bytes[5], 6)
+        expect("the stack of five registers pushed", stack[6], 20)
+        expect("the stack of 100 words of which one is read", stack[7], 400)
         expect("bytes read of what reads none", bytes[0], 0)
         exit bad
     }' "$build/said.txt"

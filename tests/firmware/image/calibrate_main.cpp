@@ -39,5 +39,14 @@ int main() {
         static_cast<void>(blob[8]);
         static_cast<void>(blob[8]);
     });
+    measure(5, [] {
+        std::uint32_t word = 0;
+        asm volatile("ldr %0, [%1]\n ldrh %0, [%1, #2]" : "=&r"(word) : "r"(firmware_blob));
+    });
+    measure(6, [] { asm volatile("push {r4-r7, lr}\n add sp, #20" ::: "memory"); });
+    measure(7, [] {
+        volatile std::uint32_t words[100];
+        static_cast<void>(words[0]);  // the frame is needed though nothing is written there
+    });
     return 0;
 }
