@@ -52,9 +52,19 @@ case $kind in
         [[ ${flags% } == "-I/c/include -L/b/lib -lespalier_runtime" ]] || { echo "failed: absolute folders become $flags"; exit 1; }
         ;;
     game)
-        source=$here/../../docs/examples/game answers=$here/game_answers.txt
+        answers=$here/game_answers.txt
         # as a part of the project it would compile the library and the command; that is fetch_content's claim, and a build step's
+        source=$here/../../docs/examples/game
         configure -DCMAKE_DISABLE_FIND_PACKAGE_espalier=ON
+        rm -rf "$build/build"
+        # a copy, as those make who start from it: where Espalier is, it must be told
+        source=$build/game
+        cp -r "$here/../../docs/examples/game" "$source"
+        said=$(configure -DCMAKE_DISABLE_FIND_PACKAGE_espalier=ON) && { echo "failed: a copy finds Espalier nowhere and goes on"; exit 1; }
+        for option in CMAKE_PREFIX_PATH ESPALIER_FOLDER; do
+            [[ $said == *-D$option=* ]] || { echo "failed: a copy does not say that -D$option=... helps: $said"; exit 1; }
+        done
+        configure -DCMAKE_DISABLE_FIND_PACKAGE_espalier=ON -DESPALIER_FOLDER="$here/../.."
         rm -rf "$build/build"
         configure -DCMAKE_PREFIX_PATH="$stage/installed"
         quietly "$cmake" --build "$build/build"
