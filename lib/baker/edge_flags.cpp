@@ -47,7 +47,7 @@ Side side_of(const LatticeMesh& mesh, const Edge& edge) {
 
 /// Of numbers that are not negative and whose product is below 2^127.
 Int128 small_product(Int128 a, Int128 b) {
-    const Unsigned256 product = Unsigned256::product(Unsigned256(a), Unsigned256(b));
+    const Unsigned256 product = Unsigned256::product(a, b);
     return {static_cast<std::int64_t>(product.word[1]), product.word[0]};
 }
 
@@ -62,12 +62,10 @@ EdgeKind kind_of(const Side& here, const Side& there, std::uint32_t flat_limit) 
     if (!alike.is_negative() && !alike.is_zero()) {
         const Int128 volume = height.is_negative() ? -height : height;
         const Int128 edge = detail::dot<Int128>(here.along, here.along);
-        const Unsigned256 sine =
-            Unsigned256::product(Unsigned256(small_product(edge, volume)), Unsigned256(volume << 24));
-        const Unsigned256 limit =
-            Unsigned256::product(Unsigned256(detail::dot<Int128>(here.normal, here.normal)),
-                                 Unsigned256(small_product(Int128(std::int64_t{flat_limit}),
-                                                           detail::dot<Int128>(there.normal, there.normal))));
+        const Unsigned256 sine = Unsigned256::product(small_product(edge, volume), volume << 24);
+        const Unsigned256 limit = Unsigned256::product(
+            detail::dot<Int128>(here.normal, here.normal),
+            small_product(Int128(std::int64_t{flat_limit}), detail::dot<Int128>(there.normal, there.normal)));
         if (detail::compare_scaled(sine, limit, 0) <= 0) return EdgeKind::flat;
     }
     return height.is_negative() || height.is_zero() ? EdgeKind::convex : EdgeKind::concave;

@@ -35,8 +35,7 @@ struct Wide {
     static int sign_of_volume(const Constraint& r, const Constraint& s, const Constraint& t) {
         Unsigned256 above{Int128()}, below{Int128()};
         const auto add = [&](std::int64_t p, std::int64_t q, std::int64_t u) {
-            const Unsigned256 product =
-                Unsigned256::product(Unsigned256(magnitude(multiply(p, q))), Unsigned256(Int128(magnitude(u))));
+            const Unsigned256 product = Unsigned256::product(magnitude(multiply(p, q)), magnitude(u));
             Unsigned256& side = ((p < 0) != (q < 0)) != (u < 0) ? below : above;
             side = side.plus(product);
         };

@@ -6,11 +6,11 @@ namespace espalier::detail {
 namespace {
 
 /// Exactly; neither is the distance to a face.
-bool is_closer(const PointDistance& a, const PointDistance& b) {
+ESPALIER_SHARED_CODE bool is_closer(const PointDistance& a, const PointDistance& b) {
     if (a.squared * distance_slack < b.squared) return true;
     if (b.squared * distance_slack < a.squared) return false;
-    return compare_scaled(Unsigned256::product(Unsigned256(a.numerator), Unsigned256(b.denominator)),
-                          Unsigned256::product(Unsigned256(b.numerator), Unsigned256(a.denominator)), 0) < 0;
+    return compare_scaled(Unsigned256::product(a.numerator, b.denominator),
+                          Unsigned256::product(b.numerator, a.denominator), 0) < 0;
 }
 
 /// Where the weights of a point of the face are zero, it lies on a side; where two are, on a corner.
@@ -31,36 +31,49 @@ ESPALIER_SHARED_CODE void offer(PointDistance& best, const Integer3& from, const
     best = side;
 }
 
-}  // namespace
+/// Which sides the point is beyond of, or all of them when the triangle has no area.
+struct Beyond {
+    bool ab, ac, bc;
+};
 
-PointDistance distance_to(const OriginRelative& t, int bits) noexcept {
-    const Integer3 p = {-t.a.x, -t.a.y, -t.a.z};  // the point, seen from corner a
+/// The distance to the face where that is the one; `p` is the point, seen from corner a. Out of line where code is
+/// dearer than time: what it needs is not needed beside the sides.
+ESPALIER_SHARED_CODE bool is_over_face(const OriginRelative& t, const Integer3& p, int bits, PointDistance& face,
+                                       Beyond& beyond) {
     const Integer3 normal = cross(t.ab, t.ac);
     const Int128 area = point_triangle::squared_length(normal);
     const Int128 weight_b = dot<Int128>(normal, cross(p, t.ac));
     const Int128 weight_c = dot<Int128>(normal, cross(t.ab, p));
     const Int128 weight_a = (area << bits) - weight_b - weight_c;
     const bool flat = area.is_zero();
+    beyond = {flat || weight_c.is_negative(), flat || weight_b.is_negative(), flat || weight_a.is_negative()};
+    if (beyond.ab || beyond.ac || beyond.bc) return false;
 
-    if (!flat && !weight_a.is_negative() && !weight_b.is_negative() && !weight_c.is_negative()) {
-        PointDistance face;
-        face.numerator = dot<Int128>(normal, p);
-        if (face.numerator.is_negative()) face.numerator = -face.numerator;
-        face.denominator = area;
-        face.square_numerator = true;
-        point_triangle::finish(face, bits);
-        const float whole = to_float(area << bits);
-        face.u = to_float(weight_b) / whole;
-        face.v = to_float(weight_c) / whole;
-        face.feature = feature_of(weight_a.is_zero(), weight_b.is_zero(), weight_c.is_zero());
-        return face;
-    }
-    // Outside of the prism over the face the closest point lies on a side that the point is beyond of.
+    const Int128 height = dot<Int128>(normal, p);
+    const float whole = to_float(area << bits);
+    face = {negate_if(height, height.is_negative()),
+            area,
+            true,
+            0.0f,
+            to_float(weight_b) / whole,
+            to_float(weight_c) / whole,
+            feature_of(weight_a.is_zero(), weight_b.is_zero(), weight_c.is_zero())};
+    point_triangle::finish(face, bits);
+    return true;
+}
+
+}  // namespace
+
+PointDistance distance_to(const OriginRelative& t, int bits) noexcept {
     PointDistance best;
+    const Integer3 p = {-t.a.x, -t.a.y, -t.a.z};
+    Beyond beyond;
+    if (is_over_face(t, p, bits, best, beyond)) return best;
+    // Outside of the prism over the face the closest point lies on a side that the point is beyond of.
     best.squared = infinity;
-    if (flat || weight_c.is_negative()) offer(best, p, t.ab, bits, point_triangle::side_ab);
-    if (flat || weight_b.is_negative()) offer(best, p, t.ac, bits, point_triangle::side_ac);
-    if (flat || weight_a.is_negative()) {
+    if (beyond.ab) offer(best, p, t.ab, bits, point_triangle::side_ab);
+    if (beyond.ac) offer(best, p, t.ac, bits, point_triangle::side_ac);
+    if (beyond.bc) {
         const Integer3 from_b = {p.x - (t.ab.x << bits), p.y - (t.ab.y << bits), p.z - (t.ab.z << bits)};
         offer(best, from_b, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, bits, point_triangle::side_bc);
     }
@@ -71,7 +84,7 @@ bool is_within_radius(const Unsigned256& numerator, const Int128& denominator, i
                       float radius) noexcept {
     const int exponent = exponent_of(radius) - 23;
     const auto mantissa = static_cast<std::int64_t>((magnitude_bits(radius) & 0x007FFFFFu) | 0x00800000u);
-    const Unsigned256 bound = Unsigned256::product(Unsigned256(denominator), Unsigned256(Int128(mantissa * mantissa)));
+    const Unsigned256 bound = Unsigned256::product(denominator, mantissa * mantissa);
     return compare_scaled(numerator, bound, 2 * (exponent + fraction_bits)) <= 0;
 }
 
@@ -80,9 +93,9 @@ bool is_within_radius(const PointDistance& distance, int fraction_bits, float ra
     if (distance.squared > squared * distance_slack) return false;
     if (distance.squared * distance_slack < squared) return true;
     if (radius == 0.0f) return distance.numerator.is_zero();
-    Unsigned256 numerator(distance.numerator);
-    if (distance.square_numerator) numerator = Unsigned256::product(numerator, numerator);
-    return is_within_radius(numerator, distance.denominator, fraction_bits, radius);
+    const Int128 factor = distance.square_numerator ? distance.numerator : Int128(1);
+    return is_within_radius(Unsigned256::product(distance.numerator, factor), distance.denominator, fraction_bits,
+                            radius);
 }
 
 }  // namespace espalier::detail

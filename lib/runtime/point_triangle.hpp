@@ -47,24 +47,23 @@ inline constexpr Side side_ac = {Feature::edge_ca, Feature::vertex_a, Feature::v
 /// From a point to the segment a, a + edge; `p` is the point seen from a. `along` is how far along the edge, 0..1.
 inline PointDistance to_segment(const Integer3& p, const Integer3& edge, int fraction_bits, const Side& side,
                                 float& along) {
-    PointDistance result;
-    result.feature = side.edge;
     const std::int64_t forward = dot<std::int64_t>(p, edge);
     const std::int64_t length = dot<std::int64_t>(edge, edge) << fraction_bits;
-    if (forward <= 0) {
-        along = 0.0f;
-        result.feature = side.from;
-        result.numerator = squared_length(p);
-    } else if (forward >= length) {
-        along = 1.0f;
-        result.feature = side.to;
-        result.numerator = squared_length(
-            {p.x - (edge.x << fraction_bits), p.y - (edge.y << fraction_bits), p.z - (edge.z << fraction_bits)});
-    } else {
-        along = to_float(forward) / to_float(length);
-        result.numerator = squared_length(cross(p, edge));
-        result.denominator = Int128(dot<std::int64_t>(edge, edge));
-    }
+    const bool before = forward <= 0, after = forward >= length;
+    along = before ? 0.0f : after ? 1.0f : to_float(forward) / to_float(length);
+    const Integer3 apart = before  ? p
+                           : after ? Integer3{p.x - (edge.x << fraction_bits), p.y - (edge.y << fraction_bits),
+                                              p.z - (edge.z << fraction_bits)}
+                                   : cross(p, edge);
+    PointDistance result = {squared_length(apart),
+                            before || after ? Int128(1) : Int128(length >> fraction_bits),
+                            false,
+                            0.0f,
+                            0.0f,
+                            0.0f,
+                            before  ? side.from
+                            : after ? side.to
+                                    : side.edge};
     finish(result, fraction_bits);
     return result;
 }

@@ -81,8 +81,7 @@ inline bool edges_are_below(const OriginRelative& t) {
 [[gnu::noinline]] inline int compare_quotient(Argument<Int128> numerator, Argument<Int128> denominator, float bound) {
     const int exponent = exponent_of(bound) - 23;
     const auto mantissa = static_cast<std::int64_t>((magnitude_bits(bound) & 0x007FFFFFu) | 0x00800000u);
-    return compare_scaled(Unsigned256(numerator),
-                          Unsigned256::product(Unsigned256(denominator), Unsigned256(Int128(mantissa))), exponent);
+    return compare_scaled(Unsigned256(numerator), Unsigned256::product(denominator, mantissa), exponent);
 }
 
 /// Whether a quotient lies in [low, high], exactly, given it as a float within 4 ulp; `compare` knows the sign of the

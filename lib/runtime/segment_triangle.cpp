@@ -1,6 +1,4 @@
 // The kernel of capsules and of closest segments. Widths and roundings: docs/numerics.md.
-#include <type_traits>
-
 #include <runtime/segment_triangle.hpp>
 #include <runtime/wide_difference.hpp>
 
@@ -16,26 +14,26 @@ namespace {
 [[maybe_unused]] float quotient(Argument<Int128> numerator, Argument<Int128> denominator) {
     return to_float(numerator) / to_float(denominator);
 }
-template <class Dot>
-int sign_of_difference(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
-    if constexpr (std::is_same_v<Dot, Int128>) return compare_products(a, b, c, d);
-    const auto difference = product_difference(a, b, c, d);
-    return difference.is_zero() ? 0 : difference.is_negative() ? -1 : 1;
-}
-/// Lines of huge segments may pass a side by less than 2^-63 steps: told as that much, so as not to be subnormal or 0.
-constexpr float least_squared = 0x1p-126f;
-
 /// Both scaled down alike: the largest numerator then fits, and 1 over the largest denominator stays normal.
 ESPALIER_SHARED_CODE float quotient(const WideDifference& numerator, const WideDifference& denominator) {
     return to_float(numerator.magnitude, -30) / to_float(denominator.magnitude, -30);
 }
-
-/// A corner of the triangle, seen from the segment's start.
-template <class Dot>
-struct Corner {
-    Integer3 at;
-    Dot along;  ///< the dot product with the segment
-};
+/// Whether a < b * 2^shift, of numbers above 0.
+[[maybe_unused]] bool is_less(const Int128& a, const Int128& b, int shift) { return a < b << shift; }
+bool is_less(const WideDifference& a, const WideDifference& b, int shift) {
+    return compare_scaled(a.magnitude, b.magnitude, shift) < 0;
+}
+/// Whether (a * b - c * d) / whole lies inside of 0 to 2^shift, and then what it is.
+template <class Dot, class Difference>
+ESPALIER_SHARED_CODE bool is_share(const Dot& a, const Dot& b, const Dot& c, const Dot& d, const Difference& whole,
+                                   int shift, float& share) {
+    const Difference part = product_difference(a, b, c, d);
+    if (part.is_negative() || part.is_zero() || !is_less(part, whole, shift)) return false;
+    share = quotient(part, whole);
+    return true;
+}
+/// Lines of huge segments may pass a side by less than 2^-63 steps: told as that much, so as not to be subnormal or 0.
+constexpr float least_squared = 0x1p-126f;
 
 /// Tries the places where the distance may be reached, and keeps the nearest. When asked about a radius it also decides
 /// for each that is not clearly nearer or farther, exactly, whether it is within.
@@ -47,11 +45,10 @@ public:
     [[nodiscard]] const SegmentDistance& nearest() const { return nearest_; }
     [[nodiscard]] bool is_any_within() const { return within_; }
 
-    /// `inside_of_sides_only`: not the places at an end of the segment or at a corner, nor where they meet.
-    void try_all(const UnitSegment& segment, const LatticeTriangle& triangle, bool inside_of_sides_only = false) {
-        OriginRelative from_start{};
+    void try_all(const UnitSegment& segment, const LatticeTriangle& triangle) {
+        OriginRelative from_start;
         const auto& c = triangle.corner;
-        Integer3 d{}, w[3];
+        Integer3 d, w[3];
         std::uint64_t large = 0;
         const auto set = [&](int k, std::int64_t Integer3::*axis) {
             d.*axis = segment.to[k] - segment.from[k];
@@ -68,15 +65,13 @@ public:
         set(2, &Integer3::z);
         from_start.a = w[0];
 
-        if (!inside_of_sides_only) {
-            if (crosses_face(from_start, d, w)) return;
-            try_end(from_start, 0.0f);
-            from_start.a = {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z};
-            try_end(from_start, 1.0f);
-        }
+        if (crosses_face(from_start, d, w)) return;
+        try_end(from_start, 0.0f);
+        from_start.a = {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z};
+        try_end(from_start, 1.0f);
         if constexpr (has_native_int128)  // elsewhere code is dearer than time
-            if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w, !inside_of_sides_only);
-        try_sides<Int128, WideDifference>(from_start, d, w, !inside_of_sides_only);
+            if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w);
+        try_sides<Int128, WideDifference>(from_start, d, w);
     }
 
 private:
@@ -119,53 +114,48 @@ private:
         if (distance.squared < nearest_.squared) nearest_ = {distance.squared, along, distance.u, distance.v};
     }
 
+    /// `w`: the corners, seen from the segment's start.
     template <class Dot, class Difference>
-    [[gnu::noinline]] void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w, bool corners_too) {
+    [[gnu::noinline]] void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w) {
         const Dot length = dot<Dot>(d, d);
-        const Corner<Dot> corners[3] = {
-            {w[0], dot<Dot>(w[0], d)}, {w[1], dot<Dot>(w[1], d)}, {w[2], dot<Dot>(w[2], d)}};
         for (int i = 0; i < 3; ++i) {
-            if (corners_too) try_corner<Dot, Difference>(corners[i], length, i);
+            const Dot along = dot<Dot>(w[i], d);
+            try_corner<Dot, Difference>(w[i], along, length, i);
             const Integer3 edge = i == 0   ? t.ab
                                   : i == 1 ? Integer3{t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}
                                            : Integer3{-t.ac.x, -t.ac.y, -t.ac.z};
-            try_side<Dot, Difference>(corners[i], corners[(i + 1) % 3], edge, d, length, i);
+            try_side<Dot, Difference>(w[i], along, edge, d, length, i);
         }
     }
 
     /// Between a corner and the inside of the segment: |w|^2 - (w . d)^2 / |d|^2.
     template <class Dot, class Difference>
-    [[gnu::noinline]] void try_corner(const Corner<Dot>& corner, Argument<Dot> length, int number) {
-        if (!(Dot(0) < corner.along && corner.along < length)) return;
-        const Difference numerator =
-            product_difference(dot<Dot>(corner.at, corner.at), length, corner.along, corner.along);
+    [[gnu::noinline]] void try_corner(const Integer3& w, Argument<Dot> along, Argument<Dot> length, int number) {
+        if (!(Dot(0) < along && along < length)) return;
+        const Difference numerator = product_difference(dot<Dot>(w, w), length, along, along);
         const Difference denominator(length);
-        offer(quotient(numerator, denominator) * scale_, to_float(corner.along) / to_float(length), number, 0.0f,
-              [&](auto decide) { decide(magnitude_of(numerator), denominator); });
+        offer(quotient(numerator, denominator) * scale_, to_float(along) / to_float(length), number, 0.0f,
+              [&](auto decide) { decide(Unsigned256(magnitude_of(numerator)), denominator); });
     }
 
     /// Between the inside of a side and that of the segment: (w . (d x e))^2 / |d x e|^2.
     template <class Dot, class Difference>
-    [[gnu::noinline]] void try_side(const Corner<Dot>& from, const Corner<Dot>& to, const Integer3& e,
-                                    const Integer3& d, Argument<Dot> length, int number) {
+    [[gnu::noinline]] void try_side(const Integer3& w, Argument<Dot> wd, const Integer3& e, const Integer3& d,
+                                    Argument<Dot> length, int number) {
         const Dot ee = dot<Dot>(e, e);
         const Dot de = dot<Dot>(d, e);
-        const Dot we = dot<Dot>(from.at, e);
-        // The segment's parameter times the denominator, and what is left of it; then the same of the side.
-        if (sign_of_difference(from.along, ee, we, de) <= 0) return;
-        if (sign_of_difference(from.along - length, ee, we - de, de) >= 0) return;
-        if (sign_of_difference(from.along, de, we, length) <= 0) return;
-        if (sign_of_difference(to.along, de, dot<Dot>(to.at, e), length) >= 0) return;
+        const Dot we = dot<Dot>(w, e);
+        // The closest points of the two lines, along the segment and, in finer units, along the side.
         const Difference denominator = product_difference(length, ee, de, de);
-        const float along = quotient(product_difference(from.along, ee, we, de), denominator);
-        const float share = quotient(product_difference(from.along, de, we, length), denominator);
-        Int128 volume = dot<Int128>(from.at, cross(d, e));
+        float along, share;
+        if (!is_share(wd, ee, we, de, denominator, 0, along)) return;
+        if (!is_share(wd, de, we, length, denominator, fraction_bits_, share)) return;
+        Int128 volume = dot<Int128>(w, cross(d, e));
         if (volume.is_negative()) volume = -volume;
         const float per_area = quotient(Difference(volume), denominator);
         const float squared = volume.is_zero() ? 0.0f : maximum(per_area * to_float(volume) * scale_, least_squared);
-        offer(squared, along, number, share * power_of_two(-fraction_bits_), [&](auto decide) {
-            decide(Unsigned256::product(Unsigned256(volume), Unsigned256(volume)), denominator);
-        });
+        offer(squared, along, number, share * power_of_two(-fraction_bits_),
+              [&](auto decide) { decide(Unsigned256::product(volume, volume), denominator); });
     }
 
     /// `share` is how far along side `number`. `exactly` hands the exact square to what it is given.
@@ -173,7 +163,7 @@ private:
     void offer(float squared, float along, int number, float share, Exactly exactly) {
         if (radius_ >= 0.0f && !within_) {
             exactly([&](const Unsigned256& numerator, const auto& denominator) {
-                const Unsigned256 whole = magnitude_of(denominator);
+                const Unsigned256 whole(magnitude_of(denominator));
                 within_ = is_within_radius(numerator, {static_cast<std::int64_t>(whole.word[1]), whole.word[0]},
                                            fraction_bits_, radius_);
             });
@@ -193,12 +183,6 @@ private:
 SegmentDistance distance_to(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept {
     Candidates candidates(segment.fraction_bits);
     candidates.try_all(segment, triangle);
-    return candidates.nearest();
-}
-
-SegmentDistance distance_to_sides(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept {
-    Candidates candidates(segment.fraction_bits);
-    candidates.try_all(segment, triangle, true);
     return candidates.nearest();
 }
 

@@ -28,10 +28,6 @@ inline SegmentDistance at_side(float squared, float along, int side, float share
 
 SegmentDistance distance_to(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept;
 
-/// The same between the inside of the segment and the insides of the triangle's sides alone: infinite where no two of
-/// them have closest points there.
-SegmentDistance distance_to_sides(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept;
-
 /// Whether they are at most `radius` apart (lattice steps, 0 or at least 2^-100), exactly; touching counts. `distance`
 /// is theirs.
 bool is_within_radius(const UnitSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,

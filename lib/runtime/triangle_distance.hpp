@@ -15,7 +15,10 @@ struct TriangleDistance {
     float on_b[2] = {};
 };
 
-/// Coordinates are below 2^25.
+/// All zeros when they share a point. Coordinates are below 2^25.
+void find_distance_if_apart(const LatticeTriangle& a, const LatticeTriangle& b, TriangleDistance& distance) noexcept;
+
+/// Of those that share a point, also where.
 TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangle& b) noexcept;
 
 /// Whether they are at most `radius` apart (steps of the grid, 0 or at least 2^-100), exactly; touching counts.

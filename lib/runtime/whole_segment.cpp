@@ -143,10 +143,8 @@ std::uint32_t fixed_point(const Crossing& crossing) {
 }
 
 bool is_before(const Crossing& a, const Crossing& b) {
-    const auto product = [](const Int128& x, const Int128& y) {
-        return Unsigned256::product(Unsigned256(x), Unsigned256(y));
-    };
-    return compare_scaled(product(a.numerator, b.denominator), product(b.numerator, a.denominator), 0) < 0;
+    return compare_scaled(Unsigned256::product(a.numerator, b.denominator),
+                          Unsigned256::product(b.numerator, a.denominator), 0) < 0;
 }
 
 }  // namespace espalier::detail

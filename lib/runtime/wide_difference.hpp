@@ -5,17 +5,15 @@
 
 namespace espalier::detail {
 
-ESPALIER_SHARED_CODE inline Unsigned256 magnitude_of(Argument<Int128> a) {
-    return Unsigned256(negate_if(a, a.is_negative()));
-}
+inline Int128 magnitude_of(const Int128& a) { return negate_if(a, a.is_negative()); }
 
 struct WideDifference {
-    Unsigned256 magnitude{Int128{}};
-    bool negative = false;
+    Unsigned256 magnitude;
+    bool negative;
 
     WideDifference(const Unsigned256& from, bool is_below)
         : magnitude(from), negative(is_below && from.bit_length() != 0) {}
-    explicit WideDifference(Argument<Int128> a) : WideDifference(magnitude_of(a), a.is_negative()) {}
+    explicit WideDifference(Argument<Int128> a) : WideDifference(Unsigned256(magnitude_of(a)), a.is_negative()) {}
 
     [[nodiscard]] bool is_zero() const { return magnitude.bit_length() == 0; }
     [[nodiscard]] bool is_negative() const { return negative; }

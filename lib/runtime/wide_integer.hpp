@@ -186,9 +186,9 @@ ESPALIER_SHARED_CODE inline float to_float(std::int64_t a) {
 
 /// Unsigned 256 bits, for comparing products of wide numbers.
 struct Unsigned256 {
-    std::uint64_t word[4] = {0, 0, 0, 0};
+    std::uint64_t word[4];
 
-    /// From a number that is not negative.
+    /// From a number that is not negative, or that is below 2^128.
     explicit constexpr Unsigned256(const Int128& a) : word{a.low, static_cast<std::uint64_t>(a.high), 0, 0} {}
 
     [[nodiscard]] ESPALIER_SHARED_CODE constexpr int bit_length() const {
@@ -198,18 +198,19 @@ struct Unsigned256 {
     }
     /// this * 2^shift, shift >= 0; the result must fit.
     [[nodiscard]] ESPALIER_SHARED_CODE constexpr Unsigned256 shifted_left(int shift) const {
-        Unsigned256 result{Int128{}};
+        Unsigned256 result;
         const int words = shift / 64;
         const int bits = shift % 64;
-        for (int i = 3; i >= words; --i) {
-            result.word[i] = word[i - words] << bits;
-            if (bits != 0 && i > words) result.word[i] |= word[i - words - 1] >> (64 - bits);
+        for (int i = 3; i >= 0; --i) {
+            const std::uint64_t kept = i >= words ? word[i - words] << bits : 0;
+            const std::uint64_t carried = bits != 0 && i > words ? word[i - words - 1] >> (64 - bits) : 0;
+            result.word[i] = kept | carried;
         }
         return result;
     }
     /// The sum; it must fit.
     [[nodiscard]] ESPALIER_SHARED_CODE constexpr Unsigned256 plus(const Unsigned256& other) const {
-        Unsigned256 result{Int128{}};
+        Unsigned256 result;
         std::uint64_t carry = 0;
         for (int i = 0; i < 4; ++i) {
             const std::uint64_t sum = word[i] + carry;
@@ -220,7 +221,7 @@ struct Unsigned256 {
     }
     /// The difference, for an `other` that is not larger.
     [[nodiscard]] ESPALIER_SHARED_CODE constexpr Unsigned256 minus(const Unsigned256& other) const {
-        Unsigned256 result{Int128{}};
+        Unsigned256 result;
         std::uint64_t borrow = 0;
         for (int i = 0; i < 4; ++i) {
             const std::uint64_t difference = word[i] - borrow;
@@ -229,25 +230,30 @@ struct Unsigned256 {
         }
         return result;
     }
-    /// The product of two numbers below 2^128.
-    ESPALIER_SHARED_CODE static constexpr Unsigned256 product(const Unsigned256& a, const Unsigned256& b) {
-        Unsigned256 result{Int128{}};
+    /// The product of two numbers that are not negative, or that are below 2^128.
+    ESPALIER_SHARED_CODE static constexpr Unsigned256 product(const Int128& a, const Int128& b) {
+        Unsigned256 result;
+        result.word[0] = result.word[1] = 0;
         for (int i = 0; i < 2; ++i) {
+            const std::uint64_t factor = i == 0 ? a.low : static_cast<std::uint64_t>(a.high);
             std::uint64_t carry = 0;
             for (int j = 0; j < 2; ++j) {
                 std::uint64_t high = 0;
                 std::uint64_t low = 0;
-                multiply_words(a.word[i], b.word[j], high, low);
+                multiply_words(factor, j == 0 ? b.low : static_cast<std::uint64_t>(b.high), high, low);
                 low += carry;
                 high += low < carry ? 1 : 0;
                 result.word[i + j] += low;
                 high += result.word[i + j] < low ? 1 : 0;
                 carry = high;
             }
-            result.word[i + 2] += carry;
+            result.word[i + 2] = carry;
         }
         return result;
     }
+
+private:
+    constexpr Unsigned256() = default;  // uninitialised: each word is written once
 };
 
 /// The nearest float to a * 2^exponent, ties to even, which must be zero or normal.

@@ -108,11 +108,10 @@ TEST_SUITE("runtime arithmetic") {
     TEST_CASE("256-bit products, shifts and lengths equal unbounded ones") {
         Random random(3);
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
-            const Unsigned256 a(
-                Int128(some_signed(random) & std::numeric_limits<std::int64_t>::max(), some_word(random)));
-            const Unsigned256 b(
-                Int128(some_signed(random) & std::numeric_limits<std::int64_t>::max(), some_word(random)));
-            REQUIRE(exact(Unsigned256::product(a, b)) == exact(a) * exact(b));
+            const Int128 factor(some_signed(random), some_word(random));
+            const Int128 other(some_signed(random), some_word(random));
+            const Unsigned256 a(factor), b(other);
+            REQUIRE(exact(Unsigned256::product(factor, other)) == exact(a) * exact(b));
             REQUIRE(a.bit_length() == exact(a).bit_length());
             const int shift = static_cast<int>(random.below(128));
             REQUIRE(exact(a.shifted_left(shift)) == exact(a).shifted_left(shift));
@@ -131,9 +130,8 @@ TEST_SUITE("runtime arithmetic") {
                 a = Unsigned256(Int128(0, half)).shifted_left(static_cast<int>(random.below(200)));
                 if (random.below(4) == 0) a = a.plus(Unsigned256(Int128(1)));
             }
-            const Unsigned256 b =
-                Unsigned256::product(Unsigned256(Int128(some_signed(random) & 0xFFFF, some_word(random))),
-                                     Unsigned256(Int128(0, some_word(random))));
+            const Unsigned256 b = Unsigned256::product(Int128(some_signed(random) & 0xFFFF, some_word(random)),
+                                                       Int128(0, some_word(random)));
             REQUIRE(exact(a.plus(b)) == exact(a) + exact(b));
             REQUIRE(exact(a.plus(b).minus(b)) == exact(a));
             REQUIRE(exact(a.plus(b).minus(a)) == exact(b));
@@ -159,9 +157,8 @@ TEST_SUITE("runtime arithmetic") {
         std::uint64_t equal = 0;
         for (std::uint64_t i = 0; i < scaled(50'000); ++i) {
             const auto some_unsigned = [&] {
-                return Unsigned256::product(
-                    Unsigned256(Int128(some_signed(random) & 0xFFFFFFFFFFFF, some_word(random))),
-                    Unsigned256(Int128(0, some_word(random))));
+                return Unsigned256::product(Int128(some_signed(random) & 0xFFFFFFFFFFFF, some_word(random)),
+                                            Int128(0, some_word(random)));
             };
             Unsigned256 a = some_unsigned();
             Unsigned256 b = some_unsigned();
