@@ -46,12 +46,16 @@ struct LeastDistance {
     template <class Pair>
     [[gnu::noinline]] Visit visit_pair(const LatticeTriangle& a, const LatticeTriangle& b, Pair pair) {
         if (gap_between(a, b) > limit()) return keep_going;
-        const TriangleDistance distance = distance_between(a, b);
+        TriangleDistance distance;
+        find_distance_if_apart(a, b, distance);
         if (found && distance.squared > best.distance.squared) return keep_going;
         if (is_within_radius(a, b, distance, radius)) {
             const TrianglePair these = pair();
             if (found && distance.squared == best.distance.squared && best.pair < these) return keep_going;
-            best = {distance, a, b, these};
+            best.distance = distance;
+            best.a = a;
+            best.b = b;
+            best.pair = these;
             found = true;
             lower_limit(distance.squared * distance_slack);
         } else {
@@ -65,7 +69,8 @@ struct LeastDistance {
 private:
     /// The first leads from one closest point to the other. Points that round to one place tell none, whatever pairs
     /// came before: which ones did depends on the number of lanes.
-    void set_axes(const LatticeTriangle& a, const LatticeTriangle& b, const TriangleDistance& distance) {
+    ESPALIER_SHARED_CODE void set_axes(const LatticeTriangle& a, const LatticeTriangle& b,
+                                       const TriangleDistance& distance) {
         float(&axes)[3][3] = axes_[0].at;
         for (int k = 0; k < 3; ++k) axes[0][k] = point_on(b, distance.on_b, k) - point_on(a, distance.on_a, k);
         if (!shorten(axes[0])) {
@@ -91,7 +96,7 @@ private:
             }
     }
     /// To a length of a hair less than 1, so that rounding never makes anything seem farther apart. False for length 0.
-    static bool shorten(float* axis) {
+    ESPALIER_SHARED_CODE static bool shorten(float* axis) {
         const float longest = maximum(absolute(axis[0]), maximum(absolute(axis[1]), absolute(axis[2])));
         if (!(longest > 0.0f)) return false;
         for (int k = 0; k < 3; ++k) axis[k] = axis[k] / longest;
@@ -111,5 +116,7 @@ inline QueryStatus search_nearest(const PairFrame& frame, Visitor& visitor, Leas
         if (goes_on()) status = visit_promising(frame, visitor, width, work);
     least.surveys = false;
     if (goes_on()) status = traverse_pair(frame, visitor, work);
+    if (least.found && least.best.distance.squared == 0.0f)
+        least.best.distance = distance_between(least.best.a, least.best.b);  // and where
     return status;
 }

@@ -1,6 +1,6 @@
 // A first look at a few pairs of leaves that are likely to be near each other: the distance and the direction that they
 // tell spare the walk most of its steps. Included once per instruction set, inside its namespace, after
-// traverse_pair.inl.
+// pair_trees.inl.
 
 /// Pairs of boxes, the most promising first; of those that were offered, as many as it is wide.
 class Beam {
@@ -34,33 +34,34 @@ private:
 
 /// What a pair of boxes leads to: the children that the visitor finds worth a visit.
 template <class Visitor>
-inline void offer_children(const PairFrame& frame, const PairTrees& trees, const Visitor& visitor,
-                           const Beam::Candidate& candidate, Beam& next) {
-    const TwiceBox boxes[2] = {trees.box(0, candidate.items[0]), trees.box(1, candidate.items[1])};
-    const unsigned side = trees.side_to_open(candidate.items, boxes);
-    const std::uint32_t node = trees.node_in(side, candidate.items[side]);
+inline void offer_children(const PairFrame& frame, const Visitor& visitor, const Beam::Candidate& candidate,
+                           Beam& next) {
+    const PairTrees trees(frame);
     alignas(wide_register_alignment) float keys[format::max_children];
-    count_node_step();
-    unsigned mask = visitor.children(side, node_at(*trees.blob[side], node), boxes[1 - side], keys);
-    const float unit = frame.sides[side].common_size;
-    for (; mask != 0; mask &= mask - 1) {
+    const OpenedBox opened = open_larger(frame, visitor, candidate.items, keys);
+    const float unit = frame.sides[opened.side].common_size;
+    for (unsigned mask = opened.children; mask != 0; mask &= mask - 1) {
         const auto child = static_cast<unsigned>(std::countr_zero(mask));
         Beam::Candidate below = candidate;
-        below.items[side] = trees.child_of(side, node, child);
+        below.items[opened.side] = trees.child_of(opened.side, opened.node, child);
         below.key = keys[child] * (unit * unit);
         next.offer(below);
     }
 }
 
-/// How many pairs of leaves are visited where the way down ends: more of them tell less than they cost.
-inline constexpr unsigned most_leaf_pairs = 2;
+/// Where the way down ends. More pairs of leaves tell less than they cost.
+struct PromisingLeaves {
+    static constexpr unsigned most = 2;
+
+    PairItem items[most][2];
+    unsigned count = 0;
+};
 
 /// Down both trees at once, at each step with no more than the `width` most promising pairs (beam search, Lowerre
-/// 1976), to visit leaves where that ends. Visitor and `work` are those of traverse_pair.
+/// 1976). Out of line: what this takes of the stack is not needed beside the leaves.
 template <class Visitor>
-[[gnu::noinline]] QueryStatus visit_promising(const PairFrame& frame, Visitor& visitor, unsigned width,
-                                              std::uint64_t& work) {
-    const PairTrees trees(frame);
+[[gnu::noinline]] QueryStatus find_promising(const PairFrame& frame, const Visitor& visitor, unsigned width,
+                                             std::uint64_t& work, PromisingLeaves& leaves) {
     Beam beam(width);
     beam.offer({});
     for (bool are_all_leaves = false; !are_all_leaves;) {
@@ -74,19 +75,28 @@ template <class Visitor>
             if (work == 0) return QueryStatus::work_limit;
             --work;
             are_all_leaves = false;
-            offer_children(frame, trees, visitor, candidate, next);
+            offer_children(frame, visitor, candidate, next);
         }
         beam = next;
     }
-    unsigned visits = 0;
     for (const auto& [items, key] : beam) {
-        if (visits++ == most_leaf_pairs) break;
+        if (leaves.count == PromisingLeaves::most) break;
+        leaves.items[leaves.count][0] = items[0];
+        leaves.items[leaves.count++][1] = items[1];
+    }
+    return QueryStatus::ok;
+}
+
+/// Visits the leaves that such a way leads to. Visitor and `work` are those of traverse_pair.
+template <class Visitor>
+[[gnu::noinline]] QueryStatus visit_promising(const PairFrame& frame, Visitor& visitor, unsigned width,
+                                              std::uint64_t& work) {
+    PromisingLeaves leaves;
+    if (find_promising(frame, visitor, width, work, leaves) != QueryStatus::ok) return QueryStatus::work_limit;
+    for (unsigned i = 0; i < leaves.count; ++i) {
         if (work == 0) return QueryStatus::work_limit;
         --work;
-        count_leaf_step();
-        if (visitor.visit_leaves(trees.leaf(0, items[0], trees.box(0, items[0])),
-                                 trees.leaf(1, items[1], trees.box(1, items[1]))) == stop)
-            break;
+        if (visit_leaf_pair(frame, visitor, leaves.items[i]) == stop) break;
     }
     return QueryStatus::ok;
 }

@@ -144,10 +144,10 @@ template <class LeafA, class LeafB, class Visitor>
 /// Calls visit_pair for the triangles of two leaves that may be within the visitor's limit of each other.
 template <class LeafA, class LeafB, class Visitor>
 [[gnu::noinline]] Visit visit_near(const PairFrame& frame, const LeafPlace& a_place, const LeafPlace& b_place,
-                                   Visitor& visitor) {
+                                   const TwiceBox& a_box, Visitor& visitor) {
     const auto a = leaf_at<LeafA>(*frame.a, a_place.node, a_place.number);
     const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
-    const PlacedBox box(a_place.box, frame);
+    const PlacedBox box(a_box, frame);
     auto corners = corners_of(b);
     const auto visit = [&](unsigned a_slot, unsigned b_slot) {
         return visit_exactly(frame, a, a_slot, b, b_slot, visitor);

@@ -8,7 +8,6 @@ struct SeenBox {
     float center[3];
     float half[3];
     float reach[3];
-    float edge_reach[3][3];  ///< along frame axis i x own axis j, slack included
 };
 
 /// A box in the lattice of its own tree: center and half sides, times 2.

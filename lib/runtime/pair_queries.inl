@@ -17,9 +17,9 @@ struct TouchingPairs {
         return children_near<true>(node, side == 0 ? *frame.a : *frame.b, see_box(other, view), view, PairAxes{}, 0.0f,
                                    keys);
     }
-    Visit visit_leaves(const LeafPlace& a, const LeafPlace& b) {
+    Visit visit_leaves(const LeafPlace& a, const LeafPlace& b, const TwiceBox& a_box) {
         return with_leaf_kinds(
-            frame, [&]<class LeafA, class LeafB>() { return visit_touching<LeafA, LeafB>(frame, a, b, visit); });
+            frame, [&]<class LeafA, class LeafB>() { return visit_touching<LeafA, LeafB>(frame, a, b, a_box, visit); });
     }
 };
 
@@ -36,9 +36,9 @@ struct NearestPair : LeastDistance {
         return children_near<false>(node, side == 0 ? *frame.a : *frame.b, see_box(other, view), view, axes_[side],
                                     limit_ / (unit * unit), keys);
     }
-    Visit visit_leaves(const LeafPlace& a, const LeafPlace& b) {
+    Visit visit_leaves(const LeafPlace& a, const LeafPlace& b, const TwiceBox& a_box) {
         return with_leaf_kinds(
-            frame, [&]<class LeafA, class LeafB>() { return visit_near<LeafA, LeafB>(frame, a, b, *this); });
+            frame, [&]<class LeafA, class LeafB>() { return visit_near<LeafA, LeafB>(frame, a, b, a_box, *this); });
     }
 };
 

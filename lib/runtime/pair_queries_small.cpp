@@ -11,20 +11,14 @@
 namespace espalier::detail::scalar {
 
 #include <runtime/pair_nodes.inl>
-#include <runtime/traverse_pair.inl>
+#include <runtime/pair_trees.inl>
 #include <runtime/pair_beam.inl>
+#include <runtime/small_pair_walk.inl>
 #include <runtime/least_distance.inl>
 #include <runtime/pair_leaves.inl>
 #include <runtime/pair_near.inl>
 
 namespace {
-
-/// A triangle of each leaf, on the grid, and its slot.
-struct SlotPair {
-    unsigned a_slot, b_slot;
-    LatticeTriangle a, b;
-};
-using OnSlotPair = FunctionRef<Visit(const SlotPair&)>;
 
 PlacedLanes lanes_of(const LatticeTriangle& triangle) {
     PlacedLanes placed;
@@ -34,16 +28,64 @@ PlacedLanes lanes_of(const LatticeTriangle& triangle) {
     return placed;
 }
 
-/// The squared distance of the nearest corners, unless boxes, or shadows along the directions, are farther apart than
-/// the limit: as in pair_near.inl.
-[[gnu::noinline]] float squared_between_corners(const SlotPair& pair, const PairAxes& axes, float limit) {
-    const PlacedLanes t = lanes_of(pair.a), other = lanes_of(pair.b);
+[[gnu::noinline]] float squared_gap_to(const PlacedBox& box, const LatticeTriangle& triangle) {
+    return squared_gap(lanes_of(triangle), box.low, box.high);
+}
+
+/// The squared distance of the nearest corners, unless shadows along the directions are farther apart than the limit:
+/// as in pair_near.inl.
+[[gnu::noinline]] float squared_between_corners(const LatticeTriangle& a, const LatticeTriangle& b,
+                                                const PairAxes& axes, float limit) {
+    const PlacedLanes t = lanes_of(a), other = lanes_of(b);
     if (!(gap_along_axes(t, other, axes) <= limit)) return infinity;
     return squared_of_nearest_corners(t, other);
 }
 
-[[gnu::noinline]] float squared_gap_to(const PlacedBox& box, const LatticeTriangle& triangle) {
-    return squared_gap(lanes_of(triangle), box.low, box.high);
+/// A triangle of each of two leaves, on the grid: b's in storage order, for each of them a's. Finding the next pair
+/// takes its stack while nobody looks at one.
+template <class LeafA, class LeafB>
+struct SlotPair {
+    const PairFrame& frame;
+    const LeafA& a_leaf;
+    const LeafB& b_leaf;
+    typename LeafA::Slots a_slots;  ///< that are still to come beside b
+    typename LeafB::Slots b_slots;
+    unsigned a_slot, b_slot;
+    LatticeTriangle a, b;
+
+    SlotPair(const PairFrame& on_grid, const LeafA& leaf, const LeafB& other)
+        : frame(on_grid), a_leaf(leaf), b_leaf(other) {}
+    void begin() {
+        a_slots = 0;
+        b_slots = b_leaf.used_slots();
+    }
+    void place_a(unsigned slot) {
+        a_slot = slot;
+        a = frame.place_a(a_leaf.triangle(slot));
+    }
+    void place_b(unsigned slot) {
+        b_slot = slot;
+        b = frame.place_b(b_leaf.triangle(slot));
+    }
+    /// The next whose boxes are within the squared distance, b's also of a box around all of a. False when there is
+    /// none.
+    [[gnu::noinline]] bool next(const PlacedBox& box, float limit) {
+        for (;;) {
+            while (a_slots != 0) {
+                place_a(static_cast<unsigned>(std::countr_zero(a_slots)));
+                a_slots &= a_slots - 1;
+                if (!(gap_between(a, b) > limit)) return true;
+            }
+            if (b_slots == 0) return false;
+            place_b(static_cast<unsigned>(std::countr_zero(b_slots)));
+            b_slots &= b_slots - 1;
+            if (!(squared_gap_to(box, b) > limit)) a_slots = a_leaf.used_slots();
+        }
+    }
+};
+
+[[gnu::noinline]] bool do_triangles_meet(const LatticeTriangle& a, const LatticeTriangle& b) {
+    return triangles_meet(integer_triangle(a), integer_triangle(b));
 }
 
 /// Contacts, or the least distance: whichever is there.
@@ -65,68 +107,51 @@ struct PairVisitor {
                                 least != nullptr ? least->limit_ / (unit * unit) : 0.0f, keys);
     }
 
-    Visit visit_leaves(const LeafPlace& a_place, const LeafPlace& b_place) const {
+    Visit visit_leaves(const LeafPlace& a_place, const LeafPlace& b_place, const TwiceBox& a_box) const {
         return scalar_walk::with_leaves_of(*frame.a, [&]<class LeafA>() {
             return scalar_walk::with_leaves_of(*frame.b, [&]<class LeafB>() {
                 const auto a = leaf_at<LeafA>(*frame.a, a_place.node, a_place.number);
                 const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
-                const PlacedBox box(a_place.box, frame);
-                return least != nullptr ? visit_near(a, b, box) : visit_touching(a, b, box);
+                const PlacedBox box(a_box, frame);
+                SlotPair<LeafA, LeafB> pair(frame, a, b);
+                return least != nullptr ? visit_near(pair, box) : visit_touching(pair, box);
             });
         });
     }
 
 private:
-    /// b's triangles in storage order, for each of them a's; those whose boxes are within the limit.
-    template <class LeafA, class LeafB>
-    [[gnu::noinline]] Visit for_each_pair(const LeafA& a, const LeafB& b, const PlacedBox& box,
-                                          OnSlotPair visit) const {
-        SlotPair pair;
-        for (auto b_slots = b.used_slots(); b_slots != 0; b_slots &= b_slots - 1) {
-            pair.b_slot = static_cast<unsigned>(std::countr_zero(b_slots));
-            pair.b = frame.place_b(b.triangle(pair.b_slot));
-            if (squared_gap_to(box, pair.b) > limit()) continue;
-            for (auto a_slots = a.used_slots(); a_slots != 0; a_slots &= a_slots - 1) {
-                pair.a_slot = static_cast<unsigned>(std::countr_zero(a_slots));
-                pair.a = frame.place_a(a.triangle(pair.a_slot));
-                if (gap_between(pair.a, pair.b) > limit()) continue;
-                if (visit(pair) == stop) return stop;
-            }
-        }
+    template <class Pair>
+    [[gnu::noinline]] Visit visit_touching(Pair& pair, const PlacedBox& box) const {
+        for (pair.begin(); pair.next(box, 0.0f);)
+            if (do_triangles_meet(pair.a, pair.b) &&
+                (*on_touching)(
+                    {{storage_index(pair.a_leaf, pair.a_slot)}, {storage_index(pair.b_leaf, pair.b_slot)}}) == stop)
+                return stop;
         return keep_going;
     }
-    template <class LeafA, class LeafB>
-    [[gnu::noinline]] Visit visit_touching(const LeafA& a, const LeafB& b, const PlacedBox& box) const {
-        return for_each_pair(a, b, box, [&](const SlotPair& pair) {
-            if (!triangles_meet(integer_triangle(pair.a), integer_triangle(pair.b))) return keep_going;
-            return (*on_touching)({{storage_index(a, pair.a_slot)}, {storage_index(b, pair.b_slot)}});
-        });
-    }
     /// First what corners tell: how far apart the leaves are at most, and which pair is a good one to begin with.
-    template <class LeafA, class LeafB>
-    [[gnu::noinline]] Visit visit_near(const LeafA& a, const LeafB& b, const PlacedBox& box) const {
+    template <class Pair>
+    [[gnu::noinline]] Visit visit_near(Pair& pair, const PlacedBox& box) const {
         NearestCorners nearest;
-        for_each_pair(a, b, box, [&](const SlotPair& pair) {
-            nearest.offer(squared_between_corners(pair, least->axes(0), least->limit()),
+        for (pair.begin(); pair.next(box, least->limit());) {
+            nearest.offer(squared_between_corners(pair.a, pair.b, least->axes(0), least->limit()),
                           pair.b_slot * NearestCorners::a_slots + pair.a_slot);
             least->lower_limit(nearest.squared * lower_slack);
-            return keep_going;
-        });
+        }
         if (!(nearest.squared < infinity)) return keep_going;
-        if (decide_nearest(a, b, nearest) == stop) return stop;
+        pair.place_a(nearest.a_slot());
+        pair.place_b(nearest.b_slot());
+        if (decide(pair) == stop) return stop;
         if (least->surveys) return keep_going;
-        return for_each_pair(a, b, box, [&](const SlotPair& pair) { return decide(a, b, pair); });
+        for (pair.begin(); pair.next(box, least->limit());)
+            if (decide(pair) == stop) return stop;
+        return keep_going;
     }
-    template <class LeafA, class LeafB>
-    Visit decide(const LeafA& a, const LeafB& b, const SlotPair& pair) const {
+    template <class Pair>
+    Visit decide(const Pair& pair) const {
         return least->visit_pair(pair.a, pair.b, [&] {
-            return TrianglePair{{owner_index(a, pair.a_slot)}, {owner_index(b, pair.b_slot)}};
+            return TrianglePair{{owner_index(pair.a_leaf, pair.a_slot)}, {owner_index(pair.b_leaf, pair.b_slot)}};
         });
-    }
-    template <class LeafA, class LeafB>
-    [[gnu::noinline]] Visit decide_nearest(const LeafA& a, const LeafB& b, const NearestCorners& nearest) const {
-        const unsigned a_slot = nearest.a_slot(), b_slot = nearest.b_slot();
-        return decide(a, b, {a_slot, b_slot, frame.place_a(a.triangle(a_slot)), frame.place_b(b.triangle(b_slot))});
     }
 };
 

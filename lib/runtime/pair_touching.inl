@@ -116,10 +116,10 @@ template <class LeafA, class LeafB>
 /// each of them a's.
 template <class LeafA, class LeafB, class Visitor>
 [[gnu::noinline]] Visit visit_touching(const PairFrame& frame, const LeafPlace& a_place, const LeafPlace& b_place,
-                                       const Visitor& visit) {
+                                       const TwiceBox& a_box, const Visitor& visit) {
     const auto a = leaf_at<LeafA>(*frame.a, a_place.node, a_place.number);
     const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
-    const PlacedBox box(a_place.box, frame);
+    const PlacedBox box(a_box, frame);
     auto corners = corners_of(b);
     for (unsigned first = 0; first < b.slot_count; first += columns) {
         PlacedColumns others;

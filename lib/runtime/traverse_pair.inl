@@ -1,31 +1,10 @@
-// The way through two trees at once. Included once per instruction set, inside its namespace.
+// The way through two trees at once. Included once per instruction set, inside its namespace, after pair_trees.inl.
 // At each step the larger of two boxes is replaced by those of its node's children that are worth a visit. A visitor
 // offers:
 //   unsigned children(unsigned side, const Node&, const TwiceBox& other, float* keys)
 //       mask of the children of a node of tree `side` that are worth a visit beside a box of the other tree, and for
 //       each how near it is: the nearest goes first, the others in storage order
-//   Visit visit_leaves(const LeafPlace& a, const LeafPlace& b)      stop ends the walk
-
-/// A box of a tree: that of a node's child, or the one around everything.
-struct PairItem {
-    static constexpr unsigned child_shift = 24;
-    static constexpr std::uint32_t leaf_bit = 1u << 27, root_bit = 1u << 28;
-    static_assert(format::max_nodes <= 1u << child_shift && format::max_children <= 8);
-
-    std::uint32_t packed = root_bit;
-
-    [[nodiscard]] bool is_leaf() const { return (packed & leaf_bit) != 0; }
-    [[nodiscard]] bool is_root() const { return (packed & root_bit) != 0; }
-    [[nodiscard]] std::uint32_t parent() const { return packed & ((1u << child_shift) - 1u); }
-    [[nodiscard]] unsigned child() const { return packed >> child_shift & 7u; }
-};
-
-/// Child `number` of a node, which is a leaf.
-struct LeafPlace {
-    Node node;
-    unsigned number;  ///< among the node's leaves
-    TwiceBox box;
-};
+//   Visit visit_leaves(const LeafPlace& a, const LeafPlace& b, const TwiceBox& a_box)      stop ends the walk
 
 /// A node whose children wait, and the box of the other tree that they wait beside.
 struct PairLevel {
@@ -33,41 +12,6 @@ struct PairLevel {
     static constexpr std::uint32_t side_bit = 1u << 31;
     std::uint32_t node_and_waiting;
     std::uint32_t other_and_side;
-};
-
-/// What items stand for, in either tree.
-struct PairTrees {
-    const BlobData* blob[2];
-    float unit[2];  ///< of a lattice, on the common grid
-
-    explicit PairTrees(const PairFrame& frame)
-        : blob{frame.a, frame.b}, unit{frame.a_scale, frame.sides[1].common_size} {}
-
-    [[nodiscard]] TwiceBox box(unsigned side, PairItem item) const {
-        if (!item.is_root()) return load_twice_box(node_at(*blob[side], item.parent()), item.child(), *blob[side]);
-        TwiceBox whole;
-        for (int k = 0; k < 3; ++k) whole.center[k] = whole.half[k] = blob[side]->extent_steps[k];
-        return whole;
-    }
-    /// The side whose box goes on: the larger one, while it is no leaf.
-    [[nodiscard]] unsigned side_to_open(const PairItem* items, const TwiceBox* boxes) const {
-        const auto size = [&](unsigned side) {
-            return (boxes[side].half[0] + boxes[side].half[1] + boxes[side].half[2]) * unit[side];
-        };
-        return items[0].is_leaf() || (!items[1].is_leaf() && size(0) < size(1)) ? 1u : 0u;
-    }
-    /// The index of the node in an item's box.
-    [[nodiscard]] std::uint32_t node_in(unsigned side, PairItem item) const {
-        return item.is_root() ? 0 : node_at(*blob[side], item.parent()).first_child() + item.child();
-    }
-    [[nodiscard]] PairItem child_of(unsigned side, std::uint32_t node, unsigned child) const {
-        const bool is_leaf = child >= node_at(*blob[side], node).node_children();
-        return {node | child << PairItem::child_shift | (is_leaf ? PairItem::leaf_bit : 0u)};
-    }
-    [[nodiscard]] LeafPlace leaf(unsigned side, PairItem item, const TwiceBox& box_of_item) const {
-        const Node node = node_at(*blob[side], item.parent());
-        return {node, item.child() - node.node_children(), box_of_item};
-    }
 };
 
 /// `work` is how many pairs may be visited, and then how many are left.
@@ -87,7 +31,7 @@ template <class Visitor>
         alignas(wide_register_alignment) float keys[format::max_children];
         if (items[0].is_leaf() && items[1].is_leaf()) {
             count_leaf_step();
-            if (visitor.visit_leaves(trees.leaf(0, items[0], boxes[0]), trees.leaf(1, items[1], boxes[1])) == stop)
+            if (visitor.visit_leaves(trees.leaf(0, items[0]), trees.leaf(1, items[1]), boxes[0]) == stop)
                 return QueryStatus::ok;
         } else {
             side = trees.side_to_open(items, boxes);

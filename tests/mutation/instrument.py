@@ -25,7 +25,8 @@ PARTS = {
     "traversal": [
         "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_lanes.hpp", "runtime/box_nodes.hpp",
         "runtime/point_nodes.inl", "runtime/point_bounds.inl", "runtime/squared_distance.inl",
-        "runtime/plane_nodes.hpp", "runtime/pair_nodes.inl", "runtime/traverse_pair.inl"],
+        "runtime/plane_nodes.hpp", "runtime/pair_nodes.inl", "runtime/pair_trees.inl",
+        "runtime/traverse_pair.inl"],
     "rounding": ["runtime/lattice_ray.hpp", "runtime/lattice_point.hpp", "runtime/lattice_round.hpp",
                  "runtime/outward.hpp"],
 }

@@ -11,6 +11,7 @@ namespace espalier::detail::scalar {
 namespace {
 #include <runtime/traverse.inl>
 #include <runtime/pair_nodes.inl>
+#include <runtime/pair_trees.inl>
 #include <runtime/traverse_pair.inl>
 }  // namespace
 }  // namespace espalier::detail::scalar

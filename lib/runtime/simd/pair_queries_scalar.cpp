@@ -10,6 +10,7 @@
 namespace espalier::detail::scalar {
 #include <runtime/traverse.inl>
 #include <runtime/pair_nodes.inl>
+#include <runtime/pair_trees.inl>
 #include <runtime/traverse_pair.inl>
 #include <runtime/pair_beam.inl>
 #include <runtime/least_distance.inl>

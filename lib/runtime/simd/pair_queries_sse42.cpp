@@ -9,6 +9,7 @@ ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
 namespace espalier::detail::sse42 {
 #include <runtime/traverse.inl>
 #include <runtime/pair_nodes.inl>
+#include <runtime/pair_trees.inl>
 #include <runtime/traverse_pair.inl>
 #include <runtime/pair_beam.inl>
 #include <runtime/least_distance.inl>

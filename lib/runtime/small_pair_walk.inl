@@ -1,0 +1,70 @@
+// The way through two trees at once where stack is dear: step by step that of traverse_pair.inl, in two bytes a level.
+// The nodes on it are not remembered but found again from the roots. Included after pair_trees.inl.
+
+/// The steps that led to a pair of boxes.
+class PairPath {
+public:
+    void step(unsigned side, unsigned child, unsigned waiting) { steps_[size_++] = packed(side, child, waiting); }
+
+    /// To the box that waits at the last step where one does: the pair that it makes. False when none waits.
+    [[gnu::noinline]] bool take_waiting(const PairFrame& frame, PairItem* items) {
+        for (; size_ != 0 && waiting_at(size_ - 1) == 0; --size_) {
+        }
+        if (size_ == 0) return false;
+        const unsigned waiting = waiting_at(size_ - 1);
+        steps_[size_ - 1] =
+            packed(side_at(size_ - 1), static_cast<unsigned>(std::countr_zero(waiting)), waiting & (waiting - 1));
+        const PairTrees trees(frame);
+        items[0] = items[1] = {};
+        for (unsigned i = 0; i < size_; ++i) {
+            PairItem& item = items[side_at(i)];
+            item = trees.child_of(side_at(i), trees.node_in(side_at(i), item), child_at(i));
+        }
+        return true;
+    }
+
+private:
+    static constexpr unsigned child_shift = 8, side_shift = 11;
+    static_assert(format::max_children <= 8);
+    static std::uint16_t packed(unsigned side, unsigned child, unsigned waiting) {
+        return static_cast<std::uint16_t>(side << side_shift | child << child_shift | waiting);
+    }
+    [[nodiscard]] unsigned side_at(unsigned i) const { return steps_[i] >> side_shift; }
+    [[nodiscard]] unsigned child_at(unsigned i) const { return steps_[i] >> child_shift & 7u; }
+    [[nodiscard]] unsigned waiting_at(unsigned i) const { return steps_[i] & 255u; }
+
+    std::uint16_t steps_[2 * format::max_depth];
+    unsigned size_ = 0;
+};
+
+/// From a pair of boxes to the nearest that one of them is replaced by. False when there is none.
+template <class Visitor>
+[[gnu::noinline]] bool step_down(const PairFrame& frame, const Visitor& visitor, PairItem* items, PairPath& path) {
+    float keys[format::max_children];
+    const OpenedBox opened = open_larger(frame, visitor, items, keys);
+    if (opened.children == 0) return false;
+    auto best = static_cast<unsigned>(std::countr_zero(opened.children));
+    for (unsigned others = opened.children; others != 0; others &= others - 1) {
+        const auto other = static_cast<unsigned>(std::countr_zero(others));
+        best = keys[other] < keys[best] ? other : best;
+    }
+    path.step(opened.side, best, opened.children & ~(1u << best));
+    items[opened.side] = PairTrees(frame).child_of(opened.side, opened.node, best);
+    return true;
+}
+
+template <class Visitor>
+[[gnu::noinline]] QueryStatus traverse_pair(const PairFrame& frame, Visitor& visitor, std::uint64_t& work) {
+    PairPath path;
+    PairItem items[2];
+    for (;;) {
+        if (work == 0) return QueryStatus::work_limit;
+        --work;
+        if (!items[0].is_leaf() || !items[1].is_leaf()) {
+            if (step_down(frame, visitor, items, path)) continue;
+        } else if (visit_leaf_pair(frame, visitor, items) == stop) {
+            return QueryStatus::ok;
+        }
+        if (!path.take_waiting(frame, items)) return QueryStatus::ok;
+    }
+}
