@@ -18,6 +18,8 @@ done
 read -r _ _ flash memory blobs _ < <(grep "^$core " "$here/cores.txt") ||
     { echo "failed: no such core: $core"; exit 1; }
 
+# Flags that the environment has for this machine are none for the core, and would change what is counted.
+unset CXXFLAGS CPPFLAGS LDFLAGS CMAKE_BUILD_TYPE
 mkdir -p "$build"
 cmp --silent "$blob" "$build/blob.espl" || cp "$blob" "$build/blob.espl"
 "$cmake" -S "$here/image" -B "$build" -G "${GENERATOR:-Ninja}" -DFLASH="$flash" -DRAM="$memory" -DBLOBS="$blobs" \
