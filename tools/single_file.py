@@ -233,8 +233,8 @@ def make_header():
 
 
 def make_source():
-    """A private name stays as it is only if nothing has it that its file did not see before, or if the headers that it did see
-    have it too: else a call might mean another function, or a variable hide a constant."""
+    """A private name that headers which its file sees have too is one more overload of theirs, and stays as it is. Any other stays
+    only if nothing else has it: else a call might mean another function, or a variable hide a constant."""
     runtime = LIBRARY / "runtime"
     files = sorted(runtime.rglob("*.cpp"))
     private = {path: declared_names(path, only_private=True) for path in files}
@@ -245,7 +245,7 @@ def make_source():
         seen = {LIBRARY / name for name in included_headers(path, set())}
         known = set().union(*(declared_names(header) for header in seen))
         new = set().union(*(words for other, words in everything.items() if other != path and other not in seen))
-        renamed = {name for name in private[path] if users[name] > 1 or name in new - known}
+        renamed = {name for name in private[path] if name not in known and (users[name] > 1 or name in new)}
         source.add(path, {name: f"{name}_of_{path.stem}" for name in renamed})
     return source.text(SOURCE_PREAMBLE)
 
