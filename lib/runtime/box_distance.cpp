@@ -58,21 +58,16 @@ public:
         const Integer3 e = {edge[0], edge[1], edge[2]};
         const std::int64_t length = dot<std::int64_t>(e, e);  // not 0: the slope changes its sign
         along = minimum(-to_float(dot<std::int64_t>(w, e)) / to_float(length) * power_of_two(-bits_), 1.0f);
-        PointDistance result;
-        result.numerator = point_triangle::squared_length(cross(w, e));
-        result.denominator = Int128(length);
-        point_triangle::finish(result, bits_);
-        return result;
+        return point_triangle::squared_quotient(point_triangle::squared_length(cross(w, e)), length, Feature::face,
+                                                bits_);
     }
 
 private:
     [[nodiscard]] PointDistance at_end(const Place& end) const {
         std::int64_t gap[3];
         gaps(end, gap);
-        PointDistance result;
-        result.numerator = point_triangle::squared_length({gap[0], gap[1], gap[2]});
-        point_triangle::finish(result, bits_);
-        return result;
+        return point_triangle::squared_quotient(point_triangle::squared_length({gap[0], gap[1], gap[2]}), 1,
+                                                Feature::face, bits_);
     }
     /// How far the side's coordinates are beyond the box at a place, times the denominator: below 0 where too low.
     void gaps(const Place& place, std::int64_t* gap) const {

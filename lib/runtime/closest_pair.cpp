@@ -35,10 +35,9 @@ struct NearShape {
     [[nodiscard]] bool is_near(const LatticeTriangle& triangle) const {
         float low[3], high[3];
         for (int k = 0; k < 3; ++k) {
-            const std::int32_t a = triangle.corner[0][k], b = triangle.corner[1][k], c = triangle.corner[2][k];
-            const std::int32_t less = a < b ? a : b, more = a < b ? b : a;
-            low[k] = static_cast<float>(less < c ? less : c);
-            high[k] = static_cast<float>(more < c ? c : more);
+            const Span span = span_of(triangle, k);
+            low[k] = static_cast<float>(span.low);
+            high[k] = static_cast<float>(span.high);
         }
         return shape.squared_bound(shape, low, high) <= limit_ && shape.squared_plane_bound(shape, triangle) <= limit_;
     }

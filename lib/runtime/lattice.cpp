@@ -26,7 +26,7 @@ std::int32_t order_of(float x) {
 /// A coordinate in units of 2^-fine_bits steps, rounded down.
 struct FineSteps {
     static constexpr int fine_bits = 40;
-    Int128 units;
+    Int128 units = 0;
     bool is_exact = true;
 };
 

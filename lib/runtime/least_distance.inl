@@ -5,16 +5,9 @@
 inline float gap_between(const LatticeTriangle& a, const LatticeTriangle& b) {
     float sum = 0.0f;
     for (int k = 0; k < 3; ++k) {
-        std::int32_t below = a.corner[0][k], above = b.corner[0][k];  // a's highest, b's lowest
-        std::int32_t low = below, high = above;
-        for (int corner = 1; corner < 3; ++corner) {
-            const std::int32_t x = a.corner[corner][k], y = b.corner[corner][k];
-            below = x > below ? x : below;
-            low = x < low ? x : low;
-            above = y < above ? y : above;
-            high = y > high ? y : high;
-        }
-        const std::int32_t gap = above - below > low - high ? above - below : low - high;
+        const Span ours = span_of(a, k), theirs = span_of(b, k);
+        const std::int32_t above = theirs.low - ours.high, below = ours.low - theirs.high;
+        const std::int32_t gap = above > below ? above : below;
         const float length = gap > 0 ? static_cast<float>(gap) : 0.0f;
         sum += length * length;
     }

@@ -153,7 +153,7 @@ QueryStatus place_pair(const BlobData& a, const BlobData& b, const Placement& pl
 
     // Where b's lattice origin and the corners of its bounds are, in a's lattice.
     const float moved[3] = {placement.translation.x, placement.translation.y, placement.translation.z};
-    Int128 origin[3];
+    Int128 origin[3] = {};
     Int128 farthest(0);
     Int128 gap(0);
     Int128 span(0);

@@ -90,6 +90,7 @@ ESPALIER_SHARED_CODE inline unsigned not_apart_across(const LaneBoxes& boxes, co
                                       seen.half[j2] * side.absolute_axis[i][j1] + 3.0f * side.slack;
             most = larger(subtract(subtract(distance, reach), splat(other_reach)), most);
         }
+        if (lanes == 1 && at_most(most, splat(0.0f)) == 0) return 0;
     }
     return at_most(most, splat(0.0f));
 }

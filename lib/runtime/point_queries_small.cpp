@@ -51,27 +51,24 @@ struct NearTriangles {
         }
         return scalar_walk::for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
             if (!is_box_near(triangle)) return keep_going;
-            FoundNearest found = {{}, owner_index(leaf, slot), triangle};
-            if (found.index < first) return keep_going;
-            found.distance = distance_to(point, triangle);
-            if (found.distance.squared > limit_ || !is_within_radius(point, found.distance, point.radius))
-                return keep_going;
-            return on_near(found);
+            const PointDistance distance = distance_to(point, triangle);
+            if (distance.squared > limit_ || !is_within_radius(point, distance, point.radius)) return keep_going;
+            const std::uint32_t index = owner_index(leaf, slot);
+            return index < first ? keep_going : on_near({distance, index, triangle});
         });
     }
 
 private:
     [[nodiscard]] bool is_box_near(const LatticeTriangle& triangle) const {
-        float low[3], high[3];
+        float squared = 0.0f;
         for (int k = 0; k < 3; ++k) {
-            const auto seen = [&](int corner) {
-                return static_cast<float>(triangle.corner[corner][k]) - point.steps[k];
-            };
-            const float a = seen(0), b = seen(1), c = seen(2);
-            low[k] = minimum(a, minimum(b, c));
-            high[k] = maximum(a, maximum(b, c));
+            const Span span = span_of(triangle, k);
+            const float below = static_cast<float>(span.low) - point.steps[k];
+            const float above = point.steps[k] - static_cast<float>(span.high);
+            const float gap = maximum(maximum(below, above), 0.0f);
+            squared += gap * gap;
         }
-        return squared_distance(low, high) <= limit_;
+        return squared <= limit_;
     }
 };
 

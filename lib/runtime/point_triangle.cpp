@@ -51,13 +51,12 @@ ESPALIER_SHARED_CODE bool is_over_face(const OriginRelative& t, const Integer3& 
 
     const Int128 height = dot<Int128>(normal, p);
     const float whole = to_float(area << bits);
-    face = {negate_if(height, height.is_negative()),
-            area,
-            true,
-            0.0f,
-            to_float(weight_b) / whole,
-            to_float(weight_c) / whole,
-            feature_of(weight_a.is_zero(), weight_b.is_zero(), weight_c.is_zero())};
+    face.numerator = negate_if(height, height.is_negative());
+    face.denominator = area;
+    face.square_numerator = true;
+    face.u = to_float(weight_b) / whole;
+    face.v = to_float(weight_c) / whole;
+    face.feature = feature_of(weight_a.is_zero(), weight_b.is_zero(), weight_c.is_zero());
     point_triangle::finish(face, bits);
     return true;
 }

@@ -17,12 +17,11 @@ namespace espalier::detail {
 /// denominator for the distance to a face; and where on the triangle it is reached.
 struct PointDistance {
     Int128 numerator;
-    Int128 denominator = Int128(1);
-    bool square_numerator = false;
-    float squared = 0.0f;  ///< within 6 ulp
-    float u = 0.0f;        ///< weights of corners b and c at the closest point
-    float v = 0.0f;
-    Feature feature = Feature::face;  ///< which part of the triangle the closest point lies on, exactly
+    Int128 denominator;
+    bool square_numerator;
+    float squared;    ///< within 6 ulp
+    float u, v;       ///< weights of corners b and c at the closest point
+    Feature feature;  ///< which part of the triangle the closest point lies on, exactly
 };
 
 namespace point_triangle {
@@ -34,6 +33,20 @@ inline void finish(PointDistance& distance, int fraction_bits) {
     const float numerator = to_float(distance.numerator);
     const float quotient = numerator / to_float(distance.denominator);
     distance.squared = (distance.square_numerator ? quotient * numerator : quotient) * power_of_two(-2 * fraction_bits);
+}
+
+/// Of a quotient that is no distance to a face. Assigned one by one: lists of values are zeroed first, by a call.
+ESPALIER_SHARED_CODE inline PointDistance squared_quotient(const Int128& numerator, const Int128& denominator,
+                                                           Feature feature, int fraction_bits) {
+    PointDistance result;
+    result.numerator = numerator;
+    result.denominator = denominator;
+    result.square_numerator = false;
+    result.u = 0.0f;
+    result.v = 0.0f;
+    result.feature = feature;
+    finish(result, fraction_bits);
+    return result;
 }
 
 /// A side and its ends.
@@ -55,17 +68,12 @@ inline PointDistance to_segment(const Integer3& p, const Integer3& edge, int fra
                            : after ? Integer3{p.x - (edge.x << fraction_bits), p.y - (edge.y << fraction_bits),
                                               p.z - (edge.z << fraction_bits)}
                                    : cross(p, edge);
-    PointDistance result = {squared_length(apart),
-                            before || after ? Int128(1) : Int128(length >> fraction_bits),
-                            false,
-                            0.0f,
-                            0.0f,
-                            0.0f,
+    const bool at_end = before || after;
+    return squared_quotient(squared_length(apart), at_end ? Int128(1) : Int128(length >> fraction_bits),
                             before  ? side.from
                             : after ? side.to
-                                    : side.edge};
-    finish(result, fraction_bits);
-    return result;
+                                    : side.edge,
+                            fraction_bits);
 }
 
 }  // namespace point_triangle

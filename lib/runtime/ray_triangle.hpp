@@ -17,6 +17,16 @@ struct LatticeTriangle {
     std::int32_t corner[3][3];
 };
 
+/// What a triangle takes up along an axis.
+struct Span {
+    std::int32_t low, high;
+};
+inline Span span_of(const LatticeTriangle& triangle, int axis) {
+    const std::int32_t a = triangle.corner[0][axis], b = triangle.corner[1][axis], c = triangle.corner[2][axis];
+    const std::int32_t less = a < b ? a : b, more = a < b ? b : a;
+    return {less < c ? less : c, more < c ? c : more};
+}
+
 struct Integer3 {
     std::int64_t x, y, z;
 };

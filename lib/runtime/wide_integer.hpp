@@ -19,10 +19,10 @@ inline constexpr bool has_native_int128 = ESPALIER_NATIVE_INT128 != 0;
 
 /// Signed 128 bits in two's complement. Only what the kernels need.
 struct Int128 {
-    std::uint64_t low = 0;
-    std::int64_t high = 0;
+    std::uint64_t low;
+    std::int64_t high;
 
-    constexpr Int128() = default;
+    constexpr Int128() = default;         // any number: what is computed is not zeroed first
     constexpr Int128(std::int64_t value)  // NOLINT(google-explicit-constructor): widening loses nothing
         : low(static_cast<std::uint64_t>(value)), high(value < 0 ? -1 : 0) {}
     constexpr Int128(std::int64_t high_word, std::uint64_t low_word) : low(low_word), high(high_word) {}
@@ -74,20 +74,18 @@ struct Int128 {
 template <class Number>
 using Argument = std::conditional_t<small_code && (sizeof(Number) > 8), const Number&, Number>;
 
-/// The full product of two words.
-ESPALIER_SHARED_CODE constexpr void multiply_words(std::uint64_t a, std::uint64_t b, std::uint64_t& high,
-                                                   std::uint64_t& low) {
+/// The full product of two words, neither of which has a sign.
+constexpr Int128 multiply_words(std::uint64_t a, std::uint64_t b) {
 #if ESPALIER_NATIVE_INT128
     __extension__ using Native = unsigned __int128;
     const Native product = static_cast<Native>(a) * b;
-    high = static_cast<std::uint64_t>(product >> 64);
-    low = static_cast<std::uint64_t>(product);
+    return {static_cast<std::int64_t>(product >> 64), static_cast<std::uint64_t>(product)};
 #else
     const std::uint64_t a0 = a & 0xFFFFFFFFu, a1 = a >> 32, b0 = b & 0xFFFFFFFFu, b1 = b >> 32;
     const std::uint64_t p00 = a0 * b0, p01 = a0 * b1, p10 = a1 * b0, p11 = a1 * b1;
     const std::uint64_t middle = (p00 >> 32) + (p01 & 0xFFFFFFFFu) + (p10 & 0xFFFFFFFFu);
-    low = (p00 & 0xFFFFFFFFu) | middle << 32;
-    high = p11 + (p01 >> 32) + (p10 >> 32) + (middle >> 32);
+    return {static_cast<std::int64_t>(p11 + (p01 >> 32) + (p10 >> 32) + (middle >> 32)),
+            (p00 & 0xFFFFFFFFu) | middle << 32};
 #endif
 }
 
@@ -97,12 +95,11 @@ ESPALIER_SHARED_CODE constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
     const Native product = static_cast<Native>(a) * b;
     return {static_cast<std::int64_t>(product >> 64), static_cast<std::uint64_t>(product)};
 #else
-    std::uint64_t high = 0;
-    std::uint64_t low = 0;
-    multiply_words(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b), high, low);
-    if (a < 0) high -= static_cast<std::uint64_t>(b);
-    if (b < 0) high -= static_cast<std::uint64_t>(a);
-    return {static_cast<std::int64_t>(high), low};
+    const auto first = static_cast<std::uint64_t>(a), second = static_cast<std::uint64_t>(b);
+    Int128 product = multiply_words(first, second);
+    const std::uint64_t excess = (a < 0 ? second : 0) + (b < 0 ? first : 0);
+    product.high = static_cast<std::int64_t>(static_cast<std::uint64_t>(product.high) - excess);
+    return product;
 #endif
 }
 
@@ -238,14 +235,11 @@ struct Unsigned256 {
             const std::uint64_t factor = i == 0 ? a.low : static_cast<std::uint64_t>(a.high);
             std::uint64_t carry = 0;
             for (int j = 0; j < 2; ++j) {
-                std::uint64_t high = 0;
-                std::uint64_t low = 0;
-                multiply_words(factor, j == 0 ? b.low : static_cast<std::uint64_t>(b.high), high, low);
-                low += carry;
-                high += low < carry ? 1 : 0;
+                const Int128 product = multiply_words(factor, j == 0 ? b.low : static_cast<std::uint64_t>(b.high));
+                const std::uint64_t low = product.low + carry;
+                carry = static_cast<std::uint64_t>(product.high) + (low < carry ? 1 : 0);
                 result.word[i + j] += low;
-                high += result.word[i + j] < low ? 1 : 0;
-                carry = high;
+                carry += result.word[i + j] < low ? 1 : 0;
             }
             result.word[i + 2] = carry;
         }
