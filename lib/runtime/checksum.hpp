@@ -8,15 +8,19 @@
 
 #include <espalier/format.hpp>
 #include <runtime/bytes.hpp>
+#include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 
-/// The effect of each low half byte: 64 bytes of table suit a small core's flash.
-inline constexpr std::array<std::uint32_t, 16> checksum_table = [] {
-    std::array<std::uint32_t, 16> table{};
-    for (std::uint32_t i = 0; i < 16; ++i) {
+/// So many bits at once: a table of 64 bytes, or of 16 where code is dearer than time.
+inline constexpr unsigned checksum_bits = small_code ? 2 : 4;
+
+/// The effect of each value of the low bits.
+inline constexpr std::array<std::uint32_t, 1 << checksum_bits> checksum_table = [] {
+    std::array<std::uint32_t, 1 << checksum_bits> table{};
+    for (std::uint32_t i = 0; i < table.size(); ++i) {
         std::uint32_t value = i;
-        for (int bit = 0; bit < 4; ++bit) value = (value >> 1) ^ ((value & 1) != 0 ? 0xEDB88320u : 0u);
+        for (unsigned bit = 0; bit < checksum_bits; ++bit) value = (value >> 1) ^ ((value & 1) != 0 ? 0xEDB88320u : 0u);
         table[i] = value;
     }
     return table;
@@ -24,17 +28,18 @@ inline constexpr std::array<std::uint32_t, 16> checksum_table = [] {
 
 inline std::uint32_t checksum_step(std::uint32_t state, std::uint32_t byte) {
     state ^= byte;
-    state = (state >> 4) ^ checksum_table[state & 15u];
-    return (state >> 4) ^ checksum_table[state & 15u];
+    for (unsigned bit = 0; bit < 8; bit += checksum_bits)
+        state = (state >> checksum_bits) ^ checksum_table[state & ((1u << checksum_bits) - 1u)];
+    return state;
 }
 
 /// Of a whole blob of at least a header's size, its checksum field taken as zero.
 inline std::uint32_t checksum_of_blob(std::span<const std::byte> bytes) {
-    constexpr std::size_t field = format::header::checksum_at;
     std::uint32_t state = 0xFFFFFFFFu;
-    for (std::size_t i = 0; i < field; ++i) state = checksum_step(state, load_u8(bytes.data() + i));
-    for (std::size_t i = 0; i < 4; ++i) state = checksum_step(state, 0);
-    for (std::size_t i = field + 4; i < bytes.size(); ++i) state = checksum_step(state, load_u8(bytes.data() + i));
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const bool is_of_field = i - format::header::checksum_at < 4;
+        state = checksum_step(state, is_of_field ? 0 : load_u8(bytes.data() + i));
+    }
     return ~state;
 }
 
