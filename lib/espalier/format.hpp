@@ -107,8 +107,11 @@ inline constexpr std::size_t bits_at = 4;  // in a block
 inline constexpr std::size_t block_bytes = 36;
 inline constexpr std::size_t owner_bytes = 4;
 static_assert(bits_at + block_indices / 8 == block_bytes);
+constexpr std::uint32_t block_count(std::uint32_t triangle_count) {
+    return (triangle_count + block_indices - 1) / block_indices;
+}
 constexpr std::uint64_t blocks_bytes(std::uint32_t triangle_count) {
-    return (std::uint64_t{triangle_count} + block_indices - 1) / block_indices * block_bytes;
+    return std::uint64_t{block_count(triangle_count)} * block_bytes;
 }
 }  // namespace copies
 

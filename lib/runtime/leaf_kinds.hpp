@@ -19,9 +19,12 @@ inline constexpr bool reads_indexed_leaves = ESPALIER_INDEXED_LEAVES != 0;
 inline constexpr bool reads_strip_leaves = ESPALIER_STRIP_LEAVES != 0;
 static_assert(reads_indexed_leaves || reads_strip_leaves, "a runtime that reads no profile is of no use");
 
-constexpr bool has_indexed_leaves(format::Profile profile) { return profile == format::Profile::fast; }
 constexpr bool is_read(format::Profile profile) {
-    return has_indexed_leaves(profile) ? reads_indexed_leaves : reads_strip_leaves;
+    return profile == format::Profile::fast ? reads_indexed_leaves : reads_strip_leaves;
+}
+/// Of a profile that is read.
+constexpr bool has_indexed_leaves(format::Profile profile) {
+    return !reads_strip_leaves || (reads_indexed_leaves && profile == format::Profile::fast);
 }
 
 }  // namespace espalier::detail

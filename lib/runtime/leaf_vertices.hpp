@@ -38,7 +38,7 @@ struct LeafVertices {
                width[axis] == blob->bits;
     }
     /// What the coordinates count from: the low corner of its box, most often.
-    [[nodiscard]] std::int32_t anchor(int axis) const {
+    [[nodiscard]] ESPALIER_SHARED_CODE std::int32_t anchor(int axis) const {
         return counts_from_zero(axis) ? 0 : node.low(axis, child(), blob->bits);
     }
     [[nodiscard]] LatticeTriangle triangle_of(unsigned a, unsigned b, unsigned c) const {

@@ -16,30 +16,19 @@ namespace espalier {
 namespace detail {
 namespace {
 
-/// Whether a stream of so many bits is filled up with zeros to 4 bytes.
-[[gnu::noinline]] bool is_padded_to_words(const std::byte* stream, std::uint64_t bit_count) {
-    const std::uint64_t used = (bit_count + 7) / 8;
-    return is_padded_with_zeros(stream + static_cast<std::size_t>(bit_count / 8), bit_count % 8) &&
-           is_zero(stream + static_cast<std::size_t>(used), static_cast<std::size_t>(-used & 3));
-}
-
-Status check_node(const BlobData& blob, const Node& node, OpenProgress& seen) {
-    const unsigned nodes = node.node_children();
-    const unsigned children = nodes + node.leaf_children();
-    if (children == 0 || children > format::max_children) return Status::bad_node;
-    if (load_u16(node.bytes + format::node::shifts_at) >> 15 != 0) return Status::bad_node;
-    if (node.first_child() != (nodes == 0 ? 0 : seen.nodes)) return Status::bad_node;
-    if (nodes > blob.node_count - seen.nodes) return Status::bad_node;
-    seen.nodes += nodes;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (node.shift(axis) > format::node::max_shift) return Status::bad_node;
-        for (unsigned child = 0; child < format::max_children; ++child) {
-            const std::uint32_t low = load_u8(node.low_planes(axis) + child);
-            const std::uint32_t high = load_u8(node.high_planes(axis) + child);
-            if (child < children ? low > high : (low | high) != 0) return Status::bad_node;
-        }
+/// One to eight children, and a box for each of them.
+bool has_sound_boxes(const Node& node) {
+    const unsigned children = node.node_children() + node.leaf_children();
+    if (children == 0 || children > format::max_children) return false;
+    if (load_u16(node.bytes + format::node::shifts_at) >> 15 != 0) return false;
+    for (unsigned shifts = load_u16(node.bytes + format::node::shifts_at); shifts != 0; shifts >>= 5)
+        if ((shifts & 31u) > format::node::max_shift) return false;
+    for (unsigned plane = 0; plane < 3 * format::max_children; ++plane) {
+        const std::uint32_t low = load_u8(node.bytes + format::node::lo_at + plane);
+        const std::uint32_t high = load_u8(node.bytes + format::node::hi_at + plane);
+        if (low > high || (plane % format::max_children >= children && high != 0)) return false;
     }
-    return check_leaves(blob, node, seen);
+    return true;
 }
 
 /// Every node exactly once, children after their parents, in depth-first order with a stack as deep as the format
@@ -50,7 +39,9 @@ Status check_tree(const BlobData& blob) {
         std::uint32_t end;
     };
     Siblings stack[format::max_depth + 1];
-    OpenProgress seen;
+    OpenProgress seen = {blob};
+    std::uint32_t seen_nodes = 1;  // the root, then every block of siblings when their parent is reached
+    unsigned seen_depth = 0;
     unsigned depth = 1;
     stack[1 - 1] = {0, 1};
     while (depth != 0) {
@@ -60,107 +51,109 @@ Status check_tree(const BlobData& blob) {
             continue;
         }
         if (depth > blob.depth) return Status::bad_node;
-        seen.depth = depth > seen.depth ? depth : seen.depth;
+        seen_depth = depth > seen_depth ? depth : seen_depth;
         const Node node = node_at(blob, siblings.next++);
-        if (const Status status = check_node(blob, node, seen); status != Status::ok) return status;
-        stack[depth++] = {node.first_child(), node.first_child() + node.node_children()};
+        const unsigned nodes = node.node_children();
+        const unsigned leaves = node.leaf_children();
+        if (!has_sound_boxes(node) || node.first_child() != (nodes == 0 ? 0 : seen_nodes) ||
+            nodes > blob.node_count - seen_nodes ||
+            load_u32(node.bytes + format::node::leaf_block_at) != (leaves == 0 ? 0 : seen.leaf_bytes / 4))
+            return Status::bad_node;
+        stack[depth++] = {seen_nodes, seen_nodes + nodes};
+        seen_nodes += nodes;
+        if (leaves != 0 && !take_leaves(node, seen)) return Status::bad_leaf;
     }
-    if (seen.nodes != blob.node_count || seen.depth != blob.depth) return Status::bad_node;
-    if (seen.triangles != blob.triangle_count || std::uint64_t{4} * seen.leaf_words != blob.leaf_bytes)
-        return Status::bad_leaf;
+    if (seen_nodes != blob.node_count || seen_depth != blob.depth) return Status::bad_node;
+    if (seen.triangles != blob.triangle_count || seen.leaf_bytes != blob.leaf_bytes) return Status::bad_leaf;
     return Status::ok;
+}
+
+/// Not both bits of any.
+bool are_first_corners_sound(const BlobData& blob) {
+    const std::byte* at = blob.ids;
+    unsigned bit = 0;
+    const auto is_set = [&](unsigned place) { return (load_u8(at + place / 8) >> (place % 8) & 1u) != 0; };
+    for (std::uint32_t i = 0; i < blob.triangle_count; ++i) {
+        if (is_set(bit) && is_set(bit + 1)) return false;
+        bit += first_corner_bits(blob) + blob.id_bits;
+        at += bit / 8;
+        bit %= 8;
+    }
+    return true;
 }
 
 /// The source table and the ids that count through it.
-Status check_original_ids(const BlobData& blob) {
+bool are_ids_sound(const BlobData& blob) {
+    if (blob.source_count == 0) return blob.triangle_count == 0;
+    if (load_u32(blob.sources) != 0) return false;
     std::uint32_t previous = 0;
     for (std::uint32_t i = 0; i < blob.source_count; ++i) {
         const std::uint32_t first = load_u32(blob.sources + std::size_t{i} * format::source::bytes);
-        if (i == 0 ? first != 0 : first < previous) return Status::bad_section;
+        if (first < previous) return false;
         previous = first;
     }
-    if (previous > blob.source_triangles || (blob.source_count == 0 && blob.triangle_count != 0))
-        return Status::bad_section;
-    const unsigned corner_bits = reads_strip_leaves ? format::first_corner_bits(blob.profile) : 0;
-    const unsigned field_bits = corner_bits + blob.id_bits;
-    const std::uint64_t bits = std::uint64_t{blob.triangle_count} * field_bits;
-    if (!is_padded_to_words(blob.ids, bits)) return Status::bad_section;
-    // Not both bits of a first corner.
-    const auto bit = [&](std::uint64_t at) {
-        return load_u8(blob.ids + static_cast<std::size_t>(at / 8)) >> (at % 8) & 1u;
-    };
-    if (corner_bits != 0)
-        for (std::uint64_t at = 0; at < bits; at += field_bits)
-            if ((bit(at) & bit(at + 1)) != 0) return Status::bad_section;
-    return Status::ok;
+    if (previous > blob.source_triangles) return false;
+    return first_corner_bits(blob) == 0 || are_first_corners_sound(blob);
 }
 
-/// The map of copies: ranks add up, and every copy is of a triangle with a lower storage index that is none. Not
-/// inlined: its variables must not lie on the stack under check_tree.
-[[gnu::noinline]] Status check_copies(const BlobData& blob) {
+/// The map of copies: ranks add up, and every copy is of a triangle with a lower storage index that is none.
+bool are_copies_sound(const BlobData& blob) {
     using namespace format::copies;
-    if (blob.copy_count == 0) return Status::bad_section;
-    const std::byte* const owners =
-        blob.copies + blocks_at + static_cast<std::size_t>(blocks_bytes(blob.triangle_count));
+    if (blob.copy_count == 0) return false;
+    const std::uint32_t indices = block_count(blob.triangle_count) * block_indices;  // at most 2^31
+    const std::byte* const owners = copy_block(blob, indices);
     std::uint32_t seen = 0;
-    const std::uint64_t bits = blocks_bytes(blob.triangle_count) / block_bytes * block_indices;
-    for (std::uint64_t i = 0; i < bits; ++i) {
-        const auto index = static_cast<std::uint32_t>(i);
-        if (index % block_indices == 0 && load_u32(copy_block(blob, index)) != seen) return Status::bad_section;
+    for (std::uint32_t index = 0; index < indices; ++index) {
+        if (index % block_indices == 0 && load_u32(copy_block(blob, index)) != seen) return false;
         if (!is_copy(blob, index)) continue;
-        if (index >= blob.triangle_count || seen == blob.copy_count) return Status::bad_section;
+        if (index >= blob.triangle_count || seen == blob.copy_count) return false;
         const std::uint32_t owner = load_u32(owners + owner_bytes * std::size_t{seen});
-        if (owner >= index || is_copy(blob, owner)) return Status::bad_section;
+        if (owner >= index || is_copy(blob, owner)) return false;
         ++seen;
     }
-    return seen == blob.copy_count ? Status::ok : Status::bad_section;
+    return seen == blob.copy_count;
 }
 
 /// Any flags are safe: they are hints.
-Status check_edge_flags(const BlobData& blob) {
+bool are_edge_flags_sound(const BlobData& blob) {
     using namespace format::edge_flags;
     static_assert(flat_limit_at == 0);
-    const bool good =
-        is_padded_to_words(blob.edge_flags, 8 * fields_at + std::uint64_t{blob.triangle_count} * triangle_bits) &&
-        load_u32(blob.edge_flags) <= max_flat_limit;
-    return good ? Status::ok : Status::bad_section;
+    return load_u32(blob.edge_flags) <= max_flat_limit;
 }
 
 /// That the arithmetic of whoever reads the bounds stays within its widths. Bounds that hold nothing are safe.
-Status check_bounds(const BlobData& blob) {
+bool are_bounds_sound(const BlobData& blob) {
     using namespace format::bounds;
+    const auto is_within = [](std::int32_t value, std::uint32_t limit) {
+        return static_cast<std::uint32_t>(value) + limit <= 2 * limit;
+    };
     const std::byte* at = blob.bounds;
-    const std::byte* const end = at + format::bounds::bytes(blob.features);
-    bool good = true;
-    const auto check = [&](std::int32_t value, std::int32_t limit) { good &= value <= limit && value >= -limit; };
     if ((blob.features & format::feature::oriented_box) != 0) {
         std::int32_t any = 0;
         for (; at != blob.bounds + lo_at; at += 2) {
-            check(load_i16(at), max_quaternion);
+            if (!is_within(load_i16(at), max_quaternion)) return false;
             any |= load_i16(at);
         }
-        good &= any != 0;
+        if (any == 0) return false;
     }
-    for (; at != end; at += 4) check(load_i32(at), max_length);
-    return good ? Status::ok : Status::bad_section;
+    // They are the last section.
+    for (; at != blob.bytes + blob.size; at += 4)
+        if (!is_within(load_i32(at), max_length)) return false;
+    return true;
 }
 
 /// Each in its turn, as far as they are there.
-Status check_sections(const BlobData& blob) {
+[[gnu::noinline]] bool are_optional_sections_sound(const BlobData& blob) {
+    return (blob.ids == nullptr || are_ids_sound(blob)) && (blob.copies == nullptr || are_copies_sound(blob)) &&
+           (blob.edge_flags == nullptr || are_edge_flags_sound(blob)) &&
+           (blob.bounds == nullptr || are_bounds_sound(blob));
+}
+
+Status check_sections(BlobData& blob) {
     if (!is_zero(blob.leaves + blob.leaf_bytes, format::guard_bytes)) return Status::bad_section;
     if (blob.triangle_count != 0)
         if (const Status status = check_tree(blob); status != Status::ok) return status;
-    if (blob.ids != nullptr)
-        if (const Status status = check_original_ids(blob); status != Status::ok) return status;
-    const unsigned material_bits = (blob.features & format::feature::materials_16) != 0 ? 16 : 8;
-    if (blob.materials != nullptr &&
-        !is_padded_to_words(blob.materials, std::uint64_t{blob.triangle_count} * material_bits))
-        return Status::bad_section;
-    if (blob.copies != nullptr)
-        if (const Status status = check_copies(blob); status != Status::ok) return status;
-    if (blob.edge_flags != nullptr)
-        if (const Status status = check_edge_flags(blob); status != Status::ok) return status;
-    return blob.bounds == nullptr ? Status::ok : check_bounds(blob);
+    return are_optional_sections_sound(blob) ? locate_sections(blob, true) : Status::bad_section;
 }
 
 }  // namespace
@@ -169,10 +162,9 @@ Status check_sections(const BlobData& blob) {
 Status open(std::span<const std::byte> bytes, Blob& blob) noexcept {
     // Straight into the caller's blob: a copy of its own would be a fifth of the stack that this takes.
     detail::make_empty(blob);
-    Status status = detail::read_version_and_size(bytes, blob.data_);
+    Status status = detail::read_version_and_size(bytes.data(), bytes.size(), blob.data_);
     if (status == Status::ok && blob.data_.checksum != detail::checksum_of_blob(bytes)) status = Status::bad_checksum;
-    if (status == Status::ok) status = detail::read_fields(blob.data_);
-    if (status == Status::ok) status = detail::locate_sections(blob.data_);
+    if (status == Status::ok) status = detail::read_header(blob.data_);
     if (status == Status::ok) status = detail::check_sections(blob.data_);
     if (status != Status::ok) detail::make_empty(blob);
     return status;

@@ -8,10 +8,11 @@
 #include <espalier/status.hpp>
 #include <runtime/bytes.hpp>
 #include <runtime/codec_node.hpp>
+#include <runtime/leaf_kinds.hpp>
 
 namespace espalier::detail {
 
-inline bool is_zero(const std::byte* bytes, std::size_t count) {
+ESPALIER_SHARED_CODE inline bool is_zero(const std::byte* bytes, std::size_t count) {
     std::uint32_t sum = 0;
     for (std::size_t i = 0; i < count; ++i) sum |= load_u8(bytes + i);
     return sum == 0;
@@ -22,14 +23,19 @@ inline bool is_padded_with_zeros(const std::byte* stream, unsigned bit_count) {
     return bit_count % 8 == 0 || load_u8(stream + bit_count / 8) >> (bit_count % 8) == 0;
 }
 
+/// Known at compile time where one kind of leaves is read.
+inline unsigned first_corner_bits(const BlobData& blob) {
+    return has_indexed_leaves(blob.profile) ? 0 : format::first_corner_bits(blob.profile);
+}
+
+/// How far the pass over the nodes has come.
 struct OpenProgress {
-    std::uint32_t nodes = 1;  ///< the root, then every block of siblings when their parent is reached
+    const BlobData& blob;
     std::uint32_t triangles = 0;
-    std::uint32_t leaf_words = 0;  ///< of 4 bytes
-    unsigned depth = 0;
+    std::uint32_t leaf_bytes = 0;  ///< at most those of the section
 };
 
-/// The leaves of a node: in their place, inside the section, every vertex inside the asset, every corner a vertex.
-Status check_leaves(const BlobData& blob, const Node& node, OpenProgress& seen);
+/// The leaves of a node that has some: inside the section, every vertex inside the asset, every corner a vertex.
+bool take_leaves(Node node, OpenProgress& seen);
 
 }  // namespace espalier::detail

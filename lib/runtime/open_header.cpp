@@ -14,42 +14,43 @@ using format::feature::materials_8;
 
 /// Takes sections off the front of what is left. The only bounds check.
 struct Bytes {
-    const std::byte* at;
-    std::size_t left;
-    bool fits = true;
+    const std::byte* at;  ///< null when something was not there
+    const std::byte* end;
+    bool looks_at_padding;
 
-    [[gnu::noinline]] const std::byte* take(std::uint64_t count) {
-        fits &= count <= left;
-        if (!fits) return nullptr;
+    /// So many fields of so many bits, filled up to 4 bytes with zeros.
+    [[gnu::noinline]] const std::byte* take(std::size_t fields, std::size_t field_bits) {
+        const std::uint64_t bits = std::uint64_t{fields} * field_bits;
+        const std::uint64_t words = (bits + 31) / 32;
         const std::byte* taken = at;
-        at += static_cast<std::size_t>(count);
-        left -= static_cast<std::size_t>(count);
+        if (taken == nullptr || words > static_cast<std::size_t>(end - taken) / 4) return at = nullptr;
+        at += 4 * static_cast<std::size_t>(words);
+        if (looks_at_padding && bits % 32 != 0 &&
+            load_u32(taken + 4 * static_cast<std::size_t>(bits / 32)) >> (bits % 32) != 0)
+            at = nullptr;
         return taken;
     }
-
-    /// So many bits, filled up to 4 bytes.
-    const std::byte* take_bits(std::uint64_t bit_count) { return take((bit_count + 31) / 32 * 4); }
 };
 
 }  // namespace
 
-Status read_version_and_size(std::span<const std::byte> bytes, BlobData& blob) {
+Status read_version_and_size(const std::byte* h, std::size_t size, BlobData& blob) {
     using namespace format::header;
-    if (bytes.size() < format::header::bytes) return Status::too_short;
-    const std::byte* h = blob.bytes = bytes.data();
+    if (size < format::header::bytes) return Status::too_short;
+    blob.bytes = h;
     static_assert(magic_at == 0);
     if (load_u32(h) != format::magic) return Status::not_a_blob;
     if (load_u16(h + version_major_at) != format::version_major ||
         load_u16(h + version_minor_at) > format::version_minor)
         return Status::unsupported_version;
     blob.size = load_u32(h + total_bytes_at);
-    if (blob.size > bytes.size()) return Status::too_short;
-    if (blob.size < bytes.size()) return Status::trailing_bytes;
+    if (blob.size > size) return Status::too_short;
+    if (blob.size < size) return Status::trailing_bytes;
     blob.checksum = load_u32(h + checksum_at);
     return Status::ok;
 }
 
-Status read_fields(BlobData& blob) {
+Status read_header(BlobData& blob) {
     using namespace format::header;
     const std::byte* h = blob.bytes;
     blob.features = load_u32(h + features_at);
@@ -59,76 +60,86 @@ Status read_fields(BlobData& blob) {
     if (profile > static_cast<unsigned>(format::Profile::small)) return Status::unsupported_profile;
     if (!is_read(blob.profile)) return Status::unsupported_profile;  // GCOVR_EXCL_BR_LINE: builds of fewer profiles
 
+    blob.bits = static_cast<std::uint8_t>(load_u8(h + bits_at));
+    blob.step_exponent = load_i16(h + step_exponent_at);
+    if (blob.bits < 1 || blob.bits > format::max_bits || blob.step_exponent < format::min_step_exponent ||
+        blob.step_exponent > format::max_step_exponent)
+        return Status::bad_header;
+
     blob.triangle_count = load_u32(h + triangle_count_at);
     blob.vertex_count = load_u32(h + vertex_count_at);
     blob.node_count = load_u32(h + node_count_at);
     blob.leaf_bytes = load_u32(h + leaf_bytes_at);
-    blob.source_count = load_u32(h + source_count_at);
-    blob.source_triangles = load_u32(h + source_triangles_at);
-    blob.max_error = load_f32(h + max_error_at);
-    blob.step_exponent = load_i16(h + step_exponent_at);
-    const unsigned bits = load_u8(h + bits_at);
-    const unsigned depth = load_u8(h + depth_at);
-    const unsigned id_bits = load_u8(h + id_bits_at);
-
-    const bool empty = blob.triangle_count == 0;
-    const bool any = (blob.node_count | blob.leaf_bytes | blob.vertex_count | depth) != 0;
-    const bool all = blob.node_count != 0 && blob.leaf_bytes != 0 && blob.vertex_count != 0 && depth != 0;
-    const bool ids = (blob.features & format::feature::original_ids) != 0;
-    constexpr std::uint32_t materials = materials_8 | materials_16;
+    blob.depth = static_cast<std::uint8_t>(load_u8(h + depth_at));
+    if (blob.triangle_count > format::max_triangles || blob.node_count > format::max_nodes ||
+        blob.leaf_bytes % 4 != 0 || blob.depth > format::max_depth)
+        return Status::bad_header;
     constexpr std::uint32_t of_triangles =
         format::feature::closed | format::feature::edge_flags | format::feature::bounds;
+    if (blob.triangle_count == 0) {
+        if ((blob.vertex_count | blob.node_count | blob.leaf_bytes | blob.depth | (blob.features & of_triangles)) != 0)
+            return Status::bad_header;
+    } else if (blob.vertex_count == 0 || blob.node_count == 0 || blob.leaf_bytes == 0 || blob.depth == 0) {
+        return Status::bad_header;
+    }
+
+    constexpr std::uint32_t materials = materials_8 | materials_16;
     // Strips turn their triangles' corners, so that copies of one would not give the same weights.
     const std::uint32_t of_indexed_leaves =
         has_indexed_leaves(blob.profile) ? 0 : std::uint32_t{format::feature::split_references};
-    if (bits < 1 || bits > unsigned{format::max_bits} || blob.step_exponent < format::min_step_exponent ||
-        blob.step_exponent > format::max_step_exponent || blob.triangle_count > format::max_triangles ||
-        blob.node_count > format::max_nodes || (empty ? any : !all) || depth > format::max_depth ||
-        blob.leaf_bytes % 4 != 0 || !is_finite(blob.max_error) || is_negative(blob.max_error) ||
-        (blob.features & materials) == materials || (empty && (blob.features & of_triangles) != 0) ||
-        (blob.features & of_indexed_leaves) != 0 || (ids ? id_bits > 32 : (id_bits | blob.source_count) != 0) ||
-        !is_zero(h + id_bits_at + 1, 2) || !is_zero(h + reserved_at, format::header::bytes - reserved_at))
-        return Status::bad_header;
+    if ((blob.features & materials) == materials || (blob.features & of_indexed_leaves) != 0) return Status::bad_header;
+
+    blob.source_count = load_u32(h + source_count_at);
+    blob.source_triangles = load_u32(h + source_triangles_at);
+    // With the two zero bytes behind them.
+    const std::uint32_t id_bits = load_u32(h + depth_at) >> 8;
+    blob.id_bits = static_cast<std::uint8_t>(id_bits);
+    const bool ids = (blob.features & format::feature::original_ids) != 0;
+    if (ids ? id_bits > 32 : (id_bits | blob.source_count) != 0) return Status::bad_header;
+
+    // Finite, and the sign bit clear.
+    if (load_u32(h + max_error_at) >= infinity_bits) return Status::bad_header;
+    blob.max_error = load_f32(h + max_error_at);
     for (std::size_t k = 0; k < 3; ++k) {
         blob.origin[k] = load_f32(h + origin_at + 4 * k);
         const std::uint32_t extent = load_u32(h + extent_at + 4 * k);
-        if (!is_finite(blob.origin[k]) || is_subnormal(blob.origin[k]) || extent >> bits != 0)
+        if (!is_finite(blob.origin[k]) || is_subnormal(blob.origin[k]) || extent >> blob.bits != 0)
             return Status::bad_header;
         blob.extent[k] = static_cast<std::int32_t>(extent);
     }
-    blob.bits = static_cast<std::uint8_t>(bits);
-    blob.depth = static_cast<std::uint8_t>(depth);
-    blob.id_bits = static_cast<std::uint8_t>(id_bits);
+    if (!is_zero(h + reserved_at, format::header::bytes - reserved_at)) return Status::bad_header;
     blob.derive();
-    return Status::ok;
+    return locate_sections(blob, false);
 }
 
-Status locate_sections(BlobData& blob) {
-    Bytes rest = {blob.bytes, blob.size};
-    rest.take(format::header::bytes);
-    blob.nodes = rest.take(std::uint64_t{blob.node_count} * format::node::bytes);
-    blob.leaves = rest.take(blob.leaf_bytes);
-    rest.take(format::guard_bytes);
-    const std::uint64_t triangles = blob.triangle_count;
+Status locate_sections(BlobData& blob, bool looks_at_padding) {
+    const std::byte* const end = blob.bytes + blob.size;
+    Bytes rest = {blob.bytes + format::header::bytes, end, looks_at_padding};
+    blob.nodes = rest.take(blob.node_count, 8 * format::node::bytes);
+    blob.leaves = rest.take(blob.leaf_bytes, 8);
+    rest.take(format::guard_bytes, 8);
     if ((blob.features & format::feature::original_ids) != 0) {
-        blob.sources = rest.take(std::uint64_t{blob.source_count} * format::source::bytes);
-        blob.ids = rest.take_bits(triangles * (format::first_corner_bits(blob.profile) + unsigned{blob.id_bits}));
+        blob.sources = rest.take(blob.source_count, 8 * format::source::bytes);
+        blob.ids = rest.take(blob.triangle_count, first_corner_bits(blob) + unsigned{blob.id_bits});
     }
     if ((blob.features & (materials_8 | materials_16)) != 0)
-        blob.materials = rest.take_bits(triangles * ((blob.features & materials_16) != 0 ? 16u : 8u));
+        blob.materials = rest.take(blob.triangle_count, (blob.features & materials_16) != 0 ? 16 : 8);
     if ((blob.features & format::feature::split_references) != 0) {
-        static_assert(format::copies::count_at == 0);
-        blob.copies = rest.take(format::copies::blocks_at);
+        static_assert(format::copies::count_at == 0 && format::copies::blocks_at == 4);
+        blob.copies = rest.take(1, 32);
         if (blob.copies == nullptr) return Status::bad_section;
         blob.copy_count = load_u32(blob.copies);
-        rest.take(format::copies::blocks_bytes(blob.triangle_count));
-        rest.take(std::uint64_t{blob.copy_count} * format::copies::owner_bytes);
+        rest.take(format::copies::block_count(blob.triangle_count), 8 * format::copies::block_bytes);
+        rest.take(blob.copy_count, 8 * format::copies::owner_bytes);
     }
-    if ((blob.features & format::feature::edge_flags) != 0)
-        blob.edge_flags =
-            rest.take_bits(8 * format::edge_flags::fields_at + triangles * format::edge_flags::triangle_bits);
-    if ((blob.features & format::feature::bounds) != 0) blob.bounds = rest.take(format::bounds::bytes(blob.features));
-    return rest.fits && rest.left == 0 ? Status::ok : Status::bad_section;
+    if ((blob.features & format::feature::edge_flags) != 0) {
+        static_assert(format::edge_flags::flat_limit_at == 0 && format::edge_flags::fields_at == 4);
+        blob.edge_flags = rest.take(1, 32);
+        rest.take(blob.triangle_count, format::edge_flags::triangle_bits);
+    }
+    if ((blob.features & format::feature::bounds) != 0)
+        blob.bounds = rest.take(format::bounds::bytes(blob.features), 8);
+    return rest.at == end ? Status::ok : Status::bad_section;
 }
 
 void make_empty(Blob& blob) { blob = Blob(); }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include <espalier/blob.hpp>
 #include <espalier/status.hpp>
@@ -10,12 +9,12 @@
 namespace espalier::detail {
 
 /// What the bytes must be before anything else in them has a meaning; the checksum is read and not compared.
-Status read_version_and_size(std::span<const std::byte> bytes, BlobData& blob);
-/// The rest of the header, each rule of it.
-Status read_fields(BlobData& blob);
+Status read_version_and_size(const std::byte* bytes, std::size_t size, BlobData& blob);
+/// The rest of the header, each rule of it, and where by that the sections are.
+Status read_header(BlobData& blob);
 /// Points at each section, which together are the blob, without a look at what is in them: but for the number of
-/// copies.
-Status locate_sections(BlobData& blob);
+/// copies and, where asked, the zero bits that sections end with.
+Status locate_sections(BlobData& blob, bool looks_at_padding);
 
 /// Apart, so that small cores have the code once.
 [[gnu::noinline]] void make_empty(Blob& blob);

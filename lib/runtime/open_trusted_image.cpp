@@ -6,9 +6,8 @@ namespace espalier {
 
 Status open_trusted_image(std::span<const std::byte> bytes, Blob& blob) noexcept {
     detail::make_empty(blob);
-    Status status = detail::read_version_and_size(bytes, blob.data_);
-    if (status == Status::ok) status = detail::read_fields(blob.data_);
-    if (status == Status::ok) status = detail::locate_sections(blob.data_);
+    Status status = detail::read_version_and_size(bytes.data(), bytes.size(), blob.data_);
+    if (status == Status::ok) status = detail::read_header(blob.data_);
     if (status != Status::ok) detail::make_empty(blob);
     return status;
 }
