@@ -15,10 +15,24 @@ inline const std::byte* copy_block(const BlobData& blob, std::uint32_t index) {
            std::size_t{index / format::copies::block_indices} * format::copies::block_bytes;
 }
 
+/// A u32 for each copy, behind the last block.
+inline const std::byte* copy_owners(const BlobData& blob) {
+    return blob.copies + format::copies::blocks_at +
+           std::size_t{format::copies::block_count(blob.triangle_count)} * format::copies::block_bytes;
+}
+
 inline bool is_copy(const BlobData& blob, std::uint32_t index) {
     if (blob.copies == nullptr) return false;
     const std::uint32_t bit = index % format::copies::block_indices;
     return (load_u8(copy_block(blob, index) + format::copies::bits_at + bit / 8) >> (bit % 8) & 1u) != 0;
+}
+
+/// How many bits are set. Small cores have no instruction for it, and the compiler's function is larger.
+inline std::uint32_t count_bits(std::uint32_t word) {
+    if constexpr (!small_code) return static_cast<std::uint32_t>(std::popcount(word));
+    std::uint32_t count = 0;
+    for (; word != 0; word &= word - 1) ++count;
+    return count;
 }
 
 /// The storage index that stands for the triangle: the lowest one it has. O(1).
@@ -27,14 +41,11 @@ ESPALIER_SHARED_CODE inline std::uint32_t owner_of(const BlobData& blob, std::ui
     const std::byte* block = copy_block(blob, index);
     const std::uint32_t bit = index % format::copies::block_indices;
     std::uint32_t copies_before = load_u32(block);
-    for (std::uint32_t word = 0; word < bit / 32; ++word)
-        copies_before +=
-            static_cast<std::uint32_t>(std::popcount(load_u32(block + format::copies::bits_at + 4 * word)));
-    const std::uint32_t last = load_u32(block + format::copies::bits_at + std::size_t{4} * (bit / 32));
-    copies_before += static_cast<std::uint32_t>(std::popcount(last & ((1u << bit % 32) - 1u)));
-    const std::byte* owners = blob.copies + format::copies::blocks_at +
-                              static_cast<std::size_t>(format::copies::blocks_bytes(blob.triangle_count));
-    return load_u32(owners + format::copies::owner_bytes * std::size_t{copies_before});
+    for (std::uint32_t word = 0; word <= bit / 32; ++word) {
+        const std::uint32_t before = word < bit / 32 ? ~0u : (1u << bit % 32) - 1u;
+        copies_before += count_bits(load_u32(block + format::copies::bits_at + 4 * word) & before);
+    }
+    return load_u32(copy_owners(blob) + format::copies::owner_bytes * std::size_t{copies_before});
 }
 
 }  // namespace espalier::detail

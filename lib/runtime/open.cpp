@@ -101,7 +101,7 @@ bool are_copies_sound(const BlobData& blob) {
     using namespace format::copies;
     if (blob.copy_count == 0) return false;
     const std::uint32_t indices = block_count(blob.triangle_count) * block_indices;  // at most 2^31
-    const std::byte* const owners = copy_block(blob, indices);
+    const std::byte* const owners = copy_owners(blob);
     std::uint32_t seen = 0;
     for (std::uint32_t index = 0; index < indices; ++index) {
         if (index % block_indices == 0 && load_u32(copy_block(blob, index)) != seen) return false;

@@ -127,8 +127,7 @@ Status locate_sections(BlobData& blob, bool looks_at_padding) {
     if ((blob.features & format::feature::split_references) != 0) {
         static_assert(format::copies::count_at == 0 && format::copies::blocks_at == 4);
         blob.copies = rest.take(1, 32);
-        if (blob.copies == nullptr) return Status::bad_section;
-        blob.copy_count = load_u32(blob.copies);
+        if (blob.copies != nullptr) blob.copy_count = load_u32(blob.copies);
         rest.take(format::copies::block_count(blob.triangle_count), 8 * format::copies::block_bytes);
         rest.take(blob.copy_count, 8 * format::copies::owner_bytes);
     }
