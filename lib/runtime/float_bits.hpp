@@ -92,6 +92,6 @@ ESPALIER_SHARED_CODE inline std::int64_t to_integer(float x) {
 /// Where either order is right: the second operand when one is not a number, as x86's instructions do.
 inline float minimum(float a, float b) { return a < b ? a : b; }
 inline float maximum(float a, float b) { return a > b ? a : b; }
-inline float absolute(float x) { return std::bit_cast<float>(magnitude_bits(x)); }
+inline float absolute(float x) { return __builtin_fabsf(x); }  // one instruction, and no call anywhere
 
 }  // namespace espalier::detail

@@ -103,7 +103,9 @@ ESPALIER_SHARED_CODE void derive_sides(PairFrame& frame, const std::int64_t rota
         for (int j = 0; j < 3; ++j) {
             const float entry = to_float(rotation[i][j]) * 0x1p-30f;
             in_a.axis[i][j] = in_b.axis[j][i] = entry;
+#if !ESPALIER_SMALL_CODE
             in_a.absolute_axis[i][j] = in_b.absolute_axis[j][i] = absolute(entry);
+#endif
         }
     for (int k = 0; k < 3; ++k) {
         in_a.offset[k] = offset[k];

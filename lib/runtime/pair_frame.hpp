@@ -12,13 +12,23 @@ namespace espalier::detail {
 
 /// How boxes of the other tree look from a tree's own frame. Float, with slack: for rejecting only.
 struct PairSide {
-    float axis[3][3];  ///< component i of the other's unit axis j
+    float axis[3][3];     ///< component i of the other's unit axis j
+#if !ESPALIER_SMALL_CODE  // there nine numbers on the stack are dearer than their signs
     float absolute_axis[3][3];
+#endif
     float offset[3];    ///< where the other's lattice origin is
     float scale;        ///< of the other's lattice steps
     float own_scale;    ///< of this tree's lattice steps
     float slack;        ///< more than all roundings of both meshes and of the tests
     float common_size;  ///< one unit of this frame in steps of the common grid
+
+    [[nodiscard]] float absolute_at(int i, int j) const {
+#if ESPALIER_SMALL_CODE
+        return absolute(axis[i][j]);
+#else
+        return absolute_axis[i][j];
+#endif
+    }
 };
 
 struct PairFrame {

@@ -33,11 +33,10 @@ ESPALIER_SHARED_CODE inline SeenBox see_box(const TwiceBox& box, const PairSide&
     for (int k = 0; k < 3; ++k) seen.half[k] = box.half[k] * half_scale;
     for (int k = 0; k < 3; ++k) {
         const float* axis = side.axis[k];
-        const float* absolute_axis = side.absolute_axis[k];
         seen.center[k] =
             (axis[0] * box.center[0] + axis[1] * box.center[1] + axis[2] * box.center[2]) * half_scale + side.offset[k];
-        seen.reach[k] = absolute_axis[0] * seen.half[0] + absolute_axis[1] * seen.half[1] +
-                        absolute_axis[2] * seen.half[2] + side.slack;
+        seen.reach[k] = side.absolute_at(k, 0) * seen.half[0] + side.absolute_at(k, 1) * seen.half[1] +
+                        side.absolute_at(k, 2) * seen.half[2] + side.slack;
     }
     return seen;
 }
@@ -61,7 +60,7 @@ ESPALIER_SHARED_CODE inline Floats gap_to(const LaneBoxes& boxes, const SeenBox&
     Floats others = zero;
     for (int j = 0; j < 3; ++j) {
         const auto along = [&](int i) { return splat(side.axis[i][j]); };
-        const auto absolute_along = [&](int i) { return splat(side.absolute_axis[i][j]); };
+        const auto absolute_along = [&](int i) { return splat(side.absolute_at(i, j)); };
         const Floats distance = magnitude(
             add(add(multiply(apart[0], along(0)), multiply(apart[1], along(1))), multiply(apart[2], along(2))));
         const Floats reach =
@@ -84,10 +83,10 @@ ESPALIER_SHARED_CODE inline unsigned not_apart_across(const LaneBoxes& boxes, co
             const int j1 = j == 2 ? 0 : j + 1, j2 = j == 0 ? 2 : j - 1;
             const Floats distance = magnitude(
                 subtract(multiply(apart[i2], splat(side.axis[i1][j])), multiply(apart[i1], splat(side.axis[i2][j]))));
-            const Floats reach = add(multiply(boxes.half[i1], splat(side.absolute_axis[i2][j])),
-                                     multiply(boxes.half[i2], splat(side.absolute_axis[i1][j])));
-            const float other_reach = seen.half[j1] * side.absolute_axis[i][j2] +
-                                      seen.half[j2] * side.absolute_axis[i][j1] + 3.0f * side.slack;
+            const Floats reach = add(multiply(boxes.half[i1], splat(side.absolute_at(i2, j))),
+                                     multiply(boxes.half[i2], splat(side.absolute_at(i1, j))));
+            const float other_reach =
+                seen.half[j1] * side.absolute_at(i, j2) + seen.half[j2] * side.absolute_at(i, j1) + 3.0f * side.slack;
             most = larger(subtract(subtract(distance, reach), splat(other_reach)), most);
         }
         if (lanes == 1 && at_most(most, splat(0.0f)) == 0) return 0;
