@@ -1,7 +1,6 @@
 // Triangles with copies in several leaves: which of them all is meant.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 #include <espalier/blob.hpp>
@@ -25,14 +24,6 @@ inline bool is_copy(const BlobData& blob, std::uint32_t index) {
     if (blob.copies == nullptr) return false;
     const std::uint32_t bit = index % format::copies::block_indices;
     return (load_u8(copy_block(blob, index) + format::copies::bits_at + bit / 8) >> (bit % 8) & 1u) != 0;
-}
-
-/// How many bits are set. Small cores have no instruction for it, and the compiler's function is larger.
-inline std::uint32_t count_bits(std::uint32_t word) {
-    if constexpr (!small_code) return static_cast<std::uint32_t>(std::popcount(word));
-    std::uint32_t count = 0;
-    for (; word != 0; word &= word - 1) ++count;
-    return count;
 }
 
 /// The storage index that stands for the triangle: the lowest one it has. O(1).

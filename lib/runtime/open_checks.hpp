@@ -9,6 +9,7 @@
 #include <runtime/bytes.hpp>
 #include <runtime/codec_node.hpp>
 #include <runtime/leaf_kinds.hpp>
+#include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 

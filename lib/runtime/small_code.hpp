@@ -2,7 +2,9 @@
 // less code; a build for any other machine may ask for it too (the CMake option ESPALIER_SMALL_CODE), as tests do.
 #pragma once
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 #ifndef ESPALIER_SMALL_CODE
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
@@ -26,5 +28,13 @@ inline constexpr bool small_code = ESPALIER_SMALL_CODE != 0;
 /// Of what a vector register, or two, load at once. Cores without such need not waste stack on it.
 inline constexpr std::size_t register_alignment = small_code ? 4 : 16;
 inline constexpr std::size_t wide_register_alignment = small_code ? 4 : 32;
+
+/// How many bits are set. Small cores have no instruction for it, and the compiler's function is larger.
+inline std::uint32_t count_bits(std::uint32_t word) {
+    if constexpr (!small_code) return static_cast<std::uint32_t>(std::popcount(word));
+    std::uint32_t count = 0;
+    for (; word != 0; word &= word - 1) ++count;
+    return count;
+}
 
 }  // namespace espalier::detail

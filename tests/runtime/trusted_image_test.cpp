@@ -110,6 +110,26 @@ TEST_SUITE("open") {
         });
     }
 
+    TEST_CASE("what fills up a section of a trusted image is not looked at, and of another after its nodes") {
+        for_each_profile([](format::Profile profile) {
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            Bytes bytes = bake_or_throw(make_terrain(61, 1), options);
+            Blob blob;
+            REQUIRE(open(bytes, blob) == Status::ok);
+            const unsigned id_bits = format::first_corner_bits(profile) + blob.data().id_bits;
+            REQUIRE(std::uint64_t{blob.triangle_count()} * id_bits % 32 != 0);
+            CHECK(open_trusted_image(FirstPage(bytes).bytes(), blob) == Status::ok);
+            bytes.back() |= std::byte{0x80};
+            repair_checksum(bytes);
+            CHECK(open_trusted_image(bytes, blob) == Status::ok);
+            CHECK(open(bytes, blob) == Status::bad_section);
+            put(bytes, at::bytes + format::node::shifts_at, 0xFFFF, 2);
+            repair_checksum(bytes);
+            CHECK(open(bytes, blob) == Status::bad_node);
+        });
+    }
+
     TEST_CASE("a trusted image is trusted: neither its checksum nor a node is looked at") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = make_blob_with_every_section(profile);
