@@ -25,7 +25,7 @@ public:
         return false;
     }
     void offer(const RayHit& hit) { hits_.offer(hit); }
-    HitCount finish(const LatticeRay& ray, const Ray& world, std::span<RayHit> hits) {
+    HitCount finish(const RoundedRay& ray, const Ray& world, std::span<RayHit> hits) {
         hits_.sort();
         for (RayHit& hit : hits.first(hits_.count())) hit.t = to_t(ray, hit.t, world);
         return {hits_.count(), hits_.has_overflowed() ? QueryStatus::output_full : QueryStatus::ok};

@@ -3,7 +3,6 @@
 // rounding moves.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +19,7 @@ inline constexpr float interval_slack = 1.0f + 0x1p-21f;
 /// Cores without lanes would only lose room on their stacks.
 inline constexpr std::size_t lane_alignment = sizeof(void*) < 8 ? 4 : 16;
 
-struct LatticeRay {
+struct RoundedRay {
     // The ray, exactly: point(tau) = origin * 2^-fraction_bits + tau * direction, in lattice steps from lattice point 0
     // 0 0. What follows each vector fills its register, so that one load fetches it and no room is lost.
     alignas(
@@ -36,13 +35,16 @@ struct LatticeRay {
     // origin was moved along them to the asset.
     float tau_offset;
 
-    // For the filters that reject triangles without deciding: axes with the longest component of the direction last,
-    // the shear that turns the ray into that axis, and a bound on the error of sheared coordinates.
-    float shear[2];
-    float shear_error;
-    std::uint8_t axis[3];
+    std::uint8_t axis[3];  ///< the one with the longest component of the direction last
 
     Faces faces;
+};
+
+/// With what the filters that reject triangles in floats need: the shear that turns the ray into its longest axis, and
+/// a bound on the error of sheared coordinates.
+struct LatticeRay : RoundedRay {
+    float shear[2];
+    float shear_error;
 };
 
 /// What is known of a ray once it is rounded and only its test against boxes needs.
@@ -66,49 +68,52 @@ inline float or_if_zero(float x, float instead) {
     return std::bit_cast<float>(bits | (mask & std::bit_cast<std::uint32_t>(instead)));
 }
 
-/// Largest distance of a coordinate of the asset's box from the origin, along any axis.
-inline float reach(const float* origin, const BlobData& blob) {
-    float result = 0.0f;
+/// Largest distance of a coordinate of the asset's box from the origin, along any axis. As bits: numbers that are not
+/// negative are ordered like theirs.
+inline std::uint32_t reach_bits(const float* origin, const BlobData& blob) {
+    std::uint32_t result = 0;
     for (int k = 0; k < 3; ++k) {
-        result = maximum(absolute(origin[k]), result);
-        result = maximum(absolute(blob.extent_steps[k] - origin[k]), result);
+        const std::uint32_t to_low = magnitude_bits(origin[k]);
+        const std::uint32_t to_high = magnitude_bits(blob.extent_steps[k] - origin[k]);
+        result = to_low > result ? to_low : result;
+        result = to_high > result ? to_high : result;
     }
     return result;
 }
 
 /// Moves an origin far outside the asset along the ray to the asset's box, grown by its own size where the lattice has
 /// room. False when the ray passes the box by.
-inline bool approach(const BlobData& blob, LatticeRay& ray, const RaySlope& slope, float* origin) {
+inline bool approach(const BlobData& blob, RoundedRay& ray, float* origin) {
     std::int32_t largest = 0;
     for (int k = 0; k < 3; ++k) largest = blob.extent[k] > largest ? blob.extent[k] : largest;
     const std::int32_t room = (1 << format::max_bits) - 1 - largest;
-    const std::int32_t margin = largest < room ? largest : room;
-    const auto low = static_cast<float>(-margin);
-    const auto high = [&](int k) { return static_cast<float>(blob.extent[k] + margin); };
-    float near = -infinity;
+    const auto margin = static_cast<float>(largest < room ? largest : room);
+    float near = 0.0f;
     float far = infinity;
     int entry = 0;
-    for (int k = 0; k < 3; ++k) {
-        if (ray.direction[k] == 0) {
-            if (origin[k] < low || origin[k] > high(k)) return false;
-            continue;
+    for (const bool moves : {false, true}) {
+        for (int k = 0; k < 3; ++k) {
+            const bool down = ray.direction[k] < 0;
+            const auto direction = static_cast<float>(ray.direction[k]);
+            const float low = -margin, high = blob.extent_steps[k] + margin;
+            const float first = down ? high : low, last = down ? low : high;
+            if (moves) {
+                const float moved = origin[k] + near * direction;
+                origin[k] = k == entry ? first : moved > high ? high : moved > low ? moved : low;
+            } else if (ray.direction[k] == 0) {
+                if (origin[k] < low || origin[k] > high) return false;
+            } else {
+                const float inverse = 1.0f / direction;
+                const float enter = (first - origin[k]) * inverse;
+                if (enter > near) {
+                    near = enter;
+                    entry = k;
+                }
+                far = minimum((last - origin[k]) * inverse, far);
+            }
         }
-        const float to_low = (low - origin[k]) * slope.inverse[k];
-        const float to_high = (high(k) - origin[k]) * slope.inverse[k];
-        const bool negative = ray.direction[k] < 0;
-        const float enter = negative ? to_high : to_low;
-        if (enter > near) {
-            near = enter;
-            entry = k;
-        }
-        far = minimum(negative ? to_low : to_high, far);
-    }
-    if (!(near <= far * interval_slack) || far < 0.0f) return false;
-    if (near <= 0.0f) return true;  // already inside the grown box
-    for (int k = 0; k < 3; ++k) {
-        const float moved = k == entry ? (ray.direction[k] < 0 ? infinity : -infinity)
-                                       : origin[k] + near * static_cast<float>(ray.direction[k]);
-        origin[k] = moved > high(k) ? high(k) : moved > low ? moved : low;
+        if (!(near <= far * interval_slack)) return false;
+        if (near == 0.0f) return true;  // already inside the grown box
     }
     ray.tau_offset = near;
     return true;
@@ -122,59 +127,67 @@ inline float to_tau(float t, int t_exponent) {
 
 }  // namespace lattice_ray
 
+inline void set_longest_axis(RoundedRay& ray, unsigned axis) {
+    constexpr unsigned after = 0b01'00'10'01;  // two bits each: no processor could foresee a branch on it
+    ray.axis[0] = static_cast<std::uint8_t>(after >> (2 * axis) & 3u);
+    ray.axis[1] = static_cast<std::uint8_t>(after >> (2 * axis + 2) & 3u);
+    ray.axis[2] = static_cast<std::uint8_t>(axis);
+}
+
 /// Turns the ray into its longest axis.
-inline void set_shear(LatticeRay& ray, RaySlope& slope, unsigned longest_axis, float reach) {
-    constexpr std::uint8_t after[5] = {0, 1, 2, 0, 1};  // looked up: no processor could foresee a branch on it
-    ray.axis[0] = after[longest_axis + 1];
-    ray.axis[1] = after[longest_axis + 2];
-    ray.axis[2] = static_cast<std::uint8_t>(longest_axis);
+inline void set_shear(LatticeRay& ray, RaySlope& slope, float reach) {
     for (int i = 0; i < 2; ++i)
-        ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * slope.inverse[longest_axis];
+        ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * slope.inverse[ray.axis[2]];
     ray.shear_error = (reach + 1.0f) * (6.0f * 0x1p-24f);
     slope.slack_steps = (reach + 1.0f) * 0x1p-20f;
 }
 
-/// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by.
-inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
-    const auto origin_world = std::bit_cast<std::array<float, 3>>(world.origin);
-    const auto direction_world = std::bit_cast<std::array<float, 3>>(world.direction);
-    std::uint32_t longest = 0;
-    for (unsigned k = 0; k < 3; ++k) {
-        if (!is_finite(origin_world[k])) return false;
-        const std::uint32_t magnitude = magnitude_bits(direction_world[k]);
-        longest = magnitude > longest ? magnitude : longest;
-    }
-    if (longest == 0 || longest >= infinity_bits || is_nan(world.t_min) || is_nan(world.t_max)) return false;
+/// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by. `reach` is how far
+/// the asset is from the origin at most, along any axis, in lattice steps.
+inline bool round_ray(const BlobData& blob, const Ray& world, RoundedRay& ray, float& reach) {
+    // The window. A number that is none is above infinity in its bits, and so is one below zero, which t_min may be.
+    const auto t_max = std::bit_cast<std::uint32_t>(world.t_max);
     const float t_min = is_negative(world.t_min) ? 0.0f : world.t_min;
-    if (magnitude_bits(world.t_max) != 0 && is_negative(world.t_max)) return false;
+    if (is_nan(world.t_min) || (t_max > infinity_bits && t_max << 1 != 0)) return false;
     if (magnitude_bits(t_min) > magnitude_bits(world.t_max)) return false;
+
+    float direction[3] = {world.direction.x, world.direction.y, world.direction.z};
+    float origin[3] = {world.origin.x, world.origin.y, world.origin.z};
+    std::uint32_t longest = 0;
+    for (int k = 0; k < 3; ++k) {
+        const std::uint32_t magnitude = magnitude_bits(direction[k]);
+        longest = magnitude > longest ? magnitude : longest;
+        if (!is_finite(origin[k])) return false;
+        origin[k] = (flush_subnormal(origin[k]) - blob.origin[k]) * blob.steps_per_unit;
+        if (magnitude_bits(origin[k]) >= magnitude_bits(0x1p120f)) return false;
+        // What the last rounding makes zero anyway is zero from here on, so that nothing below is ever subnormal.
+        if (magnitude_bits(origin[k]) < magnitude_bits(0x1p-30f)) origin[k] = 0.0f;
+    }
+    if (longest == 0 || longest >= infinity_bits) return false;
 
     // The direction as three integers. Its components may be subnormal, so that they are scaled in integers.
     const int exponent =
         (longest >> 23) != 0 ? static_cast<int>(longest >> 23) - 127 : static_cast<int>(std::bit_width(longest)) - 150;
-    unsigned last = 0;
-    float origin[3];
+    unsigned longest_axis = 0;
+    std::int32_t longest_way = 0;
     for (unsigned k = 0; k < 3; ++k) {
-        ray.direction[k] =
-            static_cast<std::int32_t>(round_to_integer(scale_by_power_of_two(direction_world[k], 23 - exponent)));
-        slope.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
-        const auto length = [&](unsigned axis) {
-            return ray.direction[axis] < 0 ? -ray.direction[axis] : ray.direction[axis];
-        };
-        if (length(k) > length(last)) last = k;
-
-        origin[k] = (flush_subnormal(origin_world[k]) - blob.origin[k]) * blob.steps_per_unit;
-        if (!(absolute(origin[k]) < 0x1p120f)) return false;
-        // What the last rounding makes zero anyway is zero from here on, so that nothing below is ever subnormal.
-        if (absolute(origin[k]) < 0x1p-30f) origin[k] = 0.0f;
+        const auto way =
+            static_cast<std::int32_t>(round_to_integer(scale_by_power_of_two(direction[k], 23 - exponent)));
+        ray.direction[k] = way;
+        const std::int32_t length = way < 0 ? -way : way;
+        if (length > longest_way) {
+            longest_way = length;
+            longest_axis = k;
+        }
     }
+    set_longest_axis(ray, longest_axis);
     ray.tau_offset = 0.0f;
-    float reach = lattice_ray::reach(origin, blob);
-    if (reach >= 0x1p23f) {
-        if (!lattice_ray::approach(blob, ray, slope, origin)) return false;
-        reach = lattice_ray::reach(origin, blob);
+    std::uint32_t reach_bits = lattice_ray::reach_bits(origin, blob);
+    if (reach_bits >= magnitude_bits(0x1p23f)) {
+        if (!lattice_ray::approach(blob, ray, origin)) return false;
+        reach_bits = lattice_ray::reach_bits(origin, blob);
     }
-    slope.inverse[3] = 0.0f;
+    reach = std::bit_cast<float>(reach_bits);
     const int spare = 23 - exponent_of(reach);
     ray.fraction_bits = spare > 6 ? 6 : spare;
     for (int k = 0; k < 3; ++k) {
@@ -183,15 +196,18 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, R
     }
 
     ray.t_exponent = blob.step_exponent - exponent + 23;
-    ray.tau_min = lattice_ray::to_tau(t_min, ray.t_exponent);
+    ray.tau_min = maximum(lattice_ray::to_tau(t_min, ray.t_exponent) - ray.tau_offset, 0.0f);
     ray.tau_max = lattice_ray::to_tau(world.t_max, ray.t_exponent) - ray.tau_offset;
-    if (ray.tau_offset > 0.0f) {
-        ray.tau_min = maximum(ray.tau_min - ray.tau_offset, 0.0f);
-        if (ray.tau_max < 0.0f) return false;
-    }
-    if (ray.tau_min == infinity) return false;
-    set_shear(ray, slope, last, reach);
     ray.faces = world.faces;
+    return !(ray.tau_max < 0.0f) && ray.tau_min != infinity;
+}
+inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
+    float reach = 0.0f;
+    if (!round_ray(blob, world, ray, reach)) return false;
+    for (unsigned k = 0; k < 3; ++k)
+        slope.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
+    slope.inverse[3] = 0.0f;
+    set_shear(ray, slope, reach);
     return true;
 }
 inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
@@ -200,19 +216,21 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
 }
 
 /// The origin in lattice steps, exactly.
-inline float origin_steps(const LatticeRay& ray, unsigned axis) {
+inline float origin_steps(const RoundedRay& ray, unsigned axis) {
     return static_cast<float>(ray.origin[axis]) * power_of_two(-ray.fraction_bits);
 }
 
-/// A hit at least as good as one of this tau, counted from the caller's origin, has its box's interval begin at or
+/// A hit in the ray's window has its box's interval begin at or before what this answers, and
+inline float window_limit(const RoundedRay& ray) { return ray.tau_max * interval_slack; }
+/// one at least as good as one of this tau, counted from the caller's origin, has its box's interval begin at or
 /// before what this answers (docs/numerics.md, 5).
-inline float hit_limit(const LatticeRay& ray, float whole_tau) {
+inline float hit_limit(const RoundedRay& ray, float whole_tau) {
     return (whole_tau * interval_slack - ray.tau_offset) * interval_slack;
 }
 
 /// The caller's t, from tau counted from his origin. A hit is decided exactly: rounding must not report it outside of
 /// the window that it was found in.
-inline float to_t(const LatticeRay& ray, float whole_tau, const Ray& world) {
+inline float to_t(const RoundedRay& ray, float whole_tau, const Ray& world) {
     const float t = scale_by_power_of_two(whole_tau, ray.t_exponent);
     const auto less = [](float a, float b) { return magnitude_bits(a) < magnitude_bits(b); };  // neither is negative
     const float low = is_negative(world.t_min) ? 0.0f : world.t_min;

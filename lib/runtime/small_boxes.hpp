@@ -32,7 +32,7 @@ inline float farthest_squared(const Node& node, unsigned bits, unsigned child, c
 
 /// Whether the ray passes through a box of whole lattice steps within its window, exactly: what lanes say depends on
 /// the machine.
-[[gnu::noinline]] inline bool passes_through(const LatticeRay& ray, const std::int32_t* low, const std::int32_t* high) {
+[[gnu::noinline]] inline bool passes_through(const RoundedRay& ray, const std::int32_t* low, const std::int32_t* high) {
     // Where the ray enters and leaves along each axis, as fractions: numerators in units of 2^-fraction_bits steps,
     // below 2^33, over the direction's magnitude, which is not 0 and below 2^25.
     std::int64_t enter[3], leave[3], length[3];
@@ -63,7 +63,7 @@ inline float farthest_squared(const Node& node, unsigned bits, unsigned child, c
 }
 
 /// The same of a child's box.
-inline bool passes_through(const LatticeRay& ray, const Node& node, unsigned bits, unsigned child) {
+inline bool passes_through(const RoundedRay& ray, const Node& node, unsigned bits, unsigned child) {
     std::int32_t low[3], high[3];
     for (int k = 0; k < 3; ++k) {
         low[k] = node.low(k, child, bits);
@@ -74,7 +74,7 @@ inline bool passes_through(const LatticeRay& ray, const Node& node, unsigned bit
 
 /// The same of the asset's box and of every one on the way to a node. Boxes may stick out of those above them, and
 /// whether a ray just beside one of those was let through to here depends on the machine.
-[[gnu::noinline]] inline bool passes_down_to(const LatticeRay& ray, const BlobData& blob, const Node& target) {
+[[gnu::noinline]] inline bool passes_down_to(const RoundedRay& ray, const BlobData& blob, const Node& target) {
     constexpr std::int32_t low[3] = {0, 0, 0};
     if (!passes_through(ray, low, blob.extent)) return false;
     const auto index = static_cast<std::uint32_t>(static_cast<std::size_t>(target.bytes - blob.nodes) /

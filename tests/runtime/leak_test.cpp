@@ -71,7 +71,7 @@ TEST_SUITE("traversal against the loop") {
                 const bool found = raycast(shape.opened.blob, ray, hit);
                 REQUIRE_MESSAGE(found, describe(ray));
                 REQUIRE_MESSAGE(occluded(shape.opened.blob, ray), describe(ray));
-                detail::LatticeRay rounded;
+                detail::LatticeRay rounded{};
                 REQUIRE(detail::round_ray(shape.opened.blob.data(), ray, rounded));
                 bool exact_aim = true;
                 for (unsigned k = 0; k < 3; ++k) {

@@ -62,8 +62,9 @@ inline bool round_ordinary_ray(const BlobData& blob, const Ray& world, LatticeRa
     _mm_store_ps(slope.inverse, inverse);
     // Where rounding makes two components equally long this may choose the other one: only the filter sees it.
     const __m128 longest_axes = _mm_castsi128_ps(_mm_cmpeq_epi32(lengths, longest));
-    set_shear(ray, slope, static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(_mm_movemask_ps(longest_axes)))),
-              _mm_cvtss_f32(_mm_castsi128_ps(reach)));
+    set_longest_axis(ray,
+                     static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(_mm_movemask_ps(longest_axes)))));
+    set_shear(ray, slope, _mm_cvtss_f32(_mm_castsi128_ps(reach)));
     ray.faces = world.faces;
     return true;
 }
