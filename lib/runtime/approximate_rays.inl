@@ -1,5 +1,7 @@
 // Rays that stop at small boxes. Included once per instruction set, inside its namespace, after ray_queries.inl.
 
+namespace {
+
 template <class Leaf>
 struct MayHit {
     const BlobData& blob;
@@ -7,12 +9,13 @@ struct MayHit {
     const RayLanes& lanes_;
     std::int32_t steps;
     QueryCounters& counters;
+    Limit limit_ = window_limit(ray);
     bool found = false;
 
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         if (found) return 0;
         counters.count_node();
-        const unsigned mask = slab_test(node, lanes_, ray.tau_max * interval_slack, keys);
+        const unsigned mask = slab_test(node, lanes_, limit_, keys);
         const unsigned small = mask & children_no_larger(node, steps);
         bool passes = false;
         for (unsigned left = small; left != 0 && !passes; left &= left - 1)
@@ -31,6 +34,8 @@ struct MayHit {
         return keep_going;
     }
 };
+
+}  // namespace
 
 bool may_hit(const BlobData& blob, const Ray& world, std::int32_t steps, QueryCounters& counters) {
     PreparedRay prepared;

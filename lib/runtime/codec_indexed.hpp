@@ -25,10 +25,17 @@ struct IndexedLeaf : LeafVertices<true> {
     [[nodiscard]] unsigned triangle_count() const { return slot_count; }
     /// One for each leaf of the node.
     [[nodiscard]] const std::byte* descriptors() const { return block + format::indexed_leaf::descriptors_at; }
-    [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
-        const std::uint32_t corners = load_field(triangles, 3 * corner_width, slot);
+    /// The vertex that is a triangle's corner 0, 1 or 2.
+    [[nodiscard]] unsigned corner(unsigned slot, unsigned which) const {
+        return load_field(triangles, corner_width, 3 * slot + which);
+    }
+    [[nodiscard]] LeafCorners corners(unsigned slot) const {
+        const std::uint32_t packed = load_field(triangles, 3 * corner_width, slot);
         const std::uint32_t mask = (1u << corner_width) - 1u;
-        return triangle_of(corners & mask, corners >> corner_width & mask, corners >> (2 * corner_width) & mask);
+        return {packed & mask, packed >> corner_width & mask, packed >> (2 * corner_width) & mask};
+    }
+    [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
+        return triangle_of(corners(slot));
     }
 };
 

@@ -40,12 +40,17 @@ struct StripLeaf : LeafVertices<false> {
         const unsigned reference = place - fresh;
         return static_cast<unsigned>(load_bits(marks, references_at + reference * reference_width, reference_width));
     }
-    [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
+    /// The vertex that is a triangle's corner 0, 1 or 2.
+    [[nodiscard]] unsigned corner(unsigned slot, unsigned which) const { return corners(slot).vertex[which]; }
+    [[nodiscard]] ESPALIER_SHARED_CODE LeafCorners corners(unsigned slot) const {
         const std::uint64_t behind = pivots & ((std::uint64_t{2} << slot) - 1);
         const unsigned a = entry(static_cast<unsigned>(std::bit_width(behind)) - 1);
         const unsigned b = entry(slot + 1), c = entry(slot + 2);
         // Each turn of a strip changes the order in which its entries go round the triangle.
-        return std::popcount(behind) % 2 != 0 ? triangle_of(a, b, c) : triangle_of(a, c, b);
+        return std::popcount(behind) % 2 != 0 ? LeafCorners(a, b, c) : LeafCorners(a, c, b);
+    }
+    [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
+        return triangle_of(corners(slot));
     }
 };
 

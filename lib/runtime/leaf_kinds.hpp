@@ -13,6 +13,14 @@
 #define ESPALIER_STRIP_LEAVES 1
 #endif
 
+/// Before what exists once for each kind of leaf: a function of its own where there are several kinds, so that a frame
+/// on the stack holds but one of them, and part of its caller elsewhere.
+#if ESPALIER_INDEXED_LEAVES && ESPALIER_STRIP_LEAVES
+#define ESPALIER_FOR_ONE_KIND_OF_LEAF [[gnu::noinline]]
+#else
+#define ESPALIER_FOR_ONE_KIND_OF_LEAF [[gnu::always_inline]]
+#endif
+
 namespace espalier::detail {
 
 inline constexpr bool reads_indexed_leaves = ESPALIER_INDEXED_LEAVES != 0;

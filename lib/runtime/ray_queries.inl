@@ -1,9 +1,11 @@
 // Rays: the queries. Included once per instruction set, inside its namespace, after traverse.inl and ray_visitors.inl.
 
+namespace {
+
 /// One function for each kind of leaf, the walk inside of it: one frame on the stack.
 template <class Leaf, class Counters>
-[[gnu::noinline]] inline bool closest_hit_in(const BlobData& blob, const Ray& world, RayHit& hit,
-                                             const TriangleFilter* filter, Counters& counters) {
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool closest_hit_in(const BlobData& blob, const Ray& world, RayHit& hit,
+                                                         const TriangleFilter* filter, Counters& counters) {
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
     ClosestHit<Leaf, Counters> visitor = {prepared.ray, prepared.lanes, filter, counters, hit};
@@ -14,23 +16,28 @@ template <class Leaf, class Counters>
 }
 
 template <class Counters>
-inline bool closest_hit_counting(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter,
-                                 Counters& counters) {
-    return with_leaves_of(blob, [&]<class Leaf>() { return closest_hit_in<Leaf>(blob, world, hit, filter, counters); });
+[[gnu::always_inline]] inline bool closest_hit_counting(const BlobData& blob, const Ray& world, RayHit& hit,
+                                                        const TriangleFilter* filter, Counters& counters) {
+    return with_leaves_of(
+        blob, [&]<class Leaf>()
+                  __attribute__((always_inline)) { return closest_hit_in<Leaf>(blob, world, hit, filter, counters); });
 }
 
 /// The same. True when the callable, which is told of the ray and the hit, stopped it.
 template <class Leaf, class OnHit>
-[[gnu::noinline]] inline bool every_hit_in(const BlobData& blob, const Ray& world, OnHit on_hit) {
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool every_hit_in(const BlobData& blob, const Ray& world, OnHit on_hit) {
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
     EveryHit<Leaf, OnHit> visitor = {prepared.ray, prepared.lanes, on_hit};
     return walk_in_storage_order<Leaf>(blob, visitor) == stop;
 }
 template <class OnHit>
-inline bool visit_every_hit(const BlobData& blob, const Ray& world, OnHit on_hit) {
-    return with_leaves_of(blob, [&]<class Leaf>() { return every_hit_in<Leaf>(blob, world, on_hit); });
+[[gnu::always_inline]] inline bool visit_every_hit(const BlobData& blob, const Ray& world, OnHit on_hit) {
+    return with_leaves_of(
+        blob, [&]<class Leaf>() __attribute__((always_inline)) { return every_hit_in<Leaf>(blob, world, on_hit); });
 }
+
+}  // namespace
 
 bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter) {
     return closest_hit_counting(blob, world, hit, filter, no_counters);

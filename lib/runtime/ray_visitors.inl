@@ -9,11 +9,11 @@ struct ClosestHit {
     const TriangleFilter* filter;
     Counters& counters;
     RayHit& best;  ///< the caller's, undivided
-    float limit_ = ray.tau_max * interval_slack;
+    Limit limit_ = window_limit(ray);
     float volume = 0.0f;  ///< of the best; 0 while there is none
 
     [[nodiscard]] bool found() const { return volume != 0.0f; }
-    [[nodiscard]] float limit() const { return limit_; }
+    [[nodiscard]] Limit limit() const { return limit_; }
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         counters.count_node();
         return slab_test(node, lanes_, limit_, keys);
@@ -53,9 +53,9 @@ struct FirstHitsOf {
     const RayLanes& lanes_;
     const TriangleFilter* filter;
     FirstHits& hits;
-    float limit_ = ray.tau_max * interval_slack;
+    Limit limit_ = window_limit(ray);
 
-    [[nodiscard]] float limit() const { return limit_; }
+    [[nodiscard]] Limit limit() const { return limit_; }
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         return slab_test(node, lanes_, limit_, keys);
     }
@@ -82,9 +82,10 @@ struct EveryHit {
     const LatticeRay& ray;
     const RayLanes& lanes_;
     OnHit on_hit;
+    Limit limit_ = window_limit(ray);
 
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
-        return slab_test(node, lanes_, ray.tau_max * interval_slack, keys);
+        return slab_test(node, lanes_, limit_, keys);
     }
     Visit visit_leaf(const Leaf& leaf) {
         for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {

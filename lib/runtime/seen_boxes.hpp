@@ -1,6 +1,7 @@
 // Rays against the boxes of a node on small cores: as seen along the ray (seen_ray.hpp).
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -9,92 +10,97 @@
 
 namespace espalier::detail {
 
-/// Where each child's box begins and ends ahead, in planes, counted along the ray. Where it begins becomes where the
-/// ray can be inside at first.
-struct AheadPlanes {
-    std::uint8_t begin[format::max_children];
-    std::uint8_t end[format::max_children];
+/// Children of a node, a bit each, and above them the number of the one that the ray can be in first.
+struct SeenChildren {
+    static unsigned pack(unsigned children, unsigned nearest) { return nearest << format::max_children | children; }
+    static unsigned children(unsigned packed) { return packed & ((1u << format::max_children) - 1u); }
+    static unsigned nearest(unsigned packed) { return packed >> format::max_children; }
 };
 
-/// A node, as a ray looks at it.
-struct SeenNode {
-    const std::byte* bytes;
-    std::uint32_t shifts;
-    int fine;            ///< in 2^-fine of a step the planes lie within 2^28
-    int slope_drop;      ///< from a slope to what a plane ahead takes away, in the same units
-    std::int32_t slack;  ///< more than all of what is seen across can round
-    std::int32_t start;  ///< plane 0 ahead
-    std::int32_t flip;   ///< 255 where planes count against the axis
-    std::int32_t last;   ///< the plane beyond which nothing is asked for
-
-    [[nodiscard]] int shift(const SeenAxis& axis) const { return static_cast<int>(shifts >> (5u * axis.axis) & 31u); }
+/// The planes of a node along an axis across, as a ray sees them: in 2^-fine of a step, in which they are within 2^28.
+struct SeenPlanes {
+    const std::byte *near_planes, *far_planes;
+    std::int32_t plane;            ///< from one to the next; negative where they count against the axis
+    std::int32_t slope;            ///< what a plane ahead takes away
+    std::int32_t to_near, to_far;  ///< plane 0, and more than all of what is seen can round
 };
 
-/// Children of `mask` whose boxes the ray meets as seen across one axis.
-[[gnu::noinline]] inline unsigned seen_across(const SeenNode& node, const SeenAxis& axis, unsigned mask,
-                                              AheadPlanes& ahead) {
-    const std::int32_t seen = axis.across(axis.base(node.bytes), node.start);
-    // Plane 0 is no more than 2^30 away from a box that is met.
-    const int finer = node.fine - SeenRay::box_bits;
-    if ((static_cast<std::uint32_t>(seen) + (1u << (30 - finer))) >> (31 - finer) != 0) return 0;
-    const std::int32_t slope = axis.slope >> node.slope_drop;
-    const std::int32_t plane_0 = seen * (1 << finer) + slope * node.flip;
-    const std::int32_t to_near = plane_0 - node.slack, to_far = plane_0 + node.slack;
-    std::int32_t plane = 1 << (node.shift(axis) + node.fine);
-    if (axis.runs_down()) plane = -plane;
-    const std::byte* near_planes = node.bytes + axis.near_at;
-    const std::byte* far_planes = node.bytes + axis.far_at;
-    unsigned met = 0;
-    for (unsigned child = 0; mask >> child != 0; ++child) {
-        if ((mask >> child & 1u) == 0) continue;
-        // The ray has passed the near plane when the box ends, and not yet the far one when it begins.
-        const std::int32_t near = static_cast<std::int32_t>(load_u8(near_planes + child)) * plane + to_near;
-        if (near > ahead.end[child] * slope) continue;
-        const std::int32_t far = static_cast<std::int32_t>(load_u8(far_planes + child)) * plane + to_far;
-        const std::int32_t begin = ahead.begin[child] * slope;
-        if (far < begin) continue;
-        if (near > begin) {
-            const std::int32_t later = near / slope;
-            if (later > node.last) continue;
-            ahead.begin[child] = static_cast<std::uint8_t>(later);
+/// Children of `among` whose boxes the ray may meet no farther than `last_ahead`. Apart from the walk: its room on the
+/// stack is free again when a leaf is visited.
+[[gnu::noinline]] inline unsigned seen_children(const SeenRay& ray, const std::byte* node, std::int32_t last_ahead,
+                                                unsigned among) {
+    using namespace format::node;
+    SeenPlanes across[2];
+    // Ahead, along the ray: where plane 0 is along the axis, -1 and 255 where the ray runs down along it.
+    std::int32_t base_ahead = 0, down_ahead = 0, flip = 0;
+    int ahead_shift = 0;
+    const std::byte *begins = nullptr, *ends = nullptr;
+    for (unsigned i = 3; i-- != 0;) {
+        const unsigned k = ray.axis[i];
+        const std::int32_t down = ray.down(k);
+        const int shift = static_cast<int>(load_u16(node + shifts_at) >> (5 * k) & 31u);
+        // What is not of the asset, as only boxes that mean nothing are, may come out as anything.
+        const std::uint32_t base_units = load_u16(node + base_at + std::size_t{2} * k) << ray.base_shift;
+        const std::int32_t base = static_cast<std::int32_t>(base_units) - ray.origin[k];
+        const std::byte* const near_planes = node + lo_at + 8 * k + (down & static_cast<int>(hi_at - lo_at));
+        const std::byte* const far_planes = node + lo_at + 8 * k + (~down & static_cast<int>(hi_at - lo_at));
+        if (i == 2) {
+            base_ahead = base;
+            down_ahead = down;
+            ahead_shift = shift;
+            flip = down & 255;
+            begins = near_planes;
+            ends = far_planes;
+            continue;
         }
-        met |= 1u << child;
+        const int fine = 20 - (shift > ahead_shift ? shift : ahead_shift);
+        const int finer = fine - ray.fraction_bits;
+        // Planes that are much farther apart than the asset is large tell nothing.
+        if (finer < 0) return SeenChildren::pack(among, static_cast<unsigned>(std::countr_zero(among)));
+        const std::int32_t seen = SeenRay::negated_if(down, ray.across(i, base, base_ahead));
+        // Plane 0 is no more than 2^30 away from a box that is met.
+        if ((seen ^ seen >> 31) >> (30 - finer) != 0) return 0;
+        const std::int32_t plane_0 = seen * (1 << finer);
+        SeenPlanes& planes = across[i];
+        planes.near_planes = near_planes;
+        planes.far_planes = far_planes;
+        planes.plane = SeenRay::negated_if(down, 1 << (shift + fine));
+        planes.slope =
+            SeenRay::negated_if(down ^ down_ahead, ray.slope[i]) >> (SeenRay::slope_bits - fine - ahead_shift);
+        const std::int32_t slack = SeenRay::off * (1 << finer) + 258;
+        planes.to_near = plane_0 + planes.slope * flip - slack;
+        planes.to_far = plane_0 + planes.slope * flip + slack;
     }
-    return met;
-}
-
-/// Children of `among` whose boxes the ray may meet before `limit`. Apart from the walk: its room on the stack is free
-/// again when a leaf is visited.
-[[gnu::noinline]] inline unsigned seen_children(const SeenRay& ray, const std::byte* bytes, float limit, unsigned among,
-                                                AheadPlanes& ahead) {
-    const SeenAxis& forth = ray.seen[2];
-    SeenNode node;
-    node.bytes = bytes;
-    node.shifts = load_u16(bytes + format::node::shifts_at);
-    node.start = forth.base(bytes);
-    node.flip = forth.runs_down() ? 255 : 0;
-    const int scale = node.shift(forth) + SeenRay::box_bits;
-    const std::int32_t first = ((ray.first_ahead - node.start) >> scale) + node.flip;
-    node.last = ((ray.ahead_at(limit) + ray.off - node.start) >> scale) + node.flip;
-    const std::byte* begins = bytes + forth.near_at;
-    const std::byte* ends = bytes + forth.far_at;
-    unsigned mask = 0;
+    const int scale = ahead_shift + ray.fraction_bits;
+    const std::int32_t start = SeenRay::negated_if(down_ahead, base_ahead);
+    const std::int32_t first = ((ray.first_ahead - start) >> scale) + flip;
+    const std::int32_t last = ((last_ahead - start) >> scale) + flip;
+    unsigned met = 0;
+    unsigned nearest = ~0u;
+    const auto plane = [](const std::byte* planes, unsigned child) {
+        return static_cast<std::int32_t>(load_u8(planes + child));
+    };
     for (unsigned child = 0; among >> child != 0; ++child) {
         if ((among >> child & 1u) == 0) continue;
-        const auto begin = static_cast<std::int32_t>(load_u8(begins + child)) ^ node.flip;
-        const auto end = static_cast<std::int32_t>(load_u8(ends + child)) ^ node.flip;
-        ahead.begin[child] = static_cast<std::uint8_t>(begin);
-        ahead.end[child] = static_cast<std::uint8_t>(end);
-        if (begin <= node.last && end >= first) mask |= 1u << child;
+        std::int32_t begin = plane(begins, child) ^ flip;
+        const std::int32_t end = plane(ends, child) ^ flip;
+        if (begin > last || end < first) continue;
+        for (const SeenPlanes& planes : across) {
+            // The ray has passed the near plane when the box ends, and not yet the far one when it begins.
+            const std::int32_t near = plane(planes.near_planes, child) * planes.plane + planes.to_near;
+            if (near > end * planes.slope) goto missed;
+            const std::int32_t far = plane(planes.far_planes, child) * planes.plane + planes.to_far;
+            if (far < begin * planes.slope) goto missed;
+            if (near > begin * planes.slope) begin = near / planes.slope;
+        }
+        if (begin <= last) {
+            met |= 1u << child;
+            const unsigned key = static_cast<unsigned>(begin) << 3 | child;
+            nearest = key < nearest ? key : nearest;
+        }
+    missed:;
     }
-    if (mask == 0) return 0;
-    node.fine = 20 - node.shift(forth);
-    for (unsigned i = 0; i < 2; ++i)
-        if (20 - node.shift(ray.seen[i]) < node.fine) node.fine = 20 - node.shift(ray.seen[i]);
-    node.slope_drop = SeenAxis::slope_bits - node.fine - node.shift(forth);
-    node.slack = ray.off * (1 << (node.fine - SeenRay::box_bits)) + 258;
-    mask = seen_across(node, ray.seen[0], mask, ahead);
-    return mask == 0 ? 0 : seen_across(node, ray.seen[1], mask, ahead);
+    return SeenChildren::pack(met, nearest & 7u);
 }
 
 }  // namespace espalier::detail

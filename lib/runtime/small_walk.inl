@@ -4,7 +4,6 @@
 #include <runtime/with_leaves_of.inl>
 
 struct Keys {
-    AheadPlanes& ahead;
     unsigned among;
 };
 inline constexpr unsigned every_child = (1u << format::max_children) - 1u;
@@ -12,9 +11,11 @@ inline constexpr unsigned every_child = (1u << format::max_children) - 1u;
 /// Nodes on the way down of which some children have not had their turn.
 class WaitingNodes {
 public:
-    void push(std::uint32_t node, unsigned children) { waiting_[size_++] = children << 24 | node; }
+    [[gnu::always_inline]] void push(std::uint32_t node, unsigned children) {
+        waiting_[size_++] = children << 24 | node;
+    }
     /// False when there are none.
-    bool pop(std::uint32_t& node, unsigned& children) {
+    [[gnu::always_inline]] bool pop(std::uint32_t& node, unsigned& children) {
         if (size_ == 0) return false;
         const std::uint32_t last = waiting_[--size_];
         node = last & ((1u << 24) - 1u);
@@ -24,7 +25,7 @@ public:
 
 private:
     static_assert(format::max_nodes <= 1u << 24 && format::max_children <= 8);
-    std::uint32_t waiting_[format::max_depth];
+    std::uint32_t waiting_[format::max_depth - 1];  ///< the deepest nodes have leaves alone
     unsigned size_ = 0;
 };
 
@@ -38,16 +39,10 @@ template <class Leaf, class Visitor>
     do {
         count_node_step();
         const Node node = node_at(blob, index);
-        unsigned nearest = format::max_children;
-        {
-            AheadPlanes keys;
-            among = visitor.children(node, {keys, among});
-            for (unsigned child = 0; among >> child != 0; ++child)
-                if ((among >> child & 1u) != 0 &&
-                    (nearest == format::max_children || keys.begin[child] < keys.begin[nearest]))
-                    nearest = child;
-        }
+        const unsigned seen = visitor.children(node, {among});
+        among = SeenChildren::children(seen);
         if (among == 0) continue;
+        const unsigned nearest = SeenChildren::nearest(seen);
         among &= ~(1u << nearest);
         const unsigned node_children = node.node_children();
         if (nearest < node_children) {
@@ -69,8 +64,7 @@ template <class Leaf, class Visitor>
     for (;;) {
         count_node_step();
         const Node node = node_at(blob, index);
-        AheadPlanes keys;
-        const unsigned mask = visitor.children(node, {keys, every_child});
+        const unsigned mask = SeenChildren::children(visitor.children(node, {every_child}));
         const unsigned node_children = node.node_children();
         for (unsigned number = 0; mask >> node_children >> number != 0; ++number) {
             if ((mask >> node_children >> number & 1u) == 0) continue;

@@ -8,6 +8,7 @@
 #include <runtime/with_leaves_of.inl>
 
 using Keys = float*;  ///< one for each child
+using Limit = float;
 
 /// What waits at a node on the way down: the second nearest of its children worth a visit, how near that is, and which
 /// others there are, none of them nearer. Keys are not negative, so that their bits order like integers; the lowest

@@ -31,9 +31,11 @@ namespace {
 /// Also by the kernel of small cores: all that the caller sees of a hit must have the same bits.
 bool both_intersect(const LatticeRay& ray, const detail::LatticeTriangle& triangle, detail::TriangleHit& hit) {
     detail::TriangleHit of_small_cores{};
-    detail::LatticeTriangle to_be_turned = triangle;
+    detail::LatticeTriangle from_origin = triangle;
+    for (auto& corner : from_origin.corner)
+        for (int k = 0; k < 3; ++k) corner[k] = (corner[k] << ray.fraction_bits) - ray.origin[k];
     const bool hits = detail::intersect(ray, triangle, hit);
-    REQUIRE(detail::small_ray_triangle::hits(ray, to_be_turned, of_small_cores) == hits);
+    REQUIRE(detail::small_ray_triangle::hits(ray, from_origin, of_small_cores) == hits);
     if (!hits) return false;
     const RayHit seen = detail::to_ray_hit(hit, 0), seen_by_small_cores = detail::to_ray_hit(of_small_cores, 0);
     REQUIRE(hit.tau == of_small_cores.tau);
