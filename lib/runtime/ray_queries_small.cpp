@@ -9,7 +9,6 @@
 #include <runtime/simd/lanes_scalar.hpp>
 
 namespace espalier::detail::small {
-namespace {  // what is called once becomes part of its caller
 
 using LatticeRay = SeenRay;
 /// Boxes need no more than the ray itself.
@@ -78,6 +77,8 @@ template <class Leaf>
     return small_ray_triangle::hits(ray, from_origin, hit);
 }
 using scalar::owner_index;
+
+namespace {  // what is called once becomes part of its caller
 
 #include <runtime/ray_visitors.inl>
 
