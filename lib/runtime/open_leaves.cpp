@@ -94,7 +94,8 @@ bool take_leaves(Node node, OpenProgress& seen) {
     if (block == nullptr || load_u32(block) != seen.triangles) return false;
     const bool good = has_indexed_leaves(seen.blob.profile) ? take_indexed_leaves(node, block + descriptors_at, seen)
                                                             : take_strip_leaves(node, block + descriptors_at, seen);
-    return good && take_padding(seen, 4);
+    // Here already, block by block: a sum at the end could have gone around in 32 bits.
+    return good && seen.triangles <= seen.blob.triangle_count && take_padding(seen, 4);
 }
 
 }  // namespace espalier::detail

@@ -277,6 +277,16 @@ TEST_SUITE("open") {
         });
     }
 
+    TEST_CASE("more triangles than the header says are refused by the leaves that have them") {
+        for_each_profile([](format::Profile profile) {
+            Bytes bytes = plain_blob(profile);
+            put(bytes, leaves_of(bytes) - format::node::bytes + format::node::children_at, 0, 4);  // behind them
+            CHECK(status_resized(bytes) == Status::bad_node);
+            put(bytes, at::triangle_count_at, 1, 4);
+            CHECK(status_resized(bytes) == Status::bad_leaf);
+        });
+    }
+
     TEST_CASE("each part that ends too early is refused") {
         for_each_profile([](format::Profile profile) {
             for (const Materials materials : {Materials::bits_8, Materials::bits_16}) {
