@@ -47,9 +47,10 @@ struct LaneBoxes {
     Floats half[3];
 };
 
-/// The squared distance that the boxes are apart at least, measured along the axes of both.
+/// The squared distance that the boxes are apart at least, measured along the axes of both; with one lane along the own
+/// ones alone where that is beyond the limit.
 ESPALIER_SHARED_CODE inline Floats gap_to(const LaneBoxes& boxes, const SeenBox& seen, const PairSide& side,
-                                          Floats* apart) {
+                                          float limit, Floats* apart) {
     const Floats zero = splat(0.0f);
     Floats own = zero;
     for (int k = 0; k < 3; ++k) {
@@ -57,6 +58,7 @@ ESPALIER_SHARED_CODE inline Floats gap_to(const LaneBoxes& boxes, const SeenBox&
         const Floats gap = larger(subtract(subtract(magnitude(apart[k]), boxes.half[k]), splat(seen.reach[k])), zero);
         own = add(own, multiply(gap, gap));
     }
+    if (lanes == 1 && at_most(own, splat(limit)) == 0) return own;
     Floats others = zero;
     for (int j = 0; j < 3; ++j) {
         const auto along = [&](int i) { return splat(side.axis[i][j]); };
@@ -141,7 +143,8 @@ inline constexpr float share_of_centers = 0x1p-4f;
             boxes.half[k] = multiply(subtract(high, low), scale);
         }
         Floats apart[3];
-        Floats gap = gap_to(boxes, seen, side, apart);
+        Floats gap = gap_to(boxes, seen, side, limit, apart);
+        if (lanes == 1 && at_most(gap, splat(limit)) == 0) continue;
         if (!touching) gap = larger(gap, gap_along(axes, boxes, seen, side, apart));
         unsigned near = at_most(gap, splat(limit));
         const Floats between =
