@@ -78,6 +78,8 @@ TEST_SUITE("open") {
             CHECK(refused(at::features_at, features | feature::materials_8 | feature::materials_16, 4));
             CHECK((refused(at::features_at, features | feature::split_references, 4) ||
                    profile == format::Profile::fast));
+            CHECK(refused(at::max_error_at, 0x7F800000u, 4));
+            CHECK_FALSE(refused(at::max_error_at, 0x7F7FFFFFu, 4));
             CHECK(refused(at::id_bits_at, 1, 1));  // ids that are not there
             CHECK(refused(at::source_count_at, 1, 4));
             CHECK(refused(at::id_bits_at + 1, 1, 1));
@@ -105,6 +107,17 @@ TEST_SUITE("open") {
             CHECK(status_with(empty, at::depth_at, 1, 1) == Status::bad_header);
             CHECK(status_with(empty, at::bits_at, 0, 1) == Status::bad_header);
             CHECK(status_with(empty, at::features_at, feature::closed, 4) == Status::bad_header);
+        });
+    }
+
+    TEST_CASE("a vertex just outside the extent is refused, along each axis") {
+        for_each_profile([](format::Profile profile) {
+            const Bytes bytes = plain_blob(profile);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const std::size_t extent_at = at::extent_at + 4 * axis;
+                const std::uint64_t extent = get(bytes, extent_at, 4);
+                CHECK(status_with(bytes, extent_at, extent - 1, 4) == Status::bad_leaf);
+            }
         });
     }
 
@@ -323,6 +336,8 @@ TEST_SUITE("open") {
             Bytes no_sources = without(bytes, table, 3 * format::source::bytes);
             put(no_sources, at::source_count_at, 0, 4);
             CHECK(status_resized(no_sources) == Status::bad_section);
+            for (std::size_t i = table; i < no_sources.size(); ++i) put(no_sources, i, 0, 1);
+            CHECK(status_resized(no_sources) == Status::bad_section);
             CHECK(status_resized(without(bytes, bytes.size() - 4, 4)) == Status::bad_section);
             Bytes widest = bytes;  // ids of 32 bits, all 0
             widest.resize(table + 3 * format::source::bytes);
@@ -337,7 +352,9 @@ TEST_SUITE("open") {
             const auto nothing = bake({}, options);
             REQUIRE(nothing.has_value());
             REQUIRE(get(nothing->blob, at::source_count_at, 4) == 0);
-            CHECK(status_of(nothing->blob) == Status::ok);
+            const GuardedPages pages(nothing->blob, true);  // no source is looked at behind its end
+            Blob blob;
+            CHECK(open(pages.bytes(), blob) == Status::ok);
         });
     }
 
