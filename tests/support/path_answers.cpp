@@ -1,6 +1,7 @@
 #include "path_answers.hpp"
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include <espalier/collide.hpp>
@@ -79,19 +80,27 @@ void add(AnswerHash& hash, const RayHit& hit) {
     hash.add(hit.triangle.index);
 }
 
-constexpr std::array names = {"the closest hit", "the first hits",       "any hit",           "every hit",
-                              "a batch",         "overlaps of a sphere", "the closest point", "the closest triangles",
-                              "about a sphere",  "about a distance",     "about a ray",       "pairs that touch",
-                              "the nearest pair"};
-using Answers = std::array<std::uint64_t, names.size()>;
+struct Kind {
+    const char* name;
+    bool of_rays = false;
+};
+constexpr std::array kinds = {
+    Kind{"the closest hit", true}, Kind{"the first hits", true},  Kind{"any hit", true},
+    Kind{"every hit", true},       Kind{"a batch", true},         Kind{"overlaps of a sphere"},
+    Kind{"the closest point"},     Kind{"the closest triangles"}, Kind{"about a sphere"},
+    Kind{"about a distance"},      Kind{"about a ray", true},     Kind{"pairs that touch"},
+    Kind{"the nearest pair"}};
+using Answers = std::array<std::uint64_t, kinds.size()>;
 
 Answers ask(const InstructionPath& path, const detail::BlobData& data, const Questions& questions) {
-    std::array<AnswerHash, names.size()> hashes;
+    std::array<AnswerHash, kinds.size()> hashes;
     std::size_t next = 0;
     const auto about = [&](auto question) { question(hashes[next++]); };
     const Ray& ray = questions.rays.back();
     const auto keep = [](Triangle triangle) { return triangle.index % 3 != 0; };
     const TriangleFilter filter = keep;
+    // How often a triangle that has copies is met depends on the boxes that are entered: lists are refused to callers.
+    const bool lists_copies = data.copies != nullptr;
 
     about([&](AnswerHash& hash) {
         for (const TriangleFilter* each : {static_cast<const TriangleFilter*>(nullptr), &filter}) {
@@ -108,6 +117,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
     });
     about([&](AnswerHash& hash) { hash.add(std::uint32_t{path.any_hit(data, ray, &filter)}); });
     about([&](AnswerHash& hash) {
+        if (lists_copies) return;
         unsigned seen = 0;
         path.every_hit(data, ray, [&](const RayHit& hit) {
             add(hash, hit);
@@ -128,6 +138,7 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
         const detail::LatticePoint& point = questions.point;
         about([&](AnswerHash& hash) {
             hash.add(std::uint32_t{path.any_overlap(data, point)});
+            if (lists_copies) return;
             unsigned seen = 0;
             path.every_overlap(data, point, 0, [&](Triangle triangle) {
                 hash.add(triangle.index);
@@ -213,8 +224,10 @@ std::optional<std::string> path_difference(const Blob& blob, Random& random, boo
     for (const InstructionPath& path : instruction_paths()) {
         if (&path == &instruction_paths().front()) continue;
         const Answers answers = ask(path, blob.data(), questions);
+        const bool sees_other_boxes = !sound && std::string_view(path.name) == "small";
         for (std::size_t i = 0; i < answers.size(); ++i)
-            if (answers[i] != expected[i]) return std::string(path.name) + " and scalar differ: " + names[i];
+            if (answers[i] != expected[i] && !(sees_other_boxes && kinds[i].of_rays))
+                return std::string(path.name) + " and scalar differ: " + kinds[i].name;
     }
     return std::nullopt;
 }
