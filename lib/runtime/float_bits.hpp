@@ -43,7 +43,7 @@ constexpr bool is_subnormal(float x) { return magnitude_bits(x) - 1u < 0x007FFFF
 /// Subnormal numbers count as zero.
 constexpr float flush_subnormal(float x) { return magnitude_bits(x) < 0x00800000u ? 0.0f : x; }
 
-/// x * 2^exponent, rounded once to nearest even, for every x and exponent.
+/// x * 2^exponent, rounded once to nearest even, for every x and every exponent within 2^30.
 ESPALIER_SHARED_CODE constexpr float scale_by_power_of_two(float x, int exponent) {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
     const std::uint32_t sign = bits & 0x80000000u;
@@ -58,16 +58,14 @@ ESPALIER_SHARED_CODE constexpr float scale_by_power_of_two(float x, int exponent
     } else {
         mantissa |= 0x00800000u;
     }
-    biased = exponent > 1000 ? 1000 : exponent < -1000 ? -1000 : biased + exponent;
+    biased += exponent;
     if (biased >= 255) return std::bit_cast<float>(sign | infinity_bits);
-    if (biased >= 1) return std::bit_cast<float>(sign | ((static_cast<std::uint32_t>(biased - 1) << 23) + mantissa));
-    const int shift = 1 - biased;
-    if (shift > 24) return std::bit_cast<float>(sign);
-    const std::uint32_t half = 1u << (shift - 1);
-    const std::uint32_t rest = mantissa & ((half << 1) - 1u);
-    std::uint32_t result = mantissa >> shift;
-    if (rest > half || (rest == half && (result & 1u) != 0)) ++result;
-    return std::bit_cast<float>(sign | result);
+    if (biased < 1) {  // without a digit before the point, and fewer behind it
+        const int shift = biased < -24 ? 25 : 1 - biased;
+        mantissa = (mantissa + (1u << (shift - 1)) - 1u + (mantissa >> shift & 1u)) >> shift;
+        biased = 1;
+    }
+    return std::bit_cast<float>(sign | ((static_cast<std::uint32_t>(biased - 1) << 23) + mantissa));
 }
 
 /// The nearest integer, ties to even, for |x| < 2^24. Relies on round-to-nearest: adding 2^23 leaves no fraction bits.

@@ -125,29 +125,20 @@ constexpr bool is_zero(const Int128& a) { return a.is_zero(); }
 /// The nearest float, ties to even, to a number in two's complement, low words first. For cores without wide registers:
 /// the compiler's own conversion would bring all of its float addition along.
 [[gnu::noinline]] inline float words_to_float(const std::uint32_t* words, int count) {
-    const std::uint32_t sign = 0u - (words[count - 1] >> 31);
-    std::uint32_t carry = sign & 1u;
-    std::uint32_t top = 0, below = 0, rest = 0;  // the highest word that is not zero, the next one, all others
-    std::uint32_t previous = 0, seen = 0;
-    int exponent = 0;
-    for (int i = 0; i < count; ++i) {
-        const std::uint32_t word = (words[i] ^ sign) + carry;  // of the magnitude
-        if (word != 0) {
-            carry = 0;
-            top = word;
-            below = previous;
-            rest = seen;
-            exponent = 32 * i;
-        }
-        seen |= previous;
-        previous = word;
-    }
-    if (top == 0) return 0.0f;
-    const int shift = std::countl_zero(top);
-    // 32 bits, more than a float has; whatever is below only matters as "not zero".
-    const std::uint32_t kept = top << shift | below >> 1 >> (31 - shift) | ((below << shift | rest) != 0 ? 1u : 0u);
-    const float value = static_cast<float>(kept) * power_of_two(exponent - shift);
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) | (sign << 31));
+    std::int32_t top;
+    std::uint32_t below = 0, rest = 0;
+    do {  // what is the next one's sign, and no more, is left out
+        top = static_cast<std::int32_t>(words[--count]);
+        below = count != 0 ? words[count - 1] : 0;
+    } while (count != 0 && top == static_cast<std::int32_t>(below) >> 31);
+    const int shift = std::countl_zero(static_cast<std::uint32_t>(top ^ top >> 31)) - 1;
+    const int exponent = 32 * count - shift;
+    rest = below << shift;
+    for (; count > 1; --count) rest |= words[count - 2];
+    // 31 bits, more than a float has, rounded down; whatever is below only matters as "not zero", on both sides of 0.
+    const std::uint32_t kept =
+        static_cast<std::uint32_t>(top) << shift | below >> 1 >> (31 - shift) | (rest != 0 ? 1u : 0u);
+    return static_cast<float>(static_cast<std::int32_t>(kept)) * power_of_two(exponent);
 }
 
 #if ESPALIER_NATIVE_INT128
