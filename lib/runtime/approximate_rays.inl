@@ -41,7 +41,7 @@ bool may_hit(const BlobData& blob, const Ray& world, std::int32_t steps, QueryCo
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
     return with_leaves_of(blob, [&]<class Leaf>() {
-        MayHit<Leaf> visitor = {blob, prepared.ray, prepared.lanes, steps, counters};
+        MayHit<Leaf> visitor = {blob, prepared.ray, prepared.lanes(), steps, counters};
         (void)walk_in_storage_order<Leaf>(blob, visitor);
         return visitor.found;
     });

@@ -40,7 +40,7 @@ struct IndexedLeaf : LeafVertices<true> {
 };
 
 /// The leaf that is child `node.node_children() + number` of the node.
-ESPALIER_SHARED_CODE inline IndexedLeaf indexed_leaf(const BlobData& blob, const Node& node, unsigned number) {
+ESPALIER_SHARED_CODE inline IndexedLeaf indexed_leaf(const BlobData& blob, Node node, unsigned number) {
     using namespace format::indexed_leaf;
     IndexedLeaf leaf;
     leaf.node = node;
@@ -59,16 +59,17 @@ ESPALIER_SHARED_CODE inline IndexedLeaf indexed_leaf(const BlobData& blob, const
             coordinate_width((descriptor >> (widths_shift + 4 * static_cast<unsigned>(k))) & 15u, blob.bits);
         leaf.width[k] = static_cast<std::uint8_t>(width);
         leaf.coordinates[k] = at;
+        leaf.keep_anchor(k);
         at += stream_bytes(leaf.vertex_count, width);
         longest = width > longest ? width : longest;
     }
     leaf.triangles = at;
-    leaf.size = 1u << longest;
+    leaf.size_bits = static_cast<std::uint8_t>(longest);
     return leaf;
 }
 
 template <>
-inline IndexedLeaf leaf_at(const BlobData& blob, const Node& node, unsigned number) {
+inline IndexedLeaf leaf_at(const BlobData& blob, Node node, unsigned number) {
     return indexed_leaf(blob, node, number);
 }
 
@@ -78,7 +79,8 @@ inline IndexedLeaf leaf_at(const BlobData& blob, const Node& node, unsigned numb
 ESPALIER_SHARED_CODE inline std::uint32_t first_triangle(const IndexedLeaf& leaf) {
     std::uint32_t first = load_u32(leaf.block);
     const std::byte* descriptor = leaf.descriptors();
-    for (unsigned i = 0; i + 1 < format::max_children; ++i, descriptor += format::indexed_leaf::descriptor_bytes) {
+    const unsigned end = small_code ? leaf.number : format::max_children - 1;
+    for (unsigned i = 0; i < end; ++i, descriptor += format::indexed_leaf::descriptor_bytes) {
         const std::uint32_t count = ((load_u32(descriptor) >> format::indexed_leaf::triangles_shift) & 15u) + 1;
         first += count & (i < leaf.number ? ~0u : 0u);
     }

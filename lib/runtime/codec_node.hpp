@@ -16,7 +16,9 @@ namespace espalier::detail {
 struct Node {
     const std::byte* bytes;
 
-    [[nodiscard]] std::uint32_t first_child() const { return load_u32(bytes + format::node::children_at) & 0xFFFFFFu; }
+    [[nodiscard, gnu::always_inline]] std::uint32_t first_child() const {
+        return load_u32(bytes + format::node::children_at) & 0xFFFFFFu;
+    }
     [[nodiscard]] unsigned node_children() const { return load_u8(bytes + format::node::children_at + 3) & 15u; }
     [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + format::node::children_at + 3) >> 4; }
     [[nodiscard]] unsigned shift(int axis) const {
@@ -33,11 +35,14 @@ struct Node {
     [[nodiscard]] const std::byte* high_planes(int axis) const {
         return bytes + format::node::hi_at + 8 * static_cast<std::size_t>(axis);
     }
+    [[nodiscard]] std::int32_t plane(int axis, const std::byte* at, unsigned bits) const {
+        return base(axis, bits) + static_cast<std::int32_t>(load_u8(at) << shift(axis));
+    }
     [[nodiscard]] ESPALIER_SHARED_CODE std::int32_t low(int axis, unsigned child, unsigned bits) const {
-        return base(axis, bits) + static_cast<std::int32_t>(load_u8(low_planes(axis) + child) << shift(axis));
+        return plane(axis, low_planes(axis) + child, bits);
     }
     [[nodiscard]] ESPALIER_SHARED_CODE std::int32_t high(int axis, unsigned child, unsigned bits) const {
-        return base(axis, bits) + static_cast<std::int32_t>(load_u8(high_planes(axis) + child) << shift(axis));
+        return plane(axis, high_planes(axis) + child, bits);
     }
     [[nodiscard]] const std::byte* leaf_block(const BlobData& blob) const {
         return blob.leaves + 4 * std::size_t{load_u32(bytes + format::node::leaf_block_at)};
@@ -45,7 +50,9 @@ struct Node {
 };
 
 /// A bit for each child.
-inline unsigned all_children(const Node& node) { return (1u << (node.node_children() + node.leaf_children())) - 1u; }
+[[gnu::always_inline]] inline unsigned all_children(const Node& node) {
+    return (1u << (node.node_children() + node.leaf_children())) - 1u;
+}
 
 inline Node node_at(const BlobData& blob, std::uint32_t index) {
     return {blob.nodes + std::size_t{index} * format::node::bytes};

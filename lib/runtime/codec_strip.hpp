@@ -55,7 +55,7 @@ struct StripLeaf : LeafVertices<false> {
 };
 
 /// The leaf that is child `node.node_children() + number` of the node.
-ESPALIER_SHARED_CODE inline StripLeaf strip_leaf(const BlobData& blob, const Node& node, unsigned number) {
+ESPALIER_SHARED_CODE inline StripLeaf strip_leaf(const BlobData& blob, Node node, unsigned number) {
     using namespace format::strip_leaf;
     StripLeaf leaf;
     leaf.node = node;
@@ -82,15 +82,16 @@ ESPALIER_SHARED_CODE inline StripLeaf strip_leaf(const BlobData& blob, const Nod
         const unsigned width = coordinate_width(planes << node.shift(k), blob.bits);
         leaf.width[k] = static_cast<std::uint8_t>(width);
         leaf.coordinates[k] = at;
+        leaf.keep_anchor(k);
         at += (leaf.vertex_count * width + 7) / 8;
         longest = width > longest ? width : longest;
     }
-    leaf.size = 1u << longest;
+    leaf.size_bits = static_cast<std::uint8_t>(longest);
     return leaf;
 }
 
 template <>
-inline StripLeaf leaf_at(const BlobData& blob, const Node& node, unsigned number) {
+inline StripLeaf leaf_at(const BlobData& blob, Node node, unsigned number) {
     return strip_leaf(blob, node, number);
 }
 

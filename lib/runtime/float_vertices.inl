@@ -9,7 +9,7 @@ class FloatVertices {
 public:
     template <class Leaf>
     [[gnu::always_inline]] FloatVertices(const Leaf& leaf, const LatticeRay& ray) {
-        const float reach = 2.0f * static_cast<float>(leaf.size) + ray.shear_error;
+        const float reach = 2.0f * static_cast<float>(1u << leaf.size_bits) + ray.shear_error;
         error_ = reach * (4.125f * ray.shear_error + reach * 0x1.2p-21f);
     }
     static unsigned width_of(unsigned width) { return width; }

@@ -14,7 +14,7 @@ namespace espalier::detail {
 
 /// The leaf of a kind that is child `node.node_children() + number` of the node.
 template <class Leaf>
-Leaf leaf_at(const BlobData& blob, const Node& node, unsigned number);
+Leaf leaf_at(const BlobData& blob, Node node, unsigned number);
 
 /// The vertices of a triangle, by their numbers in its leaf.
 struct LeafCorners {
@@ -33,10 +33,13 @@ struct LeafVertices {
     const std::byte* block;  ///< of the node's leaves
     const BlobData* blob;
     const std::byte* coordinates[3];
-    std::uint32_t size;  ///< more than the distance of any two vertices along an axis
+#if ESPALIER_SMALL_CODE
+    std::int32_t kept_anchor[3];
+#endif
     std::uint8_t width[3];
     std::uint8_t vertex_count;
-    std::uint8_t number;  ///< among the node's leaves
+    std::uint8_t number;     ///< among the node's leaves
+    std::uint8_t size_bits;  ///< of a number that is more than the distance of any two vertices along an axis
 
     /// Among the children of its node.
     [[nodiscard]] unsigned child() const { return node.node_children() + number; }
@@ -46,8 +49,21 @@ struct LeafVertices {
                width[axis] == blob->bits;
     }
     /// What the coordinates count from: the low corner of its box, most often.
-    [[nodiscard]] ESPALIER_SHARED_CODE std::int32_t anchor(int axis) const {
-        return counts_from_zero(axis) ? 0 : node.low(axis, child(), blob->bits);
+    [[nodiscard]] std::int32_t anchor(int axis) const {
+#if ESPALIER_SMALL_CODE
+        return kept_anchor[axis];
+#else
+        return find_anchor(axis);
+#endif
+    }
+    /// Once the width is there. Small code has it in one place, and keeps it.
+    void keep_anchor([[maybe_unused]] int axis) {
+#if ESPALIER_SMALL_CODE
+        kept_anchor[axis] = find_anchor(axis);
+#endif
+    }
+    [[nodiscard]] std::int32_t find_anchor(int axis) const {
+        return counts_from_zero(axis) ? 0 : node.plane(axis, node.low_planes(axis) + child(), blob->bits);
     }
     [[nodiscard]] LatticeTriangle triangle_of(LeafCorners corners) const {
         LatticeTriangle triangle;
@@ -59,17 +75,12 @@ struct LeafVertices {
         }
         return triangle;
     }
-    /// The anchor as seen from an origin, in whose units of 2^-fraction_bits steps it is answered, and
-    ESPALIER_SHARED_CODE void place_anchor(const std::int32_t* origin, int fraction_bits, std::int32_t* place) const {
-        for (int k = 0; k < 3; ++k) place[k] = (anchor(k) << fraction_bits) - origin[k];
-    }
-    /// a vertex, given that.
-    ESPALIER_SHARED_CODE void place_vertex(unsigned vertex, const std::int32_t* placed_anchor, int fraction_bits,
-                                           std::int32_t* place) const {
+    /// A vertex as seen from the ray's origin, in the ray's units.
+    ESPALIER_SHARED_CODE void place_vertex(unsigned vertex, const RoundedRay& ray, std::int32_t* place) const {
         for (int k = 0; k < 3; ++k) {
             const unsigned bit = width[k] * vertex;  // load_field, without a call for each coordinate
             const std::uint32_t field = load_u32(coordinates[k] + bit / 8) >> (bit % 8) & ((1u << width[k]) - 1u);
-            place[k] = placed_anchor[k] + static_cast<std::int32_t>(field << fraction_bits);
+            place[k] = ((anchor(k) + static_cast<std::int32_t>(field)) << ray.fraction_bits) - ray.origin[k];
         }
     }
 };

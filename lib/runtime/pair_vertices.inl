@@ -11,7 +11,7 @@ public:
     template <class Leaf>
     [[gnu::always_inline]] PairVertices(const Leaf& leaf, const LatticeRay& ray) {
         // 2^(13 - w) for a size of 2^w.
-        const std::uint32_t size = std::bit_cast<std::uint32_t>(static_cast<float>(leaf.size));
+        const std::uint32_t size = std::bit_cast<std::uint32_t>(static_cast<float>(1u << leaf.size_bits));
         scale_ = std::bit_cast<float>(((2u * 127u + 13u) << 23) - size);
         const float error = ray.shear_error * scale_ + 0.5f;
         // Larger ones could make the integers overflow, and nothing is rejected.

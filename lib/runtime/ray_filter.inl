@@ -58,7 +58,7 @@ template <class Leaf>
 [[gnu::noinline]] inline bool hits_slot_of_large_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
                                                       TriangleHit& hit) {
     using namespace ray_triangle;
-    if (leaf.size > 1u << middle_bits) return hits_slot_of_huge_leaf(leaf, slot, ray, hit);
+    if (leaf.size_bits > middle_bits) return hits_slot_of_huge_leaf(leaf, slot, ray, hit);
     const OriginRelative t = relative_to(ray, leaf.triangle(slot));
     if (edges_are_below<narrow_bits>(t)) return hits<std::int64_t, std::int64_t>(ray, t, hit);
     return hits<std::int64_t, Int128>(ray, t, hit);
@@ -68,7 +68,7 @@ template <class Leaf>
     using namespace ray_triangle;
     count_decision();
     if constexpr (has_native_int128) {
-        if (leaf.size > 1u << narrow_bits) return hits_slot_of_large_leaf(leaf, slot, ray, hit);
+        if (leaf.size_bits > narrow_bits) return hits_slot_of_large_leaf(leaf, slot, ray, hit);
         return hits<std::int64_t, std::int64_t>(ray, relative_to(ray, leaf.triangle(slot)), hit);
     } else {
         return intersect(ray, leaf.triangle(slot), hit);  // code is dearer than time

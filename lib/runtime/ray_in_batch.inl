@@ -40,13 +40,13 @@ template <class Leaf>
 struct RayInBatch {
     PreparedRay prepared = {};
     RayHit best;
-    BatchHit<Leaf> visitor = {{prepared.ray, prepared.lanes, nullptr, no_counters, best}};
+    BatchHit<Leaf> visitor = {{prepared.ray, prepared.lanes(), nullptr, no_counters, best}};
 
     /// Readies the ray for its walk. False when it can hit nothing.
     bool begin(const BlobData& blob, const Ray& world, bool any_will_do) {
         if (!prepare(blob, world, prepared)) return false;
         visitor.limit_ = prepared.ray.tau_max * interval_slack;
-        visitor.volume = 0.0f;
+        visitor.volume_bits = 0;
         visitor.any_will_do = any_will_do;
         return true;
     }

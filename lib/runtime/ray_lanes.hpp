@@ -73,7 +73,9 @@ inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const RayLa
 /// All that the queries need of a ray.
 struct PreparedRay {
     LatticeRay ray;
-    RayLanes lanes;
+    RayLanes in_lanes;
+
+    [[nodiscard]] const RayLanes& lanes() const { return in_lanes; }
 };
 
 /// The same pointer or number, as if it could be another one each time: what it leads to is in the cache, and fetched
@@ -88,8 +90,8 @@ template <class T>
 inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
     RaySlope slope;
     if (!round_ray(blob, world, prepared.ray, slope)) return false;
-    prepared.lanes = spread_ray(blob, prepared.ray, slope);
-    return meets_asset(blob, prepared.ray, prepared.lanes);
+    prepared.in_lanes = spread_ray(blob, prepared.ray, slope);
+    return meets_asset(blob, prepared.ray, prepared.in_lanes);
 }
 
 }  // namespace espalier::detail

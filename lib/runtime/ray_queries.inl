@@ -8,7 +8,7 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool closest_hit_in(const BlobData& blob, c
                                                          const TriangleFilter* filter, Counters& counters) {
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
-    ClosestHit<Leaf, Counters> visitor = {prepared.ray, prepared.lanes, filter, counters, hit};
+    ClosestHit<Leaf, Counters> visitor = {prepared.ray, prepared.lanes(), filter, counters, hit};
     traverse_nearest_first<Leaf>(blob, visitor);
     if (!visitor.found()) return false;
     visitor.finish(world);
@@ -28,7 +28,7 @@ template <class Leaf, class OnHit>
 ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool every_hit_in(const BlobData& blob, const Ray& world, OnHit on_hit) {
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
-    EveryHit<Leaf, OnHit> visitor = {prepared.ray, prepared.lanes, on_hit};
+    EveryHit<Leaf, OnHit> visitor = {prepared.ray, prepared.lanes(), on_hit};
     return walk_in_storage_order<Leaf>(blob, visitor) == stop;
 }
 template <class OnHit>
@@ -48,7 +48,7 @@ HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hi
     if (!prepare(blob, world, prepared)) return {};
     FirstHits first(hits);
     with_leaves_of(blob, [&]<class Leaf>() {
-        FirstHitsOf<Leaf> visitor = {prepared.ray, prepared.lanes, filter, first};
+        FirstHitsOf<Leaf> visitor = {prepared.ray, prepared.lanes(), filter, first};
         traverse_nearest_first<Leaf>(blob, visitor);
     });
     return first.finish(prepared.ray, world, hits);

@@ -12,43 +12,43 @@ namespace espalier::detail::small {
 
 using LatticeRay = SeenRay;
 /// Boxes need no more than the ray itself.
-struct RayLanes {
-    const SeenRay* ray;
-};
+using RayLanes = SeenRay;
 struct PreparedRay {
     SeenRay ray;
-    RayLanes lanes;
+
+    [[nodiscard]] const RayLanes& lanes() const { return ray; }
 };
 inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
     float reach = 0.0f;
     if (!round_ray(blob, world, prepared.ray, reach)) return false;
     prepared.ray.look_ahead(blob);
-    prepared.lanes = {&prepared.ray};
     return true;
 }
 /// Limits of walks are places ahead.
 using Limit = std::int32_t;
-inline Limit window_limit(const SeenRay& ray) { return ray.last_ahead(detail::window_limit(ray)); }
-inline Limit hit_limit(const SeenRay& ray, float whole_tau) {
+[[gnu::noinline]] inline Limit hit_limit(const SeenRay& ray, float whole_tau) {
     return ray.last_ahead(detail::hit_limit(ray, whole_tau));
+}
+/// As for a hit at the window's end.
+[[gnu::always_inline]] inline Limit window_limit(const SeenRay& ray) {
+    return hit_limit(ray, ray.tau_offset + ray.tau_max);
 }
 
 #include <runtime/small_walk.inl>
 
 [[gnu::always_inline]] inline unsigned slab_test(const Node& node, const RayLanes& lanes, Limit limit, Keys keys) {
-    return seen_children(*lanes.ray, node.bytes, limit, keys.among & all_children(node));
+    return seen_children(lanes, node.bytes, limit, keys.among & all_children(node));
 }
 
 /// The triangles of a leaf that the ray may hit. Apart from the walk, as the kernel is: of their needs only the larger
 /// one is ever on the stack.
 template <class Leaf>
-[[gnu::noinline]] typename Leaf::Slots ray_candidates(const Leaf& leaf, const SeenRay& ray,
-                                                      const std::int32_t* anchor) {
-    const SeenLeaf seen(static_cast<int>(std::bit_width(leaf.size)) - 1 + ray.fraction_bits);
+[[gnu::noinline]] typename Leaf::Slots ray_candidates(const Leaf& leaf, const SeenRay& ray) {
+    const SeenLeaf seen(leaf.size_bits + ray.fraction_bits);
     SeenVertex vertices[Leaf::max_vertices];
     for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
         std::int32_t place[3];
-        leaf.place_vertex(vertex, anchor, ray.fraction_bits, place);
+        leaf.place_vertex(vertex, ray, place);
         vertices[vertex] = seen.vertex(ray, place);
     }
     typename Leaf::Slots mask = 0;
@@ -61,19 +61,10 @@ template <class Leaf>
     return mask & leaf.used_slots();
 }
 template <class Leaf>
-[[gnu::always_inline]] inline typename Leaf::Slots ray_candidates(const Leaf& leaf, const SeenRay& ray) {
-    std::int32_t anchor[3];
-    leaf.place_anchor(ray.origin, ray.fraction_bits, anchor);
-    return ray_candidates(leaf, ray, anchor);
-}
-template <class Leaf>
 [[gnu::noinline]] bool hits_slot(const Leaf& leaf, unsigned slot, const SeenRay& ray, TriangleHit& hit) {
     count_decision();
-    std::int32_t anchor[3];
-    leaf.place_anchor(ray.origin, ray.fraction_bits, anchor);
     LatticeTriangle from_origin;
-    for (unsigned i = 0; i < 3; ++i)
-        leaf.place_vertex(leaf.corner(slot, i), anchor, ray.fraction_bits, from_origin.corner[i]);
+    for (unsigned i = 0; i < 3; ++i) leaf.place_vertex(leaf.corner(slot, i), ray, from_origin.corner[i]);
     return small_ray_triangle::hits(ray, from_origin, hit);
 }
 using scalar::owner_index;

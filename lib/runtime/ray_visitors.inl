@@ -10,9 +10,9 @@ struct ClosestHit {
     Counters& counters;
     RayHit& best;  ///< the caller's, undivided
     Limit limit_ = window_limit(ray);
-    float volume = 0.0f;  ///< of the best; 0 while there is none
+    std::uint32_t volume_bits = 0;  ///< of the best, a float; 0 while there is none
 
-    [[nodiscard]] bool found() const { return volume != 0.0f; }
+    [[nodiscard]] bool found() const { return volume_bits != 0; }
     [[nodiscard]] Limit limit() const { return limit_; }
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         counters.count_node();
@@ -30,17 +30,21 @@ struct ClosestHit {
     /// On the triangle in this slot, which lanes did not reject.
     void decide(const Leaf& leaf, unsigned slot) {
         TriangleHit hit;
-        if (!hits_slot(leaf, slot, ray, hit) || (found() && hit.whole_tau > best.t)) return;
+        if (!hits_slot(leaf, slot, ray, hit)) return;
+        // By their bits: neither is negative.
+        const auto bits = [](float tau) { return std::bit_cast<std::int32_t>(tau); };
+        const std::int32_t later = bits(hit.whole_tau) - bits(found() ? best.t : infinity);
+        if (later > 0) return;
         const std::uint32_t index = owner_index(leaf, slot);
-        if (found() && hit.whole_tau == best.t && index >= best.triangle.index) return;
+        if (later == 0 && index >= best.triangle.index) return;
         if (filter != nullptr && !(*filter)(Triangle{index})) return;
         best = undivided(hit, index);
-        volume = hit.volume;
+        volume_bits = std::bit_cast<std::uint32_t>(hit.volume);
         limit_ = hit_limit(ray, hit.whole_tau);
     }
     /// Once all of them are found.
     void finish(const Ray& world) const {
-        divide_hit(best, volume);
+        divide_hit(best, std::bit_cast<float>(volume_bits));
         best.t = to_t(ray, best.t, world);
     }
 };

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 
@@ -137,7 +138,7 @@ TEST_SUITE("ray filter") {
                 detail::LatticeRay ray{};
                 ray.shear_error = delta;
                 detail::IndexedLeaf leaf{};
-                leaf.size = size;
+                leaf.size_bits = static_cast<std::uint8_t>(std::bit_width(size) - 1);
                 const auto is_allowed = [&](double unclear, float sign) {
                     // Corners (-far, 0), (-unclear, -1), (0, 1): edge functions -unclear, far and far, or the opposite.
                     const float far = 4.0f * static_cast<float>(bound);

@@ -99,6 +99,6 @@ inline bool meets_asset_in_lanes(const BlobData& blob, const LatticeRay& ray, co
 [[gnu::noinline]] inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
     RaySlope slope;
     if (!round_ordinary_ray(blob, world, prepared.ray, slope)) return prepare_ray(blob, world, prepared);
-    prepared.lanes = spread_in_lanes(blob, prepared.ray, slope);
-    return meets_asset_in_lanes(blob, prepared.ray, prepared.lanes);
+    prepared.in_lanes = spread_in_lanes(blob, prepared.ray, slope);
+    return meets_asset_in_lanes(blob, prepared.ray, prepared.in_lanes);
 }
