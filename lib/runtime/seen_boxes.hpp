@@ -25,6 +25,10 @@ struct SeenPlanes {
     std::int32_t to_near, to_far;  ///< plane 0, and more than all of what is seen can round
 };
 
+#if !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // what is ahead comes first, which GCC does not see
+#endif
 /// Children of `among` whose boxes the ray may meet no farther than `last_ahead`. Apart from the walk: its room on the
 /// stack is free again when a leaf is visited.
 [[gnu::noinline]] inline unsigned seen_children(const SeenRay& ray, const std::byte* node, std::int32_t last_ahead,
@@ -32,9 +36,9 @@ struct SeenPlanes {
     using namespace format::node;
     SeenPlanes across[2];
     // Ahead, along the ray: where plane 0 is along the axis, -1 and 255 where the ray runs down along it.
-    std::int32_t base_ahead = 0, down_ahead = 0, flip = 0;
-    int ahead_shift = 0;
-    const std::byte *begins = nullptr, *ends = nullptr;
+    std::int32_t base_ahead, down_ahead, flip;
+    int ahead_shift;
+    const std::byte *begins, *ends;
     for (unsigned i = 3; i-- != 0;) {
         const unsigned k = ray.axis[i];
         const std::int32_t down = ray.down(k);
@@ -42,8 +46,10 @@ struct SeenPlanes {
         // What is not of the asset, as only boxes that mean nothing are, may come out as anything.
         const std::uint32_t base_units = load_u16(node + base_at + std::size_t{2} * k) << ray.base_shift;
         const std::int32_t base = static_cast<std::int32_t>(base_units) - ray.origin[k];
-        const std::byte* const near_planes = node + lo_at + 8 * k + (down & static_cast<int>(hi_at - lo_at));
-        const std::byte* const far_planes = node + lo_at + 8 * k + (~down & static_cast<int>(hi_at - lo_at));
+        const std::byte* const low_planes = node + 8 * k + lo_at;
+        const auto to_high = static_cast<std::int32_t>(hi_at - lo_at);
+        const std::byte* const near_planes = low_planes + (down & to_high);
+        const std::byte* const far_planes = low_planes + to_high - (down & to_high);
         if (i == 2) {
             base_ahead = base;
             down_ahead = down;
@@ -102,5 +108,8 @@ struct SeenPlanes {
     }
     return SeenChildren::pack(met, nearest & 7u);
 }
+#if !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 }  // namespace espalier::detail

@@ -50,35 +50,34 @@ struct CrossProduct {
 }
 
 /// Sign of numerator * 2^-shift / denominator - bound, exactly, given the quotient as a float within 4 ulp.
-[[gnu::noinline]] inline int compare_quotient(float quotient, const Words& numerator, const Words& denominator,
-                                              int shift, float bound) {
-    constexpr float slack = 1.0f + 0x1p-20f;
-    if (quotient * slack < bound) return -1;
-    if (bound * slack < quotient) return 1;
-    if (bound == 0.0f) return 0;  // as the numerator is
-    const std::uint32_t mantissa = (magnitude_bits(bound) & 0x007FFFFFu) | 0x00800000u;
-    std::uint32_t left[4] = {numerator.word[0], numerator.word[1], numerator.word[2], 0};
-    std::uint32_t right[4];
-    std::uint64_t product = 0;
-    for (unsigned i = 0; i < 3; ++i) {
-        product += std::uint64_t{denominator.word[i]} * mantissa;
-        right[i] = static_cast<std::uint32_t>(product);
-        product >>= 32;
-    }
-    right[3] = static_cast<std::uint32_t>(product);
-    // What is shifted becomes as long as the other, below 2^108.
+[[gnu::noinline]] inline std::int32_t compare_quotient(float quotient, const Words& numerator, const Words& denominator,
+                                                       int shift, float bound) {
+    // As their bits are ordered: negative ones downwards.
+    const auto bits = std::bit_cast<std::int32_t>(bound);
+    const std::int32_t place = bits < 0 ? INT32_MIN - bits : bits;
+    const std::int32_t order = std::bit_cast<std::int32_t>(quotient) - place;  // in ulp
+    // A quotient is 0 or far from it: bounds of 0, or beside it, are decided by that.
+    if (place <= 16 || static_cast<std::uint32_t>(order + 16) > 32) return order;
     int exponent = exponent_of(bound) - 23 + shift;
-    std::uint32_t* const shifted = exponent < 0 ? left : right;
-    for (exponent = exponent < 0 ? -exponent : exponent; exponent != 0; --exponent)
-        for (unsigned i = 3;; --i) {
-            shifted[i] <<= 1;
-            if (i == 0) break;
-            shifted[i] |= shifted[i - 1] >> 31;
-        }
-    for (unsigned i = 3;; --i) {
-        if (left[i] != right[i]) return left[i] < right[i] ? -1 : 1;
-        if (i == 0) return 0;
+    Words left = numerator, right = denominator;
+    std::uint32_t* const shifted = exponent < 0 ? left.word : right.word;
+    for (exponent = exponent < 0 ? -exponent : exponent; exponent != 0; --exponent) {
+        shifted[2] = shifted[2] << 1 | shifted[1] >> 31;
+        shifted[1] = shifted[1] << 1 | shifted[0] >> 31;
+        shifted[0] <<= 1;
     }
+    // They are so close that their difference fits into 96 bits, though they may not.
+    std::int64_t difference = 0;
+    std::uint32_t any = 0;
+    for (unsigned i = 0; i < 3; ++i) {
+        difference += left.word[i];
+        difference -= std::int64_t{right.word[i]} * ((bits & 0x007FFFFF) | 0x00800000);
+        any |= static_cast<std::uint32_t>(difference);
+        if (i == 2) break;
+        difference >>= 32;
+    }
+    const auto top = static_cast<std::int32_t>(difference);
+    return top != 0 ? top : any != 0;
 }
 
 /// Whether the ray hits the triangle with ray.tau_min <= tau <= ray.tau_max, exactly. With all corners counted from the
