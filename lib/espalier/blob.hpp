@@ -19,6 +19,11 @@ struct BlobData {
     const std::byte* bytes = nullptr;  // the whole blob
     const std::byte* nodes = nullptr;  // null when empty
     const std::byte* leaves = nullptr;
+    std::int16_t step_exponent = 0;
+    std::uint8_t bits = 0;
+    std::uint8_t depth = 0;
+    std::uint8_t id_bits = 0;
+    format::Profile profile = format::Profile::fast;
     const std::byte* sources = nullptr;  // null without original ids
     const std::byte* ids = nullptr;
     const std::byte* materials = nullptr;
@@ -42,11 +47,6 @@ struct BlobData {
     float steps_per_unit = 0.0f;             // 2^-step_exponent
     float base_unit = 0.0f;                  // lattice steps that a node's base counts in
     float max_error = 0.0f;
-    std::int16_t step_exponent = 0;
-    std::uint8_t bits = 0;
-    std::uint8_t depth = 0;
-    std::uint8_t id_bits = 0;
-    format::Profile profile = format::Profile::fast;
 
     /// Fills in what follows from bits, step_exponent and extent.
     void derive() noexcept;

@@ -9,8 +9,8 @@
 
 namespace espalier::detail {
 
-inline const std::byte* copy_block(const BlobData& blob, std::uint32_t index) {
-    return blob.copies + format::copies::blocks_at +
+inline const std::byte* copy_block(const std::byte* copies, std::uint32_t index) {
+    return copies + format::copies::blocks_at +
            std::size_t{index / format::copies::block_indices} * format::copies::block_bytes;
 }
 
@@ -20,16 +20,19 @@ inline const std::byte* copy_owners(const BlobData& blob) {
            std::size_t{format::copies::block_count(blob.triangle_count)} * format::copies::block_bytes;
 }
 
-inline bool is_copy(const BlobData& blob, std::uint32_t index) {
-    if (blob.copies == nullptr) return false;
+/// For the section `copies` of a blob that has one.
+ESPALIER_SHARED_CODE inline bool is_copy(const std::byte* copies, std::uint32_t index) {
     const std::uint32_t bit = index % format::copies::block_indices;
-    return (load_u8(copy_block(blob, index) + format::copies::bits_at + bit / 8) >> (bit % 8) & 1u) != 0;
+    return (load_u8(copy_block(copies, index) + format::copies::bits_at + bit / 8) >> (bit % 8) & 1u) != 0;
+}
+inline bool is_copy(const BlobData& blob, std::uint32_t index) {
+    return blob.copies != nullptr && is_copy(blob.copies, index);
 }
 
 /// The storage index that stands for the triangle: the lowest one it has. O(1).
 ESPALIER_SHARED_CODE inline std::uint32_t owner_of(const BlobData& blob, std::uint32_t index) {
     if (!is_copy(blob, index)) return index;
-    const std::byte* block = copy_block(blob, index);
+    const std::byte* block = copy_block(blob.copies, index);
     const std::uint32_t bit = index % format::copies::block_indices;
     std::uint32_t copies_before = load_u32(block);
     for (std::uint32_t word = 0; word <= bit / 32; ++word) {

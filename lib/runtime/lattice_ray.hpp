@@ -83,7 +83,7 @@ inline std::uint32_t reach_bits(const float* origin, const BlobData& blob) {
 
 /// Moves an origin far outside the asset along the ray to the asset's box, grown by its own size where the lattice has
 /// room. False when the ray passes the box by.
-inline bool approach(const BlobData& blob, RoundedRay& ray, float* origin) {
+ESPALIER_PART_OF_CALLER inline bool approach(const BlobData& blob, RoundedRay& ray, float* origin) {
     std::int32_t largest = 0;
     for (int k = 0; k < 3; ++k) largest = blob.extent[k] > largest ? blob.extent[k] : largest;
     const std::int32_t room = (1 << format::max_bits) - 1 - largest;
@@ -144,20 +144,23 @@ inline void set_shear(LatticeRay& ray, RaySlope& slope, float reach) {
 
 /// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by. `reach` is how far
 /// the asset is from the origin at most, along any axis, in lattice steps.
-inline bool round_ray(const BlobData& blob, const Ray& world, RoundedRay& ray, float& reach) {
-    // The window. A number that is none is above infinity in its bits, and so is one below zero, which t_min may be.
-    const auto t_max = std::bit_cast<std::uint32_t>(world.t_max);
-    const float t_min = is_negative(world.t_min) ? 0.0f : world.t_min;
-    if (is_nan(world.t_min) || (t_max > infinity_bits && t_max << 1 != 0)) return false;
-    if (magnitude_bits(t_min) > magnitude_bits(world.t_max)) return false;
+ESPALIER_PART_OF_CALLER inline bool round_ray(const BlobData& blob, const Ray& world, RoundedRay& ray, float& reach) {
+    // The window, by its bits. A number that is none is above infinity; t_min may be below 0, and t_max -0.
+    const auto t_min_bits = std::bit_cast<std::uint32_t>(world.t_min);
+    const std::uint32_t from = t_min_bits & ((t_min_bits >> 31) - 1u);
+    const std::uint32_t to = magnitude_bits(world.t_max);
+    if (t_min_bits > (infinity_bits | ~magnitude_mask) || std::bit_cast<std::uint32_t>(world.t_max) > ~magnitude_mask ||
+        to > infinity_bits || from > to)
+        return false;
 
-    float direction[3] = {world.direction.x, world.direction.y, world.direction.z};
-    float origin[3] = {world.origin.x, world.origin.y, world.origin.z};
+    float direction[3], origin[3];
+    static_assert(sizeof world.direction == sizeof direction);
+    __builtin_memcpy(direction, &world.direction, sizeof direction);
+    __builtin_memcpy(origin, &world.origin, sizeof origin);
     std::uint32_t longest = 0;
     for (int k = 0; k < 3; ++k) {
         const std::uint32_t magnitude = magnitude_bits(direction[k]);
         longest = magnitude > longest ? magnitude : longest;
-        if (!is_finite(origin[k])) return false;
         origin[k] = (flush_subnormal(origin[k]) - blob.origin[k]) * blob.steps_per_unit;
         if (magnitude_bits(origin[k]) >= magnitude_bits(0x1p120f)) return false;
         // What the last rounding makes zero anyway is zero from here on, so that nothing below is ever subnormal.
@@ -166,13 +169,12 @@ inline bool round_ray(const BlobData& blob, const Ray& world, RoundedRay& ray, f
     if (longest == 0 || longest >= infinity_bits) return false;
 
     // The direction as three integers. Its components may be subnormal, so that they are scaled in integers.
-    const int exponent =
-        (longest >> 23) != 0 ? static_cast<int>(longest >> 23) - 127 : static_cast<int>(std::bit_width(longest)) - 150;
+    const auto biased = static_cast<int>(longest >> 23);
+    const int shift = 150 - (biased != 0 ? biased : 9 - std::countl_zero(longest));
     unsigned longest_axis = 0;
     std::int32_t longest_way = 0;
     for (unsigned k = 0; k < 3; ++k) {
-        const auto way =
-            static_cast<std::int32_t>(round_to_integer(scale_by_power_of_two(direction[k], 23 - exponent)));
+        const auto way = static_cast<std::int32_t>(round_to_integer(scale_by_power_of_two(direction[k], shift)));
         ray.direction[k] = way;
         const std::int32_t length = way < 0 ? -way : way;
         if (length > longest_way) {
@@ -195,11 +197,13 @@ inline bool round_ray(const BlobData& blob, const Ray& world, RoundedRay& ray, f
         ray.origin[k] = static_cast<std::int32_t>(rounded);
     }
 
-    ray.t_exponent = blob.step_exponent - exponent + 23;
-    ray.tau_min = maximum(lattice_ray::to_tau(t_min, ray.t_exponent) - ray.tau_offset, 0.0f);
+    ray.t_exponent = blob.step_exponent + shift;
+    const float tau_min = lattice_ray::to_tau(std::bit_cast<float>(from), ray.t_exponent) - ray.tau_offset;
+    ray.tau_min = is_negative(tau_min) ? 0.0f : tau_min;
     ray.tau_max = lattice_ray::to_tau(world.t_max, ray.t_exponent) - ray.tau_offset;
     ray.faces = world.faces;
-    return !(ray.tau_max < 0.0f) && ray.tau_min != infinity;
+    // -0 is not below 0.
+    return std::bit_cast<std::uint32_t>(ray.tau_max) <= 0x80000000u && magnitude_bits(ray.tau_min) != infinity_bits;
 }
 inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
     float reach = 0.0f;
@@ -231,10 +235,12 @@ inline float hit_limit(const RoundedRay& ray, float whole_tau) {
 /// The caller's t, from tau counted from his origin. A hit is decided exactly: rounding must not report it outside of
 /// the window that it was found in.
 inline float to_t(const RoundedRay& ray, float whole_tau, const Ray& world) {
-    const float t = scale_by_power_of_two(whole_tau, ray.t_exponent);
-    const auto less = [](float a, float b) { return magnitude_bits(a) < magnitude_bits(b); };  // neither is negative
-    const float low = is_negative(world.t_min) ? 0.0f : world.t_min;
-    return less(world.t_max, t) ? world.t_max : less(t, low) ? low : t;
+    // By their bits, as none is negative, but for a t_min, which is 0 then, and what is -0.
+    const auto bits = [](float number) { return std::bit_cast<std::uint32_t>(number); };
+    const std::uint32_t t = bits(scale_by_power_of_two(whole_tau, ray.t_exponent));
+    const std::uint32_t low = is_negative(world.t_min) ? 0 : bits(world.t_min);
+    if (static_cast<std::int32_t>(magnitude_bits(world.t_max)) < static_cast<std::int32_t>(t)) return world.t_max;
+    return std::bit_cast<float>(t < low ? low : t);
 }
 
 }  // namespace espalier::detail

@@ -59,9 +59,9 @@ Status check_tree(const BlobData& blob) {
             nodes > blob.node_count - seen_nodes ||
             load_u32(node.bytes + format::node::leaf_block_at) != (leaves == 0 ? 0 : seen.leaf_bytes / 4))
             return Status::bad_node;
+        if (leaves != 0 && !take_leaves(node, seen)) return Status::bad_leaf;
         stack[depth++] = {seen_nodes, seen_nodes + nodes};
         seen_nodes += nodes;
-        if (leaves != 0 && !take_leaves(node, seen)) return Status::bad_leaf;
     }
     if (seen_nodes != blob.node_count || seen_depth != blob.depth) return Status::bad_node;
     if (seen.triangles != blob.triangle_count || seen.leaf_bytes != blob.leaf_bytes) return Status::bad_leaf;
@@ -104,11 +104,11 @@ bool are_copies_sound(const BlobData& blob) {
     const std::byte* const owners = copy_owners(blob);
     std::uint32_t seen = 0;
     for (std::uint32_t index = 0; index < indices; ++index) {
-        if (index % block_indices == 0 && load_u32(copy_block(blob, index)) != seen) return false;
-        if (!is_copy(blob, index)) continue;
+        if (index % block_indices == 0 && load_u32(copy_block(blob.copies, index)) != seen) return false;
+        if (!is_copy(blob.copies, index)) continue;
         if (index >= blob.triangle_count || seen == blob.copy_count) return false;
         const std::uint32_t owner = load_u32(owners + owner_bytes * std::size_t{seen});
-        if (owner >= index || is_copy(blob, owner)) return false;
+        if (owner >= index || is_copy(blob.copies, owner)) return false;
         ++seen;
     }
     return seen == blob.copy_count;

@@ -17,8 +17,11 @@
 /// Before a function that is small and asked for in many places: there a copy costs several times the call.
 #if ESPALIER_SMALL_CODE
 #define ESPALIER_SHARED_CODE [[gnu::noinline]]
+/// Before a larger one that is asked for in one place: there a call is what costs.
+#define ESPALIER_PART_OF_CALLER [[gnu::always_inline]]
 #else
 #define ESPALIER_SHARED_CODE
+#define ESPALIER_PART_OF_CALLER
 #endif
 
 namespace espalier::detail {
