@@ -70,8 +70,9 @@ bool take_strip_leaves(const Node& node, const std::byte* descriptors, OpenProgr
         if ((descriptor >> entries_shift & 63u) + 3 > most_entries) return false;
         if (descriptor >> first_shift != seen.triangles - first) return false;
         const StripLeaf leaf = strip_leaf(seen.blob, node, number);
+        const std::uint32_t begin = seen.leaf_bytes;
         if (take_stream(seen, mark_bits(leaf.entry_count(), leaf.vertex_count)) == nullptr ||
-            !take_vertices(leaf, seen))
+            !take_vertices(leaf, seen) || seen.leaf_bytes == begin)  // three entries on one point have no data
             return false;
         unsigned used = 0;
         for (unsigned entry = 0; entry < leaf.entry_count(); ++entry) {

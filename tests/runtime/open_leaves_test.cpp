@@ -64,6 +64,22 @@ TEST_SUITE("open") {
         });
     }
 
+    TEST_CASE("a strip of three entries on one point, which has no data, is refused, and one of four is not") {
+        for (const format::Profile profile : {format::Profile::balanced, format::Profile::small}) {
+            for (const unsigned entries : {3u, 4u}) {
+                PlainBlob blob = make_blob(profile, 4);
+                PlainLeaf leaf;
+                for (unsigned i = 0; i < entries; ++i) {
+                    leaf.vertices.push_back({2, 3, 4});
+                    leaf.entries.push_back({i, i == 0, i + 2 < entries});
+                }
+                blob.nodes.resize(1);
+                blob.nodes[0].children = {{{2, 3, 4}, {2, 3, 4}, 0, leaf}};
+                CHECK(status_of(encode(blob)) == (entries == 3 ? Status::bad_leaf : Status::ok));
+            }
+        }
+    }
+
     TEST_CASE("a leaf that reaches into the guard is why a blob is refused, whatever follows") {
         for_each_profile([](format::Profile profile) {
             PlainBlob blob = make_blob(profile, 4);
