@@ -39,11 +39,12 @@ SCALE = os.environ.get("ESPALIER_TEST_SCALE", "0.05")  # enough for most mutants
 CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/open", "runtime/open_rules", "runtime/open_leaves", "runtime/trusted_image", "runtime/weird_blob",
     "runtime/statistics", "runtime/work", "runtime/node_boxes", "runtime/traversal", "runtime/lattice_ray",
-    "runtime/lattice_point", "runtime/identity", "runtime/nearest", "runtime/overlap", "runtime/volume",
-    "runtime/approximate", "runtime/walk", "runtime/rounding", "runtime/ray_filter", "runtime/far_query",
-    "runtime/collide", "runtime/pair_work", "runtime/copies", "runtime/packed_walk", "baker/lattice",
-    "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds", "baker/edge_flags",
-    "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles", "baker/input")]
+    "runtime/lattice_point", "runtime/lattice_queries", "runtime/lattice_steps", "runtime/identity",
+    "runtime/nearest", "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk",
+    "runtime/rounding", "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/pair_work",
+    "runtime/copies", "runtime/packed_walk", "baker/lattice", "baker/lattice_borders", "baker/fit_lattice",
+    "baker/tree", "baker/strip", "baker/bounds", "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial",
+    "baker/few_triangles", "baker/input")]
 QUESTIONS = [5, 100]  # of a kind and blob
 
 
