@@ -110,9 +110,11 @@ QueryStatus steps_around(const Lattice& lattice, const Box& world, BoxInSteps& b
 }
 
 Vec3 to_world(const Lattice& lattice, const Steps& steps) noexcept {
+    // A step may be of any size here; by 2^1000 and more every number is the same.
+    const int step = lattice.step_exponent;
+    const int exponent = step > 1000 ? 1000 : step < -1000 ? -1000 : step;
     const auto coordinate = [&](float origin, std::int32_t number) {
-        return flush_subnormal(
-            origin + flush_subnormal(scale_by_power_of_two(static_cast<float>(number), lattice.step_exponent)));
+        return flush_subnormal(origin + flush_subnormal(scale_by_power_of_two(static_cast<float>(number), exponent)));
     };
     return {coordinate(lattice.origin.x, steps.x), coordinate(lattice.origin.y, steps.y),
             coordinate(lattice.origin.z, steps.z)};
