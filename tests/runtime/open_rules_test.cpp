@@ -26,6 +26,15 @@ Bytes plain_blob(format::Profile profile) {
     return bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}), with_profile(profile));
 }
 
+Bytes blob_with_copies() {
+    BakeOptions options = with_profile(format::Profile::fast);
+    options.builder = Builder::spatial_splits;
+    options.duplicates = 1.0;
+    const Bytes bytes = bake_or_throw(make_soup(60, 1), options);
+    REQUIRE((get(bytes, at::features_at, 4) & feature::split_references) != 0);
+    return bytes;
+}
+
 /// Of three sources with a triangle each.
 Bytes three_sources(format::Profile profile) {
     std::array<Mesh, 3> meshes = {make_cube(0.0f, 1.0f), make_cube(2.0f, 3.0f), make_cube(4.0f, 5.0f)};
@@ -359,12 +368,8 @@ TEST_SUITE("open") {
     }
 
     TEST_CASE("each rule of copies is enforced where it is broken") {
-        BakeOptions options = with_profile(format::Profile::fast);
-        options.builder = Builder::spatial_splits;
-        options.duplicates = 1.0;
-        const Bytes bytes = bake_or_throw(make_soup(60, 1), options);
+        const Bytes bytes = blob_with_copies();
         REQUIRE(status_of(bytes) == Status::ok);
-        REQUIRE((get(bytes, at::features_at, 4) & feature::split_references) != 0);
         const std::size_t section = sections_of(bytes);
         CHECK(status_with(bytes, section, 0, 4) == Status::bad_section);  // none, though the map has some
         CHECK(status_with(bytes, section, 1u << 30, 4) == Status::bad_section);
@@ -412,11 +417,7 @@ TEST_SUITE("open") {
     }
 
     TEST_CASE("a map of copies that would begin behind the blob is refused before it is read") {
-        BakeOptions options = with_profile(format::Profile::fast);
-        options.builder = Builder::spatial_splits;
-        options.duplicates = 1.0;
-        Bytes bytes = bake_or_throw(make_soup(60, 1), options);
-        REQUIRE((get(bytes, at::features_at, 4) & feature::split_references) != 0);
+        Bytes bytes = blob_with_copies();
         const std::uint64_t to_the_end = bytes.size() - sections_of(bytes);
         REQUIRE(to_the_end % 4 == 0);
         put(bytes, at::leaf_bytes_at, get(bytes, at::leaf_bytes_at, 4) + to_the_end, 4);
