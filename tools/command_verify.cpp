@@ -83,7 +83,7 @@ ExitCode run_verify(const VerifyArguments& arguments) {
     if (result.failure.empty() && arguments.deep) {
         result.deep = true;
         if (const auto broken = baker::verify_deep(file.bytes)) {
-            result.failure = text("'", printable(arguments.blob), "': ", *broken, " Bake it again.");
+            result.failure = text("'", printable(arguments.blob), "': ", *broken, ". Bake it again.");
         }
     }
     if (result.failure.empty() && !arguments.sources.empty()) {

@@ -23,10 +23,15 @@ std::optional<std::string> check_result(std::span<const std::byte> blob, const L
     const std::size_t node_bytes = std::size_t{node_count} * format::node::bytes;
     if (blob.size() < header::bytes + node_bytes + leaf_bytes + format::guard_bytes)
         return "the header counts too many bytes";
-    const TreeBytes tree{blob.subspan(header::bytes, node_bytes), blob.subspan(header::bytes + node_bytes, leaf_bytes),
+    const auto extent_at = [&](std::size_t axis) {
+        return static_cast<std::int32_t>(detail::load_u32(blob.data() + header::extent_at + 4 * axis));
+    };
+    const TreeBytes tree{blob.subspan(header::bytes, node_bytes),
+                         blob.subspan(header::bytes + node_bytes, leaf_bytes),
                          detail::load_u8(blob.data() + header::bits_at),
                          static_cast<format::Profile>(detail::load_u8(blob.data() + header::profile_at)),
-                         wide.copies != 0};
+                         wide.copies != 0,
+                         {extent_at(0), extent_at(1), extent_at(2)}};
 
     std::size_t leaf_number = 0;
     const auto check_leaf = [&](const DecodedLeaf& leaf, const DecodedBox& region) -> std::optional<std::string> {

@@ -8,10 +8,20 @@ namespace {
 
 constexpr const char* axis_names[3] = {"x", "y", "z"};
 
+/// Where a box of an asset of this extent does not end any more. No node spans more than the extent, so none needs
+/// planes farther apart than 255 of them need to be to reach it; outward rounding adds less than one such distance.
+std::int32_t end_of_boxes(std::int32_t extent) {
+    unsigned shift = 0;
+    while (255 << shift < extent) ++shift;
+    return extent + (1 << shift);
+}
+
 class TreeWalk {
 public:
     TreeWalk(const TreeBytes& tree, LeafCheck check_leaf, TreeCounts& counts)
-        : tree_(tree), check_leaf_(check_leaf), counts_(counts) {}
+        : tree_(tree), check_leaf_(check_leaf), counts_(counts) {
+        std::transform(tree.extent.begin(), tree.extent.end(), ends_.begin(), end_of_boxes);
+    }
 
     /// False after a complaint. `content` becomes the box of all vertices below. No deeper than format::max_depth.
     bool visit(std::uint32_t number, unsigned depth, const DecodedBox& region, DecodedBox& content) {
@@ -24,6 +34,7 @@ public:
             return complain(number, "has " + std::to_string(node.first_child) + " as its first child instead of " +
                                         std::to_string(node.node_children == 0 ? 0 : counts_.nodes));
         }
+        if (!check_ends(number, node)) return false;
         counts_.nodes += node.node_children;
         counts_.depth = std::max(counts_.depth, depth);
         std::array<DecodedBox, format::max_children> contents;
@@ -69,6 +80,21 @@ private:
         return true;
     }
 
+    bool check_ends(std::uint32_t number, const DecodedNode& node) {
+        for (unsigned child = 0; child < node.children(); ++child) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const std::int32_t end = node.boxes[child].hi[axis];
+                if (end < ends_[axis]) continue;
+                return complain(number, "has a box that ends too far beyond the asset: on " +
+                                            std::string(axis_names[axis]) + " that of its child " +
+                                            std::to_string(child) + " ends at " + std::to_string(end) +
+                                            ", the asset at " + std::to_string(tree_.extent[axis]) +
+                                            ", so that boxes must end below " + std::to_string(ends_[axis]));
+            }
+        }
+        return true;
+    }
+
     bool complain(std::uint32_t number, const std::string& what) {
         const std::size_t at = format::header::bytes + std::size_t{number} * format::node::bytes;
         complaint = "node " + std::to_string(number) + " (byte " + std::to_string(at) + ") " + what;
@@ -90,6 +116,7 @@ private:
     const TreeBytes& tree_;
     LeafCheck check_leaf_;
     TreeCounts& counts_;
+    Coordinates ends_{};
 };
 
 }  // namespace

@@ -23,8 +23,9 @@ struct TreeCounts {
 using LeafCheck = FunctionRef<std::optional<std::string>(const DecodedLeaf& leaf, const DecodedBox& region)>;
 
 /// Walks the tree in the order of the format and calls `check_leaf` in storage order. Every child box must hold all
-/// vertices below it (not where parts of triangles lie in several leaves: there `check_leaf` must see to it), every reference must be the running counter's, and at the end everything must have been given
-/// out. Answers with the first thing that does not hold, naming node and byte offset in the blob, or with nothing.
+/// vertices below it (not where parts of triangles lie in several leaves: there `check_leaf` must see to it) and end
+/// near the asset, every reference must be the running counter's, and at the end everything must have been given out.
+/// Answers with the first thing that does not hold, naming node and byte offset in the blob, or with nothing.
 [[nodiscard]] std::optional<std::string> check_tree(const TreeBytes& tree, LeafCheck check_leaf, TreeCounts& counts);
 
 }  // namespace espalier::baker

@@ -50,6 +50,7 @@ struct TreeBytes {
     unsigned bits = 1;
     format::Profile profile = format::Profile::fast;
     bool has_copies = false;  ///< the blob has split references
+    Coordinates extent{};
 
     /// Node `number`; false when there is none or when it has more than max_children.
     [[nodiscard]] bool decode_node(std::uint32_t number, DecodedNode& node) const;

@@ -122,8 +122,13 @@ std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
     const detail::BlobData& data = blob.data();
     const std::size_t node_bytes = std::size_t{data.node_count} * format::node::bytes;
     const std::size_t leaves_at = format::header::bytes + node_bytes;
-    const TreeBytes tree{bytes.subspan(format::header::bytes, node_bytes), bytes.subspan(leaves_at, data.leaf_bytes),
-                         data.bits, data.profile, data.copies != nullptr};
+    const auto extent_of = [&](std::size_t axis) { return static_cast<std::int32_t>(data.extent[axis]); };
+    const TreeBytes tree{bytes.subspan(format::header::bytes, node_bytes),
+                         bytes.subspan(leaves_at, data.leaf_bytes),
+                         data.bits,
+                         data.profile,
+                         data.copies != nullptr,
+                         {extent_of(0), extent_of(1), extent_of(2)}};
 
     Gatherer gatherer(data, leaves_at);
     TreeCounts counts;

@@ -33,7 +33,20 @@ GridBox shared(const GridBox& a, const GridBox& b) {
 
 }  // namespace
 
+bool boxes_end_near_asset(const DecodedBlob& decoded) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t extent = decoded.extent[k];
+        std::int64_t spacing = 1;  // of the finest 256 planes from 0 that reach the extent
+        while (spacing * 255 < extent) spacing *= 2;
+        for (const DecodedNode& node : decoded.nodes)
+            for (const DecodedChild& child : node.children)
+                if (child.box.high[k] >= extent + spacing) return false;
+    }
+    return true;
+}
+
 bool is_sound(const DecodedBlob& decoded) {
+    if (!boxes_end_near_asset(decoded)) return false;
     for (const GridTriangle& triangle : decoded.triangles)
         if (!has_area(triangle)) return false;
     if ((decoded.features & format::feature::split_references) != 0) return false;  // parts of triangles in boxes

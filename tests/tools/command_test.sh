@@ -651,6 +651,16 @@ out_has '"deep": true'
 run 0 bake box.obj -o inches.espl --unit in --up z
 run 0 verify inches.espl --source box.obj --unit in --up z
 
+claim "verify names a box that ends far from the asset, which only --deep asks about"
+run 0 bake box.obj -o near.espl --profile fast
+{ head -c 12 near.espl; printf '\0\0\0\0'; tail -c +17 near.espl | head -c 152; printf '\377'; tail -c +170 near.espl; } >unsigned.espl
+{ head -c 12 unsigned.espl; gzip -c unsigned.espl | tail -c 8 | head -c 4; tail -c +17 unsigned.espl; } >far.espl # CRC-32
+run 0 verify near.espl --deep
+run 0 verify far.espl
+run 3 verify far.espl --deep
+err_has "node 0 (byte 128) has a box that ends too far beyond the asset: on x"
+err_has ". Bake it again."
+
 claim "verify refuses another source, or the same in another unit"
 run 3 verify sheet.espl --source far_box.obj
 err_has "farther from the baked surface"
