@@ -53,13 +53,16 @@ ESPALIER_SHARED_CODE inline Floats gap_to(const LaneBoxes& boxes, const SeenBox&
                                           float limit, Floats* apart) {
     const Floats zero = splat(0.0f);
     Floats own = zero;
+    count_axes(3);
     for (int k = 0; k < 3; ++k) {
         apart[k] = subtract(boxes.center[k], splat(seen.center[k]));
         const Floats gap = larger(subtract(subtract(magnitude(apart[k]), boxes.half[k]), splat(seen.reach[k])), zero);
         own = add(own, multiply(gap, gap));
     }
-    if (lanes == 1 && at_most(own, splat(limit)) == 0) return own;
+    if constexpr (lanes == 1)
+        if (at_most(own, splat(limit)) == 0) return own;
     Floats others = zero;
+    count_axes(3);
     for (int j = 0; j < 3; ++j) {
         const auto along = [&](int i) { return splat(side.axis[i][j]); };
         const auto absolute_along = [&](int i) { return splat(side.absolute_at(i, j)); };
@@ -81,6 +84,7 @@ ESPALIER_SHARED_CODE inline unsigned not_apart_across(const LaneBoxes& boxes, co
     Floats most = splat(-infinity);
     for (int i = 0; i < 3; ++i) {
         const int i1 = i == 2 ? 0 : i + 1, i2 = i == 0 ? 2 : i - 1;
+        count_axes(3);
         for (int j = 0; j < 3; ++j) {
             const int j1 = j == 2 ? 0 : j + 1, j2 = j == 0 ? 2 : j - 1;
             const Floats distance = magnitude(
@@ -91,7 +95,8 @@ ESPALIER_SHARED_CODE inline unsigned not_apart_across(const LaneBoxes& boxes, co
                 seen.half[j1] * side.absolute_at(i, j2) + seen.half[j2] * side.absolute_at(i, j1) + 3.0f * side.slack;
             most = larger(subtract(subtract(distance, reach), splat(other_reach)), most);
         }
-        if (lanes == 1 && at_most(most, splat(0.0f)) == 0) return 0;
+        if constexpr (lanes == 1)
+            if (at_most(most, splat(0.0f)) == 0) return 0;
     }
     return at_most(most, splat(0.0f));
 }
@@ -106,6 +111,7 @@ struct PairAxes {
 ESPALIER_SHARED_CODE inline Floats gap_along(const PairAxes& axes, const LaneBoxes& boxes, const SeenBox& seen,
                                              const PairSide& side, const Floats* apart) {
     Floats sum = splat(0.0f);
+    count_axes(3);
     for (const auto& axis : axes.at) {
         float reach = 2.0f * side.slack;
         for (int j = 0; j < 3; ++j)
@@ -144,7 +150,8 @@ inline constexpr float share_of_centers = 0x1p-4f;
         }
         Floats apart[3];
         Floats gap = gap_to(boxes, seen, side, limit, apart);
-        if (lanes == 1 && at_most(gap, splat(limit)) == 0) continue;
+        if constexpr (lanes == 1)
+            if (at_most(gap, splat(limit)) == 0) continue;
         if (!touching) gap = larger(gap, gap_along(axes, boxes, seen, side, apart));
         unsigned near = at_most(gap, splat(limit));
         const Floats between =

@@ -47,7 +47,7 @@ struct SeenPlanes {
         const std::uint32_t base_units = load_u16(node + base_at + std::size_t{2} * k) << ray.base_shift;
         const std::int32_t base = static_cast<std::int32_t>(base_units) - ray.origin[k];
         const std::byte* const low_planes = node + 8 * k + lo_at;
-        const auto to_high = static_cast<std::int32_t>(hi_at - lo_at);
+        constexpr auto to_high = static_cast<std::int32_t>(hi_at - lo_at);
         const std::byte* const near_planes = low_planes + (down & to_high);
         const std::byte* const far_planes = low_planes + to_high - (down & to_high);
         if (i == 2) {
@@ -91,6 +91,7 @@ struct SeenPlanes {
         std::int32_t begin = plane(begins, child) ^ flip;
         const std::int32_t end = plane(ends, child) ^ flip;
         if (begin > last || end < first) continue;
+        count_axes(2);
         for (const SeenPlanes& planes : across) {
             // The ray has passed the near plane when the box ends, and not yet the far one when it begins.
             const std::int32_t near = plane(planes.near_planes, child) * planes.plane + planes.to_near;

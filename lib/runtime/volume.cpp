@@ -115,8 +115,10 @@ private:
         return scalar_walk::for_each_triangle_of(leaf, [&](unsigned, const LatticeTriangle& triangle) {
             const std::uint32_t own = index++;
             if (own < first || (volume.bounded && is_beside(volume.bounds, triangle.corner)) ||
-                is_beyond_a_plane(volume, triangle) || !volume.meets(volume, triangle))
+                is_beyond_a_plane(volume, triangle))
                 return keep_going;
+            count_decision();
+            if (!volume.meets(volume, triangle)) return keep_going;
             return visit(Triangle{own});
         });
     }
@@ -138,7 +140,10 @@ private:
                 if ((beyond[vertices.a] & beyond[vertices.b] & beyond[vertices.c]) != 0) continue;
                 const std::uint64_t corners_inside =
                     places.inside >> vertices.a | places.inside >> vertices.b | places.inside >> vertices.c;
-                if ((corners_inside & 1) == 0 && !volume.meets(volume, leaf.triangle(slot))) continue;
+                if ((corners_inside & 1) == 0) {
+                    count_decision();
+                    if (!volume.meets(volume, leaf.triangle(slot))) continue;
+                }
             }
             if (visit(Triangle{own}) == stop) return stop;
         }

@@ -6,6 +6,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/codec_node.hpp>
+#include <runtime/small_code.hpp>
 #include <runtime/step_counter.hpp>
 
 namespace espalier::tests {
@@ -21,8 +22,9 @@ public:
     operator const Blob&() const { return for_walks(1); }  // NOLINT(google-explicit-constructor)
     /// For one that may walk so many times: a batch, once for each ray.
     [[nodiscard]] const Blob& for_walks(std::uint64_t walks) const {
-        // A node's children are asked about at most four times, a leaf is visited at most once.
-        return allow(4 * walks * blob_.data().node_count, walks * leaves_);
+        // How often a node's children are asked about at most; a leaf is visited at most once. Small code asks again.
+        constexpr std::uint64_t times = detail::small_code ? format::max_children : 4;
+        return allow(times * walks * blob_.data().node_count, walks * leaves_);
     }
     /// For two blobs under a limit of work; a pair that touches may be looked up once more, each of its triangles by
     /// one way down.
