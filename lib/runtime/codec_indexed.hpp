@@ -79,7 +79,8 @@ inline IndexedLeaf leaf_at(const BlobData& blob, Node node, unsigned number) {
 ESPALIER_SHARED_CODE inline std::uint32_t first_triangle(const IndexedLeaf& leaf) {
     std::uint32_t first = load_u32(leaf.block);
     const std::byte* descriptor = leaf.descriptors();
-    const unsigned end = small_code ? leaf.number : format::max_children - 1;
+    constexpr unsigned most = format::max_children - 1;
+    const unsigned end = small_code ? leaf.number : most;
     for (unsigned i = 0; i < end; ++i, descriptor += format::indexed_leaf::descriptor_bytes) {
         const std::uint32_t count = ((load_u32(descriptor) >> format::indexed_leaf::triangles_shift) & 15u) + 1;
         first += count & (i < leaf.number ? ~0u : 0u);

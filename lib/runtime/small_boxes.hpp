@@ -56,8 +56,8 @@ inline float farthest_squared(const Node& node, unsigned bits, unsigned child, c
     for (int k = 0; k < 3; ++k) {
         if (length[k] == 0) continue;
         if (!is_within_window(k)) return false;
-        for (int j = 0; j < 3; ++j)
-            if (length[j] != 0 && enter[k] * length[j] > leave[j] * length[k]) return false;
+        for (int j = 0; j < 3; ++j)  // where the ray does not run nothing is left before it is entered
+            if (enter[k] * length[j] > leave[j] * length[k]) return false;
     }
     return true;
 }

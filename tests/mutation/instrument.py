@@ -29,6 +29,8 @@ PARTS = {
         "runtime/traverse_pair.inl"],
     "rounding": ["runtime/lattice_ray.hpp", "runtime/lattice_point.hpp", "runtime/lattice_round.hpp",
                  "runtime/outward.hpp"],
+    "small": ["runtime/small_walk.inl", "runtime/small_pair_walk.inl", "runtime/seen_ray.hpp", "runtime/seen_boxes.hpp",
+              "runtime/seen_triangles.hpp", "runtime/small_boxes.hpp"],
 }
 
 NUMBERS_OF_A_FILE = 1000
@@ -49,7 +51,7 @@ def blanked(text):
             r"constexpr [\w:<>, ]+? \w+ = \[\][^}]*?(?:\}[^}(]*?)*\}\(\);",  # a table that the compiler fills
             r"constexpr [\w:<>, ]+? \w+(?:\[[^\]\n]*\])* =[^;]*;", r"template <[^\n]*", r"^using [^;]*;", r"if constexpr \([^\n]*",
             r"alignas\(\w+\)", r"__asm__[^;]*;",
-            r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{\})?;$"):
+            r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{\})?;[ ]*$"):
         text = re.sub(pattern, blank, text, flags=re.MULTILINE)
     return text
 

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """mutate.py BUILD [PART...] [--survivors] [--most N] [--claims TEXT...]: breaks the library in every way that
-instrument.py knows, one at a time, and prints what no claim noticed. PART is verifier, decode, quantiser, traversal or
-rounding; all of them when none is named. Exit status 1 when a mutant survives that equivalent.txt does not explain.
+instrument.py knows, one at a time, and prints what no claim noticed. PART is verifier, decode, quantiser, traversal,
+rounding or small (what microcontrollers have of their own); all of them when none is named. Exit status 1 when a mutant
+survives that equivalent.txt does not explain.
 
-All mutants are compiled once, into the same programs, and chosen when a program starts. A first run of every claim
-without any notes how long it takes and by which mutants it comes; each mutant is then shown to the claims that come by
-it, first those that have noticed most of its file's mutants for the time that they take, until one is red, crashes or
-takes far too long.
+All mutants are compiled once, into the same programs, and again as small code (ESPALIER_SMALL_CODE); they are chosen
+when a program starts. A first run of every claim without any notes how long it takes and by which mutants it comes;
+each mutant is then shown to the claims that come by it, first those that have noticed most of its file's mutants for the
+time that they take, until one is red, crashes or takes far too long.
 
 What was found is kept in BUILD/results.jsonl and holds as long as the mutant's file is made of the same text: a mutant
 that was noticed is not asked about again, one that survived only by claims that it has not met. --survivors leaves out
@@ -39,13 +40,14 @@ SCALE = os.environ.get("ESPALIER_TEST_SCALE", "0.05")  # enough for most mutants
 CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/open", "runtime/open_rules", "runtime/open_leaves", "runtime/trusted_image", "runtime/weird_blob",
     "runtime/statistics", "runtime/work", "runtime/node_boxes", "runtime/traversal", "runtime/lattice_ray",
-    "runtime/lattice_point", "runtime/lattice_queries", "runtime/lattice_steps", "runtime/identity",
-    "runtime/nearest", "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk",
-    "runtime/rounding", "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/pair_work",
+    "runtime/lattice_point", "runtime/lattice_queries", "runtime/lattice_steps", "runtime/identity", "runtime/nearest",
+    "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk", "runtime/rounding", "runtime/seen_ray",
+    "runtime/small_boxes", "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/pair_work",
     "runtime/copies", "runtime/packed_walk", "baker/lattice", "baker/lattice_borders", "baker/fit_lattice",
     "baker/tree", "baker/strip", "baker/bounds", "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial",
     "baker/few_triangles", "baker/input")]
 QUESTIONS = [5, 100]  # of a kind and blob
+BUILDS = {"build": "", "build_small_code": "ON"}
 
 
 def build(folder):
@@ -69,15 +71,17 @@ def build(folder):
             shutil.copy(path, old)
     mutants = [json.loads(line) for line in (folder / "mutants.jsonl").open()]
     flags = f"-std=c++20 -O1 -w -include {source}/tests/mutation/mutants.hpp"
-    subprocess.run(["cmake", "-S", source, "-B", folder / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
-                    "-DESPALIER_TESTS=OFF", "-DESPALIER_TOOLS=OFF", "-DESPALIER_BENCH=OFF", "-DESPALIER_INSTALL=OFF",
-                    "-DESPALIER_COUNT_STEPS=ON",
-                    f"-DCMAKE_CXX_FLAGS={flags}", f"-DMUTANT_COUNT={mutants[-1]['number'] + 1}",
-                    f"-DMUTANT_CLAIMS={';'.join(CLAIMS)}"], check=True, stdout=subprocess.DEVNULL)
-    built = subprocess.run(["cmake", "--build", folder / "build", "-j", str(JOBS), "--target", "mutant_blobs",
-                            "mutant_answers", "mutant_claims"], stdout=subprocess.PIPE, text=True)
-    if built.returncode != 0:
-        raise SystemExit(built.stdout)
+    for name, small_code in BUILDS.items():
+        claims = [claim for claim in CLAIMS if not small_code or claim.startswith("runtime/")]
+        subprocess.run(["cmake", "-S", source, "-B", folder / name, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
+                        "-DESPALIER_TESTS=OFF", "-DESPALIER_TOOLS=OFF", "-DESPALIER_BENCH=OFF",
+                        "-DESPALIER_INSTALL=OFF", "-DESPALIER_COUNT_STEPS=ON", f"-DESPALIER_SMALL_CODE={small_code}",
+                        f"-DCMAKE_CXX_FLAGS={flags}", f"-DMUTANT_COUNT={mutants[-1]['number'] + 1}",
+                        f"-DMUTANT_CLAIMS={';'.join(claims)}"], check=True, stdout=subprocess.DEVNULL)
+        built = subprocess.run(["cmake", "--build", folder / name, "-j", str(JOBS), "--target", "mutant_blobs",
+                                "mutant_answers", "mutant_claims"], stdout=subprocess.PIPE, text=True)
+        if built.returncode != 0:
+            raise SystemExit(built.stdout)
     return mutants
 
 
@@ -147,6 +151,7 @@ class Claim:
 
 def claims_of(folder):
     programs = folder / "build" / "tests" / "mutation"
+    small_programs = folder / "build_small_code" / "tests" / "mutation"
     blobs = folder / "blobs"
     shutil.rmtree(blobs, ignore_errors=True)
     blobs.mkdir()
@@ -160,13 +165,21 @@ def claims_of(folder):
         for questions in QUESTIONS:
             claims.append(Claim(f"the golden answers, {questions} questions, {lanes} lanes",
                                 [programs / "mutant_answers", questions, *files], compares_output=True, lanes=lanes))
-    listed = subprocess.run([programs / "mutant_claims", "-ltc", "-nv"], stdout=subprocess.PIPE, text=True, check=True)
-    for name in listed.stdout.splitlines():
-        if name.startswith("[doctest]") or name.startswith("==="):
-            continue
-        pattern = name.replace("\\", "\\\\").replace(",", "\\,")
-        claims.append(Claim(f"{name}, times {SCALE}", [programs / "mutant_claims", f"-tc={pattern}", "-aa=1", "-m"]))
-    return claims
+    claims.append(Claim("kept blobs answer as they did, small code",
+                        [small_programs / "mutant_answers", 20, *old], compares_output=True))
+    for questions in QUESTIONS:
+        claims.append(Claim(f"the golden answers, {questions} questions, small code",
+                            [small_programs / "mutant_answers", questions, *files], compares_output=True))
+    return claims + doctest_claims(programs, "") + doctest_claims(small_programs, ", small code")
+
+
+def doctest_claims(programs, code):
+    program = programs / "mutant_claims"
+    listed = subprocess.run([program, "-ltc", "-nv"], stdout=subprocess.PIPE, text=True, check=True)
+    names = [name for name in listed.stdout.splitlines() if not name.startswith(("[doctest]", "==="))]
+    patterns = [name.replace("\\", "\\\\").replace(",", "\\,") for name in names]
+    return [Claim(f"{name}, times {SCALE}{code}", [program, f"-tc={pattern}", "-aa=1", "-m"])
+            for name, pattern in zip(names, patterns)]
 
 
 def key_of(mutant):

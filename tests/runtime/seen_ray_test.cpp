@@ -95,6 +95,37 @@ TEST_SUITE("what is seen along a ray") {
         CHECK(rejected > 3'000);
     }
 
+    TEST_CASE("a box is left out beyond what rounding can move it, and not at it") {
+        detail::BlobData asset;
+        asset.bits = 16;
+        asset.derive();
+        for (unsigned ahead = 0; ahead < 3; ++ahead)
+            for (unsigned beside = 1; beside < 3; ++beside)
+                for (const std::int32_t sign : {-1, 1}) {
+                    // A point at the lattice's origin, among planes so far apart that a finest unit is half of the
+                    // ray's: what is seen is within 2 * 4 + 258 of these, which 133 of the ray's are.
+                    EightBoxes boxes;
+                    boxes.set_shifts({13, 13, 13});
+                    const unsigned axis = (ahead + beside) % 3;
+                    for (const std::int32_t away : {0, 132, 133, 134, 135}) {
+                        detail::RoundedRay rounded{};
+                        detail::set_longest_axis(rounded, ahead);
+                        rounded.fraction_bits = 6;
+                        rounded.direction[ahead] = sign * (1 << 23);
+                        rounded.origin[ahead] = -sign * 1000;
+                        rounded.tau_max = detail::infinity;
+                        for (const std::int32_t side : {-away, away}) {
+                            rounded.origin[axis] = side;
+                            const detail::SeenRay ray = look_along(rounded, asset);
+                            const unsigned seen =
+                                detail::seen_children(ray, boxes.bytes.data(), ray.last_ahead(ray.tau_max), 255);
+                            CAPTURE(side);
+                            CHECK(detail::SeenChildren::children(seen) == (away <= 133 ? 255u : 0u));
+                        }
+                    }
+                }
+    }
+
     TEST_CASE("a triangle is left out beyond the error of what is seen of it, and not at it") {
         Random random(7);
         std::uint32_t allowed = 0;
