@@ -142,7 +142,16 @@ TEST_SUITE("promises") {
                 blobs.emplace_back(scaled_by(make_soup(100, 3), scale), with_profile(profile));
             }
             blobs.emplace_back(scaled_by(make_terrain(12, 7), 0x1p-80f), with_profile(profile, finest));
+            BakeOptions every_section = with_every_section(profile);
+            every_section.materials = Materials::none;
+            for (const float scale : {1.0f, 0x1p-85f})
+                blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), scale), every_section);
         }
+        BakeOptions copies = with_profile(format::Profile::fast);
+        copies.builder = Builder::spatial_splits;
+        copies.duplicates = 1.0;
+        blobs.emplace_back(scaled_by(make_soup(100, 3), 0x1p-85f), copies);
+        REQUIRE(blobs.back().blob.copy_count() > 0);
         for (const OpenedBlob& opened : blobs) {
             CAPTURE(opened.blob.step());
             for (std::uint64_t seed = 0; seed < scaled(2); ++seed) {
