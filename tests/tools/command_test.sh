@@ -541,28 +541,40 @@ awk 'BEGIN { n = 150
         printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >large.obj
 run 0 bake large.obj -o large.espl -q --effort 0
 mkdir killed
-for try in $(seq 24); do
+start_baking() { # a shell has what it starts in the background ignore interrupts
     cp box.espl killed/x.espl
-    "$espalier" bake large.obj -o killed/x.espl -q --effort 0 &
+    env --default-signal=INT "$espalier" bake large.obj -o killed/x.espl -q --effort 0 &
     baking=$!
-    if [ $((try % 2)) = 0 ]; then # as soon as the file beside it is there
-        while kill -0 $baking 2>/dev/null && [ -z "$(find killed -name '.*' -type f)" ]; do :; done
+}
+# As soon as there is a file beside the output; false when the bake was faster.
+kill_in_the_middle() { # SIGNAL
+    while kill -0 $baking 2>/dev/null && [ -z "$(find killed -name '.*' -type f)" ]; do :; done
+    kill "-$1" $baking 2>/dev/null
+    wait $baking 2>/dev/null
+    [ $? -gt 128 ]
+}
+in_the_middle=0
+for try in $(seq 24); do
+    start_baking
+    if [ $((try % 2)) = 0 ]; then
+        kill_in_the_middle KILL && in_the_middle=$((in_the_middle + 1))
     else
         sleep "0.$((RANDOM % 3))$((RANDOM % 10))"
+        kill -KILL $baking 2>/dev/null
+        wait $baking 2>/dev/null
     fi
-    kill -KILL $baking 2>/dev/null
-    wait $baking 2>/dev/null
     cmp -s killed/x.espl box.espl || cmp -s killed/x.espl large.espl || fail "killed: neither the old blob nor the new one"
     rm -f killed/.x.espl.*
 done
+[ $in_the_middle -gt 0 ] || fail "no bake was killed in the middle of writing"
 for signal in INT TERM HUP; do
-    cp box.espl killed/x.espl
-    "$espalier" bake large.obj -o killed/x.espl -q --effort 0 &
-    baking=$!
-    while kill -0 $baking 2>/dev/null && [ -z "$(find killed -name '.*' -type f)" ]; do :; done
-    kill -$signal $baking 2>/dev/null
-    wait $baking 2>/dev/null
+    for try in $(seq 20) never; do
+        start_baking
+        kill_in_the_middle $signal && break
+    done
+    [ $try != never ] || fail "no bake was stopped by $signal in the middle of writing"
     only killed "x.espl "
+    rm -f killed/.x.espl.*
 done
 
 claim "an input that cannot be read is exit status 2 or 3, names the file, and leaves the old blob"
