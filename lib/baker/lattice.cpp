@@ -31,7 +31,7 @@ unsigned bits_needed(const SourceBounds& bounds, int step_exponent) {
                                      snap_coordinate(bounds.max.y, bounds.min.y, reciprocal_step),
                                      snap_coordinate(bounds.max.z, bounds.min.z, reciprocal_step)});
     unsigned bits = 1;
-    while (bits <= unsigned{format::max_bits} && largest > std::ldexp(1.0, static_cast<int>(bits)) - 1.0) ++bits;
+    while (largest > std::ldexp(1.0, static_cast<int>(bits)) - 1.0) ++bits;
     return bits;
 }
 

@@ -19,13 +19,7 @@ public:
     [[nodiscard]] bool is_full() const { return kept_.count() == places_.size(); }
     /// The largest squared distance that is kept; there must be one.
     [[nodiscard]] float last() const { return kept_.last().distance; }
-    /// Whether the triangle is kept already: one that has copies is met in several leaves.
-    [[nodiscard]] bool has(std::uint32_t index) const {
-        if (blob_.copies == nullptr) return false;
-        for (const Nearest& nearest : kept_.kept())
-            if (nearest.triangle.index == index) return true;
-        return false;
-    }
+    [[nodiscard]] bool has(std::uint32_t index) const { return kept_.has(blob_, index); }
     void offer(const FoundNearest& found);
     /// Sorts what was found and translates the distances. How many there are.
     std::size_t finish(float distance_offset, float max_distance);

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+
+#include <espalier/blob.hpp>
 
 namespace espalier::detail {
 
@@ -19,7 +22,13 @@ public:
     [[nodiscard]] bool is_empty() const { return count_ == 0; }
     /// The last of those that are kept; there must be one.
     [[nodiscard]] const Value& last() const { return places_[0]; }
-    [[nodiscard]] std::span<const Value> kept() const { return places_.first(count_); }
+    /// Whether the value of this triangle is kept already: one that has copies is met in several leaves.
+    [[nodiscard]] bool has(const BlobData& blob, std::uint32_t index) const {
+        if (blob.copies == nullptr) return false;
+        for (const Value& value : places_.first(count_))
+            if (value.triangle.index == index) return true;
+        return false;
+    }
 
     void offer(const Value& value) {
         if (count_ < places_.size()) {

@@ -19,11 +19,7 @@ public:
     [[nodiscard]] bool has_overflowed() const { return hits_.has_overflowed(); }
     [[nodiscard]] bool has_no_places() const { return hits_.is_empty(); }
     [[nodiscard]] float last_tau() const { return hits_.last().t; }
-    [[nodiscard]] bool has(std::uint32_t index) const {
-        for (const RayHit& hit : hits_.kept())
-            if (hit.triangle.index == index) return true;
-        return false;
-    }
+    [[nodiscard]] bool has(const BlobData& blob, std::uint32_t index) const { return hits_.has(blob, index); }
     void offer(const RayHit& hit) { hits_.offer(hit); }
     HitCount finish(const RoundedRay& ray, const Ray& world, std::span<RayHit> hits) {
         hits_.sort();

@@ -69,7 +69,8 @@ struct FirstHitsOf {
             TriangleHit hit;
             if (!hits_slot(leaf, slot, ray, hit)) continue;
             const std::uint32_t index = owner_index(leaf, slot);
-            if (Leaf::may_have_copies && leaf.blob->copies != nullptr && hits.has(index)) continue;
+            if constexpr (Leaf::may_have_copies)
+                if (hits.has(*leaf.blob, index)) continue;
             if (filter != nullptr && !(*filter)(Triangle{index})) continue;
             hits.offer(to_ray_hit(hit, index));
             if (!hits.has_overflowed()) continue;

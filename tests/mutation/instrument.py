@@ -31,6 +31,12 @@ PARTS = {
                  "runtime/outward.hpp"],
     "small": ["runtime/small_walk.inl", "runtime/small_pair_walk.inl", "runtime/seen_ray.hpp", "runtime/seen_boxes.hpp",
               "runtime/seen_triangles.hpp", "runtime/small_boxes.hpp"],
+    "queries": [
+        "runtime/ray_visitors.inl", "runtime/ray_queries.inl", "runtime/first_few.hpp", "runtime/first_hits.hpp",
+        "runtime/approximate_rays.inl", "runtime/ray_group.inl", "runtime/ray_in_batch.inl", "runtime/ray_batch.inl",
+        "runtime/point_queries.inl", "runtime/closest_few.hpp", "runtime/approximate_points.inl",
+        "runtime/pair_queries.inl", "runtime/pair_beam.inl", "runtime/walk.cpp", "runtime/find_triangle.cpp",
+        "runtime/scalar_walk.hpp", "runtime/ray_queries_small.cpp", "runtime/point_queries_small.cpp"],
 }
 
 NUMBERS_OF_A_FILE = 1000
@@ -51,7 +57,7 @@ def blanked(text):
             r"constexpr [\w:<>, ]+? \w+ = \[\][^}]*?(?:\}[^}(]*?)*\}\(\);",  # a table that the compiler fills
             r"constexpr [\w:<>, ]+? \w+(?:\[[^\]\n]*\])* =[^;]*;", r"template <[^\n]*", r"^using [^;]*;", r"if constexpr \([^\n]*",
             r"alignas\(\w+\)", r"__asm__[^;]*;",
-            r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{\})?;[ ]*$"):
+            r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{[^}\n]*\})?;[ ]*$"):
         text = re.sub(pattern, blank, text, flags=re.MULTILINE)
     return text
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """mutate.py BUILD [PART...] [--survivors] [--most N] [--claims TEXT...]: breaks the library in every way that
 instrument.py knows, one at a time, and prints what no claim noticed. PART is verifier, decode, quantiser, traversal,
-rounding or small (what microcontrollers have of their own); all of them when none is named. Exit status 1 when a mutant
-survives that equivalent.txt does not explain.
+rounding, small (what microcontrollers have of their own) or queries (what they do at nodes and leaves, batches); all of
+them when none is named. Exit status 1 when a mutant survives that equivalent.txt does not explain.
 
 All mutants are compiled once, into the same programs, and again as small code (ESPALIER_SMALL_CODE); they are chosen
 when a program starts. A first run of every claim without any notes how long it takes and by which mutants it comes;
@@ -42,10 +42,10 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/statistics", "runtime/work", "runtime/node_boxes", "runtime/traversal", "runtime/lattice_ray",
     "runtime/lattice_point", "runtime/lattice_queries", "runtime/lattice_steps", "runtime/identity", "runtime/nearest",
     "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk", "runtime/rounding", "runtime/seen_ray",
-    "runtime/small_boxes", "runtime/ray_filter", "runtime/far_query", "runtime/collide", "runtime/pair_work",
-    "runtime/copies", "runtime/packed_walk", "baker/lattice", "baker/lattice_borders", "baker/fit_lattice",
-    "baker/tree", "baker/strip", "baker/bounds", "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial",
-    "baker/few_triangles", "baker/input")]
+    "runtime/small_boxes", "runtime/ray_filter", "runtime/ray", "runtime/ray_batch", "runtime/closest_hits",
+    "runtime/far_query", "runtime/collide", "runtime/pair_work", "runtime/copies", "runtime/packed_walk",
+    "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds",
+    "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles", "baker/input")]
 QUESTIONS = [5, 100]  # of a kind and blob
 BUILDS = {"build": "", "build_small_code": "ON"}
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <espalier/approximate.hpp>
 #include <espalier/overlap.hpp>
@@ -22,6 +23,7 @@
 #include "../support/calls.hpp"
 #include "../support/instruction_paths.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/real_meshes.hpp"
 #include "../support/shape_maker.hpp"
@@ -380,6 +382,54 @@ TEST_SUITE("approximate queries") {
     TEST_CASE("a ray just beyond a box, or beyond the asset, is answered the same on every path") {
         std::uint64_t awkward = 0;
         check_test_blobs(check_rays_beside_boxes, 87, scaled_share(2'000), awkward).check();
+    }
+    TEST_CASE("a sphere is near where it touches a triangle or a box no larger than the accuracy, and nowhere else") {
+        for_each_profile([](format::Profile profile) {
+            const OpenedBlob opened(make_terrain(40, 5), {.bits = 10, .profile = profile});
+            const detail::BlobData& data = opened.blob.data();
+            const float step = std::ldexp(1.0f, data.step_exponent);
+            Random random(9);
+            std::uint32_t by_box = 0, by_triangle = 0, far = 0;
+            for (int i = 0; i < 20'000; ++i) {
+                // In lattice steps, and near the asset; a place that the border of a box is near to is left out.
+                std::array<float, 3> center{};
+                for (unsigned k = 0; k < 3; ++k)
+                    center[k] = static_cast<float>(random.between(-20, data.extent[k] + 20)) + 0.5f;
+                const float radius = static_cast<float>(random.below(64)) + 0.25f;
+                const auto accuracy = static_cast<std::int32_t>(random.below(96));
+                bool is_small = false, is_on_border = false;
+                std::vector<std::uint32_t> nodes = {0};
+                while (!nodes.empty()) {
+                    const detail::Node node = detail::node_at(data, nodes.back());
+                    nodes.pop_back();
+                    for (unsigned child = 0; child < node.node_children() + node.leaf_children(); ++child) {
+                        std::int32_t longest = 0;
+                        double squared = 0.0;
+                        for (unsigned k = 0; k < 3; ++k) {
+                            const std::int32_t low = node.low(static_cast<int>(k), child, data.bits);
+                            const std::int32_t high = node.high(static_cast<int>(k), child, data.bits);
+                            longest = std::max(longest, high - low);
+                            const double off = std::max({low - double(center[k]), double(center[k]) - high, 0.0});
+                            squared += off * off;
+                        }
+                        is_on_border = is_on_border || std::abs(std::sqrt(squared) - double(radius)) < 0.01;
+                        if (squared > double(radius) * double(radius)) continue;
+                        if (accuracy > 0 && longest <= accuracy) is_small = true;
+                        else if (child < node.node_children()) nodes.push_back(node.first_child() + child);
+                    }
+                }
+                if (is_on_border) continue;
+                const Sphere sphere = {{data.origin[0] + center[0] * step, data.origin[1] + center[1] * step,
+                                        data.origin[2] + center[2] * step},
+                                       radius * step};
+                const bool touches = overlaps(opened.blob, sphere);
+                (touches ? by_triangle : is_small ? by_box : far) += 1;
+                CHECK(may_overlap(opened.blob, sphere, static_cast<float>(accuracy) * step) == (touches || is_small));
+            }
+            CHECK(by_box > 100);
+            CHECK(by_triangle > 1'000);
+            CHECK(far > 1'000);
+        });
     }
     TEST_CASE("real meshes: all of these claims") { for_each_real_mesh(check_real_mesh, quickly_baked); }
 

@@ -2,6 +2,9 @@
 // in builds with ESPALIER_COUNT_STEPS, as those with sanitizers, with mutants and of small code are.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -105,6 +108,7 @@ TEST_SUITE("work") {
              {"filtered and any hits", platform::ask_filtered_hits, 100, {1078, 781, 1527}, {1295, 789, 1690, 12940}},
              {"all hits", platform::ask_all_hits, 100, {488, 443, 1180}, {499, 448, 1311, 4516}},
              {"first hits", platform::ask_first_hits, 50, {517, 337, 771}, {671, 341, 822, 6014}},
+             {"batches", platform::ask_batches, 60, {3878, 2350, 3590}, {4988, 2424, 4151, 49788}},
              {"sweeps", platform::ask_sweeps, 20, {573, 776, 474}, {573, 776, 511}},
              {"spheres", platform::ask_spheres, 100, {580, 437, 1120}, {580, 437, 1808}},
              {"volumes", platform::ask_volumes, 30, {2616, 2092, 3536}, {2616, 2082, 4597}},
@@ -123,6 +127,7 @@ TEST_SUITE("work") {
              {"filtered and any hits", platform::ask_filtered_hits, 100, {861, 932, 1191}, {1134, 966, 1998, 11542}},
              {"all hits", platform::ask_all_hits, 100, {385, 512, 832}, {394, 530, 1371, 4396}},
              {"first hits", platform::ask_first_hits, 50, {380, 367, 461}, {587, 356, 785, 5364}},
+             {"batches", platform::ask_batches, 60, {3048, 2769, 3664}, {4271, 2795, 5501, 41262}},
              {"sweeps", platform::ask_sweeps, 20, {448, 765, 151}, {448, 765, 217}},
              {"spheres", platform::ask_spheres, 100, {433, 369, 572}, {433, 369, 1434}},
              {"volumes", platform::ask_volumes, 30, {2066, 2393, 3718}, {2066, 2389, 4878}},
@@ -139,13 +144,82 @@ TEST_SUITE("work") {
         const OpenedBlob landscape(make_terrain(24, 7), {.bits = 18, .profile = format::Profile::fast});
         check_work(landscape.blob, detail::InstructionSet::sse42,
                    {{"closest hits", platform::ask_closest_hits, 200, {959, 766, 832}},
+                    {"batches", platform::ask_batches, 60, {3708, 2013, 2344}},
                     {"spheres", platform::ask_spheres, 100, {580, 437, 435}},
-                    {"closest points", platform::ask_closest_points, 100, {715, 1167, 7688}}});
+                    {"closest points", platform::ask_closest_points, 100, {715, 1167, 7688}},
+                    {"contacts", ask_contacts, 40, {1079, 478, 0, 25935}},
+                    {"distances", ask_distances, 10, {212, 170, 0, 3540}}});
         const OpenedBlob body(make_torus(32, 16, 3.0, 1.0), {.bits = 12, .profile = format::Profile::balanced});
         check_work(body.blob, detail::InstructionSet::sse42,
                    {{"closest hits", platform::ask_closest_hits, 200, {691, 749, 867}},
+                    {"batches", platform::ask_batches, 60, {3173, 2521, 3201}},
                     {"spheres", platform::ask_spheres, 100, {433, 369, 343}},
-                    {"closest points", platform::ask_closest_points, 100, {987, 1916, 18806}}});
+                    {"closest points", platform::ask_closest_points, 100, {987, 1916, 18806}},
+                    {"contacts", ask_contacts, 40, {510, 235, 0, 13716}},
+                    {"distances", ask_distances, 10, {203, 200, 0, 3483}}});
+    }
+
+    TEST_CASE("batches of rays that look alike walk together, as far as they did") {
+        if (detail::detect_instruction_set() < detail::InstructionSet::sse42) return;  // by one lane each walks alone
+        const OpenedBlob landscape(make_terrain(24, 7), {.bits = 12, .profile = format::Profile::fast});
+        const detail::BlobData& asset = landscape.blob.data();
+        std::int32_t longest = 0;
+        for (const std::int32_t side : asset.extent) longest = std::max(longest, side);
+        // As far apart as rays of a group may be, exactly.
+        const float near = std::ldexp(static_cast<float>(longest), asset.step_exponent - 4);
+        const Lanes lanes(detail::InstructionSet::sse42);
+        platform::Fingerprint work;
+        std::uint64_t leaves = 0;
+        const auto ask = [&](const std::vector<Ray>& rays, std::size_t count) {
+            std::vector<RayHit> hits(rays.size());
+            std::vector<std::uint8_t> yes(rays.size());
+            for (const bool any : {false, true}) {
+                detail::step_counter = {};
+                if (any) occluded(landscape.blob, std::span(rays).first(count), std::span(yes).first(count));
+                else raycast(landscape.blob, std::span(rays).first(count), std::span(hits).first(count));
+                const detail::StepCounter counted = detail::step_counter;
+                for (const std::uint64_t number : {counted.nodes, counted.leaves, counted.decisions})
+                    work.add(static_cast<std::uint32_t>(number));
+                leaves = counted.leaves;
+            }
+        };
+        const Vec3 low = landscape.blob.bounds_min(), high = landscape.blob.bounds_max();
+        const Ray first = {{0.5f * (low.x + high.x), 0.5f * (low.y + high.y), high.z + (high.x - low.x)},
+                           {0.25f, 0.125f, -1.0f}};
+        ask(std::vector<Ray>(15, first), 15);
+        const std::uint64_t leaves_alone = leaves;
+        ask(std::vector<Ray>(16, first), 16);
+        CHECK(leaves < leaves_alone);
+        // One of the rays that are compared with the first, along one axis, at the border and beside it.
+        for (const std::size_t count : {std::size_t{15}, std::size_t{16}, std::size_t{17}, std::size_t{40}})
+            for (const std::size_t other : {std::size_t{4}, std::size_t{5}, std::size_t{10}, std::size_t{15}})
+                for (int axis = 0; axis < 3; ++axis)
+                    for (const float share : {-2.0f, -1.0f, 0.0f, 1.0f, 1.0f + 0x1p-20f, 2.0f})
+                        for (const bool turns : {false, true}) {
+                            std::vector<Ray> rays(48, first);
+                            for (std::size_t i = 0; i < rays.size(); ++i) {
+                                rays[i].origin.x += static_cast<float>(i % 16) * near * 0x1p-6f;
+                                rays[i].direction.y += static_cast<float>(i % 16) * 0x1p-8f;
+                            }
+                            Ray& ray = rays[other];
+                            ray = first;
+                            float* const origin[3] = {&ray.origin.x, &ray.origin.y, &ray.origin.z};
+                            float* const direction[3] = {&ray.direction.x, &ray.direction.y, &ray.direction.z};
+                            if (turns) *direction[axis] += share * 0.25f;
+                            else *origin[axis] += share * near;
+                            ask(rays, count);
+                        }
+        // Some alike, some not, many of each.
+        for (const std::size_t count : {std::size_t{64}, std::size_t{600}, std::size_t{1'100}}) {
+            platform::Questions questions(landscape.blob);
+            std::vector<Ray> rays(count, first);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (i % 200 > 120) rays[i] = questions.ray(static_cast<std::uint32_t>(i));
+                else rays[i].origin.x += static_cast<float>(i % 40) * near * 0x1p-5f;
+            }
+            ask(rays, count);
+        }
+        CHECK(work.value() == 4335110317897020745u);
     }
 #endif
 }
