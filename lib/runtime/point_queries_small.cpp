@@ -45,6 +45,7 @@ struct NearTriangles {
     }
     template <class Leaf>
     Visit visit_leaf(const Leaf& leaf) const {
+        if (scalar::storage_index(leaf, 0) + leaf.triangle_count() <= first) return keep_going;
         if (counters != nullptr) {
             counters->count_leaf();
             counters->count_triangles(leaf.triangle_count());

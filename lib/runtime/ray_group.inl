@@ -26,10 +26,10 @@ inline std::uint64_t transpose_8_by_8(std::uint64_t bits) {
 template <class Leaf>
 class RayGroup {
 public:
-    /// How many of up to rays_in_group rays hit something.
-    std::size_t answer(const BlobData& blob, const Ray* worlds, const BatchAnswers& answers, unsigned count) {
+    /// How many of rays_in_group rays hit something.
+    std::size_t answer(const BlobData& blob, const Ray* worlds, const BatchAnswers& answers) {
         GroupMask begun = 0;
-        for (unsigned number = 0; number < count; ++number) {
+        for (unsigned number = 0; number < rays_in_group; ++number) {
             if (rays_[number].begin(blob, worlds[number], answers.any_will_do())) begun |= GroupMask{1} << number;
             else answers.miss(number);
         }
@@ -161,15 +161,13 @@ private:
     alignas(32) float keys_[rays_in_group][format::max_children];  ///< of the node at hand, by ray
 };
 
+/// For whole groups of rays.
 template <class Leaf>
 [[gnu::noinline]] inline std::size_t answer_in_groups(const BlobData& blob, const Ray* rays,
                                                       const BatchAnswers& answers, std::size_t count) {
     RayGroup<Leaf> group;
     std::size_t hits = 0;
-    for (std::size_t first = 0; first < count; first += rays_in_group) {
-        const std::size_t rest = count - first;
-        hits += group.answer(blob, rays + first, answers.from(first),
-                             static_cast<unsigned>(rest < rays_in_group ? rest : rays_in_group));
-    }
+    for (std::size_t first = 0; first < count; first += rays_in_group)
+        hits += group.answer(blob, rays + first, answers.from(first));
     return hits;
 }

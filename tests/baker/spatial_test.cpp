@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <set>
 
 #include <baker/build.hpp>
@@ -189,12 +190,24 @@ TEST_SUITE("spatial splits") {
                     REQUIRE_MESSAGE(!difference, *difference);
                 }
                 CHECK(hits > 0);
-                std::uint64_t found = 0;
+                std::uint64_t found = 0, near = 0;
                 for (std::uint64_t i = 0; i < scaled(50); ++i) {
                     const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), found);
                     REQUIRE_MESSAGE(!difference, *difference);
+                    const Vec3 from = maker.sphere().center, to = maker.sphere().center;
+                    const float infinity = std::numeric_limits<float>::infinity();
+                    NearestPair pair;
+                    // Some shapes are too far away to be asked about.
+                    const bool is_near = closest_to_segment(opened.blob, {from, to}, infinity, pair) == QueryStatus::ok;
+                    if (is_near) CHECK(decoded.owners[pair.triangle.index] == pair.triangle.index);
+                    near += is_near ? 1u : 0u;
+                    const Box box = {{std::min(from.x, to.x), std::min(from.y, to.y), std::min(from.z, to.z)},
+                                     {std::max(from.x, to.x), std::max(from.y, to.y), std::max(from.z, to.z)}};
+                    if (closest_to_box(opened.blob, box, infinity, pair) == QueryStatus::ok)
+                        CHECK(decoded.owners[pair.triangle.index] == pair.triangle.index);
                 }
                 CHECK(found > 0);
+                CHECK(near > 0);
             }
         }
         CHECK(copies > 500);  // or this claim would test nothing

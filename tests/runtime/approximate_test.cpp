@@ -446,6 +446,10 @@ TEST_SUITE("approximate queries") {
                                         accuracy, bounds, &counters));
             }
             CHECK(counters.nodes < before);
+            if (accuracy == 0.0f) {  // every point comes to some leaf, which has a triangle at least
+                CHECK(counters.leaves >= 100);
+                CHECK(counters.triangles >= counters.leaves);
+            }
             before = counters.nodes;
         }
         CHECK(before == 100);  // the root, once each

@@ -207,6 +207,38 @@ TEST_SUITE("batches of rays") {
         }
     }
 
+    TEST_CASE("a batch that begins where many triangles meet answers with the first of them") {
+        for_each_profile([](format::Profile profile) {
+            BakeOptions options = with_profile(profile);
+            options.bits = 10;  // then floats hold every vertex
+            const OpenedBlob opened(make_terrain(20, 3), options);
+            std::uint32_t at_once = 0;
+            for (std::uint32_t index = 0; index < opened.blob.triangle_count(); ++index) {
+                Corners corners;
+                REQUIRE(triangle_corners(opened.blob, {index}, corners));
+                for (const Vec3 origin : {corners.a, corners.b, corners.c}) {
+                    std::vector<Ray> rays(16, Ray{origin, {0.25f, 0.125f, -1.0f}});
+                    for (std::size_t i = 0; i < rays.size(); ++i)
+                        rays[i].direction.x += static_cast<float>(i) * 0x1p-9f;
+                    std::vector<RayHit> hits(rays.size());
+                    RayHit alone;
+                    const bool hit = raycast(opened.blob, rays[0], alone);
+                    at_once += hit && alone.t == 0.0f ? 1u : 0u;
+                    for (const InstructionPath& path : instruction_paths()) {
+                        path.closest_hits(opened.blob.data(), rays.data(), hits.data(), rays.size());
+                        CAPTURE(path.name);
+                        for (std::size_t i = 0; i < rays.size(); ++i) {
+                            const bool hits_too = raycast(opened.blob, rays[i], alone);
+                            CHECK(hits_too == (hits[i].triangle.index != no_triangle.index));
+                            if (hits_too) CHECK(hits[i].triangle.index == alone.triangle.index);
+                        }
+                    }
+                }
+            }
+            CHECK(at_once > 1'000);
+        });
+    }
+
     TEST_CASE("of spans of different lengths the shorter one counts, and nothing behind it is touched") {
         const OpenedBlob opened(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}));
         const Ray ray = {.origin = {0.0f, 0.0f, 5.0f}, .direction = {0.0f, 0.0f, -1.0f}};
