@@ -129,9 +129,9 @@ TEST_SUITE("small boxes") {
             {0x1p24f, 1 << 26},
             {infinity, 1 << 26},
         };
-        for (const auto& [accuracy, steps] : cases) {
-            CAPTURE(accuracy);
-            CHECK(detail::steps_in(asset, accuracy) == steps);
+        for (const auto& expected : cases) {
+            CAPTURE(expected.first);
+            CHECK(detail::steps_in(asset, expected.first) == expected.second);
         }
     }
 
@@ -155,7 +155,7 @@ TEST_SUITE("small boxes") {
                     }
                     farthest = std::max(farthest, sum);
                 }
-                const double answer = detail::farthest_squared(boxes.node, asset.bits, child, point);
+                const double answer = double(detail::farthest_squared(boxes.node, asset.bits, child, point));
                 CHECK(std::abs(answer - farthest) <= farthest * 5 * 0x1p-24);
             });
     }
