@@ -60,11 +60,14 @@ std::vector<std::byte> read_file(const std::string& path) {
 
 ExitCode exit_code_of(Status status) {
     switch (status) {
-        case Status::ok: return ExitCode::ok;
+        case Status::ok:
+            return ExitCode::ok;
         case Status::unsupported_version:
         case Status::unsupported_profile:
-        case Status::unsupported_feature: return ExitCode::unsupported;
-        default: return ExitCode::invalid_input;
+        case Status::unsupported_feature:
+            return ExitCode::unsupported;
+        default:
+            return ExitCode::invalid_input;
     }
 }
 

@@ -28,9 +28,7 @@ std::string hexadecimal(std::span<const std::byte> bytes) {
 }  // namespace
 
 ByteListing::ByteListing(std::span<const std::byte> bytes, std::size_t limit, bool json)
-    : bytes_(bytes),
-      limit_(limit),
-      json_(json) {}
+    : bytes_(bytes), limit_(limit), json_(json) {}
 
 void ByteListing::heading(const std::string& text) {
     if (full()) return;

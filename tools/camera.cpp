@@ -59,9 +59,7 @@ View view_from(Axis up, double azimuth, double elevation) {
 }
 
 Camera::Camera(const Blob& blob, const View& view, unsigned width, unsigned height)
-    : view_(view),
-      width_(static_cast<float>(width)),
-      height_(static_cast<float>(height)) {
+    : view_(view), width_(static_cast<float>(width)), height_(static_cast<float>(height)) {
     const float half = std::tan(0.5f * radians(field_of_view));
     const float shorter = std::min(width_, height_);
     half_width_ = half * width_ / shorter;

@@ -102,7 +102,7 @@ void ChartPanel::draw_label(Svg& svg, Place place, const std::string& words, con
         if (!is_free(box)) continue;
         occupied_.push_back(box);
         svg.words({place.x + side.x, middle + 0.36 * label_size}, words,
-                 {.size = label_size, .anchor = side.anchor, .colour = colour});
+                  {.size = label_size, .anchor = side.anchor, .colour = colour});
         return;
     }
 }

@@ -20,10 +20,10 @@ inline const Choices<Builder> builder_choices{{"binned_sah", Builder::binned_sah
                                               {"agglomerative", Builder::agglomerative},
                                               {"linear", Builder::linear},
                                               {"insertion", Builder::insertion}};
-inline const Choices<Feature> feature_choices{
-    {"face", Feature::face},         {"edge_ab", Feature::edge_ab},   {"edge_bc", Feature::edge_bc},
-    {"edge_ca", Feature::edge_ca},   {"vertex_a", Feature::vertex_a}, {"vertex_b", Feature::vertex_b},
-    {"vertex_c", Feature::vertex_c}};
+inline const Choices<Feature> feature_choices{{"face", Feature::face},         {"edge_ab", Feature::edge_ab},
+                                              {"edge_bc", Feature::edge_bc},   {"edge_ca", Feature::edge_ca},
+                                              {"vertex_a", Feature::vertex_a}, {"vertex_b", Feature::vertex_b},
+                                              {"vertex_c", Feature::vertex_c}};
 
 /// Largest leaf that a profile can hold; larger limits mean the same.
 constexpr unsigned most_leaf_triangles(format::Profile profile) {

@@ -18,8 +18,7 @@ void Console::say(const std::string& line) const {
 void Console::warn(const std::string& line) const { std::cerr << "warning: " << line << '\n'; }
 
 Progress::Progress(bool quiet)
-    : enabled_(!quiet && isatty(STDERR_FILENO) == 1),
-      next_(Clock::now() + std::chrono::seconds(1)) {}
+    : enabled_(!quiet && isatty(STDERR_FILENO) == 1), next_(Clock::now() + std::chrono::seconds(1)) {}
 
 Progress::~Progress() {
     if (shown_) std::cerr << "\r\x1b[K" << std::flush;

@@ -27,9 +27,7 @@ Colour operator*(float factor, Colour colour) {
 Colour mix(Colour a, Colour b, float share_of_b) { return (1.0f - share_of_b) * a + share_of_b * b; }
 
 Image::Image(unsigned width, unsigned height)
-    : width_(width),
-      height_(height),
-      pixels_(std::size_t{3} * width * height) {}
+    : width_(width), height_(height), pixels_(std::size_t{3} * width * height) {}
 
 void Image::set(unsigned column, unsigned row, Colour colour) {
     std::uint8_t* pixel = pixels_.data() + std::size_t{3} * (std::size_t{row} * width_ + column);

@@ -117,9 +117,9 @@ std::vector<std::string> with_negative_numbers_marked(int count, char** values) 
     std::vector<std::string> arguments;
     for (int i = count - 1; i > 0; --i) {  // CLI11 takes them last first
         std::string argument = values[i];
-        const bool is_negative = argument.size() > 1 && argument[0] == '-' &&
-                                 (argument[1] == '.' || (argument[1] >= '0' && argument[1] <= '9') ||
-                                  parse_double(argument));  // -inf
+        const bool is_negative =
+            argument.size() > 1 && argument[0] == '-' &&
+            (argument[1] == '.' || (argument[1] >= '0' && argument[1] <= '9') || parse_double(argument));  // -inf
         if (is_negative) argument.insert(0, 1, ' ');
         arguments.push_back(std::move(argument));
     }

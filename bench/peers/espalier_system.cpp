@@ -68,8 +68,8 @@ private:
     double seconds_ = 0.0;
 };
 
-/// Asked for many rays in one call, while peers are asked ray by ray; copying the answers into the form that is asked of
-/// everybody is in the time.
+/// Asked for many rays in one call, while peers are asked ray by ray; copying the answers into the form that is asked
+/// of everybody is in the time.
 class EspalierBatchSystem final : public EspalierSystem {
 public:
     using EspalierSystem::EspalierSystem;

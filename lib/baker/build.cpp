@@ -33,7 +33,8 @@ BinaryTree build(const LatticeMesh& mesh, Builder builder, const BuildSettings& 
             return build_sah(mesh, settings);
         case Builder::sweep_sah:
             return build_sweep(mesh, settings);
-        case Builder::spatial_splits: return build_spatial(mesh, settings);
+        case Builder::spatial_splits:
+            return build_spatial(mesh, settings);
         case Builder::agglomerative:
             return build_agglomerative(mesh, settings);
         case Builder::linear:

@@ -14,10 +14,7 @@ constexpr std::uint32_t progress_interval = 1 << 16;  // triangles between two c
 class SahBuilder {
 public:
     SahBuilder(std::span<Reference> references, BinaryNode* nodes, const BuildSettings& settings)
-        : references_(references),
-          nodes_(nodes),
-          settings_(settings),
-          caller_(this_thread()) {}
+        : references_(references), nodes_(nodes), settings_(settings), caller_(this_thread()) {}
 
     void build(const SplitRange& range, std::size_t node, unsigned depth, unsigned threads) {
         const auto references = references_.subspan(range.first, range.count);

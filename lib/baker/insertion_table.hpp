@@ -21,8 +21,7 @@ public:
     static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
     explicit InsertionTable(std::size_t most_entries)
-        : mask_(std::bit_ceil(most_entries * 2 + 1) - 1),
-          slots_(mask_ + 1, none) {}
+        : mask_(std::bit_ceil(most_entries * 2 + 1) - 1), slots_(mask_ + 1, none) {}
 
     /// The number of the entry for which `equals(number)` holds, or `next` after having put it in.
     template <class Equals>

@@ -13,13 +13,15 @@ class FunctionRef;
 /// the call that it is passed to, and must not throw: the runtime is built without exceptions.
 template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
+private:
+    template <class Callable>
+    static constexpr bool refers_to = !std::is_same_v<std::remove_cvref_t<Callable>, FunctionRef> &&
+                                      std::is_invocable_r_v<Result, Callable&, Arguments...>;
+
 public:
     template <class Callable>
-    requires(
-        !std::is_same_v<std::remove_cvref_t<Callable>, FunctionRef> &&
-        std::is_invocable_r_v<Result, Callable&,
-                              Arguments...>) constexpr FunctionRef(Callable&& callable) noexcept {  // NOLINT(google-explicit-constructor):
-                                                                                                    // a parameter type
+    // NOLINTNEXTLINE(google-explicit-constructor): a parameter type
+    constexpr FunctionRef(Callable&& callable) noexcept requires(refers_to<Callable>) {
         using Target = std::remove_reference_t<Callable>;
         if constexpr (std::is_function_v<Target>) {
             target_.function = reinterpret_cast<void (*)()>(&callable);

@@ -48,4 +48,4 @@ private:
 
 /// Floats for few vertices.
 template <unsigned groups>
-using SeenVertices = std::conditional_t < groups* lanes<32, FloatVertices<groups>, PairVertices<groups>>;
+using SeenVertices = std::conditional_t<(groups * lanes < 32), FloatVertices<groups>, PairVertices<groups>>;

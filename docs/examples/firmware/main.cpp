@@ -1,4 +1,5 @@
-// Does the arm hit the table? Asked on a microcontroller, of a mesh that lies in flash: no heap, no C library, no copy in RAM.
+// Does the arm hit the table? Asked on a microcontroller, of a mesh that lies in flash: no heap, no C library, no copy
+// in RAM.
 #include <espalier/espalier.hpp>
 
 #include "board/semihosting.hpp"

@@ -1,5 +1,5 @@
-// Talking to the debugger, which under QEMU is the terminal: the only way out of a board without peripherals. On your own
-// board print by its UART, and do not return from main.
+// Talking to the debugger, which under QEMU is the terminal: the only way out of a board without peripherals. On your
+// own board print by its UART, and do not return from main.
 #pragma once
 
 #include <cstdint>
