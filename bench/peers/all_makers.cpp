@@ -1,5 +1,7 @@
+#include <cstddef>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include "system.hpp"
 
@@ -7,24 +9,23 @@ namespace espalier::bench {
 
 std::vector<Maker> all_makers(const BakeSettings& settings) {
     std::vector<Maker> all;
-    const auto append = [&all](std::vector<Maker> more) {
-        for (Maker& maker : more) all.push_back(std::move(maker));
+    const auto insert = [&all](std::size_t place, std::vector<Maker> more) {
+        all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), std::make_move_iterator(more.begin()),
+                   std::make_move_iterator(more.end()));
     };
 #if defined(ESPALIER_BENCH_EMBREE)
-    append(embree_makers());
+    insert(0, embree_makers());
 #endif
     // Right behind the reference, whose default comes first: the closer in time, the less a ratio is disturbed.
-    std::vector<Maker> own = espalier_makers(settings);
-    all.insert(all.empty() ? all.end() : all.begin() + 1, std::make_move_iterator(own.begin()),
-               std::make_move_iterator(own.end()));
+    insert(all.empty() ? 0 : 1, espalier_makers(settings));
 #if defined(ESPALIER_BENCH_BULLET)
-    append(bullet_makers());
+    insert(all.size(), bullet_makers());
 #endif
 #if defined(ESPALIER_BENCH_ODE)
-    append(ode_makers());
+    insert(all.size(), ode_makers());
 #endif
 #if defined(ESPALIER_BENCH_FCL)
-    append(fcl_makers());
+    insert(all.size(), fcl_makers());
 #endif
     return all;
 }

@@ -26,7 +26,10 @@ case $machine in
     i686) use_machine i686-linux-gnu i686-linux-gnu-g++ ;;
     armhf) use_machine arm-linux-gnueabihf arm-linux-gnueabihf-g++ qemu-arm ;;
     aarch64 | riscv64 | s390x) use_machine "$machine-linux-gnu" "$machine-linux-gnu-g++" "qemu-$machine" ;;
-    wasm32) use_machine wasm32-wasi wasm-ld node --no-warnings "$here/other/run_wasm.mjs" ;;
+    wasm32)
+        use_machine wasm32-wasi wasm-ld node --no-warnings "$here/other/run_wasm.mjs"
+        needed+=(llvm-ar)
+        ;;
     gcc | clang)
         compiler=${machine/gcc/g}++
         needed=("$compiler")
