@@ -50,8 +50,8 @@ std::uint64_t fail_each_allocation(const Mesh& mesh, const BakeOptions& options,
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("when the n-th allocation fails the baker says so and leaves nothing behind, for each n") {
+TEST_SUITE("allocation") {
+    TEST_CASE("baker: an allocation that fails raises bad_alloc and leaks no block") {
         Mesh mesh = make_soup(20, 4);
         mesh.materials.assign(20, 3);
         BakeOptions options;
@@ -78,7 +78,7 @@ TEST_SUITE("baker") {
         CHECK(fail_each_allocation(make_icosphere(0, 1.0, {}), options, stride) > 30 / stride);
     }
 
-    TEST_CASE("an allocation that fails in a thread of the baker's is the caller's exception") {
+    TEST_CASE("baker: an allocation that fails in a thread of the baker raises in the calling thread") {
         const Mesh mesh = make_terrain(60, 2);  // 7,200 triangles: enough for two threads
         for (const Builder builder :
              {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear}) {

@@ -124,8 +124,8 @@ Mesh turned_box(Random& random) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("bounds hold every vertex, on every test mesh, lattice and profile") {
+TEST_SUITE("bounds") {
+    TEST_CASE("bounds: every vertex is inside on every mesh and lattice and profile") {
         for (const Mesh& mesh :
              {make_cube(-1.0f, 1.0f), make_icosphere(3, 1.0, {0.5f, -3.0f, 0.25f}), make_terrain(20, 7),
               make_needle_fan(300), make_slivers(400, 3), make_soup(300, 9), make_plane_grid(6), make_far_sphere()}) {
@@ -140,7 +140,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("bounds of real meshes hold every vertex") {
+    TEST_CASE("bounds: every vertex of a mesh from a file is inside") {
         for (const auto& path : mesh_files()) {
             CAPTURE(path.string());
             const OpenedBlob opened(read_mesh(path), with_bounds());
@@ -149,7 +149,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("the oriented box of a turned box is that box, to a thousandth") {
+    TEST_CASE("bounds: the oriented box of a rotated box is that box to a thousandth") {
         Random random(5);
         for (int i = 0; i < 50; ++i) {
             CAPTURE(i);
@@ -160,7 +160,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("the sphere of a ball is the ball, and no sphere is larger than the one around the box") {
+    TEST_CASE("bounds: the sphere of a ball is the ball and never exceeds the sphere around the box") {
         for (const Mesh& mesh : {make_icosphere(4, 1.0, {7.0f, -3.0f, 0.25f}), make_terrain(20, 7), make_soup(100, 3),
                                  make_needle_fan(300), make_cube(-1.0f, 3.0f), make_torus(24, 12, 2.0, 0.7)}) {
             CAPTURE(mesh.name);
@@ -179,7 +179,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("the 26-DOP takes less space than the box, and that of a cube as much") {
+    TEST_CASE("bounds: the 26-DOP is smaller than the box and that of a cube is the cube") {
         const auto cube = bake_mesh(make_cube(0.0f, 2.0f), with_bounds());
         CHECK(cube->report.volumes.box == doctest::Approx(8.0));
         CHECK(cube->report.volumes.k_dop == doctest::Approx(8.0));
@@ -190,7 +190,7 @@ TEST_SUITE("baker") {
         CHECK(ball->report.volumes.k_dop > 0.52 * 8.0);
     }
 
-    TEST_CASE("verify finds a vertex outside of each of the bounds, and a wrong edge flag") {
+    TEST_CASE("verify: a vertex outside each of the bounds and a wrong edge flag are found") {
         BakeOptions options = with_bounds();
         options.edge_flags = 5.0;
         const auto good = bake_or_throw(make_terrain(10, 1), options);

@@ -144,8 +144,8 @@ Mesh make_filled_box(const Extent& extent, Random& random) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("a box may end less than the coarsest plane beyond the extent, and is not sound from there on") {
+TEST_SUITE("box ends") {
+    TEST_CASE("format: a box may extend less than one coarsest plane beyond the extent") {
         struct Ending {
             unsigned least_bits;
             std::int32_t extent;
@@ -191,7 +191,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("boxes of nodes must end near the asset, whether or not those below them do") {
+    TEST_CASE("format: a box of a node must end near the extent whatever the boxes below do") {
         for_each_profile([](format::Profile profile) {
             const auto below = encode(make_two_boxes(profile, false)), above = encode(make_two_boxes(profile, true));
             CHECK(opens(below));
@@ -203,7 +203,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("a box with parts of triangles must end near the asset too") {
+    TEST_CASE("format: a box with parts of triangles must end near the extent") {
         Random random(3);
         auto blob = bake_or_throw(make_filled_box({511, 256, 256}, random), with_splits(9));
         REQUIRE(has_copies(decode(blob)));
@@ -216,7 +216,7 @@ TEST_SUITE("baker") {
         CHECK(contains(verdict(blob), "node 0 (byte 128) has a box that ends too far beyond the asset: on x"));
     }
 
-    TEST_CASE("what is baked ends near the asset, on every lattice, and some boxes as far as they may") {
+    TEST_CASE("format: boxes of baked blobs end near the extent on every lattice and some as far as allowed") {
         Random random(1);
         unsigned blobs_with_copies = 0, lattices_with_farthest = 0;
         for (unsigned bits = 1; bits <= format::max_bits; ++bits) {
@@ -255,7 +255,7 @@ TEST_SUITE("baker") {
         CHECK(lattices_with_farthest == format::max_bits - 8);  // up to 8 bits no box ends beyond
     }
 
-    TEST_CASE("blobs of every version end near the asset") {
+    TEST_CASE("format: boxes in kept blobs of every version end near the extent") {
         unsigned count = 0;
         const std::filesystem::path folder = std::filesystem::path(ESPALIER_PROJECT_FOLDER) / "tests/format_versions";
         for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -73,14 +73,14 @@ bool is_same(const baker::BinaryTree& a, const baker::BinaryTree& b) {
 }  // namespace
 
 TEST_SUITE("builders") {
-    TEST_CASE("no triangles: an empty tree") {
+    TEST_CASE("builder: no triangles give an empty tree") {
         for (const NamedBuilder& named : builders) {
             CAPTURE(named.name);
             CHECK(baker::build({}, named.builder, baker::build_settings(5, 1)).triangles.empty());
         }
     }
 
-    TEST_CASE("few triangles, same boxes, same centres, many sizes: a sound tree within the format's height") {
+    TEST_CASE("builder: awkward small inputs give a sound tree within the height of the format") {
         std::vector<baker::LatticeMesh> meshes;
         for (const std::uint32_t count : {1u, 2u, 3u, 4u, 5u, 19u, 20u, 21u}) {
             meshes.push_back(mixed_sizes(count, count));
@@ -103,7 +103,7 @@ TEST_SUITE("builders") {
         }
     }
 
-    TEST_CASE("10^5 identical triangles: a sound tree within the format's height") {
+    TEST_CASE("builder: 100000 identical triangles give a sound tree within the height of the format") {
         const baker::LatticeMesh mesh = identical_triangles(100'000);
         for (const NamedBuilder& named : builders) {
             CAPTURE(named.name);
@@ -112,7 +112,7 @@ TEST_SUITE("builders") {
         }
     }
 
-    TEST_CASE("every builder yields to balance where its tree would become too high") {
+    TEST_CASE("builder: every builder falls back to balanced splits where its tree would become too high") {
         for (const baker::LatticeMesh& mesh :
              {nearly_equal_boxes(1'025), exponential_stairs(40), mixed_sizes(1'000, 3)}) {
             const unsigned balanced = balanced_height_of(mesh.triangles.size());
@@ -131,7 +131,7 @@ TEST_SUITE("builders") {
         }
     }
 
-    TEST_CASE("the same tree at any number of threads") {
+    TEST_CASE("builder: the tree is the same at any number of threads") {
         for (const baker::LatticeMesh& mesh : {mixed_sizes(20'000, 7), nearly_equal_boxes(9'000)}) {
             for (const NamedBuilder& named : builders) {
                 CAPTURE(named.name);
@@ -143,7 +143,7 @@ TEST_SUITE("builders") {
         }
     }
 
-    TEST_CASE("the same bytes with 1 and 2 threads, other bytes by another builder, all sound") {
+    TEST_CASE("builder: the bytes are the same with 1 and 2 threads and differ between builders") {
         const Mesh mesh = make_terrain(60, 1);
         std::vector<std::vector<std::byte>> blobs;
         for (const NamedBuilder& named : builders) {
@@ -163,7 +163,7 @@ TEST_SUITE("builders") {
         }
     }
 
-    TEST_CASE("rays, spheres and closest points equal the loop over all triangles, whoever built the tree") {
+    TEST_CASE("builder: rays and spheres and closest points equal the loop for every builder") {
         for (const Mesh& mesh : {make_soup(400, 4), make_coplanar_stacks(300, 2), make_needle_fan(200)}) {
             for (const NamedBuilder& named : builders) {
                 CAPTURE(named.name);

@@ -32,8 +32,8 @@ Mesh torn_apart(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("what shares a position shares a vertex: shared and unshared indices give the same bytes") {
+TEST_SUITE("drop") {
+    TEST_CASE("weld: shared and unshared indices give the same bytes") {
         for (const Mesh& mesh : {make_icosphere(4, 1.0, {0, 0, 0}), make_terrain(20, 2), make_needle_fan(50)}) {
             const auto shared = bake_mesh(mesh);
             const auto torn = bake_mesh(torn_apart(mesh));
@@ -44,7 +44,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("the vertex count is the number of distinct lattice points") {
+    TEST_CASE("weld: the vertex count is the number of distinct lattice points") {
         for (const unsigned bits : {4u, 8u, 16u}) {
             const auto result = bake_mesh(make_icosphere(4, 1.0, {0, 0, 0}), with_bits(bits));
             REQUIRE(result);
@@ -53,7 +53,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("triangles that lose their area on the lattice are dropped and counted") {
+    TEST_CASE("weld: triangles that lose their area on the lattice are dropped and counted") {
         const Mesh mesh = make_icosphere(5, 1.0, {0, 0, 0});
         const auto result = bake_mesh(mesh, with_bits(4));
         REQUIRE(result);
@@ -69,7 +69,7 @@ TEST_SUITE("baker") {
         CHECK(!baker::verify_deep(result->blob));
     }
 
-    TEST_CASE("of triangles with the same corners and winding the first is kept, rotated or not") {
+    TEST_CASE("weld: the first of several triangles with the same corners and winding is kept") {
         Mesh cube = make_cube(0.0f, 1.0f);
         const auto [a, b, c] = cube.triangles[4];
         cube.triangles.push_back({a, b, c});
@@ -87,7 +87,7 @@ TEST_SUITE("baker") {
         for (const std::uint32_t id : decoded.original_ids) CHECK(id < 12);
     }
 
-    TEST_CASE("the same corners in the other winding are another triangle") {
+    TEST_CASE("weld: the same corners with the other winding are another triangle") {
         Mesh cube = make_cube(0.0f, 1.0f);
         const auto [a, b, c] = cube.triangles[4];
         cube.triangles.push_back({b, a, c});
@@ -97,7 +97,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.duplicate.count == 0);
     }
 
-    TEST_CASE("triangles that become equal on the lattice are duplicates") {
+    TEST_CASE("weld: triangles that become equal on the lattice are duplicates") {
         Mesh mesh = make_cube(0.0f, 1.0f);
         Mesh nearly = make_cube(0.0f, 1.0f);
         for (Vec3& point : nearly.positions) point.x += 1e-7f;
@@ -108,7 +108,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.duplicate.count == 12);
     }
 
-    TEST_CASE("a million identical triangles take less than five seconds and give one, ten million less than fifty") {
+    TEST_CASE("weld: a million identical triangles become one within five seconds") {
         const std::uint32_t millions = scaled(1) >= 10 ? 10 : 1;  // ten million need some gigabytes
         Mesh mesh;
         mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -125,7 +125,7 @@ TEST_SUITE("baker") {
         CHECK(shared->report.nodes == 1);
     }
 
-    TEST_CASE("a million triangles on one spot, all different, take less than five seconds") {
+    TEST_CASE("weld: a million different triangles in one place bake within five seconds") {
         // Specks around one lattice point beside a large triangle: every one collapses.
         Mesh mesh;
         mesh.positions = {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}};
@@ -148,7 +148,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.max_error < 2 * result->report.step);
     }
 
-    TEST_CASE("corners keep the winding of the source, and the order from the first corner on") {
+    TEST_CASE("weld: corners keep the winding of the source and its order from the first corner on") {
         for_each_profile([](format::Profile profile) {
             const Mesh mesh = make_terrain(9, 8);
             BakeOptions options = with_profile(profile);

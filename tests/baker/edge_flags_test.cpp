@@ -107,8 +107,8 @@ using Counts = std::array<std::uint64_t, 4>;
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("a cube has flat diagonals and convex edges, and seen from inside concave ones") {
+TEST_SUITE("edge flags") {
+    TEST_CASE("edge flags: a cube has flat diagonals and convex edges and inside out concave ones") {
         for_each_profile([](format::Profile profile) {
             Mesh cube = make_cube(0.0f, 1.0f);
             CHECK(check_kinds(OpenedBlob(cube, with_flags(profile))) == Counts{12, 24, 0, 0});
@@ -117,7 +117,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("edge flags equal those worked out without limits of width, on every test mesh, lattice and profile") {
+    TEST_CASE("edge flags: every mesh and lattice and profile gives the flags of unbounded arithmetic") {
         Counts all{};
         for (const Mesh& mesh :
              {make_terrain(20, 7), make_soup(300, 2), make_slivers(200, 3), make_needle_fan(200),
@@ -136,7 +136,7 @@ TEST_SUITE("baker") {
         for (const std::uint64_t count : all) CHECK(count > 1000);
     }
 
-    TEST_CASE("edge flags of real meshes equal those worked out without limits of width") {
+    TEST_CASE("edge flags: meshes from files give the flags of unbounded arithmetic") {
         for (const char* file : {"fandisk.obj", "house.obj"}) {
             const auto path = mesh_file(file);
             if (!path) {
@@ -149,7 +149,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a blob is closed exactly when none of its edges is open") {
+    TEST_CASE("edge flags: a blob is closed exactly when it has no open edge") {
         for (const Mesh& mesh : {make_cube(0.0f, 1.0f), make_terrain(5, 1), make_torus(20, 12, 3.0, 1.0),
                                  make_soup(50, 1), make_coplanar_stacks(50, 5)}) {
             CAPTURE(mesh.name);
@@ -162,7 +162,7 @@ TEST_SUITE("baker") {
         CHECK(check_kinds(OpenedBlob(fin, with_flags(format::Profile::fast)))[3] == 5);
     }
 
-    TEST_CASE("copies have the flags of what they copy") {
+    TEST_CASE("edge flags: a copy has the flags of its owner") {
         BakeOptions options = with_flags(format::Profile::fast);
         options.builder = Builder::spatial_splits;
         options.duplicates = 1.0;
@@ -171,7 +171,7 @@ TEST_SUITE("baker") {
         check_kinds(opened);
     }
 
-    TEST_CASE("the angle decides what is flat, at the very lattice step") {
+    TEST_CASE("edge flags: the flat angle decides to the lattice step which edges are flat") {
         // Two triangles over an edge of 4096 steps, the second lifted by one step at a time: tan(angle) = lift / 4096.
         for (const double degrees : {0.0, 0.1, 1.0, 5.0, 45.0}) {
             CAPTURE(degrees);
@@ -197,7 +197,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("without options a blob has the bytes and the version of a 1.0 reader, with them the same tree") {
+    TEST_CASE("edge flags: leaving them out gives the bytes of version 1.0 and the same tree") {
         for_each_profile([](format::Profile profile) {
             const Mesh mesh = make_terrain(10, 1);
             BakeOptions options = with_profile(profile);
@@ -219,7 +219,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("an empty mesh carries neither edge flags nor bounds, and angles that make no sense are refused") {
+    TEST_CASE("edge flags: an empty mesh has no flags and no bounds and senseless angles are refused") {
         BakeOptions options;
         options.edge_flags = 5.0;
         options.bounds = {true, true, true};

@@ -78,8 +78,8 @@ double sampled_error(const Mesh& mesh, const DecodedBlob& baked, unsigned sample
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("no point of the source is farther from the baked surface than max_error") {
+TEST_SUITE("error") {
+    TEST_CASE("error: no point of the source is farther from the baked surface than max_error") {
         for (const Mesh& mesh : {make_icosphere(2, 1.0, {3, 0, 0}), make_soup(40, 9), make_needle_fan(40),
                                  make_slivers(40, 3), make_terrain(7, 1)}) {
             for (const unsigned bits : {2u, 3u, 4u, 6u, 9u}) {
@@ -94,7 +94,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("without dropped triangles max_error is the largest way that a vertex moved, rounded up") {
+    TEST_CASE("error: without dropped triangles max_error is the largest move of a vertex rounded up") {
         for (unsigned seed = 0; seed < 40; ++seed) {
             const Mesh mesh = make_terrain(6, seed);
             BakeOptions options = with_bits(10 + seed % 5);
@@ -118,7 +118,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("errors are rounded up to float32, and never to a subnormal number") {
+    TEST_CASE("error: max_error is rounded up to float32 and never subnormal") {
         using baker::round_up_to_float;
         CHECK(round_up_to_float(0.0) == 0.0f);
         CHECK(round_up_to_float(1.0) == 1.0f);
@@ -130,13 +130,13 @@ TEST_SUITE("baker") {
         CHECK(round_up_to_float(0x1.ffffff8p127) == std::numeric_limits<float>::infinity());
     }
 
-    TEST_CASE("a mesh on the lattice has no error") {
+    TEST_CASE("error: a mesh on the lattice has none") {
         const auto result = bake_mesh(make_cube(-3.0f, 5.0f));
         REQUIRE(result);
         CHECK(result->report.max_error == 0.0);
     }
 
-    TEST_CASE("a speck that vanishes far from everything counts with its distance") {
+    TEST_CASE("error: a speck that vanishes far from the rest counts with its distance") {
         Mesh mesh = make_cube(0.0f, 100.0f);
         const Mesh speck = make_cube(349.999f, 350.0f);
         append(mesh, speck);
@@ -152,7 +152,7 @@ TEST_SUITE("baker") {
         CHECK(kept->report.triangles == 24);
     }
 
-    TEST_CASE("a triangle that becomes a line through empty space counts with its farthest point") {
+    TEST_CASE("error: a triangle that collapses across empty space counts with its farthest point") {
         // Between two cubes, a sliver whose middle is 450 away from both.
         Mesh mesh = make_cube(0.0f, 100.0f);
         Mesh other = make_cube(0.0f, 100.0f);
@@ -168,7 +168,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.max_error <= 450.0 * 1.02 + 8.0);
     }
 
-    TEST_CASE("triangles that collapse onto edges and vertices of kept ones add no error") {
+    TEST_CASE("error: triangles that collapse onto kept edges and vertices add none") {
         // A fine fan along the cube's edge, so thin that it becomes that edge.
         Mesh mesh = make_cube(0.0f, 128.0f);
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -183,7 +183,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.max_error >= 0.001);
     }
 
-    TEST_CASE("a source triangle without area counts with its distance, and a tolerance names it") {
+    TEST_CASE("error: a source triangle without area counts with its distance and the tolerance names it") {
         Mesh mesh = make_cube(0.0f, 1.0f);
         mesh.name = "cube";
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -201,7 +201,7 @@ TEST_SUITE("baker") {
         CHECK(contains(refused.error().message, "remove it"));
     }
 
-    TEST_CASE("where everything vanishes, the blob is empty and the error is 0") {
+    TEST_CASE("error: a mesh that vanishes whole gives an empty blob and no error") {
         Mesh mesh;
         mesh.positions = {{0, 0, 0}, {1, 0.2f, 0}, {0.5f, 0.1f, 0.1f}};
         mesh.triangles = {{0, 1, 2}};

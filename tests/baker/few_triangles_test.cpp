@@ -67,8 +67,8 @@ Mesh some_of_a_grid(unsigned which) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("every mesh of up to 16 triangles of six kinds keeps one of each kind, and counts the rest") {
+TEST_SUITE("few triangles") {
+    TEST_CASE("weld: every mesh of up to 16 triangles of six kinds keeps one of each kind and counts the rest") {
         Counts counts{};
         std::uint64_t meshes = 0;
         for_each_multiset(counts, 0, 16, [&](const Counts& some) {
@@ -87,7 +87,7 @@ TEST_SUITE("baker") {
         CHECK(meshes == 74'613);  // 22 over 6
     }
 
-    TEST_CASE("every choice among 16 triangles of a grid gives a sound blob with just these") {
+    TEST_CASE("baker: every choice among 16 triangles of a grid gives a sound blob of those triangles") {
         // Up to 16 triangles that are all kept, in leaves of any number: 2^16 meshes.
         for (unsigned which = 0; which < 1u << 16; which += sanitized ? 17 : 1) {
             const Mesh mesh = some_of_a_grid(which);

@@ -12,8 +12,8 @@
 using namespace espalier;
 using namespace espalier::tests;
 
-TEST_SUITE("baker") {
-    TEST_CASE("a vertex off the coarser lattices is kept, also where its triangle could be dropped for nothing") {
+TEST_SUITE("fit lattice") {
+    TEST_CASE("lattice: a vertex off the coarser lattices is kept within the tolerance") {
         // A square on a coarse grid, and on it a triangle of one fine step, which a step of two would make a point.
         const float s = 0x1p-7f;
         Mesh mesh = make_plane_grid(1);
@@ -28,7 +28,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.step == double(s));
     }
 
-    TEST_CASE("an error of just the tolerance keeps it") {
+    TEST_CASE("lattice: an error of exactly the tolerance is accepted") {
         for (const Mesh& mesh : {make_terrain(12, 4), make_torus(20, 10, 3.0, 1.0)}) {
             const auto first = bake_mesh(mesh, with_tolerance(0.01));
             REQUIRE(first);
@@ -41,14 +41,14 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("the coarsest step that the format has is not passed, however large mesh and tolerance are") {
+    TEST_CASE("lattice: the coarsest step of the format is the limit for every mesh and tolerance") {
         const auto result = bake_mesh(make_cube(0.0f, 0x1p110f), with_tolerance(1e37));
         REQUIRE(result);
         CHECK(result->report.step == 0x1p100);
         CHECK(result->report.triangles == 12);
     }
 
-    TEST_CASE("the finest step that the format has becomes coarser where the mesh allows it, a finer one is refused") {
+    TEST_CASE("lattice: the finest step of the format becomes coarser where the mesh allows it") {
         const auto result = bake_mesh(make_cube(0.0f, 0x1p-90f), with_tolerance(0.9 * 0x1p-100));
         REQUIRE(result);
         CHECK(result->report.step == 0x1p-90);
@@ -60,7 +60,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a triangle without area that lies too far away for its distance to be written is refused by name") {
+    TEST_CASE("lattice: a triangle without area whose error has no float32 is refused by name") {
         Mesh mesh = make_cube(0.0f, 1.0f);
         mesh.positions.insert(mesh.positions.end(), 3, {3e38f, 3e38f, 3e38f});
         const auto last = static_cast<std::uint32_t>(mesh.positions.size());
@@ -72,7 +72,7 @@ TEST_SUITE("baker") {
         CHECK(contains(result.error().message, "remove it from the mesh"));
     }
 
-    TEST_CASE("a lattice point is stored once, however many positions become it") {
+    TEST_CASE("weld: several positions that snap to one lattice point are stored once") {
         baker::Source source;
         source.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {9, 0.25f, 0}, {9, 9, 0}, {0, 9, 0.25f}};
         source.triangles = {{{0, 1, 2}, 0}, {{3, 4, 5}, 1}};

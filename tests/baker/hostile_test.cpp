@@ -55,8 +55,8 @@ Mesh hostile_mesh(Random& random) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("any input gives a sound blob or a reason, and never an internal error") {
+TEST_SUITE("hostile") {
+    TEST_CASE("baker: any input gives a sound blob or a reason and never an internal error") {
         Random random(2024);
         unsigned baked = 0;
         unsigned refused = 0;

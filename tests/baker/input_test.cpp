@@ -32,8 +32,8 @@ BakeOptions with_repair() {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("no meshes, and meshes without triangles, give an empty blob") {
+TEST_SUITE("input") {
+    TEST_CASE("input: no meshes and meshes without triangles give an empty blob") {
         const auto nothing = bake({}, {});
         REQUIRE(nothing);
         CHECK(nothing->report.triangles == 0);
@@ -51,7 +51,7 @@ TEST_SUITE("baker") {
         CHECK(bake_mesh(only_points, with_tolerance(0.001)).has_value());
     }
 
-    TEST_CASE("a corner that is not finite is refused, naming mesh, triangle and coordinate") {
+    TEST_CASE("input: a corner that is not finite is refused with mesh and triangle and coordinate") {
         for (const float broken : {not_a_number, infinity, -infinity}) {
             Mesh cube = named_cube();
             const std::uint32_t vertex = cube.triangles[7][1];
@@ -67,7 +67,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("an index out of range is refused, naming mesh, triangle, index and number of vertices") {
+    TEST_CASE("input: an index out of range is refused with mesh and triangle and index and vertex count") {
         for (const std::uint32_t broken : {8u, 0xFFFFFFFFu}) {
             Mesh cube = named_cube();
             cube.triangles[11][2] = broken;
@@ -80,14 +80,14 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("an index into the next mesh's vertices is out of range") {
+    TEST_CASE("input: an index into the vertices of the next mesh is out of range") {
         Mesh first = make_cube(0.0f, 1.0f);
         const Mesh second = make_cube(2.0f, 3.0f);
         first.triangles[0][0] = 8;
         CHECK(!bake_meshes({&first, &second}));
     }
 
-    TEST_CASE("repair drops and counts broken triangles and keeps the rest") {
+    TEST_CASE("input: repair drops and counts broken triangles and keeps the rest") {
         Mesh cube = named_cube();
         cube.positions.push_back({0.0f, infinity, 0.0f});
         cube.triangles[2][0] = 8;
@@ -103,7 +103,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.index_out_of_range.first == "level.obj, mesh 3 (walls), triangle 5");
     }
 
-    TEST_CASE("a mesh without a name is called by its number") {
+    TEST_CASE("input: an unnamed mesh is named by its number") {
         Mesh good = make_cube(0.0f, 1.0f);
         Mesh bad = good;
         good.name = bad.name = "";
@@ -113,7 +113,7 @@ TEST_SUITE("baker") {
         CHECK(contains(result.error().message, "mesh 1, triangle 4:"));
     }
 
-    TEST_CASE("triangles without area in the source are dropped and counted, also without repair") {
+    TEST_CASE("input: source triangles without area are dropped and counted without repair too") {
         Mesh cube = named_cube();
         cube.triangles.insert(cube.triangles.begin() + 3, {5, 5, 6});
         cube.triangles.push_back({1, 1, 1});
@@ -125,7 +125,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.collapsed.count == 0);
     }
 
-    TEST_CASE("zero area is decided exactly") {
+    TEST_CASE("input: zero area is decided exactly") {
         using baker::has_zero_area;
         CHECK(has_zero_area({1, 2, 3}, {1, 2, 3}, {9, 9, 9}));
         CHECK(has_zero_area({0, 0, 0}, {1, 2, 3}, {2, 4, 6}));
@@ -158,7 +158,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("as many materials as triangles, or none: anything else is refused") {
+    TEST_CASE("input: the number of materials is the number of triangles or zero") {
         Mesh cube = named_cube();
         cube.materials = {1, 2, 3};
         const auto result = bake_mesh(cube);
@@ -167,7 +167,7 @@ TEST_SUITE("baker") {
         CHECK(contains(result.error().message, "level.obj, mesh 3 (walls): 3 materials for 12 triangles"));
     }
 
-    TEST_CASE("a material number that is too large for its width is refused by name, and fits the next width") {
+    TEST_CASE("input: a material too large for its width is refused by name and fits the next width") {
         Mesh cube = named_cube();
         cube.materials.assign(12, 0);
         cube.materials[9] = 256;
@@ -184,7 +184,7 @@ TEST_SUITE("baker") {
         CHECK(bake_mesh(cube, options).has_value());
     }
 
-    TEST_CASE("options out of their range are refused, each with the range") {
+    TEST_CASE("input: options out of range are refused with the range") {
         const auto refused = [](BakeOptions options, const char* text) {
             const auto result = bake_mesh(make_cube(0.0f, 1.0f), options);
             REQUIRE(!result);
@@ -217,7 +217,7 @@ TEST_SUITE("baker") {
         refused(options, "0 to 1");
     }
 
-    TEST_CASE("progress goes from 0 to 1 and never back, in the calling thread") {
+    TEST_CASE("baker: progress rises from 0 to 1 in the calling thread") {
         const Mesh mesh = make_terrain(200, 3);
         BakeOptions options;
         options.threads = 4;

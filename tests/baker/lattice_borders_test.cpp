@@ -34,8 +34,8 @@ double number_after(const std::string& text, const std::string& before) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("the largest side is the longest of the three, wherever the box is") {
+TEST_SUITE("lattice borders") {
+    TEST_CASE("lattice: the largest side is the longest of the three wherever the box is") {
         CHECK(bounds_between({-3.0f, 10.0f, 20.0f}, {5.0f, 11.0f, 21.0f}).largest_side == 8.0);
         CHECK(bounds_between({10.0f, -3.0f, 20.0f}, {11.0f, 5.0f, 21.0f}).largest_side == 8.0);
         CHECK(bounds_between({10.0f, 20.0f, -3.0f}, {11.0f, 21.0f, 5.0f}).largest_side == 8.0);
@@ -46,7 +46,7 @@ TEST_SUITE("baker") {
         CHECK(baker::bounds_of({}).largest_side == 0.0);
     }
 
-    TEST_CASE("an origin is any normal number, kept to the bit, and what is beyond float32 is its limit") {
+    TEST_CASE("lattice: the origin keeps any normal number to the bit and clamps to the range of float32") {
         CHECK(baker::origin_coordinate(double(least_normal)) == least_normal);
         CHECK(baker::origin_coordinate(-double(least_normal)) == -least_normal);
         CHECK(baker::origin_coordinate(double(least_normal) * 0.999999) == 0.0f);
@@ -54,7 +54,7 @@ TEST_SUITE("baker") {
         CHECK(baker::origin_coordinate(-1e39) == std::numeric_limits<float>::lowest());
     }
 
-    TEST_CASE("an error is rounded up, by no more than to the next float, and never to a subnormal number") {
+    TEST_CASE("lattice: an error is rounded up to the next float at most and never to a subnormal") {
         CHECK(baker::round_up_to_float(0.0) == 0.0f);
         CHECK(baker::round_up_to_float(1.0) == 1.0f);
         CHECK(baker::round_up_to_float(1.0 + 0x1p-40) == 1.0f + 0x1p-23f);
@@ -63,14 +63,14 @@ TEST_SUITE("baker") {
         CHECK(baker::round_up_to_float(double(least_normal)) == least_normal);
     }
 
-    TEST_CASE("a lattice is below the spacing of floats when its step is less than theirs, and then only") {
+    TEST_CASE("lattice: a step finer than the spacing of the source floats is reported and only then") {
         const auto bounds = bounds_between({0.0f, 0.0f, 0.0f}, {1.5f, 1.0f, 1.0f});  // a spacing of 2^-23
         CHECK_FALSE(baker::is_below_float_spacing({{}, -23, 24}, bounds));
         CHECK(baker::is_below_float_spacing({{}, -24, 24}, bounds));
         CHECK_FALSE(baker::is_below_float_spacing({{}, -100, 24}, baker::SourceBounds{}));
     }
 
-    TEST_CASE("the finest and the coarsest step that the format has are used, the next are refused") {
+    TEST_CASE("lattice: the finest and the coarsest step of the format are used and the next are refused") {
         for (const unsigned bits : {1u, 8u, 24u}) {
             const auto of_exponent = [&](int exponent) {
                 const float side = std::ldexp(1.0f, exponent + static_cast<int>(bits)) -
@@ -88,7 +88,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a tolerance gets the coarsest step whose lattice points keep it, also where they just do") {
+    TEST_CASE("lattice: a tolerance gives the coarsest step that keeps it also when it is just kept") {
         for (int exponent = -40; exponent <= 40; ++exponent) {
             const auto just = double(baker::round_up_to_float(0x1.bb67ae8584cabp-1 * std::ldexp(1.0, exponent)));
             CHECK(baker::step_exponent_for_tolerance(just) == exponent);
@@ -97,7 +97,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("of 24 bits all are used, and the extents and tolerances that a refusal names are accepted and tight") {
+    TEST_CASE("lattice: all of 24 bits are used and limits that a refusal names are accepted and tight") {
         for (int i = 0; i < 200; ++i) {
             const double tolerance = std::ldexp(0.001 + 0.0137 * i, i % 20 - 10);
             const int exponent = baker::step_exponent_for_tolerance(tolerance);
@@ -120,7 +120,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a tolerance that no double can count steps of is too fine, also for a mesh that is flat") {
+    TEST_CASE("lattice: a tolerance whose steps no double can count is refused also for a flat mesh") {
         const auto bounds = bounds_between({}, {0.0f, 1.0f, 1.0f});
         for (const int exponent : {-999, -1000, -1001, -1024, -1074}) {
             const auto refused = baker::lattice_for_step(bounds, exponent, std::ldexp(1.0, exponent));
@@ -129,7 +129,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("nothing takes the lattice of one bit, whatever is asked for") {
+    TEST_CASE("lattice: an empty mesh gets a lattice for every step and bits") {
         const auto by_step = baker::lattice_for_step(baker::SourceBounds{}, -200, 1e-60);
         REQUIRE(by_step);
         CHECK(by_step->bits == 1);

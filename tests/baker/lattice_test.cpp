@@ -41,8 +41,8 @@ std::uint32_t largest_extent(const DecodedBlob& blob) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("scaled by a power of two: the same bytes but for step, origin, error and checksum") {
+TEST_SUITE("lattice") {
+    TEST_CASE("lattice: scaling by a power of two changes only step and origin and error and checksum") {
         for (const Mesh& mesh : {make_terrain(20, 1), make_icosphere(3, 1.0, {0.3f, -7.0f, 2.0f}), make_soup(300, 2),
                                  make_needle_fan(100), make_far_sphere()}) {
             const auto plain = bake_mesh(mesh);
@@ -62,7 +62,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("scaled by a million, up and down: the same triangles on the same bits") {
+    TEST_CASE("lattice: scaling by a million keeps the triangles and the bits") {
         const Mesh mesh = make_torus(40, 20, 3.0, 1.0);
         for (const float factor : {1e6f, 1e-6f}) {
             const auto result = bake_mesh(scaled_by(mesh, factor));
@@ -74,7 +74,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("moved by whole steps: the same bytes but for origin and checksum") {
+    TEST_CASE("lattice: moving by whole steps changes only origin and checksum") {
         Mesh mesh = make_icosphere(3, 1.0, {0, 0, 0});
         for (Vec3& point : mesh.positions) {  // multiples of 2^-10, so that moving rounds nothing
             point = {std::round(point.x * 1024) / 1024, std::round(point.y * 1024) / 1024,
@@ -88,7 +88,7 @@ TEST_SUITE("baker") {
         CHECK(here->report.max_error == there->report.max_error);
     }
 
-    TEST_CASE("the step is the smallest power of two for which the bits suffice") {
+    TEST_CASE("lattice: the step is the smallest power of two for which the bits suffice") {
         for (unsigned bits = 1; bits <= 24; ++bits) {
             for (const Mesh& mesh : {make_terrain(12, bits), make_cube(-0.7f, 3.0f)}) {
                 const auto result = bake_mesh(mesh, with_bits(bits));
@@ -105,7 +105,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("an extent of exactly 2^bits - 1 steps fits, one of 2^bits steps takes the next step") {
+    TEST_CASE("lattice: an extent one step above the range of the bits doubles the step") {
         const auto exponent_of = [](float side) {
             const auto result = bake_mesh(make_cube(0.0f, side), with_bits(8));
             REQUIRE(result);
@@ -118,7 +118,7 @@ TEST_SUITE("baker") {
         CHECK(exponent_of(127.5f) == -1);
     }
 
-    TEST_CASE("coordinates snap to the nearest lattice point, ties to even") {
+    TEST_CASE("lattice: coordinates snap to the nearest lattice point and ties go to even") {
         CHECK(baker::round_half_even(0.5) == 0.0);
         CHECK(baker::round_half_even(1.5) == 2.0);
         CHECK(baker::round_half_even(2.5) == 2.0);
@@ -132,7 +132,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("the smallest coordinates are 0, the largest are the extent") {
+    TEST_CASE("lattice: the smallest coordinates are 0 and the largest are the extent") {
         for (const Mesh& mesh : {make_terrain(20, 1), make_far_sphere(), make_soup(100, 5), make_plane_grid(9)}) {
             const DecodedBlob decoded = decode(bake_or_throw(mesh));
             GridPoint low = decoded.triangles[0].a;
@@ -150,7 +150,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("when what reached farthest collapses, the rest still starts at 0 and its error is true") {
+    TEST_CASE("lattice: a farthest triangle that collapses leaves the rest at 0 with its true error") {
         // A speck at -1000.3 vanishes; the cube stays.
         Mesh mesh = make_cube(500.1f, 1000.1f);
         Mesh speck = make_cube(-1000.3f, -1000.29f);
@@ -168,7 +168,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.max_error <= 1501.0 * std::sqrt(3.0) + 300.0);
     }
 
-    TEST_CASE("minus zero and subnormal minima give the origin zero") {
+    TEST_CASE("lattice: minus zero and subnormal minima give the origin zero") {
         const float denormal = std::numeric_limits<float>::denorm_min();
         for (const float low : {-0.0f, denormal, -denormal, std::bit_cast<float>(0x007FFFFFu)}) {
             const auto result = bake_mesh(make_cube(low, 1.0f));
@@ -177,7 +177,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("meshes too small or too large for the format's steps are refused, naming the size") {
+    TEST_CASE("lattice: meshes too small or too large for the steps of the format are refused with the size") {
         for (const float size : {0x1p-100f, 0x1p127f}) {
             const auto result = bake_mesh(make_cube(0.0f, size));
             REQUIRE(!result);
@@ -188,13 +188,13 @@ TEST_SUITE("baker") {
         CHECK(bake_mesh(make_cube(0.0f, 0x1p115f)).has_value());
     }
 
-    TEST_CASE("a step finer than the source's float spacing is reported") {
+    TEST_CASE("lattice: a step finer than the float spacing of the source gives a warning") {
         CHECK(bake_mesh(make_far_sphere())->report.step_below_float_spacing);
         CHECK(!bake_mesh(make_far_sphere(), with_bits(7))->report.step_below_float_spacing);
         CHECK(!bake_mesh(make_cube(-1.0f, 1.0f))->report.step_below_float_spacing);
     }
 
-    TEST_CASE("a tolerance is kept, and the next coarser lattice would break it") {
+    TEST_CASE("lattice: a tolerance is kept and the next coarser lattice would break it") {
         for (const Mesh& mesh : {make_terrain(30, 4), make_torus(50, 30, 3.0, 1.0), make_icosphere(4, 1.0, {0, 0, 0}),
                                  make_soup(200, 3)}) {
             for (const double tolerance : {0.1, 0.01, 0.001, 0.0001}) {
@@ -213,14 +213,14 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a mesh on a coarse grid keeps any tolerance on that grid") {
+    TEST_CASE("lattice: a mesh on a coarse grid keeps any tolerance on that grid") {
         const auto result = bake_mesh(make_cube(-64.0f, 64.0f), with_tolerance(0.001));
         REQUIRE(result);
         CHECK(result->report.max_error == 0.0);
         CHECK(result->report.step >= 64.0);
     }
 
-    TEST_CASE("no tolerance, however coarse, makes a whole mesh vanish") {
+    TEST_CASE("lattice: no coarse tolerance makes a whole mesh vanish") {
         for (const double tolerance : {1.0, 1e3, 1e30, 1e300}) {
             const auto result = bake_mesh(make_icosphere(2, 1.0, {5, 5, 5}), with_tolerance(tolerance));
             REQUIRE(result);
@@ -229,7 +229,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a tolerance too fine for 24 bits is refused, naming the largest extent and the finest tolerance") {
+    TEST_CASE("lattice: a tolerance too fine for 24 bits is refused with the limits") {
         const Mesh mesh = make_torus(50, 30, 1000.0, 300.0);
         const auto result = bake_mesh(mesh, with_tolerance(1e-6));
         REQUIRE(!result);

@@ -22,8 +22,8 @@ double sum_of_areas(const baker::BinaryTree& tree) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("moved subtrees make a sound tree of the same triangles with less area") {
+TEST_SUITE("optimise") {
+    TEST_CASE("builder: moved subtrees give a sound tree of the same triangles with less area") {
         for (const std::uint32_t count : {1u, 2u, 3u, 4u, 7u, 50u, 3000u}) {
             const baker::LatticeMesh mesh = mixed_sizes(count, count);
             const baker::BinaryTree before = baker::build_sah(mesh, baker::build_settings(0, 1));
@@ -43,7 +43,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a tree that would become too high is lowered, and never worse than it was") {
+    TEST_CASE("builder: a tree that would become too high is lowered and never worse than before") {
         const baker::LatticeMesh mesh = mixed_sizes(3000, 5);
         const baker::BuildSettings build = baker::build_settings(0, 1);
         const baker::BinaryTree before = baker::build_sah(mesh, build);
@@ -73,7 +73,7 @@ TEST_SUITE("baker") {
         CHECK(became_higher > 0);
     }
 
-    TEST_CASE("an empty tree stays empty") {
+    TEST_CASE("builder: optimising an empty tree leaves it empty") {
         CHECK(baker::optimise({}, baker::optimise_settings(9)).triangles.empty());
     }
 }

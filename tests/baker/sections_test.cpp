@@ -9,8 +9,8 @@
 using namespace espalier;
 using namespace espalier::tests;
 
-TEST_SUITE("baker") {
-    TEST_CASE("original ids lead back to file, mesh and triangle, whatever was dropped before") {
+TEST_SUITE("sections") {
+    TEST_CASE("source triangle: ids lead to file and mesh and triangle whatever was dropped") {
         for_each_profile([](format::Profile profile) {
             Mesh first = make_cube(0.0f, 1.0f);
             first.triangles.insert(first.triangles.begin(), {0, 0, 1});
@@ -51,7 +51,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("without the option there are no ids, and the tree is the same") {
+    TEST_CASE("source triangle: a blob without ids has the same tree") {
         for_each_profile([](format::Profile profile) {
             const Mesh mesh = make_terrain(10, 1);
             BakeOptions options = with_profile(profile);
@@ -69,7 +69,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("materials go with their triangles, in 8 and in 16 bits, and are 0 where none were given") {
+    TEST_CASE("source triangle: materials follow their triangles in 8 and 16 bits and default to 0") {
         for_each_profile([](format::Profile profile) {
             Mesh mesh = make_icosphere(3, 1.0, {0, 0, 0});
             for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i * 7 % 256);
@@ -92,7 +92,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("ids and materials of one triangle and of none are legal") {
+    TEST_CASE("source triangle: ids and materials of one triangle and of none are valid") {
         for_each_profile([](format::Profile profile) {
             BakeOptions options = with_profile(profile);
             options.original_ids = true;
@@ -107,7 +107,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("closed meshes are called closed and with a triangle less, more or turned round they are not") {
+    TEST_CASE("closed: closed meshes are and fewer or more or reversed triangles make them open") {
         for (const Mesh& mesh :
              {make_cube(0.0f, 1.0f), make_icosphere(3, 1.0, {0, 0, 0}), make_torus(20, 12, 3.0, 1.0)}) {
             const auto is_closed = [](const Mesh& candidate) {
@@ -130,7 +130,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("two closed meshes that touch in an edge use it four times and are not closed") {
+    TEST_CASE("closed: two closed meshes that share an edge are not") {
         Mesh mesh = make_cube(0.0f, 1.0f);
         Mesh other = make_cube(0.0f, 1.0f);
         for (Vec3& point : other.positions) point = {point.x + 1.0f, point.y + 1.0f, point.z};
@@ -140,7 +140,7 @@ TEST_SUITE("baker") {
         CHECK(bake_mesh(mesh)->report.closed);
     }
 
-    TEST_CASE("an open mesh is not closed, and neither is nothing") {
+    TEST_CASE("closed: an open mesh and an empty one are not") {
         CHECK(!bake_mesh(make_terrain(5, 1))->report.closed);
         CHECK(!bake({}, {})->report.closed);
     }

@@ -91,8 +91,8 @@ std::vector<Mesh> meshes_to_split() {
 
 }  // namespace
 
-TEST_SUITE("spatial splits") {
-    TEST_CASE("the parts of a triangle hold every point of it, within the budget and the height") {
+TEST_SUITE("spatial") {
+    TEST_CASE("spatial split: the parts of a triangle cover it within the budget and the height") {
         for (const baker::LatticeMesh& mesh :
              {mixed_sizes(2'000, 3), nearly_equal_boxes(500), exponential_stairs(20), identical_triangles(1'000),
               concentric_triangles(300), mixed_sizes(1, 1), mixed_sizes(2, 1)}) {
@@ -117,7 +117,7 @@ TEST_SUITE("spatial splits") {
         }
     }
 
-    TEST_CASE("spatial splits yield to balance where the tree would become too high") {
+    TEST_CASE("spatial split: splits fall back to balance where the tree would become too high") {
         const baker::LatticeMesh mesh = mixed_sizes(1'000, 3);
         baker::BuildSettings settings = baker::build_settings(5, 1);
         settings.duplicates = 1.0;
@@ -127,7 +127,7 @@ TEST_SUITE("spatial splits") {
         }
     }
 
-    TEST_CASE("without a budget the tree is that of binned SAH, and the blob an ordinary one") {
+    TEST_CASE("spatial split: without a budget the tree is that of binned SAH") {
         const Mesh mesh = crossed_by_beams(60, 600, 1);
         const auto split = bake_mesh(mesh, with_splits(0.0));
         BakeOptions ordinary;
@@ -139,7 +139,7 @@ TEST_SUITE("spatial splits") {
         CHECK(split->report.copies == 0);
     }
 
-    TEST_CASE("copies are counted, sound, the same at any number of threads, and visits become fewer") {
+    TEST_CASE("spatial split: copies are counted and sound and reduce the visits at any number of threads") {
         const Mesh mesh = crossed_by_beams(60, 600, 1);
         const auto one = bake_mesh(mesh, with_splits());
         BakeOptions options = with_splits();
@@ -169,7 +169,7 @@ TEST_SUITE("spatial splits") {
         CHECK(counters.triangles < plain_counters.triangles);
     }
 
-    TEST_CASE("rays, spheres and closest points equal the loop over all triangles, and answer with owners alone") {
+    TEST_CASE("spatial split: rays and spheres and closest points equal the loop and report owners only") {
         std::uint64_t copies = 0;
         for (const Mesh& mesh : meshes_to_split()) {
             for (const unsigned bits : {9u, 15u, 16u, 20u, 24u}) {
@@ -213,7 +213,7 @@ TEST_SUITE("spatial splits") {
         CHECK(copies > 500);  // or this claim would test nothing
     }
 
-    TEST_CASE("a filter is asked about owners alone") {
+    TEST_CASE("spatial split: filters are called with owners only") {
         const OpenedBlob opened(crossed_by_beams(60, 600, 1), with_splits());
         const DecodedBlob decoded = decode(opened.bytes);
         QueryMaker maker(decoded, 7);
@@ -233,7 +233,7 @@ TEST_SUITE("spatial splits") {
         CHECK(only_owners);
     }
 
-    TEST_CASE("what would report a triangle twice refuses a blob with copies, and a walk leaves copies out") {
+    TEST_CASE("spatial split: queries that would report a triangle twice are refused") {
         const OpenedBlob opened(crossed_by_beams(60, 600, 1), with_splits());
         REQUIRE(opened.blob.copy_count() > 0);
         unsigned visits = 0;
@@ -250,7 +250,7 @@ TEST_SUITE("spatial splits") {
         CHECK(walked.size() == opened.blob.triangle_count() - opened.blob.copy_count());
     }
 
-    TEST_CASE("ids and materials of an owner are those of its source") {
+    TEST_CASE("spatial split: ids and materials of an owner are those of its source") {
         Mesh mesh = crossed_by_beams(60, 600, 1);
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(static_cast<std::uint32_t>(i));
         BakeOptions options = with_splits();
@@ -264,7 +264,7 @@ TEST_SUITE("spatial splits") {
         }
     }
 
-    TEST_CASE("every bit of the map of copies is proved or changes nothing that is unsafe") {
+    TEST_CASE("spatial split: every bit of the map of copies is checked or harmless") {
         const OpenedBlob opened(crossed_by_beams(20, 100, 2), with_splits());
         REQUIRE(opened.blob.copy_count() > 0);
         const auto map_at = static_cast<std::size_t>(opened.blob.data().copies - opened.bytes.data());
@@ -293,7 +293,7 @@ TEST_SUITE("spatial splits") {
         }
     }
 
-    TEST_CASE("verify finds parts that leave a corner of their triangle out") {
+    TEST_CASE("verify: parts that leave out a corner of their triangle are found") {
         const OpenedBlob opened(crossed_by_beams(60, 600, 1), with_splits());
         auto bytes = opened.bytes;
         // The highest plane of the root's first child, one lower: whatever reached up to it is now cut off.

@@ -113,9 +113,8 @@ BakeOptions with_large_leaves(format::Profile profile, unsigned bits) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE(
-        "a strip holds each triangle once, wound as it was, in as many entries as triangles and twice the paths") {
+TEST_SUITE("strip") {
+    TEST_CASE("strip: a strip holds each triangle once with its winding and within two entries for each") {
         for (const Mesh& mesh : strip_shapes()) check_strips_of(mesh);
         for (const Mesh& mesh : {make_icosphere(3, 100.0, {100, 100, 100}), make_torus(30, 12, 60.0, 20.0),
                                  make_terrain(20, 4), make_soup(300, 8), make_coplanar_stacks(300, 5),
@@ -124,7 +123,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("what can be one path is one: fans, bands, twisted bands, and what touches nowhere is a path for each") {
+    TEST_CASE("strip: a fan or band becomes one path and separate triangles one path each") {
         CHECK(check_strips_of(make_fan(50, false)) == 50 + 2);
         CHECK(check_strips_of(make_fan(50, true)) == 50 + 2);
         CHECK(check_strips_of(make_band(50, false)) == 50 + 2);
@@ -132,7 +131,7 @@ TEST_SUITE("baker") {
         CHECK(check_strips_of(make_disjoint(18)) == 3 * 18);
     }
 
-    TEST_CASE("triangles that meet in an edge from the same side are no neighbours: each reversed pair is") {
+    TEST_CASE("strip: a triangle that meets another from the same side is no neighbour") {
         // Three triangles run up the edge and two run down: two pairs and one alone.
         Mesh mesh;
         mesh.name = "book";
@@ -141,7 +140,7 @@ TEST_SUITE("baker") {
         CHECK(check_strips_of(mesh) == 5 + 2 * 3);
     }
 
-    TEST_CASE("shapes hard on strips bake to sound blobs that lead back to their source, corner by corner") {
+    TEST_CASE("strip: shapes hard on strips bake to sound blobs that keep every corner of the source") {
         for (const Mesh& mesh : strip_shapes()) {
             CAPTURE(mesh.name);
             for_each_profile([&](format::Profile profile) {
@@ -169,7 +168,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("shapes hard on strips answer as the loop does, on every instruction set") {
+    TEST_CASE("strip: shapes hard on strips equal the loop on every instruction set") {
         for (const Mesh& mesh : strip_shapes()) {
             CAPTURE(mesh.name);
             for (const format::Profile profile : {format::Profile::balanced, format::Profile::small}) {
@@ -192,7 +191,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a fan of 50 triangles is one leaf whose pivot stands for more windows than a register has lanes") {
+    TEST_CASE("strip: a fan of 50 triangles is one leaf whose pivot serves more windows than lanes") {
         const auto result = bake_mesh(make_fan(50, false), with_large_leaves(format::Profile::small, 16));
         REQUIRE(result);
         const DecodedBlob decoded = decode(result->blob);
@@ -207,7 +206,7 @@ TEST_SUITE("baker") {
         CHECK(pivots <= 2);
     }
 
-    TEST_CASE("leaves are as large as each profile allows and no larger") {
+    TEST_CASE("strip: leaves reach the largest size of each profile and never exceed it") {
         const Mesh mesh = make_terrain(60, 3);
         for_each_profile([&](format::Profile profile) {
             const unsigned most = profile == format::Profile::fast       ? format::indexed_leaf::max_triangles

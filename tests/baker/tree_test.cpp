@@ -74,8 +74,8 @@ void check_soundness(const Mesh& mesh, const BakeOptions& options = {}) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("the same bytes at any number of threads") {
+TEST_SUITE("tree") {
+    TEST_CASE("builder: the bytes of a blob are the same at any number of threads") {
         for (const Mesh& mesh : {make_terrain(60, 1), make_soup(6000, 2), make_torus(120, 50, 3.0, 1.0)}) {
             for (const unsigned effort : {0u, 5u, 9u}) {
                 // Effort 0 with indexed leaves, 5 and 9 with strips.
@@ -93,14 +93,14 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("every size from 0 to 100 triangles gives a sound blob") {
+    TEST_CASE("builder: every size from 0 to 100 triangles gives a sound blob") {
         for (std::size_t count = 0; count <= 100; ++count) {
             check_soundness(first_triangles(make_soup(100, 3), count));
             check_soundness(first_triangles(make_terrain(8, 3), count));
         }
     }
 
-    TEST_CASE("one triangle is a root with one leaf") {
+    TEST_CASE("builder: one triangle gives a root with one leaf") {
         const auto result = bake_mesh(first_triangles(make_cube(0.0f, 1.0f), 1));
         REQUIRE(result);
         CHECK(result->report.nodes == 1);
@@ -108,7 +108,7 @@ TEST_SUITE("baker") {
         CHECK(result->report.depth == 1);
     }
 
-    TEST_CASE("every kind of mesh gives a sound blob on every lattice and at every effort") {
+    TEST_CASE("builder: every kind of mesh gives a sound blob on every lattice and at every effort") {
         for (const Mesh& mesh :
              {make_cube(-1.0f, 1.0f), make_icosphere(3, 1.0, {0, 0, 0}), make_uv_sphere(40, 60, 2.0, {1, 1, 1}),
               make_torus(40, 30, 3.0, 1.0), make_far_sphere(), make_plane_grid(30), make_terrain(30, 1),
@@ -123,7 +123,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("flat meshes and meshes on a line of triangles are sound along every axis") {
+    TEST_CASE("builder: flat meshes and rows of triangles are sound along every axis") {
         for (int axis = 0; axis < 3; ++axis) {
             Mesh grid = make_plane_grid(20);
             Mesh row = exponentially_spaced(15);
@@ -136,11 +136,11 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("exponentially spaced triangles stay within the depth") {
+    TEST_CASE("builder: exponentially spaced triangles stay within the depth") {
         check_soundness(exponentially_spaced(22), with_bits(24));
     }
 
-    TEST_CASE("the heuristic yields to balance exactly where the tree would become too high") {
+    TEST_CASE("builder: the heuristic falls back to balance exactly where the tree would become too high") {
         for (const baker::LatticeMesh& mesh :
              {nearly_equal_boxes(1000), nearly_equal_boxes(1024), nearly_equal_boxes(1025)}) {
             baker::BuildSettings settings = baker::build_settings(5, 1);
@@ -155,7 +155,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a binary tree of three levels for each wide one can always be collapsed") {
+    TEST_CASE("builder: three levels of a binary tree always collapse into one wide level") {
         const baker::LatticeMesh mesh = nearly_equal_boxes(5000);
         const baker::BinaryTree tree = baker::build_sah(mesh, baker::build_settings(5, 1));
         const unsigned least_levels = (height_of(tree) + 2) / 3;
@@ -168,7 +168,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("when the collapse likes long chains, the depth still holds") {
+    TEST_CASE("builder: a collapse that prefers long chains keeps the depth") {
         // Free bytes and dear leaves: the dynamic program takes whatever nodes it likes.
         const Mesh mesh = as_mesh(nearly_equal_boxes(30'000));
         for (const CostModel& model :
@@ -183,7 +183,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("leaves hold as many triangles as the options allow and no more") {
+    TEST_CASE("builder: leaves reach the size in the options and never exceed it") {
         const Mesh mesh = make_terrain(60, 3);
         struct Case {
             format::Profile profile;
@@ -212,7 +212,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a leaf size or a cost that makes no sense is refused by name") {
+    TEST_CASE("builder: a senseless leaf size or cost is refused by name") {
         const Mesh mesh = make_terrain(4, 3);
         const auto refused_for = [&](const BakeOptions& options, const char* name) {
             const auto result = bake_mesh(mesh, options);
@@ -236,7 +236,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("a dearer byte gives a smaller blob") {
+    TEST_CASE("builder: a higher cost for bytes gives a smaller blob") {
         const Mesh mesh = make_terrain(60, 3);
         std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
         for (const float price : {0.0f, 5.0f, 100.0f}) {
@@ -249,7 +249,7 @@ TEST_SUITE("baker") {
         }
     }
 
-    TEST_CASE("every triangle is there exactly once") {
+    TEST_CASE("builder: every triangle is stored exactly once") {
         const Mesh mesh = make_soup(3000, 17);
         BakeOptions options;
         options.original_ids = true;
@@ -264,7 +264,7 @@ TEST_SUITE("baker") {
               mesh.triangles.size());
     }
 
-    TEST_CASE("triangles of an indexed leaf ascend by original id, and larger siblings come first") {
+    TEST_CASE("builder: indexed leaves ascend by source triangle and larger siblings come first") {
         const Mesh mesh = make_terrain(40, 6);
         BakeOptions options;
         options.profile = format::Profile::fast;
@@ -281,7 +281,7 @@ TEST_SUITE("baker") {
         CHECK(first == decoded.triangles.size());
     }
 
-    TEST_CASE("more effort never gives a mesh with other triangles") {
+    TEST_CASE("builder: more effort keeps the set of triangles") {
         const Mesh mesh = make_terrain(60, 2);
         std::set<std::uint32_t> counts;
         for (unsigned effort = 0; effort <= 9; ++effort) {

@@ -25,8 +25,8 @@ void add_to(std::vector<std::byte>& blob, std::size_t at, int by) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
-    TEST_CASE("verify finds nothing wrong with a baked blob, an empty one included") {
+TEST_SUITE("verify") {
+    TEST_CASE("verify: baked blobs and the empty blob are sound") {
         for_each_profile([](format::Profile profile) {
             CHECK(verdict(bake_or_throw(make_terrain(20, 1), with_profile(profile))) == "");
             CHECK(verdict(bake_or_throw(make_soup(200, 2), with_profile(profile))) == "");
@@ -34,14 +34,14 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("verify says why bytes are no blob") {
+    TEST_CASE("verify: bytes that are no blob are refused with a reason") {
         CHECK(!baker::verify_deep({}).value_or("").empty());
         auto blob = bake_or_throw(make_cube(0.0f, 1.0f));
         blob[200] ^= std::byte{1};
         CHECK(contains(baker::verify_deep(blob).value_or(""), "checksum"));
     }
 
-    TEST_CASE("verify finds a box that is too small, and names node and byte") {
+    TEST_CASE("verify: a box that is too small is found and named with node and byte") {
         for_each_profile([](format::Profile profile) {
             const auto good = bake_or_throw(make_terrain(30, 1), with_profile(profile));
             const DecodedBlob decoded = decode(good);
@@ -66,7 +66,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("verify finds a wrong vertex count, extent and closed flag") {
+    TEST_CASE("verify: a wrong vertex count and extent and closed flag are found") {
         for_each_profile([](format::Profile profile) {
             namespace header = format::header;
             const auto good = bake_or_throw(make_icosphere(2, 1.0, {0, 0, 0}), with_profile(profile));
@@ -85,7 +85,7 @@ TEST_SUITE("baker") {
         });
     }
 
-    TEST_CASE("verify finds a triangle without area and a triangle that is there twice") {
+    TEST_CASE("verify: a triangle without area and a duplicate are found") {
         // One leaf of two triangles with 3-bit corners: the last two bytes before the padding are theirs.
         Mesh quad;
         quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -112,7 +112,7 @@ TEST_SUITE("baker") {
         CHECK(contains(verdict(with_corners(corners(0, 1, 2), corners(0, 2, 1))), "none uses"));
     }
 
-    TEST_CASE("verify finds a strip's vertex that none uses and its triangle without area") {
+    TEST_CASE("verify: an unused vertex of a strip and a strip triangle without area are found") {
         const std::size_t marks_at = format::header::bytes + format::node::bytes + format::strip_leaf::descriptors_at +
                                      format::strip_leaf::descriptor_bytes;
         // Three triangles over five vertices: the marks are two bits each of pivots, windows and first uses.

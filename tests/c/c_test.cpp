@@ -107,8 +107,8 @@ OpenedBlob blob_with_copies() {
 
 }  // namespace
 
-TEST_SUITE("C") {
-    TEST_CASE("asked from C every query answers bit for bit what it answers C++") {
+TEST_SUITE("c") {
+    TEST_CASE("c api: every query gives the bits of C++") {
         std::vector<OpenedBlob> special;
         for (const format::Profile profile : every_profile) special.push_back(blob_with_everything(profile));
         special.push_back(blob_with_materials_alone());
@@ -125,7 +125,7 @@ TEST_SUITE("C") {
         }
     }
 
-    TEST_CASE("a blob filled with zeros is the empty blob") {
+    TEST_CASE("c api: a blob filled with zeros is the empty blob") {
         espalier_blob zero;
         std::memset(&zero, 0, sizeof zero);
         static const Blob empty;  // static, so that what lies between its fields is zero too
@@ -141,7 +141,7 @@ TEST_SUITE("C") {
         }
     }
 
-    TEST_CASE("a ray and a placement made from C are what C++ has without being told more") {
+    TEST_CASE("c api: a ray and a placement from C have the defaults of C++") {
         const Ray ray = {.origin = {1, 2, 3}, .direction = {4, 5, 6}};
         const espalier_ray c_ray = espalier_ray_from({1, 2, 3}, {4, 5, 6});
         CHECK(c(ray.origin).x == c_ray.origin.x);
@@ -154,7 +154,7 @@ TEST_SUITE("C") {
         CHECK(std::memcmp(&placement, &c_placement, sizeof placement) == 0);
     }
 
-    TEST_CASE("every value of a status has the same words in C") {
+    TEST_CASE("c api: every status has the same sentence in C") {
         for (unsigned value = 0; value < 256; ++value) {
             const auto byte = static_cast<std::uint8_t>(value);
             CHECK(std::string(espalier_describe_status(byte)) == describe(Status{byte}));
@@ -162,7 +162,7 @@ TEST_SUITE("C") {
         }
     }
 
-    TEST_CASE("opening from C says what opening from C++ says, and leaves nothing half open") {
+    TEST_CASE("c api: opening gives the status of C++ and no half-open blob") {
         const OpenedBlob good = blob_with_everything(format::Profile::balanced);
         CHECK(misbehaviour_of_open(good.bytes.data(), good.bytes.size()) == 0);
         std::vector<std::byte> bytes(good.bytes.begin(), good.bytes.end());

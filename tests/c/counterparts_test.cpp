@@ -264,8 +264,8 @@ const std::map<std::string, std::string> prefixes = {
 
 }  // namespace
 
-TEST_SUITE("C") {
-    TEST_CASE("every enumerator of the C++ headers has a counterpart in C") {
+TEST_SUITE("counterparts") {
+    TEST_CASE("c api: every enumerator of the C++ headers has a counterpart") {
         const std::string in_c = text_of(project / "lib/espalier/espalier.h");
         const std::regex enumeration("enum class (\\w+) : std::uint8_t \\{([^}]*)\\}"), enumerator("\\w+");
         std::size_t enumerations = 0;
@@ -288,7 +288,7 @@ TEST_SUITE("C") {
         CHECK(enumerations == prefixes.size());
     }
 
-    TEST_CASE("every query of the C++ headers has a counterpart in C") {
+    TEST_CASE("c api: every query of the C++ headers has a counterpart") {
         const std::set<std::string> functions = cpp_functions(), in_c = c_functions();
         const std::map<std::string, std::string> table = listed();
         REQUIRE(functions.size() > 80);
@@ -301,7 +301,7 @@ TEST_SUITE("C") {
         }
     }
 
-    TEST_CASE("every function of the C header is the counterpart of a query, and the claims ask it") {
+    TEST_CASE("c api: every function is the counterpart of a query and is called by a test") {
         std::set<std::string> known = only_in_c;
         for (const auto& [function, counterpart] : listed()) known.insert(counterpart);
         std::string asked;

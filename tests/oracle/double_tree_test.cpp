@@ -33,8 +33,8 @@ PointTriangle flat_triangle(double height) { return {Point{0, 0, height}, Point{
 
 }  // namespace
 
-TEST_SUITE("oracle") {
-    TEST_CASE("the tree in double precision finds the hit and the distance of the loop") {
+TEST_SUITE("double tree") {
+    TEST_CASE("oracle: the tree in double precision gives the hit and the distance of the loop") {
         for (const tests::Mesh& mesh : {tests::make_soup(300, 5), tests::make_icosphere(3, 3.0, {1.0f, 2.0f, 3.0f}),
                                         tests::make_needle_fan(40), tests::make_plane_grid(9)}) {
             const DoubleTree tree(source_surface(mesh));
@@ -56,7 +56,7 @@ TEST_SUITE("oracle") {
         }
     }
 
-    TEST_CASE("a ray through an edge in double precision hits one of its triangles, and is called doubtful") {
+    TEST_CASE("oracle: a ray through an edge in double precision hits one side and is called doubtful") {
         const DoubleTree tree(
             {{Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}}, {Point{1, 0, 0}, Point{1, 1, 0}, Point{0, 1, 0}}});
         const ReferenceHit hit = tree.closest_hit({{0.25, 0.75, 2.0}, {0.0, 0.0, -1.0}});
@@ -66,7 +66,7 @@ TEST_SUITE("oracle") {
         CHECK_FALSE(tree.closest_hit({{0.25, 0.25, 2.0}, {0.0, 0.0, -1.0}}).is_doubtful);
     }
 
-    TEST_CASE("the distance between surfaces is between its bounds, each way") {
+    TEST_CASE("oracle: the distance between surfaces is between its bounds both ways") {
         const DoubleTree low({flat_triangle(0.0)});
         const DoubleTree high({flat_triangle(3.0)});
         const OneWayDistance up = one_way_distance(low, high, 1000);
@@ -81,7 +81,7 @@ TEST_SUITE("oracle") {
         CHECK(back.upper <= 2.0 * 1.002);
     }
 
-    TEST_CASE("the farthest point of a triangle need not be a corner of it: the bounds find it inside") {
+    TEST_CASE("oracle: the farthest point of a triangle is found also when it is no corner") {
         // two slopes that meet above the middle: a flat triangle is farthest from them under the ridge
         const DoubleTree roof({{Point{-4, -9, 0}, Point{0, -9, 2}, Point{0, 9, 2}},
                                {Point{-4, -9, 0}, Point{0, 9, 2}, Point{-4, 9, 0}},

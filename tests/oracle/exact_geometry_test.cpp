@@ -19,8 +19,8 @@ const oracle::Triangle corner_triangle{point(0, 0, 0), point(4, 0, 0), point(0, 
 
 }  // namespace
 
-TEST_SUITE("oracle") {
-    TEST_CASE("a ray onto a known triangle crosses it where a pencil says") {
+TEST_SUITE("exact geometry") {
+    TEST_CASE("oracle: a ray onto a known triangle crosses it at the hand-computed point") {
         const auto inside = oracle::cross({point(1, 2, 8), point(0, 0, -2)}, corner_triangle);
         REQUIRE(inside.has_value());
         CHECK(inside->t == Rational(4));
@@ -33,7 +33,7 @@ TEST_SUITE("oracle") {
         CHECK_FALSE(behind->front);
     }
 
-    TEST_CASE("touching an edge or a corner counts and one step beside it does not") {
+    TEST_CASE("oracle: touching an edge or a corner counts and one step beside it does not") {
         CHECK(oracle::cross({point(0, 0, 1), point(0, 0, -1)}, corner_triangle));
         CHECK(oracle::cross({point(2, 2, 1), point(0, 0, -1)}, corner_triangle));
         CHECK(oracle::cross({point(4, 0, 1), point(0, 0, -1)}, corner_triangle));
@@ -45,11 +45,11 @@ TEST_SUITE("oracle") {
         CHECK_FALSE(oracle::cross({just_outside, point(0, 0, -1)}, corner_triangle));
     }
 
-    TEST_CASE("a ray in the triangle's plane crosses nothing") {
+    TEST_CASE("oracle: a ray in the plane of the triangle crosses nothing") {
         CHECK_FALSE(oracle::cross({point(-1, 1, 0), point(1, 0, 0)}, corner_triangle));
     }
 
-    TEST_CASE("closest points of the inside, of a side and of a corner are the known ones") {
+    TEST_CASE("oracle: closest points inside and on a side and at a corner match known values") {
         const auto above = oracle::closest_on_triangle(corner_triangle, point(1, 1, 7));
         CHECK(above.point == point(1, 1, 0));
         CHECK(above.squared_distance == Rational(49));
@@ -61,7 +61,7 @@ TEST_SUITE("oracle") {
         CHECK(beyond.squared_distance == Rational(169));
     }
 
-    TEST_CASE("no point of a triangle is closer than the closest one") {
+    TEST_CASE("oracle: no point of a triangle is closer than the closest one") {
         Random random(1);
         const auto some = [&] {
             return point(random.between(-50, 50), random.between(-50, 50), random.between(-50, 50));

@@ -31,8 +31,8 @@ BigInteger some_integer(Random& random, int limbs) {
 
 }  // namespace
 
-TEST_SUITE("oracle") {
-    TEST_CASE("big integers agree with the machine's where the machine has enough bits") {
+TEST_SUITE("rational") {
+    TEST_CASE("oracle: big integers equal those of the machine where it has enough bits") {
         Random random(1);
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
             const auto a = static_cast<std::int32_t>(random.next() >> (32 + random.below(32)));
@@ -46,7 +46,7 @@ TEST_SUITE("oracle") {
         CHECK(BigInteger(std::numeric_limits<std::int64_t>::min()).to_string() == "-9223372036854775808");
     }
 
-    TEST_CASE("big integers obey the laws of a ring far beyond 64 bits") {
+    TEST_CASE("oracle: big integers obey the laws of a ring far beyond 64 bits") {
         Random random(2);
         for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
             const BigInteger a = some_integer(random, 1 + static_cast<int>(random.below(15)));
@@ -64,7 +64,7 @@ TEST_SUITE("oracle") {
         CHECK_THROWS_AS((void)BigInteger(1).shifted_left(2048), std::overflow_error);
     }
 
-    TEST_CASE("the greatest common divisor of multiples contains the common factor") {
+    TEST_CASE("oracle: the greatest common divisor of multiples contains the common factor") {
         Random random(3);
         for (std::uint64_t i = 0; i < scaled(500); ++i) {
             const auto p = static_cast<std::int64_t>(random.below(100'000)) + 1;
@@ -79,7 +79,7 @@ TEST_SUITE("oracle") {
         }
     }
 
-    TEST_CASE("rationals obey the laws of a field and keep lowest terms") {
+    TEST_CASE("oracle: rationals obey the laws of a field and keep lowest terms") {
         Random random(4);
         for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
             const auto some = [&] {
@@ -98,7 +98,7 @@ TEST_SUITE("oracle") {
         CHECK_THROWS_AS(Rational(1) / Rational(0), std::domain_error);
     }
 
-    TEST_CASE("a float becomes exactly the rational that it stands for") {
+    TEST_CASE("oracle: a float converts to exactly its rational value") {
         CHECK(Rational::of(0.0f) == Rational(0));
         CHECK(Rational::of(-1.5f) == Rational(-3, 2));
         CHECK(Rational::of(0x1p-149f) == Rational::of(1, -149));
@@ -120,7 +120,7 @@ TEST_SUITE("oracle") {
         }
     }
 
-    TEST_CASE("the error of a correctly rounded quotient is at most half a unit in the last place") {
+    TEST_CASE("oracle: the error of a correctly rounded quotient is at most half an ulp") {
         Random random(6);
         Rational largest = 0;
         for (std::uint64_t i = 0; i < scaled(5'000); ++i) {

@@ -63,8 +63,8 @@ bool same_answers(const Answers& a, const Answers& b) {
 
 }  // namespace
 
-TEST_SUITE("promises") {
-    TEST_CASE("answers do not depend on flush-to-zero and denormals-are-zero") {
+TEST_SUITE("flush modes") {
+    TEST_CASE("float mode: rays give the same bits with flush-to-zero and denormals-are-zero") {
         {
             // The modes are real: the product of two small numbers vanishes in one of them.
             volatile float small = 0x1p-70f;
@@ -132,7 +132,7 @@ TEST_SUITE("promises") {
         }
     }
 
-    TEST_CASE("every query answers the same bits, whatever the float mode") {
+    TEST_CASE("float mode: every query gives the same bits in every mode") {
         std::vector<OpenedBlob> blobs;
         BakeOptions finest;
         finest.bits = 24;
@@ -169,7 +169,7 @@ TEST_SUITE("promises") {
         }
     }
 
-    TEST_CASE("an origin a hair outside of a 24-bit asset is the same with subnormals flushed") {
+    TEST_CASE("float mode: a ray from a hair outside a 24-bit asset gives the same hit") {
         Mesh mesh;
         const float size = 16777215.0f;
         mesh.positions = {{0, 0, 0}, {0, size, 0}, {0, 0, size}, {size, 0, 0}};
@@ -187,7 +187,7 @@ TEST_SUITE("promises") {
         CHECK(same_bits(plain, flushed));
     }
 
-    TEST_CASE("a box whose sides are subnormal is flat to every query, with subnormals flushed or not") {
+    TEST_CASE("float mode: a box with subnormal sides is flat to every query") {
         const OpenedBlob cube(make_cube(0.0f, 16.0f));
         const Box box{{0x1p-149f, 1.0f, 1.0f}, {0.0f, 2.0f, 2.0f}};  // min.x is above max.x, but both are zero
         for (const unsigned flags : {0u, 0x8040u}) {
@@ -205,7 +205,7 @@ TEST_SUITE("promises") {
         }
     }
 
-    TEST_CASE("a point that moves across a long side between two ticks is not missed with subnormals flushed") {
+    TEST_CASE("float mode: a point that moves across a long side between two ticks is found") {
         // The path crosses the first side at a third of its way: the tick before is 2^-48 lattice steps away, and the
         // speed there a quotient of numbers that are as small.
         const detail::UnitTriangle triangle = {
@@ -217,7 +217,7 @@ TEST_SUITE("promises") {
         CHECK(first_contact(point, triangle, detail::whole_way) == a_third);
     }
 
-    TEST_CASE("a segment that passes a side by next to nothing does not touch it, with subnormals flushed or not") {
+    TEST_CASE("float mode: a segment that passes a side by a subnormal gap does not touch it") {
         // 2^30 steps long, and 2^-67.4 steps away: the square of that is subnormal.
         const detail::LatticeTriangle triangle = {{{0, 0, 0}, {9696974, 9377736, 14976601}, {1125151, 0, 0}}};
         const detail::LatticeSegment segment = {
@@ -233,7 +233,7 @@ TEST_SUITE("promises") {
         }
     }
 
-    TEST_CASE("a closest point whose coordinate is subnormal is the same with subnormals flushed") {
+    TEST_CASE("float mode: a closest point with a subnormal coordinate is the same") {
         // The finest step, 2^-100, and a foot on the first side that is 2^-30 steps away from x = 0.
         Mesh mesh;
         mesh.positions = {{0.0f, 0.0f, 0.0f}, {1.0f, 4095.0f, 0.0f}, {0.0f, 2000.0f, 4000.0f}};

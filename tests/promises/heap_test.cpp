@@ -14,15 +14,15 @@
 using namespace espalier;
 using namespace espalier::tests;
 
-TEST_SUITE("promises") {
-    TEST_CASE("the counter sees an allocation") {
+TEST_SUITE("heap") {
+    TEST_CASE("promise: the counter of allocations counts one") {
         const std::uint64_t before = allocation_count();
         const auto something = std::make_unique<int>(1);
         CHECK(allocation_count() == before + 1);
         CHECK(*something == 1);
     }
 
-    TEST_CASE("opening a blob and every query allocate nothing") {
+    TEST_CASE("promise: opening a blob and every query allocate nothing") {
         std::uint64_t allocations = 0;
         for (const TestBlob& test_blob : small_test_blobs()) {
             Random random(1);

@@ -10,8 +10,8 @@
 using namespace espalier;
 using namespace espalier::reference;
 
-TEST_SUITE("promises") {
-    TEST_CASE("no point of either surface is farther from the other one than max_error") {
+TEST_SUITE("known error") {
+    TEST_CASE("error: no point of either surface is farther from the other than max_error") {
         const tests::Mesh meshes[] = {tests::make_icosphere(3, 3.0, {1.0f, 2.0f, 3.0f}),
                                       tests::make_terrain(20, 3),
                                       tests::make_soup(200, 7),

@@ -12,8 +12,8 @@
 using namespace espalier;
 using namespace espalier::tests;
 
-TEST_SUITE("promises") {
-    TEST_CASE("a level of 5,000 triangles takes at most 24 KB in profile small on 14 bits") {
+TEST_SUITE("level size") {
+    TEST_CASE("promise: a level of 5000 triangles takes at most 24 KB in profile small on 14 bits") {
         for (const std::uint64_t seed : {2026u, 1u, 2u, 3u}) {  // whichever level it is
             BakeOptions options;
             options.profile = format::Profile::small;

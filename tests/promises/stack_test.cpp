@@ -36,8 +36,8 @@ std::size_t most_stack(Call call) {
 
 }  // namespace
 
-TEST_SUITE("promises") {
-    TEST_CASE("the measure of stack sees a frame of known size") {
+TEST_SUITE("stack") {
+    TEST_CASE("promise: the measure of stack reports a frame of known size") {
         if (sanitized) return;
         const std::size_t empty = stack_use([] {});
         const std::size_t filled = stack_use([] {
@@ -48,7 +48,7 @@ TEST_SUITE("promises") {
         CHECK(filled < empty + 4096 + 256);
     }
 
-    TEST_CASE("every query stays within its stack budget") {
+    TEST_CASE("promise: every query stays within its stack budget") {
         if (sanitized) {
             MESSAGE("SKIPPED: the sanitizers give frames other sizes");
             return;

@@ -362,28 +362,28 @@ void check_real_mesh(const Mesh& mesh, format::Profile profile) {
 
 }  // namespace
 
-TEST_SUITE("approximate queries") {
-    TEST_CASE("spheres: no overlap is missed, and a wrong yes is within accuracy times the root of 3") {
+TEST_SUITE("approximate") {
+    TEST_CASE("approximate: spheres miss no overlap and err by at most the root of 3 times accuracy") {
         check_test_blobs(spheres, 81).check();
     }
-    TEST_CASE("boxes: no overlap is missed, and a wrong yes is within the accuracy along every axis") {
+    TEST_CASE("approximate: boxes miss no overlap and err by at most the accuracy along every axis") {
         check_test_blobs(boxes, 82).check();
     }
-    TEST_CASE("rays: no hit is missed, and a wrong yes passes within accuracy times the root of 3") {
+    TEST_CASE("approximate: rays miss no hit and err by at most the root of 3 times accuracy") {
         check_test_blobs(rays, 83).check();
     }
-    TEST_CASE("bounds hold the distance between them, and are no farther apart than accuracy times the root of 3") {
+    TEST_CASE("approximate: distance bounds hold the distance within the root of 3 times accuracy") {
         CHECK(check_test_blobs(distance_limits, 84).wrong_yes > 0);  // some are apart
     }
-    TEST_CASE("every instruction set answers the same and does the same work") {
+    TEST_CASE("approximate: every instruction set gives the same answers with the same work") {
         std::uint64_t awkward = 0;
         check_test_blobs(check_instruction_sets, 85, scaled_share(60), awkward);
     }
-    TEST_CASE("a ray just beyond a box, or beyond the asset, is answered the same on every path") {
+    TEST_CASE("approximate: a ray just beyond a box or the asset gives the same answer on every path") {
         std::uint64_t awkward = 0;
         check_test_blobs(check_rays_beside_boxes, 87, scaled_share(2'000), awkward).check();
     }
-    TEST_CASE("a sphere is near where it touches a triangle or a box no larger than the accuracy, and nowhere else") {
+    TEST_CASE("approximate: a sphere is near where it touches a triangle or a small box and nowhere else") {
         for_each_profile([](format::Profile profile) {
             const OpenedBlob opened(make_terrain(40, 5), {.bits = 10, .profile = profile});
             const detail::BlobData& data = opened.blob.data();
@@ -431,9 +431,11 @@ TEST_SUITE("approximate queries") {
             CHECK(far > 1'000);
         });
     }
-    TEST_CASE("real meshes: all of these claims") { for_each_real_mesh(check_real_mesh, quickly_baked); }
+    TEST_CASE("approximate: every query keeps its bound on real meshes") {
+        for_each_real_mesh(check_real_mesh, quickly_baked);
+    }
 
-    TEST_CASE("a coarse answer takes less work, and a NaN or negative accuracy is exact") {
+    TEST_CASE("approximate: coarse answers take less work and a NaN or negative accuracy is exact") {
         const OpenedBlob sphere(make_icosphere(5, 1.0, {0.0f, 0.0f, 0.0f}));
         const float nan = std::numeric_limits<float>::quiet_NaN();
         std::uint64_t before = ~std::uint64_t{0};

@@ -74,7 +74,7 @@ struct Case {
 }  // namespace
 
 TEST_SUITE("bounds") {
-    TEST_CASE("bounds as floats hold every corner, as baked and as rounded to float, exactly") {
+    TEST_CASE("bounds: bounds as floats hold every corner exactly") {
         for (const Case& one :
              {Case{make_cube(-1.0f, 1.0f), 16}, Case{make_icosphere(2, 1.0, {0.5f, -3.0f, 0.25f}), 24},
               Case{moved(make_icosphere(2, 1.0, {0, 0, 0}), {1e6f, -3e5f, 2e4f}), 16},
@@ -104,7 +104,7 @@ TEST_SUITE("bounds") {
         }
     }
 
-    TEST_CASE("what a blob does not carry is not there, and nothing is written") {
+    TEST_CASE("bounds: bounds that a blob does not carry are absent and nothing is written") {
         for (unsigned which = 0; which < 8; ++which) {
             CAPTURE(which);
             BakeOptions options;
@@ -123,7 +123,7 @@ TEST_SUITE("bounds") {
         CHECK(!bounding_sphere(Blob(), *std::make_unique<Sphere>()));
     }
 
-    TEST_CASE("a sphere that bounds keep away from the asset touches none of its triangles, nor does a box") {
+    TEST_CASE("bounds: a sphere or box outside the bounds touches no triangle") {
         std::uint64_t kept_away = 0;
         std::uint64_t asked = 0;
         for (const bool medium : {false, true}) {
@@ -178,7 +178,7 @@ TEST_SUITE("bounds") {
         CHECK(kept_away < asked);
     }
 
-    TEST_CASE("bounds of one kind keep away what the axis-aligned box alone does not") {
+    TEST_CASE("bounds: each kind of bounds rejects queries that the axis-aligned box accepts") {
         // A long thin box along the diagonal, and spheres beside it.
         Mesh needle = make_cube(-1.0f, 1.0f);
         for (Vec3& p : needle.positions) {
@@ -201,7 +201,7 @@ TEST_SUITE("bounds") {
         }
     }
 
-    TEST_CASE("nonsense touches nothing, and an infinite box touches everything") {
+    TEST_CASE("bounds: nonsense touches nothing and an infinite box touches everything") {
         BakeOptions options;
         options.bounds = {true, true, true};
         const OpenedBlob opened(make_cube(0.0f, 1.0f), options);

@@ -108,8 +108,8 @@ Rational exact_square(const Case& c) {
 
 }  // namespace
 
-TEST_SUITE("distance of boxes against the oracle") {
-    TEST_CASE("the squared distance of box and triangle is within 6 ulp and 0 exactly when they touch") {
+TEST_SUITE("box distance") {
+    TEST_CASE("kernel: the squared distance of box and triangle is within 6 ulp and 0 exactly at contact") {
         std::uint64_t decided = 0;
         Random random(1);
         Rational worst = 0;
@@ -152,7 +152,7 @@ TEST_SUITE("distance of boxes against the oracle") {
         MESSAGE(decisions_made("box and triangle that touch, by distance", decided));
     }
 
-    TEST_CASE("whether a box is within a radius of a triangle is decided exactly, touching counts") {
+    TEST_CASE("kernel: a box within a radius of a triangle is decided exactly") {
         std::uint64_t decided = 0;
         Random random(2);
         std::uint64_t exactly = 0;

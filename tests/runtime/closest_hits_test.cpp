@@ -41,8 +41,8 @@ struct NestedCubes {
 
 }  // namespace
 
-TEST_SUITE("first hits of a ray") {
-    TEST_CASE("the first hits are sorted, and the status tells of more") {
+TEST_SUITE("closest hits") {
+    TEST_CASE("ray: the first hits are sorted and the status reports more") {
         for_each_profile([](format::Profile profile) {
             const NestedCubes cubes(profile);
             constexpr std::array<double, 4> expected = {2.0, 3.0, 5.0, 6.0};
@@ -57,7 +57,7 @@ TEST_SUITE("first hits of a ray") {
         });
     }
 
-    TEST_CASE("the first of them is what raycast answers, and what follows hits in vain is untouched") {
+    TEST_CASE("ray: the first of the first hits is the closest hit and unused slots stay untouched") {
         const NestedCubes cubes(format::Profile::fast);
         RayHit single;
         std::array<RayHit, 1> one;
@@ -76,7 +76,7 @@ TEST_SUITE("first hits of a ray") {
         CHECK(closest_hits(cubes.opened.blob, up, one).count == 0);
     }
 
-    TEST_CASE("a triangle with copies appears once, and rays equal the loop where triangles have copies") {
+    TEST_CASE("ray: a triangle with copies appears once and hits equal the loop") {
         BakeOptions options = with_profile(format::Profile::fast);
         options.builder = Builder::spatial_splits;
         options.duplicates = 1.0;
@@ -94,8 +94,8 @@ TEST_SUITE("first hits of a ray") {
     }
 }
 
-TEST_SUITE("segments") {
-    TEST_CASE("a segment hits what lies between its ends, the ends included") {
+TEST_SUITE("closest hits") {
+    TEST_CASE("ray: a segment hits between its ends and at them") {
         for_each_profile([](format::Profile profile) {
             const OpenedBlob cube(make_cube(-1.0f, 1.0f), with_profile(profile));
             const auto hits = [&](float from, float to) {
@@ -115,7 +115,7 @@ TEST_SUITE("segments") {
         });
     }
 
-    TEST_CASE("a segment is the ray along it, for every query of rays") {
+    TEST_CASE("ray: a segment equals the ray along it in every query") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 404);
@@ -136,7 +136,7 @@ TEST_SUITE("segments") {
         }
     }
 
-    TEST_CASE("a segment that is no segment hits nothing") {
+    TEST_CASE("ray: a segment that is not finite or has no length hits nothing") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         constexpr float nan = std::numeric_limits<float>::quiet_NaN();
         constexpr float most = std::numeric_limits<float>::max();

@@ -125,13 +125,13 @@ void check(const std::vector<TestBlob>& blobs, std::uint64_t count) {
 
 }  // namespace
 
-TEST_SUITE("traversal against the loop") {
-    TEST_CASE("closest segments and boxes equal the loop, and agree with the overlaps of capsules and boxes") {
+TEST_SUITE("closest pair") {
+    TEST_CASE("closest point: segments and boxes equal the loop and agree with overlaps") {
         check(small_test_blobs(), scaled_share(100));
         check(medium_test_blobs(), scaled_share(12));
     }
 
-    TEST_CASE("real meshes: closest segments and boxes equal the loop") {
+    TEST_CASE("closest point: segments and boxes equal the loop on real meshes") {
         for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
             OpenedBlob opened(mesh, with_profile(profile));
             DecodedBlob decoded = decode(opened.bytes);
@@ -148,8 +148,8 @@ TEST_SUITE("traversal against the loop") {
     }
 }
 
-TEST_SUITE("closest segments and boxes") {
-    TEST_CASE("the closest points of a cube and a segment are where a pencil says") {
+TEST_SUITE("closest pair") {
+    TEST_CASE("closest point: a cube and a segment match hand-computed values") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         NearestPair pair;
         // Above a face, across a side, past a corner, through the cube, and one end inside.
@@ -180,7 +180,7 @@ TEST_SUITE("closest segments and boxes") {
         CHECK(pair.distance == 13.0f);
     }
 
-    TEST_CASE("the closest points of a cube and a box are where a pencil says") {
+    TEST_CASE("closest point: a cube and a box match hand-computed values") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         NearestPair pair;
         REQUIRE(closest_to_box(cube.blob, {{4.0f, 5.0f, 13.0f}, {5.0f, 6.0f, 14.0f}}, infinity, pair) ==
@@ -201,7 +201,7 @@ TEST_SUITE("closest segments and boxes") {
         CHECK(pair.on_surface.x == 1.0f);
     }
 
-    TEST_CASE("the two points are as far apart as is said, within some ulp of the largest coordinate") {
+    TEST_CASE("closest point: the two points are as far apart as the distance within some ulp") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             ShapeMaker maker(blob.decoded, 1600);
@@ -234,7 +234,7 @@ TEST_SUITE("closest segments and boxes") {
         }
     }
 
-    TEST_CASE("what is no shape is told, and leaves the caller's value untouched") {
+    TEST_CASE("closest point: shapes out of range are refused and leave the result untouched") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const float nan = std::numeric_limits<float>::quiet_NaN();
         const NearestPair before{{1.0f, 2.0f, 3.0f}, {4.0f, 5.0f, 6.0f}, 7.0f, 0.5f, 0.25f, Triangle{7}};

@@ -43,17 +43,17 @@ void check_blobs(const std::vector<TestBlob>& tests, std::uint64_t count, Kind k
 
 }  // namespace
 
-TEST_SUITE("two blobs against the loop") {
-    TEST_CASE("placed anyhow: all pairs, in the same order on every path, and the first of them") {
+TEST_SUITE("collide loop") {
+    TEST_CASE("pair: random placements give all contacts in one order on every path") {
         check_blobs(small_test_blobs(), scaled_share(30), Kind::random, false);
     }
-    TEST_CASE("placed to touch, in one plane, far away or out of proportion: all pairs, on every path") {
+    TEST_CASE("pair: touching and coplanar and extreme placements give all contacts on every path") {
         check_blobs(small_test_blobs(), scaled_share(30), Kind::adversarial, false);
     }
-    TEST_CASE("placed side by side: the smallest distance and what is within a distance, on every path") {
+    TEST_CASE("pair: separate placements give the smallest distance and all pairs within a distance") {
         check_blobs(small_test_blobs(), scaled_share(6), Kind::apart, true);
     }
-    TEST_CASE("placed to touch or nearly: the smallest distance and what is within a distance, on every path") {
+    TEST_CASE("pair: nearly touching placements give the smallest distance and all pairs within one") {
         check_blobs(small_test_blobs(), scaled_share(6), Kind::adversarial, true);
     }
 }

@@ -99,12 +99,12 @@ void check_against_small(const std::string& name, const std::vector<PairedBlob>&
 
 }  // namespace
 
-TEST_SUITE("two blobs against the loop") {
-    TEST_CASE("real meshes: two blobs touch where the loop says, and are as far apart") {
+TEST_SUITE("collide real") {
+    TEST_CASE("pair: two real meshes have the contacts and the distance of the loop") {
         for_each_mesh(check_against_itself);
     }
 
-    TEST_CASE("a real mesh and small nasty ones: two blobs touch where the loop says, and are as far apart") {
+    TEST_CASE("pair: a real mesh and small awkward ones have the contacts and the distance of the loop") {
         const std::vector<PairedBlob> small(small_test_blobs().begin(), small_test_blobs().end());
         for_each_mesh([&](const std::string& name, const std::vector<PairedBlob>& real) {
             check_against_small(name, real, small);

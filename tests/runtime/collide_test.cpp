@@ -36,8 +36,8 @@ bool touch(const Blob& a, const Blob& b, const Placement& placement) {
 
 }  // namespace
 
-TEST_SUITE("two blobs") {
-    TEST_CASE("of two leaves that are equally near the first in storage is met first") {
+TEST_SUITE("collide") {
+    TEST_CASE("pair: the first in storage of two equally near leaves is met first") {
         Mesh pair = one_triangle({16, -16, -1}, {24, -16, 1}, {16, -24, 1});
         pair.positions.insert(pair.positions.end(), {{-16, 16, -1}, {-16, 24, 1}, {-24, 16, 1}});
         pair.triangles.push_back({3, 4, 5});
@@ -55,7 +55,7 @@ TEST_SUITE("two blobs") {
         CHECK(all == std::vector<TrianglePair>{{{0}, {0}}, {{1}, {0}}});
     }
 
-    TEST_CASE("touching counts, to the last step of the grid") {
+    TEST_CASE("pair: touching counts to the last step of the grid") {
         const OpenedBlob cube(make_cube(0.0f, 1.0f));
         const Blob& blob = cube.blob;
         // A grid step is 2^-6 of a lattice step, which is 2^-16 here; 24 bits hold both cubes.
@@ -70,7 +70,7 @@ TEST_SUITE("two blobs") {
         CHECK(touch(blob, blob, {{0.0f, 0.0f, 1.0f, 1.0f}, {2.0f, 0.0f, 0.0f}, 1.0f}));
     }
 
-    TEST_CASE("distances and witnesses of boxes are what geometry says") {
+    TEST_CASE("pair: distances and witnesses of boxes match hand-computed values") {
         const OpenedBlob cube(make_cube(0.0f, 1.0f));
         PairDistance nearest;
         bool found = false;
@@ -95,7 +95,7 @@ TEST_SUITE("two blobs") {
         CHECK(nearest.distance == 3.0f);
     }
 
-    TEST_CASE("a surface that pierces another is at distance 0, with a common point as both witnesses") {
+    TEST_CASE("pair: surfaces that pierce each other have distance 0 and one common witness") {
         const OpenedBlob flat(one_triangle({0.0f, 0.0f, 0.0f}, {4.0f, 0.0f, 0.0f}, {0.0f, 4.0f, 0.0f}));
         const OpenedBlob upright(one_triangle({1.0f, 1.0f, -1.0f}, {1.0f, 1.0f, 3.0f}, {9.0f, 9.0f, 9.0f}));
         PairDistance nearest;
@@ -108,7 +108,7 @@ TEST_SUITE("two blobs") {
         CHECK(std::abs(nearest.on_a.x - nearest.on_b.x) < 1e-4f);
     }
 
-    TEST_CASE("an array takes as many pairs as it holds, and says when there are more") {
+    TEST_CASE("pair: a full array reports that there are more") {
         const OpenedBlob sphere(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
         const Placement placement = {{0.1f, 0.2f, 0.3f, 1.0f}, {0.5f, 0.25f, 0.125f}, 1.0f};
         std::vector<TrianglePair> all(10'000);
@@ -133,7 +133,7 @@ TEST_SUITE("two blobs") {
         CHECK(visited == 5);
     }
 
-    TEST_CASE("a work limit is kept, and what was found until then is part of the whole") {
+    TEST_CASE("pair: a work limit is kept and the contacts found are part of the whole") {
         const OpenedBlob sphere(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}));
         const Placement placement = {{0.1f, 0.2f, 0.3f, 1.0f}, {0.5f, 0.25f, 0.125f}, 1.0f};
         std::vector<TrianglePair> all(10'000), part(10'000);
@@ -152,7 +152,7 @@ TEST_SUITE("two blobs") {
                                {3}) == QueryStatus::work_limit);
     }
 
-    TEST_CASE("what cannot be answered is refused, and results are left alone") {
+    TEST_CASE("pair: invalid calls are refused and leave results untouched") {
         const OpenedBlob cube(make_cube(0.0f, 1.0f));
         const Blob& blob = cube.blob;
         const float infinity = std::numeric_limits<float>::infinity();
@@ -191,7 +191,7 @@ TEST_SUITE("two blobs") {
         CHECK(collides(blob, Blob(), {{}, {}, nan}, answer) == QueryStatus::invalid_argument);
     }
 
-    TEST_CASE("blobs with copies are asked whether and how near, and refuse to list") {
+    TEST_CASE("pair: blobs with copies give yes or no and distances and refuse lists") {
         BakeOptions options = with_profile(format::Profile::fast);
         options.builder = Builder::spatial_splits;
         options.duplicates = 1.0;

@@ -45,7 +45,7 @@ Vec3 normal_of(const Nearest& contact, const Sphere& sphere) {
 }  // namespace
 
 TEST_SUITE("contact") {
-    TEST_CASE("a sphere that slides over a floor of triangles feels the floor's normal at every contact") {
+    TEST_CASE("contact: a sphere that slides over a floor gets the normal of the floor at every contact") {
         for_each_profile([](format::Profile profile) {
             const OpenedBlob floor(make_plane_grid(6), with_flags(profile));
             const Vec3 low = floor.blob.bounds_min();
@@ -76,7 +76,7 @@ TEST_SUITE("contact") {
         });
     }
 
-    TEST_CASE("a sphere that rolls over the ridge of a box keeps the contact's own normal there") {
+    TEST_CASE("contact: a sphere that rolls over the ridge of a box keeps the normal of the contact") {
         for_each_profile([](format::Profile profile) {
             const OpenedBlob box(make_cube(-1.0f, 1.0f), with_flags(profile));
             for (int step = 1; step < 16; ++step) {
@@ -98,7 +98,7 @@ TEST_SUITE("contact") {
         });
     }
 
-    TEST_CASE("the feature tells which edges a contact lies on, and its normal on which side") {
+    TEST_CASE("contact: the feature names the edges of a contact and limits its normal") {
         for_each_profile([](format::Profile profile) {
             const OpenedBlob box(make_cube(-1.0f, 1.0f), with_flags(profile));
             for (std::uint32_t i = 0; i < 12; ++i) {
@@ -138,7 +138,7 @@ TEST_SUITE("contact") {
         });
     }
 
-    TEST_CASE("edges of valleys are inner ones, borders are not, and without flags none is") {
+    TEST_CASE("contact: concave edges are inner and borders are not and without flags none is") {
         for_each_profile([](format::Profile profile) {
             Mesh valley;
             valley.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}, {0, -1, 1}};
@@ -162,7 +162,7 @@ TEST_SUITE("contact") {
         });
     }
 
-    TEST_CASE("a corner between two inner edges is inner, and one on a border is not") {
+    TEST_CASE("contact: a corner between two inner edges is inner and one on a border is not") {
         for_each_profile([](format::Profile profile) {
             const OpenedBlob floor(make_plane_grid(4), with_flags(profile));
             std::uint64_t inner = 0;
@@ -185,7 +185,7 @@ TEST_SUITE("contact") {
         });
     }
 
-    TEST_CASE("contacts of any bits are answered with a unit normal or not at all") {
+    TEST_CASE("contact: contacts of any bits give a unit normal or none") {
         Random random(8);
         for (const TestBlob& blob : small_test_blobs()) {
             for (int i = 0; i < 2'000; ++i) {

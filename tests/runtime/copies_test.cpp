@@ -35,7 +35,7 @@ PlainBlob make_blob(std::uint32_t leaves) {
 }  // namespace
 
 TEST_SUITE("copies") {
-    TEST_CASE("every storage index leads to its owner, whatever the map of copies") {
+    TEST_CASE("spatial split: every storage index leads to its owner for any map of copies") {
         // Whole blocks of 256 and a part of one; the blob's memory ends with its last owner.
         for (const std::uint32_t leaves : {1u, 2u, 15u, 16u, 17u, 48u, 64u}) {
             for (const std::uint32_t one_in : {1u, 2u, 7u, 300u}) {

@@ -41,8 +41,8 @@ void require_hit(const Blob& blob, const Ray& ray, unsigned mode) {
 
 }  // namespace
 
-TEST_SUITE("extremes") {
-    TEST_CASE("no aimed ray leaks into or out of a closed surface, whatever the size, place, form and float mode") {
+TEST_SUITE("extreme rays") {
+    TEST_CASE("ray: no aimed ray leaks through a closed surface of any size or place or float mode") {
         const std::vector<ExtremeSolid> solids = make_extreme_solids();
         const std::uint64_t count = scaled(300);
         std::array<std::uint64_t, kinds_of_aim> asked{}, proved{};
@@ -78,7 +78,7 @@ TEST_SUITE("extremes") {
                 " instruction sets, 0 leaks");
     }
 
-    TEST_CASE("extreme rays at extreme meshes equal the loop, whatever the float mode") {
+    TEST_CASE("ray: extreme rays at extreme meshes equal the loop in every float mode") {
         const std::uint64_t count = scaled(60);
         std::uint64_t asked = 0, hits = 0;
         const auto require_equal = [&](const Blob& blob, const TriangleLoop& loop, const Ray& ray) {

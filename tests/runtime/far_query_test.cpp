@@ -36,8 +36,8 @@ bool is_not_the_first(Triangle triangle) { return triangle.index != 0; }
 
 }  // namespace
 
-TEST_SUITE("far queries") {
-    TEST_CASE("of hits that round to the same t from far away the lowest index wins") {
+TEST_SUITE("far query") {
+    TEST_CASE("ray: the lowest index wins among far hits that round to the same t") {
         tests::for_each_profile([](format::Profile profile) {
             const OpenedBlob stack(stacked_triangles(40), tests::with_profile(profile));
             const Ray ray{{8.0f, 8.0f, 0x1p34f}, {0.0f, 0.0f, -1.0f}};
@@ -54,14 +54,14 @@ TEST_SUITE("far queries") {
         });
     }
 
-    TEST_CASE("a plain function may be a filter") {
+    TEST_CASE("ray: a plain function serves as a filter from far away") {
         const OpenedBlob stack(stacked_triangles(2));
         RayHit hit;
         REQUIRE(raycast(stack.blob, {{8.0f, 8.0f, 10.0f}, {0.0f, 0.0f, -1.0f}}, hit, is_not_the_first));
         CHECK(hit.triangle.index == 1);
     }
 
-    TEST_CASE("the nearer of two corners is found from 2^32 steps away, beside the asset's far end") {
+    TEST_CASE("closest point: the nearer of two corners is found from 2^32 steps away") {
         Mesh mesh;
         const float top = 16777215.0f;
         add_triangle(mesh, {0.0f, 0.0f, 0.0f}, {0.0f, 1000.0f, 0.0f}, {0.0f, 0.0f, 1000.0f});
@@ -78,7 +78,7 @@ TEST_SUITE("far queries") {
         CHECK(overlaps(blob.blob, Sphere{point, static_cast<float>(exact * (1.0 + 0x1p-21))}));
     }
 
-    TEST_CASE("no query raises a division by zero") {
+    TEST_CASE("promise: no query divides by zero") {
         const OpenedBlob stack(stacked_triangles(20));
         std::feclearexcept(FE_ALL_EXCEPT);
         RayHit hit;

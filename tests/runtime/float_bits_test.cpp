@@ -29,8 +29,8 @@ float any_float(Random& random) {
 
 }  // namespace
 
-TEST_SUITE("runtime arithmetic") {
-    TEST_CASE("scaling by a power of two equals ldexp for every float and exponent") {
+TEST_SUITE("float bits") {
+    TEST_CASE("numerics: scaling by a power of two equals ldexp for every float and exponent") {
         Random random(1);
         for (std::uint64_t i = 0; i < scaled(500'000); ++i) {
             const float x = any_float(random);
@@ -44,7 +44,7 @@ TEST_SUITE("runtime arithmetic") {
         }
     }
 
-    TEST_CASE("rounding to an integer equals the nearest even one for every float below 2^24") {
+    TEST_CASE("numerics: rounding to an integer gives the nearest even one for every float below 2^24") {
         Random random(2);
         for (std::uint64_t i = 0; i < scaled(200'000); ++i) {
             float x = std::ldexp(random.signed_unit(), static_cast<int>(random.below(25)));
@@ -54,7 +54,7 @@ TEST_SUITE("runtime arithmetic") {
         }
     }
 
-    TEST_CASE("classification agrees with the standard library") {
+    TEST_CASE("numerics: classification agrees with the standard library") {
         Random random(3);
         for (std::uint64_t i = 0; i < scaled(200'000); ++i) {
             const float x = any_float(random);
@@ -69,7 +69,7 @@ TEST_SUITE("runtime arithmetic") {
         }
     }
 
-    TEST_CASE("the square root in integers is the correctly rounded one") {
+    TEST_CASE("numerics: the integer square root is correctly rounded") {
         Random random(4);
         for (std::uint64_t i = 0; i < scaled(200'000); ++i) {
             const float x = std::fabs(any_float(random));
@@ -84,7 +84,7 @@ TEST_SUITE("runtime arithmetic") {
         }
     }
 
-    TEST_CASE("numbers and fields are read low bits first at every alignment") {
+    TEST_CASE("numerics: numbers and fields are read low bits first at every alignment") {
         Random random(5);
         std::vector<std::byte> bytes(64);
         for (std::byte& b : bytes) b = static_cast<std::byte>(random.next());

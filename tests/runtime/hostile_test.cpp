@@ -60,7 +60,7 @@ bool open_and_exercise(std::span<const std::byte> bytes, std::uint64_t seed, uns
 }  // namespace
 
 TEST_SUITE("hostile") {
-    TEST_CASE("every single-bit flip is refused by the checksum") {
+    TEST_CASE("open: every flipped bit is refused by the checksum") {
         for_each_profile([](format::Profile profile) {
             for (const bool sections : {false, true}) {
                 ExactBuffer buffer(small_blob(profile, sections));
@@ -77,7 +77,7 @@ TEST_SUITE("hostile") {
         });
     }
 
-    TEST_CASE("every single-bit flip with the checksum repaired is refused or leaves every query safe") {
+    TEST_CASE("open: every flipped bit with the checksum repaired is refused or leaves queries safe") {
         for_each_profile([](format::Profile profile) {
             for (const bool sections : {false, true}) {
                 ExactBuffer buffer(small_blob(profile, sections));
@@ -99,7 +99,7 @@ TEST_SUITE("hostile") {
         });
     }
 
-    TEST_CASE("every single-bit flip of a map of copies is refused or leaves every query safe") {
+    TEST_CASE("open: every flipped bit of a map of copies is refused or leaves queries safe") {
         ExactBuffer buffer(split_blob());
         Blob blob;
         REQUIRE(open(buffer.bytes(), blob) == Status::ok);
@@ -121,7 +121,7 @@ TEST_SUITE("hostile") {
         CHECK(opened < bits);
     }
 
-    TEST_CASE("bursts of changed bytes with the checksum repaired are refused or leave every query safe") {
+    TEST_CASE("open: bursts of changed bytes with the checksum repaired are refused or leave queries safe") {
         std::uint64_t opened = 0;
         const std::uint64_t count = scaled(20'000);
         Random random(5);
@@ -149,7 +149,7 @@ TEST_SUITE("hostile") {
         CHECK(opened < count);
     }
 
-    TEST_CASE("every hostile value in every slot of every query is safe") {
+    TEST_CASE("promise: every hostile value in every argument of every query is safe") {
         for_each_profile([](format::Profile profile) {
             const BakeOptions options = with_profile(profile);
             const OpenedBlob far(make_far_sphere(), options);
@@ -206,7 +206,7 @@ TEST_SUITE("hostile") {
         });
     }
 
-    TEST_CASE("random bit patterns as arguments give the same answers on every instruction set") {
+    TEST_CASE("promise: random bits as arguments give the same answers on every instruction set") {
         for_each_profile([](format::Profile profile) {
             const BakeOptions options = with_profile(profile);
             const OpenedBlob tiny(scaled_by(make_cube(-1.0f, 1.0f), 0x1p-85f), options);
@@ -244,7 +244,7 @@ TEST_SUITE("hostile") {
         });
     }
 
-    TEST_CASE("random bit patterns as arguments are safe on every test blob") {
+    TEST_CASE("promise: random bits as arguments are safe on every blob") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             Random random(6);

@@ -78,7 +78,7 @@ bool is_near(Vec3 a, Vec3 b, float distance) {
 }  // namespace
 
 TEST_SUITE("identity") {
-    TEST_CASE("every triangle leads back to the source triangle with the same corners and material") {
+    TEST_CASE("source triangle: every triangle leads to the source triangle with its corners and material") {
         for_each_profile([](format::Profile profile) {
             for (const Materials materials : {Materials::bits_8, Materials::bits_16}) {
                 const Scene scene = make_scene(profile, true, materials);
@@ -115,7 +115,7 @@ TEST_SUITE("identity") {
         });
     }
 
-    TEST_CASE("u and v turn into the weights of the source's corners by first_corner") {
+    TEST_CASE("source triangle: first_corner turns u and v into weights of the source corners") {
         for_each_profile([](format::Profile profile) {
             Mesh mesh = make_terrain(12, 3);
             std::size_t number = 0;
@@ -160,7 +160,7 @@ TEST_SUITE("identity") {
         });
     }
 
-    TEST_CASE("ids of every width lead back, with and without a first corner before them") {
+    TEST_CASE("source triangle: ids of every width lead back with and without a first corner") {
         for_each_profile([](format::Profile profile) {
             BakeOptions options = with_profile(profile);
             options.original_ids = true;
@@ -181,7 +181,7 @@ TEST_SUITE("identity") {
         });
     }
 
-    TEST_CASE("the last id is read without a byte behind it") {
+    TEST_CASE("source triangle: the last id is read within the blob") {
         for_each_profile([](format::Profile profile) {
             BakeOptions options = with_profile(profile);
             options.original_ids = true;
@@ -197,7 +197,7 @@ TEST_SUITE("identity") {
         });
     }
 
-    TEST_CASE("a blob without ids or materials, and a triangle that does not exist, have none") {
+    TEST_CASE("source triangle: absent ids and materials and triangles out of range give none") {
         for_each_profile([](format::Profile profile) {
             const Scene scene = make_scene(profile, false, Materials::none);
             const OriginalTriangle before{7, 8, 9, 10};
@@ -219,7 +219,7 @@ TEST_SUITE("identity") {
         });
     }
 
-    TEST_CASE("optional sections change nothing but themselves: the same triangles in the same order") {
+    TEST_CASE("source triangle: optional sections keep the triangles and their order") {
         for_each_profile([](format::Profile profile) {
             const Scene plain = make_scene(profile, false, Materials::none);
             const Scene full = make_scene(profile, true, Materials::bits_8);
@@ -229,8 +229,8 @@ TEST_SUITE("identity") {
     }
 }
 
-TEST_SUITE("walking") {
-    TEST_CASE("the walk sees every triangle in storage order with the corners that the decoder finds") {
+TEST_SUITE("identity") {
+    TEST_CASE("walk: every triangle comes in storage order with the corners of the decoder") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             const double step = std::ldexp(1.0, blob.decoded.step_exponent);
@@ -255,7 +255,7 @@ TEST_SUITE("walking") {
         }
     }
 
-    TEST_CASE("what the blob says about itself is what the header holds") {
+    TEST_CASE("open: the properties of a blob equal its header") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             const Blob& view = blob.opened.blob;

@@ -136,15 +136,15 @@ void tell_calls(const std::string& mesh, const Tally& tally) {
 
 }  // namespace
 
-TEST_SUITE("traversal against the loop") {
-    TEST_CASE("winding numbers and signed distances: every way out equals the loop") {
+TEST_SUITE("inside loop") {
+    TEST_CASE("inside: winding numbers and signed distances equal the loop for every direction") {
         Tally tally;
         for (const TestBlob& blob : closed_blobs()) check_points(blob, 1100, scaled_share(2'000), 5, true, tally);
         tell_calls(generated_meshes, tally);
         CHECK(tally.inside > tally.random / 10);
     }
 
-    TEST_CASE("surfaces that are not closed: crossings of one way out equal the loop") {
+    TEST_CASE("inside: crossings of open surfaces equal the loop") {
         Tally tally;
         for (const TestBlob& blob : small_test_blobs()) {
             if (blob.opened.blob.closed()) continue;
@@ -154,7 +154,7 @@ TEST_SUITE("traversal against the loop") {
         CHECK(tally.inside > 0);
     }
 
-    TEST_CASE("real meshes: winding numbers and signed distances equal the loop") {
+    TEST_CASE("inside: winding numbers and signed distances equal the loop on real meshes") {
         for_each_real_mesh(
             [](const Mesh& mesh, format::Profile profile) {
                 OpenedBlob opened(mesh, with_profile(profile));

@@ -67,8 +67,8 @@ std::optional<int> exact_winding(const TestBlob& blob, const oracle::Point& poin
 
 }  // namespace
 
-TEST_SUITE("queries against the oracle") {
-    TEST_CASE("inside is where the exact winding number is not zero, or on the surface, whatever the way out") {
+TEST_SUITE("inside") {
+    TEST_CASE("inside: contains is true where the exact winding number is not 0 and on the surface") {
         std::uint64_t decided = 0;
         std::uint64_t inside_count = 0;
         std::uint64_t on_surface = 0;
@@ -104,7 +104,7 @@ TEST_SUITE("queries against the oracle") {
 }
 
 TEST_SUITE("inside") {
-    TEST_CASE("a cube has an inside, and its surface belongs to it") {
+    TEST_CASE("inside: a cube contains its interior and its surface") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const auto is_inside = [&](Vec3 point) {
             bool inside = false;
@@ -121,8 +121,7 @@ TEST_SUITE("inside") {
         CHECK_FALSE(is_inside({-3e38f, 3e38f, 0.0f}));
     }
 
-    TEST_CASE(
-        "cavities are outside, what is in several shells is inside, and so is the inside of a surface inside out") {
+    TEST_CASE("inside: cavities are outside and nested and reversed shells are inside") {
         const auto is_inside = [](const Mesh& mesh, Vec3 point) {
             const OpenedBlob opened(mesh);
             bool inside = false;
@@ -141,7 +140,7 @@ TEST_SUITE("inside") {
         CHECK_FALSE(is_inside(turned_inside_out(outer), {0.0f, 0.0f, 5.0f}));
     }
 
-    TEST_CASE("the signed distance is that of the closest point, negative inside") {
+    TEST_CASE("inside: the signed distance is that of the closest point and negative inside") {
         for (const TestBlob& blob : closed_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 1200);
@@ -168,7 +167,7 @@ TEST_SUITE("inside") {
         }
     }
 
-    TEST_CASE("what has no inside, and what is no point, is told") {
+    TEST_CASE("inside: open surfaces and invalid points are refused") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const OpenedBlob plane(make_plane_grid(2));
         bool inside = true;
@@ -195,7 +194,7 @@ TEST_SUITE("inside") {
         CHECK(nearest.distance == -1.0f);
     }
 
-    TEST_CASE("a blob with copies does not say what is inside") {
+    TEST_CASE("inside: a blob with copies is refused") {
         BakeOptions options = with_profile(format::Profile::fast);
         options.builder = Builder::spatial_splits;
         options.duplicates = 1.0;

@@ -19,8 +19,8 @@ using oracle::Rational;
 using tests::Random;
 using tests::scaled;
 
-TEST_SUITE("runtime rounding") {
-    TEST_CASE("a point near the asset moves by at most half a 64th of a step and a half ulp of its distance") {
+TEST_SUITE("lattice point") {
+    TEST_CASE("rounding: a point near the asset moves by at most half a 64th of a step and half an ulp") {
         Random random(1);
         for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
             detail::BlobData data = tests::lattice_asset(1 + random.below(24));
@@ -48,7 +48,7 @@ TEST_SUITE("runtime rounding") {
         }
     }
 
-    TEST_CASE("what is no point or no radius is refused") {
+    TEST_CASE("rounding: invalid points and radii are refused") {
         const detail::BlobData data = tests::lattice_asset(16);
         const float nan = std::numeric_limits<float>::quiet_NaN();
         const float infinity = std::numeric_limits<float>::infinity();
@@ -69,7 +69,7 @@ TEST_SUITE("runtime rounding") {
         }
     }
 
-    TEST_CASE("any bit pattern is either refused or rounded below 2^37 steps") {
+    TEST_CASE("rounding: any point is refused or rounded below 2^37 steps") {
         Random random(2);
         std::uint64_t rounded = 0;
         for (std::uint64_t i = 0; i < scaled(100'000); ++i) {

@@ -148,8 +148,8 @@ void tell(const Tally& tally, const std::string& mesh) {
 
 }  // namespace
 
-TEST_SUITE("queries in lattice steps") {
-    TEST_CASE("whether a segment crosses a triangle, where and from which side is what exact arithmetic says") {
+TEST_SUITE("lattice queries") {
+    TEST_CASE("lattice query: crossings of a segment equal exact arithmetic in place and side") {
         Random random(1);
         std::uint64_t crossed = 0, touches = 0, ends = 0, narrow = 0;
         const std::uint64_t count = scaled(100'000);
@@ -184,7 +184,7 @@ TEST_SUITE("queries in lattice steps") {
         MESSAGE(decisions_made("segment in steps and triangle", count));
     }
 
-    TEST_CASE("which of two hits is first is decided exactly") {
+    TEST_CASE("lattice query: the first of two hits is decided exactly") {
         Random random(2);
         std::uint64_t alike = 0;
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
@@ -209,7 +209,7 @@ TEST_SUITE("queries in lattice steps") {
         CHECK(alike > 0);
     }
 
-    TEST_CASE("segments and boxes in steps equal the loop, bit for bit") {
+    TEST_CASE("lattice query: segments and boxes equal the loop") {
         Tally tally;
         for (const TestBlob& blob : small_test_blobs()) check_blob(blob, scaled_share(600), 3, tally);
         for (const TestBlob& blob : medium_test_blobs()) check_blob(blob, scaled_share(100), 4, tally);
@@ -218,7 +218,7 @@ TEST_SUITE("queries in lattice steps") {
         tell(tally, generated_meshes);
     }
 
-    TEST_CASE("real meshes: segments and boxes in steps equal the loop") {
+    TEST_CASE("lattice query: segments and boxes equal the loop on real meshes") {
         for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
             OpenedBlob opened(mesh, with_profile(profile));
             DecodedBlob decoded = decode(opened.bytes);
@@ -230,7 +230,7 @@ TEST_SUITE("queries in lattice steps") {
         });
     }
 
-    TEST_CASE("a box in steps meets the triangles that it meets in exact arithmetic") {
+    TEST_CASE("lattice query: a box overlaps the triangles that exact arithmetic gives") {
         std::uint64_t met = 0;
         for (const TestBlob& blob : small_test_blobs()) {
             if (blob.decoded.bits > 8) continue;
@@ -268,7 +268,7 @@ TEST_SUITE("queries in lattice steps") {
         CHECK(met > 0);
     }
 
-    TEST_CASE("of hits at one place the lowest storage index is named, also in a blob with copies") {
+    TEST_CASE("lattice query: the lowest storage index wins at one place also with copies") {
         BakeOptions options = with_profile(format::Profile::fast);
         options.builder = Builder::spatial_splits;
         options.duplicates = 1.0;
@@ -286,7 +286,7 @@ TEST_SUITE("queries in lattice steps") {
         CHECK_FALSE(for_each_overlap(blob.opened.blob, maker.box(false), [](Triangle) { return keep_going; }));
     }
 
-    TEST_CASE("an end beyond the range is refused and nothing is written, ends at the range are answered") {
+    TEST_CASE("lattice query: an end beyond the range is refused and an end at it is answered") {
         for_each_profile([](format::Profile profile) {
             const OpenedBlob cube(make_cube(-1.0f, 1.0f), with_profile(profile));
             const Lattice lattice = lattice_of(cube.blob);
@@ -320,7 +320,7 @@ TEST_SUITE("queries in lattice steps") {
         });
     }
 
-    TEST_CASE("a segment of no length and one inside a face hit nothing, an empty blob is hit by nothing") {
+    TEST_CASE("lattice query: empty segments and coplanar ones and empty blobs have no hit") {
         const OpenedBlob plane(make_plane_grid(4));
         const Lattice lattice = lattice_of(plane.blob);
         const Steps corner = {}, opposite = {lattice.extent[0], lattice.extent[1], lattice.extent[2]};

@@ -49,9 +49,8 @@ Ray some_ray(const detail::BlobData& data, Random& random, float sizes_away) {
 
 }  // namespace
 
-TEST_SUITE("runtime rounding") {
-    TEST_CASE(
-        "a rounded direction is the direction times a power of two, each component within half a unit of 24 bits") {
+TEST_SUITE("lattice ray") {
+    TEST_CASE("rounding: a direction is scaled by a power of two and rounded to half a unit of 24 bits") {
         Random random(1);
         for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
             const detail::BlobData data = some_asset(random);
@@ -77,7 +76,7 @@ TEST_SUITE("runtime rounding") {
         }
     }
 
-    TEST_CASE("an origin near the asset moves by at most half a 64th of a step and a half ulp of its distance") {
+    TEST_CASE("rounding: a ray origin near the asset moves by at most half a 64th of a step and half an ulp") {
         Random random(2);
         std::uint64_t checked = 0;
         for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
@@ -106,7 +105,7 @@ TEST_SUITE("runtime rounding") {
         CHECK(checked > scaled(5'000) / 4);
     }
 
-    TEST_CASE("the kernels' widths hold: no corner is more than 2^24 units from a rounded origin") {
+    TEST_CASE("rounding: no corner is more than 2^24 units from a rounded origin") {
         Random random(3);
         std::uint64_t moved = 0;
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
@@ -127,7 +126,7 @@ TEST_SUITE("runtime rounding") {
         CHECK(moved > scaled(20'000) / 20);
     }
 
-    TEST_CASE("an origin from far away moves along its ray: it stays within float precision of the line") {
+    TEST_CASE("rounding: an origin from far away moves along its ray within float precision of the line") {
         Random random(4);
         std::uint64_t moved = 0;
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
@@ -156,7 +155,7 @@ TEST_SUITE("runtime rounding") {
         CHECK(moved > scaled(20'000) / 20);
     }
 
-    TEST_CASE("what is no ray is refused: a NaN, an infinite origin or direction, no direction, an empty window") {
+    TEST_CASE("rounding: invalid rays and empty windows are refused") {
         const detail::BlobData data = tests::lattice_asset(16);
         const float nan = std::numeric_limits<float>::quiet_NaN();
         const float infinity = std::numeric_limits<float>::infinity();
@@ -196,7 +195,7 @@ TEST_SUITE("runtime rounding") {
         CHECK(ray.direction[1] == -(1 << 23));
     }
 
-    TEST_CASE("any bit pattern is either refused or rounded within the invariants") {
+    TEST_CASE("rounding: any ray is refused or rounded within the invariants") {
         Random random(5);
         std::uint64_t rounded = 0;
         for (std::uint64_t i = 0; i < scaled(200'000); ++i) {

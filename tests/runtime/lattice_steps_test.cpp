@@ -96,7 +96,7 @@ Drawn draw(Random& random) {
 }  // namespace
 
 TEST_SUITE("lattice steps") {
-    TEST_CASE("a point becomes the nearest lattice point, of two the upper one, as in exact arithmetic") {
+    TEST_CASE("lattice: a point converts to the nearest lattice point and ties go up") {
         Random random(1);
         std::uint64_t rounded = 0, refused = 0, halves = 0;
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
@@ -132,7 +132,7 @@ TEST_SUITE("lattice steps") {
         CHECK(halves > 100);
     }
 
-    TEST_CASE("a box becomes the smallest one in whole steps that holds it, as in exact arithmetic") {
+    TEST_CASE("lattice: a box converts to the smallest box in whole steps that holds it") {
         Random random(2);
         std::uint64_t rounded = 0, refused = 0, empty = 0;
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
@@ -176,7 +176,7 @@ TEST_SUITE("lattice steps") {
         CHECK(empty > 100);
     }
 
-    TEST_CASE("a lattice point is where it says, within two roundings of the larger part") {
+    TEST_CASE("lattice: a lattice point converts to its place within two roundings of the larger part") {
         Random random(3);
         for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
             const Lattice lattice = draw(random).lattice;
@@ -194,7 +194,7 @@ TEST_SUITE("lattice steps") {
         }
     }
 
-    TEST_CASE("a lattice that no blob has is answered or refused, and nothing overflows") {
+    TEST_CASE("lattice: a lattice that no blob has is answered or refused without overflow") {
         const float nan = std::numeric_limits<float>::quiet_NaN();
         const float endless = std::numeric_limits<float>::infinity();
         for (const std::int32_t exponent : {INT32_MIN, INT32_MIN + 1, -1000, -101, 101, 1000, INT32_MAX})

@@ -43,8 +43,8 @@ GridPoint on_float_grid(const DecodedBlob& decoded, GridPoint point) {
 
 }  // namespace
 
-TEST_SUITE("traversal against the loop") {
-    TEST_CASE("no ray from inside a closed mesh leaks through a vertex or a side") {
+TEST_SUITE("leak") {
+    TEST_CASE("ray: no ray from inside a closed mesh leaks through a vertex or a side") {
         // Times a scale of 1,000 these are ten million rays.
         const std::uint64_t count = scaled_share(2'500);
         for (const ClosedShape& shape : make_closed_shapes()) {

@@ -372,8 +372,8 @@ std::optional<Rational> exact_first_contact(const Case<MovingBox>& c) {
 
 }  // namespace
 
-TEST_SUITE("kernels of sweeps against the oracle") {
-    TEST_CASE("a sphere touches first at the tick that the oracle says, touching counts, with and without a limit") {
+TEST_SUITE("moving kernels") {
+    TEST_CASE("kernel: a moving sphere touches first at the tick of the oracle") {
         std::uint64_t decided = 0;
         Random random(1);
         std::array<std::uint64_t, 3> seen{};
@@ -391,7 +391,7 @@ TEST_SUITE("kernels of sweeps against the oracle") {
         MESSAGE(decisions_made("sphere that moves", decided));
     }
 
-    TEST_CASE("a sphere touches on its way what the segment of its centre comes within its radius of, by that kernel") {
+    TEST_CASE("kernel: a moving sphere touches exactly where its segment comes within its radius") {
         Random random(2);
         std::uint64_t touched = 0;
         std::uint64_t tried = 0;
@@ -426,8 +426,7 @@ TEST_SUITE("kernels of sweeps against the oracle") {
         CHECK(touched > count / 4);
     }
 
-    TEST_CASE(
-        "a sphere's contact is the closest point of the triangle, and its normal leads from there to the centre") {
+    TEST_CASE("kernel: the contact of a sphere is the closest point and its normal leads to the centre") {
         Random random(3);
         const std::uint64_t count = scaled(1'500);
         std::uint64_t apart = 0;
@@ -457,7 +456,7 @@ TEST_SUITE("kernels of sweeps against the oracle") {
         CHECK(apart > count / 4);
     }
 
-    TEST_CASE("a capsule that does not touch at the start touches first at the tick that the oracle says") {
+    TEST_CASE("kernel: a moving capsule touches first at the tick of the oracle") {
         std::uint64_t decided = 0;
         Random random(4);
         std::array<std::uint64_t, 3> seen{};
@@ -496,7 +495,7 @@ TEST_SUITE("kernels of sweeps against the oracle") {
         MESSAGE(decisions_made("capsule that moves", decided));
     }
 
-    TEST_CASE("a box touches first at the tick that the oracle says, touching counts, with and without a limit") {
+    TEST_CASE("kernel: a moving box touches first at the tick of the oracle") {
         std::uint64_t decided = 0;
         Random random(5);
         std::array<std::uint64_t, 3> seen{};

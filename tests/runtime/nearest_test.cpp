@@ -44,9 +44,8 @@ Rational coordinate_ulp(const Blob& blob) {
 
 }  // namespace
 
-TEST_SUITE("queries against the oracle") {
-    TEST_CASE(
-        "closest points: whether there is one is exact, distance within 4 ulp, point within 4 ulp of the bounds") {
+TEST_SUITE("nearest") {
+    TEST_CASE("closest point: existence is exact and distance and point are within 4 ulp") {
         const std::uint64_t count = scaled_share(30);
         std::uint64_t found_count = 0;
         for (const TestBlob& blob : small_test_blobs()) {
@@ -96,8 +95,8 @@ TEST_SUITE("queries against the oracle") {
     }
 }
 
-TEST_SUITE("closest points") {
-    TEST_CASE("the closest point of a cube is where a pencil says") {
+TEST_SUITE("nearest") {
+    TEST_CASE("closest point: a cube matches hand-computed values") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         Nearest nearest;
         REQUIRE(closest_point(cube.blob, {0.25f, 0.5f, 3.0f}, infinity, nearest));
@@ -110,7 +109,7 @@ TEST_SUITE("closest points") {
         CHECK(nearest.distance == 0.25f);
     }
 
-    TEST_CASE("the limit is closed and exact, and nothing found leaves the caller's value untouched") {
+    TEST_CASE("closest point: the limit is closed and exact and no result leaves the value untouched") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Nearest before{{1.0f, 2.0f, 3.0f}, 4.0f, 0.5f, 0.25f, Triangle{7}};
         Nearest nearest = before;
@@ -122,7 +121,7 @@ TEST_SUITE("closest points") {
         CHECK(nearest.distance == 13.0f);
     }
 
-    TEST_CASE("a NaN, an infinite point and a negative limit find nothing") {
+    TEST_CASE("closest point: a NaN and an infinite point and a negative limit give none") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const float nan = std::numeric_limits<float>::quiet_NaN();
         Nearest nearest;
@@ -134,7 +133,7 @@ TEST_SUITE("closest points") {
         CHECK(nearest.distance == 0.0f);
     }
 
-    TEST_CASE("of equally distant triangles the lowest storage index wins") {
+    TEST_CASE("closest point: the lowest storage index wins among equally distant triangles") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         Nearest nearest;
         REQUIRE(closest_point(cube.blob, {0.0f, 0.0f, 0.0f}, infinity, nearest));
@@ -142,7 +141,7 @@ TEST_SUITE("closest points") {
         CHECK(nearest.distance == 1.0f);
     }
 
-    TEST_CASE("there is a closest point within a distance exactly when the sphere of that radius overlaps") {
+    TEST_CASE("closest point: one exists within a distance exactly when the sphere overlaps") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 900);
@@ -157,7 +156,7 @@ TEST_SUITE("closest points") {
         }
     }
 
-    TEST_CASE("the closest point says whether it lies on a face, a side or a corner") {
+    TEST_CASE("closest point: the feature is the face or side or corner of the point") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         Nearest nearest;
         REQUIRE(closest_point(cube.blob, {0.25f, 0.5f, 3.0f}, infinity, nearest));
@@ -172,8 +171,7 @@ TEST_SUITE("closest points") {
         CHECK(nearest.distance == 2.0f);
     }
 
-    TEST_CASE(
-        "the few closest triangles are sorted, end with the array or the distance, and leave the rest untouched") {
+    TEST_CASE("closest point: the few closest are sorted and end with the array or the distance") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         std::array<Nearest, 14> nearest;
         const Vec3 above{0.25f, 0.5f, 3.0f};
@@ -201,7 +199,7 @@ TEST_SUITE("closest points") {
         CHECK(closest_triangles(Blob(), above, infinity, nearest) == 0);
     }
 
-    TEST_CASE("a triangle that has copies is among the closest once") {
+    TEST_CASE("closest point: a triangle with copies is among the few closest once") {
         BakeOptions options = with_profile(format::Profile::fast);
         options.builder = Builder::spatial_splits;
         options.duplicates = 1.0;
@@ -218,7 +216,7 @@ TEST_SUITE("closest points") {
         CHECK(hits > 1000);
     }
 
-    TEST_CASE("the weights lead to the point") {
+    TEST_CASE("closest point: the weights lead to the point") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 950);

@@ -34,7 +34,7 @@ constexpr unsigned bits = 16;
 }  // namespace
 
 TEST_SUITE("node boxes") {
-    TEST_CASE("a box that touches a half-space reaches into it, and is wholly in it up to its last step") {
+    TEST_CASE("kernel: a box that touches a half-space overlaps it and is inside up to its last step") {
         const OneChild child({10, 20, 30}, {11, 22, 33});
         for (int k = 0; k < 3; ++k) {
             const std::int64_t low = 10 * (k + 1), high = 11 * (k + 1);
@@ -57,7 +57,7 @@ TEST_SUITE("node boxes") {
         }
     }
 
-    TEST_CASE("a box at the last plane is met there, and nothing is met beyond") {
+    TEST_CASE("kernel: a box at the last plane overlaps and one beyond does not") {
         const OneChild last({255, 255, 255}, {255, 255, 255});
         CHECK(detail::children_within(last.node, bits, {{255, 255, 255}, {255, 255, 255}}) == 1);
         CHECK(detail::children_within(last.node, bits, {{254, 254, 254}, {254, 254, 254}}) == 0);
@@ -72,7 +72,7 @@ TEST_SUITE("node boxes") {
         }
     }
 
-    TEST_CASE("a box is no larger than its longest side, and a point than nothing") {
+    TEST_CASE("kernel: a box is small exactly up to its longest side") {
         const OneChild point({7, 8, 9}, {7, 8, 9});
         CHECK(detail::children_no_larger(point.node, 0) == 1);
         CHECK(detail::children_no_larger(point.node, -1) == 0);

@@ -49,8 +49,8 @@ PlainBlob make_blob(format::Profile profile, unsigned bits) {
 
 }  // namespace
 
-TEST_SUITE("open") {
-    TEST_CASE("the highest bit of where a leaf lies is looked at") {
+TEST_SUITE("open leaves") {
+    TEST_CASE("open: the highest bit of the offset of a leaf is checked") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
             const unsigned offset_bits =
@@ -64,7 +64,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a strip of three entries on one point, which has no data, is refused, and one of four is not") {
+    TEST_CASE("open: a strip of three entries on one point is refused and one of four is not") {
         for (const format::Profile profile : {format::Profile::balanced, format::Profile::small}) {
             for (const unsigned entries : {3u, 4u}) {
                 PlainBlob blob = make_blob(profile, 4);
@@ -80,7 +80,7 @@ TEST_SUITE("open") {
         }
     }
 
-    TEST_CASE("a leaf that reaches into the guard is why a blob is refused, whatever follows") {
+    TEST_CASE("open: a leaf that reaches into the guard is the reason of the refusal") {
         for_each_profile([](format::Profile profile) {
             PlainBlob blob = make_blob(profile, 4);
             blob.nodes.resize(3);
@@ -107,7 +107,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("the last of eight of the largest leaves is read from where it lies") {
+    TEST_CASE("open: the last of eight largest leaves is read at its place") {
         // In profile fast it lies more than half as far back as can be said. Its fields are as wide as the lattice, and
         // count from its box's low corner all the same: there are no copies.
         for_each_profile([](format::Profile profile) {

@@ -65,8 +65,8 @@ std::size_t sections_of(const Bytes& bytes) {
 
 }  // namespace
 
-TEST_SUITE("open") {
-    TEST_CASE("each rule of the header is enforced where it is broken") {
+TEST_SUITE("open rules") {
+    TEST_CASE("open: each rule of the header is enforced") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = plain_blob(profile);
             REQUIRE(status_of(bytes) == Status::ok);
@@ -119,7 +119,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a vertex just outside the extent is refused, along each axis") {
+    TEST_CASE("open: a vertex just outside the extent is refused along each axis") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = plain_blob(profile);
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -130,7 +130,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a node that no other leads to is refused") {
+    TEST_CASE("open: a node without a parent is refused") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = plain_blob(profile);
             const std::size_t end = leaves_of(bytes);
@@ -140,7 +140,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a node whose children would lie behind the last node is refused before they are looked at") {
+    TEST_CASE("open: a node with children behind the last node is refused before they are read") {
         for_each_profile([](format::Profile profile) {
             // A root with nodes for children, and those with leaves only. One node fewer, and the last becomes leaves.
             unsigned found = 0;
@@ -159,7 +159,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a node without children is refused, also where it has no planes") {
+    TEST_CASE("open: a node without children is refused also without planes") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
             put(bytes, at::bytes + format::node::children_at, 0, 4);
@@ -169,7 +169,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a tree deeper than its header says is refused on the way down") {
+    TEST_CASE("open: a tree deeper than its header is refused on the way down") {
         for_each_profile([](format::Profile profile) {
             constexpr std::uint32_t nodes = 100000;  // so many levels are no part of any stack
             Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
@@ -183,7 +183,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a leaf that would reach behind the blob is refused before it is read") {
+    TEST_CASE("open: a leaf beyond the blob is refused before it is read") {
         for_each_profile([](format::Profile profile) {
             namespace indexed = format::indexed_leaf;
             namespace strips = format::strip_leaf;
@@ -245,7 +245,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("the last of many leaves that would reach behind the blob is refused before it is read") {
+    TEST_CASE("open: the last of many leaves beyond the blob is refused before it is read") {
         for_each_profile([](format::Profile profile) {
             namespace indexed = format::indexed_leaf;
             namespace strips = format::strip_leaf;
@@ -287,7 +287,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("planes of the first child that is none are refused like any") {
+    TEST_CASE("open: bad planes of the first absent child are refused") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));  // one leaf
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -299,7 +299,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("more triangles than the header says are refused by the leaves that have them") {
+    TEST_CASE("open: more triangles than in the header are refused at their leaves") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = plain_blob(profile);
             put(bytes, leaves_of(bytes) - format::node::bytes + format::node::children_at, 0, 4);  // behind them
@@ -309,7 +309,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("each part that ends too early is refused") {
+    TEST_CASE("open: each part that ends too early is refused") {
         for_each_profile([](format::Profile profile) {
             for (const Materials materials : {Materials::bits_8, Materials::bits_16}) {
                 Mesh mesh = make_cube(0.0f, 1.0f);
@@ -326,7 +326,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("each rule of sources and ids is enforced where it is broken") {
+    TEST_CASE("open: each rule of sources and ids is enforced") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = three_sources(profile);
             REQUIRE(status_of(bytes) == Status::ok);
@@ -367,7 +367,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("each rule of copies is enforced where it is broken") {
+    TEST_CASE("open: each rule of copies is enforced") {
         const Bytes bytes = blob_with_copies();
         REQUIRE(status_of(bytes) == Status::ok);
         const std::size_t section = sections_of(bytes);
@@ -416,7 +416,7 @@ TEST_SUITE("open") {
         CHECK(status_resized(without(bytes, bytes.size() - 4, 4)) == Status::bad_section);
     }
 
-    TEST_CASE("a map of copies that would begin behind the blob is refused before it is read") {
+    TEST_CASE("open: a map of copies behind the blob is refused before it is read") {
         Bytes bytes = blob_with_copies();
         const std::uint64_t to_the_end = bytes.size() - sections_of(bytes);
         REQUIRE(to_the_end % 4 == 0);
@@ -427,7 +427,7 @@ TEST_SUITE("open") {
         CHECK(open(pages.bytes(), blob) == Status::bad_section);
     }
 
-    TEST_CASE("each section is proved, whichever others are good") {
+    TEST_CASE("open: each section is checked for every combination of the others") {
         for_each_profile([](format::Profile profile) {
             Mesh mesh = make_soup(61, 1);
             mesh.materials.assign(mesh.triangles.size(), 7);
@@ -462,7 +462,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a map of copies that has none is refused") {
+    TEST_CASE("open: an empty map of copies is refused") {
         Bytes bytes = plain_blob(format::Profile::fast);
         const std::uint32_t triangles = static_cast<std::uint32_t>(get(bytes, at::triangle_count_at, 4));
         const std::size_t section = bytes.size();
@@ -478,7 +478,7 @@ TEST_SUITE("open") {
         CHECK(status_resized(bytes) == Status::ok);
     }
 
-    TEST_CASE("each rule of an indexed leaf's streams is enforced where it is broken") {
+    TEST_CASE("open: each rule of the streams of an indexed leaf is enforced") {
         namespace leaf = format::indexed_leaf;
         const Bytes bytes = plain_blob(format::Profile::fast);
         const auto bits = static_cast<unsigned>(get(bytes, at::bits_at, 1));
@@ -522,7 +522,7 @@ TEST_SUITE("open") {
         CHECK(gaps > 4);
     }
 
-    TEST_CASE("coordinates wider than the lattice are refused though their values are not") {
+    TEST_CASE("open: coordinates wider than the lattice are refused for any value") {
         namespace leaf = format::indexed_leaf;
         for (const unsigned bits : {7u, 8u}) {
             BakeOptions options = with_profile(format::Profile::fast);

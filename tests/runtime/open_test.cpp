@@ -84,7 +84,7 @@ constexpr std::array header_fields = {
 }  // namespace
 
 TEST_SUITE("open") {
-    TEST_CASE("what the baker writes opens at every misalignment with the same answers") {
+    TEST_CASE("open: a baked blob opens at every misalignment with the same answers") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = make_blob_with_every_section(profile);
             std::uint64_t expected = 0;
@@ -101,7 +101,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a blob in read-only memory between unreadable pages opens and answers") {
+    TEST_CASE("open: a blob in read-only memory between unreadable pages gives the same answers") {
         for (const TestBlob& test_blob : small_test_blobs()) {
             CAPTURE(test_blob.name);
             for (const bool at_end : {true, false}) {
@@ -115,7 +115,7 @@ TEST_SUITE("open") {
         }
     }
 
-    TEST_CASE("every truncation is refused as too short at every misalignment and leaves the blob empty") {
+    TEST_CASE("open: every truncation is refused as too short at every misalignment") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = make_blob_with_every_section(profile);
             for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -129,7 +129,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a truncation whose size and checksum are repaired reads nothing past its end, at every misalignment") {
+    TEST_CASE("open: a truncation with size and checksum repaired reads nothing past its end") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = blob_of_one_triangle(profile);
             for (std::size_t size = format::header::bytes; size < bytes.size(); ++size) {
@@ -149,7 +149,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("every truncation is refused even when size and checksum are repaired") {
+    TEST_CASE("open: every truncation with size and checksum repaired is refused") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = make_blob_with_every_section(profile);
             for (std::size_t size = format::header::bytes; size < bytes.size(); ++size) {
@@ -165,7 +165,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("trailing bytes are refused, also when the size is made to fit") {
+    TEST_CASE("open: trailing bytes are refused also when the size includes them") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = make_blob_with_every_section(profile);
             for (const std::size_t more : {1u, 3u, 4u, 64u, 1000u}) {
@@ -177,7 +177,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("bytes that were never a blob are refused") {
+    TEST_CASE("open: bytes that were never a blob are refused") {
         for (const std::size_t size : {0u, 1u, 4u, 127u, 128u, 129u, 4096u}) {
             CAPTURE(size);
             for (const std::byte value : {std::byte{0x00}, std::byte{0xFF}}) {
@@ -192,7 +192,7 @@ TEST_SUITE("open") {
         CHECK(open({}, blob) == Status::too_short);
     }
 
-    TEST_CASE("bytes of one value behind a header that fits are refused or leave every query safe") {
+    TEST_CASE("open: bytes of one value behind a valid header are refused or leave queries safe") {
         for_each_profile([](format::Profile profile) {
             const auto fill_and_open = [](const Bytes& good, std::size_t from, std::size_t to, std::byte value) {
                 Bytes bytes = good;
@@ -224,7 +224,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("each status has its cause") {
+    TEST_CASE("open: each status has its cause") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = make_blob_with_every_section(profile);
             REQUIRE(status_of(bytes) == Status::ok);
@@ -272,7 +272,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("each rule of edge flags and bounds is enforced where it is broken, and any flags are safe") {
+    TEST_CASE("open: each rule of edge flags and bounds is enforced and any flags are safe") {
         for_each_profile([](format::Profile profile) {
             BakeOptions options = with_profile(profile);
             options.edge_flags = 5.0;
@@ -315,7 +315,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("lying edge flags and bounds are answered from safely") {
+    TEST_CASE("open: false edge flags and bounds leave queries safe") {
         Random random(77);
         for_each_profile([&](format::Profile profile) {
             BakeOptions options = with_profile(profile);
@@ -339,7 +339,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("each rule of nodes and indexed leaves is enforced where it is broken") {
+    TEST_CASE("open: each rule of nodes and indexed leaves is enforced") {
         // Two triangles over four vertices: one node with one leaf.
         const Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(format::Profile::fast));
         REQUIRE(status_of(bytes) == Status::ok);
@@ -383,7 +383,7 @@ TEST_SUITE("open") {
         CHECK(status_with(bytes, format::header::extent_at, extent - 1, 4) == Status::bad_leaf);  // a vertex beyond it
     }
 
-    TEST_CASE("each rule of strip leaves is enforced where it is broken") {
+    TEST_CASE("open: each rule of strip leaves is enforced") {
         namespace leaf = format::strip_leaf;
         constexpr std::size_t block = format::header::bytes + format::node::bytes;
         constexpr std::size_t descriptor_at = block + leaf::descriptors_at;
@@ -459,7 +459,7 @@ TEST_SUITE("open") {
         }
     }
 
-    TEST_CASE("a strip leaf may be as long as its profile allows and no longer") {
+    TEST_CASE("open: a strip leaf may be as long as its profile allows and no longer") {
         BakeOptions options = with_profile(format::Profile::small);
         options.cost_model.byte_price = 1000.0f;
         const Bytes fits = bake_or_throw(make_fan(format::strip_leaf::max_balanced_entries - 2, false), options);
@@ -472,7 +472,7 @@ TEST_SUITE("open") {
         }
     }
 
-    TEST_CASE("a triangle has three corners to begin with") {
+    TEST_CASE("open: the first triangle of a strip has three corners") {
         BakeOptions options = with_profile(format::Profile::balanced);
         options.original_ids = true;
         const Bytes bytes = bake_or_throw(make_plane_grid(2), options);  // 8 triangles: fields of 2 + 3 bits
@@ -491,7 +491,7 @@ TEST_SUITE("open") {
         CHECK(status_with(bytes, ids_at, ids | std::uint64_t{1} << 40, 8) == Status::bad_section);  // padding
     }
 
-    TEST_CASE("each header field at its extremes is refused or leaves every query safe") {
+    TEST_CASE("open: each header field at its extremes is refused or leaves queries safe") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = make_blob_with_every_section(profile);
             for (const Field& field : header_fields) {
@@ -520,7 +520,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a refused blob empties the view that was open before") {
+    TEST_CASE("open: a refused blob empties the view") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = make_blob_with_every_section(profile);
             Blob blob;
@@ -530,7 +530,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("an empty mesh is a legal blob on which every query finds nothing") {
+    TEST_CASE("open: an empty mesh is a valid blob on which every query finds nothing") {
         Mesh nothing;
         nothing.name = "nothing";
         const OpenedBlob opened(nothing);
@@ -540,7 +540,7 @@ TEST_SUITE("open") {
         CHECK_NOTHROW(exercise(opened.blob, random, 100));
     }
 
-    TEST_CASE("the checksum is CRC-32 as zip and Ethernet have it") {
+    TEST_CASE("format: the checksum is the CRC-32 of zip and Ethernet") {
         const char* check = "123456789";
         Bytes bytes(format::header::bytes);
         // The definition's check value, through the four zero bytes that the field counts as: computed by the
@@ -556,7 +556,7 @@ TEST_SUITE("open") {
         CHECK(blob_checksum(short_bytes) == 0xCBF43926u);
     }
 
-    TEST_CASE("every status has a sentence of its own, and what is no status has one too") {
+    TEST_CASE("open: every status and every other value has its own sentence") {
         for (unsigned number = 0; number < 256; ++number) {
             const char* text = describe(static_cast<Status>(number));
             REQUIRE(text != nullptr);

@@ -27,8 +27,8 @@ std::uint32_t count_overlaps(const Blob& blob, const Sphere& sphere) {
 
 }  // namespace
 
-TEST_SUITE("queries against the oracle") {
-    TEST_CASE("spheres: every overlapping triangle and no other, touching counts") {
+TEST_SUITE("overlap") {
+    TEST_CASE("overlap: a sphere gives every overlapping triangle and no other") {
         const std::uint64_t count = std::max<std::uint64_t>(scaled_share(30), 5);
         std::uint64_t overlapping = 0;
         for (const TestBlob& blob : small_test_blobs()) {
@@ -64,8 +64,8 @@ TEST_SUITE("queries against the oracle") {
     }
 }
 
-TEST_SUITE("spheres") {
-    TEST_CASE("touching counts, to the last bit") {
+TEST_SUITE("overlap") {
+    TEST_CASE("overlap: touching a sphere counts to the last bit") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 3.0f}, 2.0f}));
         CHECK_FALSE(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 3.0f}, std::nextafter(2.0f, 0.0f)}));
@@ -74,13 +74,13 @@ TEST_SUITE("spheres") {
         CHECK_FALSE(overlaps(cube.blob, Sphere{{4.0f, 5.0f, 13.0f}, std::nextafter(13.0f, 0.0f)}));
     }
 
-    TEST_CASE("the triangles are a surface: a sphere inside a closed mesh that touches none overlaps none") {
+    TEST_CASE("overlap: a sphere inside a closed mesh that touches no triangle overlaps none") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 0.875f}));
         CHECK(count_overlaps(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 1.0f}) == 12);
     }
 
-    TEST_CASE("radius 0 is a point, an infinite radius is everything, a negative one and a NaN are nothing") {
+    TEST_CASE("overlap: radius 0 is a point and infinity is everything and a negative one or NaN nothing") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const float infinity = std::numeric_limits<float>::infinity();
         const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -95,7 +95,7 @@ TEST_SUITE("spheres") {
         CHECK_FALSE(overlaps(Blob(), Sphere{{0.0f, 0.0f, 0.0f}, infinity}));
     }
 
-    TEST_CASE("a visitor of overlaps that stops is not called again and the walk says so") {
+    TEST_CASE("overlap: a visitor that stops is not called again and the status reports it") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         int calls = 0;
         const Sphere all{{0.0f, 0.0f, 0.0f}, 10.0f};

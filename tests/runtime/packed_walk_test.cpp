@@ -18,8 +18,8 @@ namespace {
 
 using namespace espalier;
 
-TEST_SUITE("traversal") {
-    TEST_CASE("what waits at any node that a blob may have is what was left there") {
+TEST_SUITE("packed walk") {
+    TEST_CASE("walk: a packed level returns the node and the children that were stored") {
         using detail::scalar::Waiting;
         for (const std::uint32_t node : {0u, 1u, 0x555555u, 0x7FFFFFu, 0x800000u, 0xFFFFFFu})
             for (const float key : {0.0f, 0x1p-100f, 1.5f, 0x1p100f})
@@ -43,7 +43,7 @@ TEST_SUITE("traversal") {
                     }
     }
 
-    TEST_CASE("a child of any node that a blob may have is named by a word") {
+    TEST_CASE("walk: a child of any possible node fits one word") {
         using detail::scalar::PairItem;
         REQUIRE(PairItem{}.is_root());
         REQUIRE_FALSE(PairItem{}.is_leaf());
@@ -58,7 +58,7 @@ TEST_SUITE("traversal") {
                 }
     }
 
-    TEST_CASE("a ray that begins where it leaves the asset's box meets it, and one that begins behind does not") {
+    TEST_CASE("walk: a ray that begins on the far face of the box meets it and one beyond does not") {
         detail::BlobData blob;
         detail::RayLanes lanes{};
         for (int k = 0; k < 3; ++k) {

@@ -42,8 +42,8 @@ Exact3 placed_exactly(const DecodedBlob& a, const DecodedBlob& b, const Placemen
 
 }  // namespace
 
-TEST_SUITE("the common grid of two blobs") {
-    TEST_CASE("a vertex moves by half a step of the grid, and by what the rotation's rounding does to b's origin") {
+TEST_SUITE("pair frame") {
+    TEST_CASE("rounding: a vertex of a pair moves by half a step and the rounding of the rotation at most") {
         const std::vector<TestBlob>& blobs = small_test_blobs();
         Rational worst = 0;
         for (std::size_t i = 0; i < blobs.size(); ++i) {

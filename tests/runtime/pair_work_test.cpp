@@ -54,8 +54,8 @@ void for_each_frame_apart(const Mesh& mesh, format::Profile profile, int count, 
 
 }  // namespace
 
-TEST_SUITE("the work of two blobs") {
-    TEST_CASE("a distance is as much work on every instruction set, also where a limit cuts it short") {
+TEST_SUITE("pair work") {
+    TEST_CASE("work: a distance takes the same work on every instruction set") {
         for_each_profile([](format::Profile profile) {
             for_each_frame_apart(make_terrain(30, 5), profile, 8, [](const detail::PairFrame& frame) {
                 const Outcome whole = nearest_of(instruction_paths().front(), frame, no_limit);
@@ -80,7 +80,7 @@ TEST_SUITE("the work of two blobs") {
         });
     }
 
-    TEST_CASE("a look at what is likely to be near spares more than it takes") {
+    TEST_CASE("work: the first look of a distance query saves more than it costs") {
         std::uint64_t work = 0;
         for_each_frame_apart(make_terrain(120, 5), format::Profile::fast, 20, [&](const detail::PairFrame& frame) {
             work += nearest_of(instruction_paths().back(), frame, no_limit).work;

@@ -91,8 +91,8 @@ bool some_case(Random& random, Case& result) {
 
 }  // namespace
 
-TEST_SUITE("distance kernel against the oracle") {
-    TEST_CASE("the squared distance is exact as a quotient and within 6 ulp as a float, the feature is exact") {
+TEST_SUITE("point triangle") {
+    TEST_CASE("kernel: the squared distance of point and triangle is exact as a quotient and within 6 ulp") {
         Random random(1);
         Rational worst = 0;
         std::uint64_t zero = 0;
@@ -130,7 +130,7 @@ TEST_SUITE("distance kernel against the oracle") {
         for (const std::uint64_t met : features) CHECK(met > count / 100);
     }
 
-    TEST_CASE("whether a triangle is within a radius is decided exactly, touching counts") {
+    TEST_CASE("kernel: a triangle within a radius of a point is decided exactly") {
         std::uint64_t decided = 0;
         Random random(2);
         std::uint64_t touching = 0;

@@ -209,13 +209,13 @@ Mesh make_soup_of_pairs() {
 
 }  // namespace
 
-TEST_SUITE("batches of rays") {
-    TEST_CASE("a batch answers each ray as a call for it alone, on every path") {
+TEST_SUITE("ray batch") {
+    TEST_CASE("batch: each ray gets the answer of a single call on every path") {
         check_batches(small_test_blobs(), scaled_share(12));
         check_batches(medium_test_blobs(), scaled_share(12));
     }
 
-    TEST_CASE("a batch answers each ray as a call for it alone where triangles have copies") {
+    TEST_CASE("batch: each ray gets the answer of a single call also with copies") {
         BakeOptions options = with_profile(format::Profile::fast);
         options.builder = Builder::spatial_splits;
         options.duplicates = 1.0;
@@ -229,7 +229,7 @@ TEST_SUITE("batches of rays") {
         CHECK(hits > 0);
     }
 
-    TEST_CASE("a batch of one sort alone: neighbours, strangers, nonsense") {
+    TEST_CASE("batch: groups of only alike or only unlike or only invalid rays give the same answers") {
         for (const TestBlob& blob : medium_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 402);
@@ -243,7 +243,7 @@ TEST_SUITE("batches of rays") {
         }
     }
 
-    TEST_CASE("a batch that begins where many triangles meet answers with the first of them") {
+    TEST_CASE("batch: a batch that begins where triangles meet gives the first of them") {
         for (const bool has_copies : {false, true})
             for_each_profile([&](format::Profile profile) {
                 if (has_copies && profile != format::Profile::fast) return;
@@ -259,7 +259,7 @@ TEST_SUITE("batches of rays") {
             });
     }
 
-    TEST_CASE("of spans of different lengths the shorter one counts, and nothing behind it is touched") {
+    TEST_CASE("batch: the shorter of two spans counts and nothing behind it is written") {
         const OpenedBlob opened(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}));
         const Ray ray = {.origin = {0.0f, 0.0f, 5.0f}, .direction = {0.0f, 0.0f, -1.0f}};
         for (const Blob& blob : {opened.blob, Blob()}) {
@@ -282,7 +282,7 @@ TEST_SUITE("batches of rays") {
         }
     }
 
-    TEST_CASE("no blob has a triangle of the number that says there is none") {
+    TEST_CASE("batch: the number for no triangle belongs to no triangle") {
         CHECK(no_triangle.index == 0xFFFFFFFFu);
         CHECK(no_triangle.index >= format::max_triangles);
     }

@@ -105,7 +105,7 @@ Ray make_ray(Random& random, const std::vector<GridTriangle>& triangles) {
 }  // namespace
 
 TEST_SUITE("ray filter") {
-    TEST_CASE("leaves of every width, full and not, near and far: no ray through a side or a corner is rejected") {
+    TEST_CASE("ray: the filter of no leaf rejects a ray through a side or a corner") {
         std::uint64_t hits = 0, asked = 0;
         for (unsigned width = 1; width <= format::max_bits; ++width) {
             for (const auto profile : {format::Profile::fast, format::Profile::balanced, format::Profile::small}) {
@@ -130,7 +130,7 @@ TEST_SUITE("ray filter") {
         CHECK(hits > asked / 2);
     }
 
-    TEST_CASE("an edge function counts as unclear within the bound of docs/numerics.md, and hardly beyond it") {
+    TEST_CASE("ray: the filter is unclear within its documented bound and hardly beyond it") {
         for (const float delta : {0x1p-12f, 0x1p-3f, 6.0f})
             for (const std::uint32_t size : {2u, 32u, 1u << 12, 1u << 24}) {
                 const double largest = 2.0 * size + double(delta);

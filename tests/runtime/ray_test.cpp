@@ -61,8 +61,8 @@ Rational exact_t(const detail::LatticeRay& rounded, const Rational& tau) {
 
 }  // namespace
 
-TEST_SUITE("queries against the oracle") {
-    TEST_CASE("rays: every hit and no other, t, u and v within 4 ulp, on meshes of up to 1000 triangles") {
+TEST_SUITE("ray") {
+    TEST_CASE("ray: every hit is found with t and u and v within 4 ulp") {
         // Times a scale of 100 these are more than 10^5 rays.
         const std::uint64_t count = scaled_share(100);
         Rational worst_t = 0;
@@ -111,8 +111,8 @@ TEST_SUITE("queries against the oracle") {
     }
 }
 
-TEST_SUITE("rays") {
-    TEST_CASE("the closest hit of a cube is where a pencil says") {
+TEST_SUITE("ray") {
+    TEST_CASE("ray: closest hit on a cube matches hand-computed values") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         RayHit hit;
         REQUIRE(raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}}, hit));
@@ -124,7 +124,7 @@ TEST_SUITE("rays") {
         CHECK_FALSE(raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, 1.0f}}, hit));
     }
 
-    TEST_CASE("faces: the front is seen from outside, the back from inside") {
+    TEST_CASE("ray: the front is seen from outside and the back from inside") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
         RayHit hit;
@@ -142,7 +142,7 @@ TEST_SUITE("rays") {
         CHECK(raycast(cube.blob, ray, hit));
     }
 
-    TEST_CASE("the window is closed at both ends and an infinite end is a value like any other") {
+    TEST_CASE("ray: the window is closed at both ends and may be infinite") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
         RayHit hit;
@@ -165,7 +165,7 @@ TEST_SUITE("rays") {
         CHECK(hit.t == 0.0f);
     }
 
-    TEST_CASE("a reported t lies in the window that was asked for, whatever it was rounded to") {
+    TEST_CASE("ray: a reported t is inside the window after rounding") {
         std::uint64_t at_the_end = 0;
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
@@ -194,7 +194,7 @@ TEST_SUITE("rays") {
         CHECK(at_the_end > 0);
     }
 
-    TEST_CASE("no hit leaves the caller's hit untouched") {
+    TEST_CASE("ray: no hit leaves the result untouched") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const RayHit before{17.0f, 0.1f, 0.2f, {3.0f, 4.0f, 5.0f}, Triangle{99}};
         RayHit hit = before;
@@ -206,7 +206,7 @@ TEST_SUITE("rays") {
         CHECK(same_bits(hit, before));
     }
 
-    TEST_CASE("of hits at equal t the lowest storage index wins") {
+    TEST_CASE("ray: the lowest storage index wins among hits of equal t") {
         // Triangles of one plane, all of them over the origin.
         Mesh mesh;
         for (unsigned i = 0; i < 100; ++i) {
@@ -228,7 +228,7 @@ TEST_SUITE("rays") {
         }
     }
 
-    TEST_CASE("no hit has a smaller t than the closest one, and of equal ones it has the lowest storage index") {
+    TEST_CASE("ray: no hit is nearer than the closest one") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 450);
@@ -249,7 +249,7 @@ TEST_SUITE("rays") {
         }
     }
 
-    TEST_CASE("a visitor of hits that stops is not called again and the walk says so") {
+    TEST_CASE("ray: a visitor that stops is not called again and the status reports it") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
         int calls = 0;
@@ -260,7 +260,7 @@ TEST_SUITE("rays") {
         CHECK(for_each_hit(Blob(), ray, [&](const RayHit&) { return stop; }));
     }
 
-    TEST_CASE("a ray in a triangle's plane does not hit it, its neighbours catch what passes") {
+    TEST_CASE("ray: a ray in the plane of a triangle misses it and hits its neighbours") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         RayHit hit;
         // Within the top face: only the sides at both ends are hit.
@@ -269,7 +269,7 @@ TEST_SUITE("rays") {
         CHECK(std::fabs(hit.normal.x) == 1.0f);
     }
 
-    TEST_CASE("the length and the scale of a direction change t and nothing else") {
+    TEST_CASE("ray: length and scale of a direction change only t") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 500);
@@ -289,7 +289,7 @@ TEST_SUITE("rays") {
         }
     }
 
-    TEST_CASE("a mesh scaled by a power of two gives the same answers, scaled") {
+    TEST_CASE("ray: a mesh scaled by a power of two gives the scaled answers") {
         const Mesh mesh = make_torus(40, 20, 2.0, 0.5);
         const OpenedBlob plain(mesh);
         const DecodedBlob decoded = decode(plain.bytes);

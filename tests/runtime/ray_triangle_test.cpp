@@ -99,8 +99,8 @@ bool faces_match(Faces faces, bool front) { return faces == Faces::both || (face
 
 }  // namespace
 
-TEST_SUITE("ray kernel against the oracle") {
-    TEST_CASE("whether a ray hits a triangle is what exact arithmetic says, at corners and sides too") {
+TEST_SUITE("ray triangle") {
+    TEST_CASE("kernel: a ray hits a triangle exactly where exact arithmetic does") {
         std::uint64_t decided = 0;
         Random random(1);
         std::uint64_t hits = 0;
@@ -144,7 +144,7 @@ TEST_SUITE("ray kernel against the oracle") {
         MESSAGE(decisions_made("ray and triangle", decided));
     }
 
-    TEST_CASE("the window is closed and exact: the hit's own t is inside, the next float beside it is not") {
+    TEST_CASE("kernel: the window of a ray is closed and exact to the next float") {
         Random random(2);
         std::uint64_t exact_hits = 0;
         const std::uint64_t count = scaled(20'000);
@@ -178,7 +178,7 @@ TEST_SUITE("ray kernel against the oracle") {
         CHECK(exact_hits > count / 100);
     }
 
-    TEST_CASE("the normal is the unit normal of the front side within 4 ulp of a unit vector's coordinates") {
+    TEST_CASE("kernel: the normal is the unit normal of the front within 4 ulp") {
         Random random(3);
         for (std::uint64_t i = 0; i < scaled(10'000); ++i) {
             const unsigned bits = 1 + random.below(24);
@@ -208,8 +208,7 @@ TEST_SUITE("ray kernel against the oracle") {
         }
     }
 
-    TEST_CASE(
-        "neighbours leave no gap: a ray through a shared side or corner hits at least one of the triangles around it") {
+    TEST_CASE("kernel: a ray through a shared side or corner hits at least one neighbour") {
         Random random(4);
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
             const unsigned bits = 2 + random.below(23);

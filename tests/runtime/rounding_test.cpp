@@ -34,8 +34,8 @@ void add(Fingerprint& sum, const detail::LatticeRay& ray, const detail::RaySlope
 
 }  // namespace
 
-TEST_SUITE("runtime rounding") {
-    TEST_CASE("rays round to the bits that they did") {
+TEST_SUITE("rounding") {
+    TEST_CASE("rounding: rays round to the recorded bits") {
         Fingerprint sum;
         std::uint32_t rounded = 0, far = 0, divided_by_zero = 0;
         for (std::uint32_t seed = 0; seed < 500; ++seed) {
@@ -65,7 +65,7 @@ TEST_SUITE("runtime rounding") {
         CHECK(sum.value() == 643900965860527618u);
     }
 
-    TEST_CASE("points, radii and bounds round to the bits that they did") {
+    TEST_CASE("rounding: points and radii and bounds round to the recorded bits") {
         Fingerprint sum;
         std::uint32_t rounded = 0, far = 0;
         for (std::uint32_t seed = 0; seed < 500; ++seed) {
@@ -113,7 +113,7 @@ TEST_SUITE("runtime rounding") {
         CHECK(sum.value() == 11255883713935737109u);
     }
 
-    TEST_CASE("a ray that leaves the widest asset where it begins is one") {
+    TEST_CASE("rounding: a ray that leaves the widest asset where it begins is accepted") {
         detail::BlobData asset;
         asset.bits = format::max_bits;
         for (std::int32_t& side : asset.extent) side = (1 << format::max_bits) - 1;

@@ -34,8 +34,8 @@ std::int32_t cross(std::array<std::int32_t, 2> p, std::array<std::int32_t, 2> q)
 
 }  // namespace
 
-TEST_SUITE("what is seen along a ray") {
-    TEST_CASE("rays, boxes and vertices are seen to the bits that they were") {
+TEST_SUITE("seen ray") {
+    TEST_CASE("small code: rays and boxes and vertices convert to the recorded bits") {
         Fingerprint sum;
         std::uint32_t rays = 0, met = 0, missed = 0;
         const auto look = [&](const detail::BlobData& asset, const EightBoxes& boxes, const detail::RoundedRay& rounded,
@@ -71,7 +71,7 @@ TEST_SUITE("what is seen along a ray") {
         CHECK(sum.value() == 8774101325528690781u);
     }
 
-    TEST_CASE("no box that the ray passes through is left out") {
+    TEST_CASE("small code: no box that the ray passes through is left out") {
         std::uint32_t passed = 0, rejected = 0;
         for_each_ray(100, true,
                      [&](const detail::BlobData& asset, const EightBoxes& boxes, const detail::RoundedRay& rounded,
@@ -95,7 +95,7 @@ TEST_SUITE("what is seen along a ray") {
         CHECK(rejected > 3'000);
     }
 
-    TEST_CASE("a box is left out beyond what rounding can move it, and not at it") {
+    TEST_CASE("small code: a box is left out only beyond the reach of rounding") {
         detail::BlobData asset;
         asset.bits = 16;
         asset.derive();
@@ -126,7 +126,7 @@ TEST_SUITE("what is seen along a ray") {
                 }
     }
 
-    TEST_CASE("a triangle is left out beyond the error of what is seen of it, and not at it") {
+    TEST_CASE("small code: a triangle is left out only beyond the error of its rounded corners") {
         Random random(7);
         std::uint32_t allowed = 0;
         for (int bits = 0; bits < 30; bits += 2) {

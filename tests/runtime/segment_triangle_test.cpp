@@ -147,8 +147,8 @@ Rational exact_square(const Case& c) {
 
 }  // namespace
 
-TEST_SUITE("segment kernel against the oracle") {
-    TEST_CASE("the squared distance of segment and triangle is within 6 ulp and 0 exactly when they touch") {
+TEST_SUITE("segment triangle") {
+    TEST_CASE("kernel: the squared distance of segment and triangle is within 6 ulp and 0 exactly at contact") {
         std::uint64_t decided = 0;
         Random random(1);
         Rational worst = 0;
@@ -195,7 +195,7 @@ TEST_SUITE("segment kernel against the oracle") {
         MESSAGE(decisions_made("segment and triangle that touch", decided));
     }
 
-    TEST_CASE("whether a segment is within a radius of a triangle is decided exactly, touching counts") {
+    TEST_CASE("kernel: a segment within a radius of a triangle is decided exactly") {
         std::uint64_t decided = 0;
         Random random(2);
         std::uint64_t exactly = 0;
@@ -223,7 +223,7 @@ TEST_SUITE("segment kernel against the oracle") {
         MESSAGE(decisions_made("segment and triangle within a radius", decided));
     }
 
-    TEST_CASE("segments that leave the range are refused, NaN and infinity are no arguments") {
+    TEST_CASE("kernel: segments out of range and NaN and infinity are refused") {
         const detail::BlobData asset = tests::lattice_asset(16);
         LatticeSegment segment;
         const float nan = std::numeric_limits<float>::quiet_NaN();

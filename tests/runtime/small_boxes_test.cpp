@@ -48,7 +48,7 @@ void turn_to_border(const EightBoxes& boxes, unsigned bits, unsigned child, Rand
 }  // namespace
 
 TEST_SUITE("small boxes") {
-    TEST_CASE("a ray passes through a box where exact arithmetic says so, on its borders too") {
+    TEST_CASE("approximate: a ray passes through a small box exactly where exact arithmetic does") {
         std::uint32_t passed = 0, missed = 0;
         for_each_ray(
             100, true,
@@ -65,7 +65,7 @@ TEST_SUITE("small boxes") {
         CHECK(missed > 1'000);
     }
 
-    TEST_CASE("a ray passes down to a node where it passes through every box on the way") {
+    TEST_CASE("approximate: a ray reaches a node exactly when it passes every box above it") {
         std::uint32_t passed = 0, missed = 0;
         for_each_profile([&](format::Profile profile) {
             const OpenedBlob opened(make_torus(40, 20, 3.0, 1.0), {.bits = 11, .profile = profile});
@@ -110,7 +110,7 @@ TEST_SUITE("small boxes") {
         CHECK(missed > 500);
     }
 
-    TEST_CASE("an accuracy is as many whole steps as fit into it") {
+    TEST_CASE("approximate: an accuracy is rounded down to whole steps") {
         detail::BlobData asset;
         asset.bits = 12;
         asset.step_exponent = -3;
@@ -135,7 +135,7 @@ TEST_SUITE("small boxes") {
         }
     }
 
-    TEST_CASE("the farthest point of a box is as far as its farthest corner") {
+    TEST_CASE("approximate: the farthest point of a box is its farthest corner") {
         for_each_ray(
             50, true,
             [](const detail::BlobData& asset, const EightBoxes& boxes, const detail::RoundedRay&, Random& random) {

@@ -22,7 +22,7 @@ Visit stop_at_once(Triangle) { return stop; }
 }  // namespace
 
 TEST_SUITE("statistics") {
-    TEST_CASE("the counted query gives the same bits, and its work stays far below the loop's") {
+    TEST_CASE("work: the counted query gives the same bits and takes far less than the loop") {
         for (const TestBlob& blob : medium_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 1'000);
@@ -54,7 +54,7 @@ TEST_SUITE("statistics") {
         }
     }
 
-    TEST_CASE("a plain function serves as a filter and as a visitor") {
+    TEST_CASE("walk: a plain function serves as a filter and as a visitor") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
         RayHit by_function;

@@ -120,14 +120,14 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-TEST_SUITE("sweeps against the loop") {
-    TEST_CASE("spheres, capsules and boxes that move touch first what the loop says, on small meshes") {
+TEST_SUITE("sweep") {
+    TEST_CASE("sweep: spheres and capsules and boxes equal the loop on small meshes") {
         check_blobs(small_test_blobs(), scaled_share(45));
     }
-    TEST_CASE("spheres, capsules and boxes that move touch first what the loop says, on medium meshes") {
+    TEST_CASE("sweep: spheres and capsules and boxes equal the loop on medium meshes") {
         check_blobs(medium_test_blobs(), scaled_share(6));
     }
-    TEST_CASE("sweeps equal the loop where triangles have copies") {
+    TEST_CASE("sweep: blobs with copies equal the loop") {
         BakeOptions options = with_profile(format::Profile::fast);
         options.builder = Builder::spatial_splits;
         options.duplicates = 1.0;
@@ -137,7 +137,7 @@ TEST_SUITE("sweeps against the loop") {
         check_sweeps(opened.blob, decode(opened.bytes), 500, scaled(150), seen);
         for (const Seen& each : seen) CHECK(each.hits > each.asked / 5);
     }
-    TEST_CASE("real meshes: sweeps equal the loop") {
+    TEST_CASE("sweep: spheres and capsules and boxes equal the loop on real meshes") {
         for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
             const OpenedBlob opened(mesh, with_profile(profile));
             const DecodedBlob decoded = decode(opened.bytes);
@@ -152,8 +152,8 @@ TEST_SUITE("sweeps against the loop") {
     }
 }
 
-TEST_SUITE("sweeps") {
-    TEST_CASE("what moves until it touches is told when, where and which way") {
+TEST_SUITE("sweep") {
+    TEST_CASE("sweep: a first contact has time and point and normal") {
         for_each_profile([](format::Profile profile) {
             const Cube cube(profile);
             SweepHit hit;
@@ -185,7 +185,7 @@ TEST_SUITE("sweeps") {
         });
     }
 
-    TEST_CASE("a sphere's sweep touches something exactly when the capsule along its way overlaps something") {
+    TEST_CASE("sweep: a sphere touches exactly when the capsule along its way overlaps") {
         std::uint64_t touched = 0;
         std::uint64_t asked = 0;
         for (const TestBlob& blob : small_test_blobs()) {
@@ -237,8 +237,7 @@ TEST_SUITE("sweeps") {
         CHECK(asked > 13 * scaled_share(300));
     }
 
-    TEST_CASE(
-        "a start that touches is told as such: t is 0, the lowest triangle that is touched, a normal to the middle") {
+    TEST_CASE("sweep: contact at the start gives t 0 and the lowest triangle and a normal to the middle") {
         for_each_profile([](format::Profile profile) {
             const Cube cube(profile);
             const auto lowest = [&](const auto& shape) {
@@ -270,7 +269,7 @@ TEST_SUITE("sweeps") {
         });
     }
 
-    TEST_CASE("shapes without a size and ways without a length are as good as others") {
+    TEST_CASE("sweep: shapes without size and ways without length are valid") {
         for_each_profile([](format::Profile profile) {
             const Cube cube(profile);
             const Vec3 down = {0.0f, 0.0f, -2.0f};
@@ -296,7 +295,7 @@ TEST_SUITE("sweeps") {
         });
     }
 
-    TEST_CASE("what a sweep refuses it says, finds nothing for, and leaves the hit as it was") {
+    TEST_CASE("sweep: a refused sweep reports it and leaves the hit untouched") {
         const Cube cube(format::Profile::balanced);
         const Blob& blob = cube.blob();
         const Vec3 zero = {0.0f, 0.0f, 0.0f};
@@ -336,7 +335,7 @@ TEST_SUITE("sweeps") {
         CHECK(hit.t == doctest::Approx(0.5));
     }
 
-    TEST_CASE("a filter leaves out triangles, and what lies behind them is touched") {
+    TEST_CASE("sweep: a filter leaves out triangles and the ones behind them are hit") {
         for_each_profile([](format::Profile profile) {
             const Cube cube(profile);
             SweepHit hit;

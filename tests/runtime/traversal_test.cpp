@@ -132,48 +132,50 @@ void check_real_mesh(const Mesh& mesh, format::Profile profile) {
 
 }  // namespace
 
-TEST_SUITE("traversal against the loop") {
-    TEST_CASE("rays in all directions: every path equals the loop") {
+TEST_SUITE("traversal") {
+    TEST_CASE("ray: random rays equal the loop on every path") {
         for (const InstructionPath& path : instruction_paths()) MESSAGE("instruction set: ", std::string(path.name));
         check_rays_of_kind(small_test_blobs(), RayKind::incoherent, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), RayKind::incoherent, scaled_share(100));
     }
-    TEST_CASE("rays through vertices: every path equals the loop") {
+    TEST_CASE("ray: rays through vertices equal the loop on every path") {
         check_rays_of_kind(small_test_blobs(), RayKind::through_vertex, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), RayKind::through_vertex, scaled_share(100));
     }
-    TEST_CASE("rays through the middles of sides: every path equals the loop") {
+    TEST_CASE("ray: rays through the middles of sides equal the loop on every path") {
         check_rays_of_kind(small_test_blobs(), RayKind::through_edge, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), RayKind::through_edge, scaled_share(100));
     }
-    TEST_CASE("axis-parallel rays: every path equals the loop") {
+    TEST_CASE("ray: axis-parallel rays equal the loop on every path") {
         check_rays_of_kind(small_test_blobs(), RayKind::axis_parallel, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), RayKind::axis_parallel, scaled_share(100));
     }
-    TEST_CASE("diagonal rays: every path equals the loop") {
+    TEST_CASE("ray: diagonal rays equal the loop on every path") {
         check_rays_of_kind(small_test_blobs(), RayKind::diagonal, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), RayKind::diagonal, scaled_share(100));
     }
-    TEST_CASE("rays along sides: every path equals the loop") {
+    TEST_CASE("ray: rays along sides equal the loop on every path") {
         check_rays_of_kind(small_test_blobs(), RayKind::in_plane, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), RayKind::in_plane, scaled_share(100));
     }
-    TEST_CASE("rays that start on a face: every path equals the loop") {
+    TEST_CASE("ray: rays that start on a face equal the loop on every path") {
         check_rays_of_kind(small_test_blobs(), RayKind::from_face, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), RayKind::from_face, scaled_share(100));
     }
-    TEST_CASE("rays from 10^4 sizes away: every path equals the loop") {
+    TEST_CASE("ray: rays from 10000 sizes away equal the loop on every path") {
         check_rays_of_kind(small_test_blobs(), RayKind::far_ten_thousand, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), RayKind::far_ten_thousand, scaled_share(100));
     }
-    TEST_CASE("rays from 10^6 sizes away: every path equals the loop") {
+    TEST_CASE("ray: rays from 1000000 sizes away equal the loop on every path") {
         check_rays_of_kind(small_test_blobs(), RayKind::far_million, scaled_share(500));
         check_rays_of_kind(medium_test_blobs(), RayKind::far_million, scaled_share(100));
     }
-    TEST_CASE("spheres and closest points: every path equals the loop") {
+    TEST_CASE("closest point: spheres and closest points equal the loop on every path") {
         check_spheres(small_test_blobs(), scaled_share(400));
         check_spheres(medium_test_blobs(), scaled_share(60));
     }
 
-    TEST_CASE("real meshes: rays, spheres and closest points equal the loop") { for_each_real_mesh(check_real_mesh); }
+    TEST_CASE("ray: rays and spheres and closest points equal the loop on real meshes") {
+        for_each_real_mesh(check_real_mesh);
+    }
 }

@@ -82,8 +82,8 @@ bool has_area(const LatticeTriangle& t) {
 
 }  // namespace
 
-TEST_SUITE("distances of triangles") {
-    TEST_CASE("the squared distance is within 6 ulp, 0 exactly when they share a point, and the witnesses are as far") {
+TEST_SUITE("triangle distance") {
+    TEST_CASE("kernel: the squared distance of triangles is within 6 ulp and its witnesses are as far") {
         std::uint64_t decided = 0;
         Random random(31);
         Rational worst = 0;

@@ -159,8 +159,8 @@ void check_pair_loops(const TestBlob& a, const TestBlob& b, std::uint64_t seed, 
 
 }  // namespace
 
-TEST_SUITE("the loop over all triangles") {
-    TEST_CASE("what a loop leaves out would not have changed its answer") {
+TEST_SUITE("triangle loop") {
+    TEST_CASE("oracle: triangles that the loop leaves out do not change its answer") {
         std::size_t rays = 0, spheres = 0, volumes = 0, distances = 0, sweeps = 0;
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
@@ -197,7 +197,7 @@ TEST_SUITE("the loop over all triangles") {
         CHECK(sweeps > asked / 5);
     }
 
-    TEST_CASE("what a loop over pairs leaves out would not have changed its answer") {
+    TEST_CASE("oracle: pairs that the loop leaves out do not change its answer") {
         const std::vector<TestBlob>& blobs = small_test_blobs();
         PairsFound found;
         for (std::size_t i = 0; i < blobs.size(); ++i)

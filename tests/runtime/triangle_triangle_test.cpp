@@ -102,8 +102,8 @@ struct HardPairs {
 
 }  // namespace
 
-TEST_SUITE("triangles against triangles") {
-    TEST_CASE("every pair of triangles in the smallest grids is decided as the hull of differences decides it") {
+TEST_SUITE("triangle triangle") {
+    TEST_CASE("kernel: every pair of triangles in the smallest grids equals the hull of differences") {
         std::uint64_t decided = 0;
         struct Grid {
             std::uint32_t x, y, z, stride;
@@ -132,7 +132,7 @@ TEST_SUITE("triangles against triangles") {
         MESSAGE(decisions_made("two triangles", decided));
     }
 
-    TEST_CASE("pairs that touch, nearly touch or lie in one plane are decided exactly, at every size up to 2^38") {
+    TEST_CASE("kernel: pairs of triangles that touch or nearly touch are decided exactly at every size") {
         std::uint64_t decided = 0;
         HardPairs maker{Random(11)};
         std::uint64_t meeting = 0;
@@ -150,7 +150,7 @@ TEST_SUITE("triangles against triangles") {
         MESSAGE(decisions_made("two triangles", decided));
     }
 
-    TEST_CASE("small pairs moved far away, and pairs at the edge of the fast path, are decided alike") {
+    TEST_CASE("kernel: small pairs far away and pairs at the edge of the fast path are decided alike") {
         HardPairs maker{Random(12)};
         const std::uint64_t count = scaled(3'000);
         for (std::uint64_t i = 0; i < count; ++i) {

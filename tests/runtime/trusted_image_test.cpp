@@ -82,8 +82,8 @@ private:
 
 }  // namespace
 
-TEST_SUITE("open") {
-    TEST_CASE("a trusted image opens as open does, with every section and at every misalignment") {
+TEST_SUITE("trusted image") {
+    TEST_CASE("trusted image: it opens as open does with every section and misalignment") {
         for (const TestBlob& blob : small_test_blobs()) check_opens_alike(blob.opened.bytes);
         for_each_profile([](format::Profile profile) {
             check_opens_alike(bake_or_throw(Mesh{}, with_profile(profile)));
@@ -98,7 +98,7 @@ TEST_SUITE("open") {
         check_opens_alike(copies);
     }
 
-    TEST_CASE("a trusted image is not read behind its header") {
+    TEST_CASE("trusted image: nothing behind the header is read") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = bake_or_throw(make_terrain(60, 1), with_profile(profile));
             const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
@@ -110,7 +110,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("what fills up a section of a trusted image is not looked at, and of another after its nodes") {
+    TEST_CASE("trusted image: padding of sections and bytes after the nodes are not read") {
         for_each_profile([](format::Profile profile) {
             BakeOptions options = with_profile(profile);
             options.original_ids = true;
@@ -130,7 +130,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a trusted image is trusted: neither its checksum nor a node is looked at") {
+    TEST_CASE("trusted image: neither the checksum nor a node is checked") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = make_blob_with_every_section(profile);
             put(bytes, at::checksum_at, get(bytes, at::checksum_at, 4) ^ 1, 4);
@@ -142,7 +142,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a trusted image that is too short, too long or none is refused as open does, and the blob is empty") {
+    TEST_CASE("trusted image: short and long and absent images are refused as open does") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = make_blob_with_every_section(profile);
             const auto check = [](std::span<const std::byte> changed, Status expected) {
@@ -165,7 +165,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("whatever a bit of the header becomes, a trusted image is refused as open refuses it") {
+    TEST_CASE("trusted image: every changed header bit gives the status of open") {
         for_each_profile([](format::Profile profile) {
             for (const Bytes& bytes :
                  {make_blob_with_every_section(profile), bake_or_throw(Mesh{}, with_profile(profile))}) {
@@ -196,7 +196,7 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("a blob that was opened before is empty after a refusal of a trusted image") {
+    TEST_CASE("trusted image: a refusal empties a blob that was open") {
         const Bytes bytes = make_blob_with_every_section(format::Profile::small);
         Blob blob;
         REQUIRE(open_trusted_image(bytes, blob) == Status::ok);
@@ -204,7 +204,7 @@ TEST_SUITE("open") {
         CHECK(is_empty(blob));
     }
 
-    TEST_CASE("a whole number becomes the float that the machine makes of it") {
+    TEST_CASE("numerics: a whole number converts to the float of the machine") {
         for (std::uint32_t number = 0; number < 1u << 24; ++number)
             if (detail::whole_float(number) != static_cast<float>(number)) FAIL(number);
         for (std::uint32_t bits = 0; bits < 0x01000000u; bits += 0x101) {

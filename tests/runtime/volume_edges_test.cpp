@@ -42,8 +42,8 @@ constexpr QueryStatus no = QueryStatus::ok;
 
 }  // namespace
 
-TEST_SUITE("volumes at the edges") {
-    TEST_CASE("touching counts, a step of the grid beside does not") {
+TEST_SUITE("volume edges") {
+    TEST_CASE("overlap: touching counts and a step of the grid beside does not") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const float beside = 1.0f + cube.blob.step();
         for (const float at : {1.0f, beside}) {
@@ -68,7 +68,7 @@ TEST_SUITE("volumes at the edges") {
         }
     }
 
-    TEST_CASE("the triangles are a surface: no shape inside a closed mesh overlaps it") {
+    TEST_CASE("overlap: no shape inside a closed mesh overlaps the surface") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         CHECK_FALSE(overlaps(cube.blob, Box{{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}}));
         CHECK_FALSE(overlaps(cube.blob, Capsule{{-0.25f, 0.0f, 0.0f}, {0.25f, 0.0f, 0.0f}, 0.5f}));
@@ -76,7 +76,7 @@ TEST_SUITE("volumes at the edges") {
         CHECK_FALSE(overlaps(cube.blob, OrientedBox{{}, {{0.4f, 0.4f, 0.0f}, {-0.4f, 0.4f, 0.0f}, {0, 0, 0.5f}}}));
     }
 
-    TEST_CASE("what is everywhere overlaps everything, what is empty nothing") {
+    TEST_CASE("overlap: an infinite shape overlaps everything and an empty one nothing") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         std::array<Triangle, 12> all;
         const auto is_all = [&](const auto& shape) {
@@ -96,7 +96,7 @@ TEST_SUITE("volumes at the edges") {
         CHECK(for_each_overlap(Blob(), std::span<const Plane>(), [](Triangle) { return stop; }));
     }
 
-    TEST_CASE("arguments that make no sense and shapes out of range are told apart from no overlap") {
+    TEST_CASE("overlap: invalid arguments differ from no overlap") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Blob& blob = cube.blob;
         const QueryStatus invalid = QueryStatus::invalid_argument;
@@ -124,7 +124,7 @@ TEST_SUITE("volumes at the edges") {
         CHECK(visited == 0);
     }
 
-    TEST_CASE("a page without room says whether there is more, and from where") {
+    TEST_CASE("overlap: a page without room reports more and where it starts") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Box top = {{-9.0f, -9.0f, 0.5f}, {9.0f, 9.0f, 9.0f}};
         std::array<Triangle, 4> room;
@@ -138,7 +138,7 @@ TEST_SUITE("volumes at the edges") {
         CHECK(collect_overlaps(cube.blob, top, room, 0xFFFFFFFFu).count == 0);
     }
 
-    TEST_CASE("blobs with copies answer whether there is any overlap, and enumerate none") {
+    TEST_CASE("overlap: blobs with copies answer yes or no and refuse lists") {
         BakeOptions options;
         options.profile = format::Profile::fast;
         options.builder = Builder::spatial_splits;
@@ -178,7 +178,7 @@ TEST_SUITE("volumes at the edges") {
         CHECK(page.next == 3);
     }
 
-    TEST_CASE("bytes are compared eight at a time as one at a time") {
+    TEST_CASE("kernel: eight bytes at once compare as one at a time") {
         Random random(11);
         for (unsigned a = 0; a < 256; ++a) {
             for (unsigned b = 0; b < 256; ++b) {
@@ -193,7 +193,7 @@ TEST_SUITE("volumes at the edges") {
         }
     }
 
-    TEST_CASE("the children within bounds, behind a plane and below a size are those that one finds one by one") {
+    TEST_CASE("kernel: children within bounds and behind a plane and below a size equal a plain loop") {
         Random random(12);
         for (const TestBlob& blob : small_test_blobs()) {
             const detail::BlobData& data = blob.opened.blob.data();

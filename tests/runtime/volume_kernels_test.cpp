@@ -119,8 +119,8 @@ struct Counts {
 
 }  // namespace
 
-TEST_SUITE("kernels of volumes") {
-    TEST_CASE("axis-aligned boxes and triangles: yes or no as in exact arithmetic, flat ones too") {
+TEST_SUITE("volume kernels") {
+    TEST_CASE("kernel: axis-aligned boxes and triangles overlap as in exact arithmetic") {
         std::uint64_t decided = 0;
         Maker maker{Random(3)};
         for (const unsigned bits : {1u, 2u, 3u, 12u, 24u}) {
@@ -157,7 +157,7 @@ TEST_SUITE("kernels of volumes") {
         MESSAGE(decisions_made("box and triangle", decided));
     }
 
-    TEST_CASE("oriented boxes and triangles: yes or no as in exact arithmetic, sheared and flat ones too") {
+    TEST_CASE("kernel: oriented boxes and triangles overlap as in exact arithmetic") {
         std::uint64_t decided = 0;
         Maker maker{Random(4)};
         for (const unsigned bits : {1u, 2u, 3u, 12u, 16u, 24u}) {
@@ -217,7 +217,7 @@ TEST_SUITE("kernels of volumes") {
         MESSAGE(decisions_made("oriented box and triangle", decided));
     }
 
-    TEST_CASE("an oriented box along the axes is the box of the same bounds") {
+    TEST_CASE("kernel: an oriented box along the axes is the box of the same bounds") {
         Maker maker{Random(5)};
         const detail::BlobData asset = lattice_asset(16);
         for (std::uint64_t i = 0; i < scaled(3'000); ++i) {
@@ -271,8 +271,8 @@ bool meet_in_truth(const detail::LatticeHalfSpaces& set, const LatticeTriangle& 
 
 }  // namespace
 
-TEST_SUITE("kernels of volumes") {
-    TEST_CASE("half-spaces and triangles: yes or no as in exact arithmetic, touching and parallel ones too") {
+TEST_SUITE("volume kernels") {
+    TEST_CASE("kernel: half-spaces and triangles overlap as in exact arithmetic") {
         std::uint64_t decided = 0;
         Maker maker{Random(6)};
         for (const unsigned bits : {1u, 2u, 4u, 16u, 24u}) {
@@ -318,7 +318,7 @@ TEST_SUITE("kernels of volumes") {
         MESSAGE(decisions_made("half-spaces and triangle", decided));
     }
 
-    TEST_CASE("a plane is rounded to a normal of 24 bits and the nearest offset, wherever the asset lies") {
+    TEST_CASE("rounding: a plane gets a normal of 24 bits and the nearest offset") {
         Random random(7);
         for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
             detail::BlobData asset = lattice_asset(16);

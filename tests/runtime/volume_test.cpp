@@ -208,8 +208,8 @@ void check_real_mesh(const Mesh& mesh, format::Profile profile) {
 
 }  // namespace
 
-TEST_SUITE("volumes against the loop") {
-    TEST_CASE("what encloses a capsule keeps nothing from it") {
+TEST_SUITE("volume") {
+    TEST_CASE("kernel: a capsule overlaps a triangle exactly within its radius") {
         std::uint64_t near = 0;
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
@@ -232,11 +232,11 @@ TEST_SUITE("volumes against the loop") {
         }
         CHECK(near > 100);
     }
-    TEST_CASE("spheres: any, all and pages equal the loop") { check_shapes("spheres"); }
-    TEST_CASE("capsules: any, all and pages equal the loop") { check_shapes("capsules"); }
-    TEST_CASE("boxes: any, all and pages equal the loop") { check_shapes("boxes"); }
-    TEST_CASE("oriented boxes: any, all and pages equal the loop") { check_shapes("oriented boxes"); }
-    TEST_CASE("triangles: any, all and pages equal the loop") { check_shapes("triangles"); }
-    TEST_CASE("sets of planes: any, all and pages equal the loop") { check_shapes("sets of planes"); }
-    TEST_CASE("real meshes: volumes of every kind equal the loop") { for_each_real_mesh(check_real_mesh); }
+    TEST_CASE("overlap: spheres equal the loop in any and all and pages") { check_shapes("spheres"); }
+    TEST_CASE("overlap: capsules equal the loop in any and all and pages") { check_shapes("capsules"); }
+    TEST_CASE("overlap: boxes equal the loop in any and all and pages") { check_shapes("boxes"); }
+    TEST_CASE("overlap: oriented boxes equal the loop in any and all and pages") { check_shapes("oriented boxes"); }
+    TEST_CASE("overlap: triangles equal the loop in any and all and pages") { check_shapes("triangles"); }
+    TEST_CASE("overlap: sets of planes equal the loop in any and all and pages") { check_shapes("sets of planes"); }
+    TEST_CASE("overlap: volumes of every kind equal the loop on real meshes") { for_each_real_mesh(check_real_mesh); }
 }

@@ -48,7 +48,7 @@ std::vector<const TestBlob*> all_test_blobs() {
 }  // namespace
 
 TEST_SUITE("walk") {
-    TEST_CASE("the walk over nodes meets every node once, parents first, with its depth and children") {
+    TEST_CASE("walk: every node comes once and after its parent with its depth and children") {
         for (const TestBlob* blob : all_test_blobs()) {
             CAPTURE(blob->name);
             const auto& nodes = blob->decoded.nodes;
@@ -79,7 +79,7 @@ TEST_SUITE("walk") {
         }
     }
 
-    TEST_CASE("leaves hold their triangles' corners as rounded to float, and all leaves hold all triangles") {
+    TEST_CASE("walk: leaves hold the corners of their triangles and together all triangles") {
         for (const TestBlob* blob : all_test_blobs()) {
             CAPTURE(blob->name);
             std::vector<unsigned> seen(blob->opened.blob.triangle_count(), 0);
@@ -101,7 +101,7 @@ TEST_SUITE("walk") {
         }
     }
 
-    TEST_CASE("skipping leaves out what is below a node and nothing else, and ending ends") {
+    TEST_CASE("walk: skipping a node leaves out its subtree only and ending ends") {
         for (const TestBlob* blob : all_test_blobs()) {
             const auto& nodes = blob->decoded.nodes;
             const auto is_skipped = [](std::uint32_t number) { return number % 3 == 1; };
@@ -134,7 +134,7 @@ TEST_SUITE("walk") {
         CHECK(for_each_node(Blob(), [](const TreeNode&) { return NodeVisit::end; }));
     }
 
-    TEST_CASE("the corners of one triangle are those that the walk over all gives, for copies too") {
+    TEST_CASE("walk: the corners of one triangle equal those of the walk also for copies") {
         BakeOptions options = with_profile(format::Profile::fast);
         options.builder = Builder::spatial_splits;
         options.duplicates = 1.0;

@@ -20,8 +20,8 @@
 using namespace espalier;
 using namespace espalier::tests;
 
-TEST_SUITE("weird blobs") {
-    TEST_CASE("what follows the format opens and is answered as the loop over its triangles does") {
+TEST_SUITE("weird blob") {
+    TEST_CASE("format: any blob that follows the rules opens and equals the loop over its triangles") {
         std::uint64_t sound = 0, hits = 0;
         std::set<std::uint32_t> features, depths, leaf_sizes;
         const std::uint64_t count = scaled(400);
@@ -71,7 +71,7 @@ TEST_SUITE("weird blobs") {
     }
 
 #if ESPALIER_COUNT_STEPS
-    TEST_CASE("a closest hit is counted as the counted query counts it") {
+    TEST_CASE("work: the counters of a closest hit are those of the counted query") {
         const TestBlob& test_blob = small_test_blobs().front();
         QueryMaker maker(test_blob.decoded, 3);
         for (int i = 0; i < 100; ++i) {

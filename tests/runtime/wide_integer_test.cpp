@@ -51,8 +51,8 @@ Int128 some_wide(Random& random) { return {some_signed(random) >> 2, some_word(r
 
 }  // namespace
 
-TEST_SUITE("runtime arithmetic") {
-    TEST_CASE("128-bit sums, products, shifts and comparisons equal unbounded ones") {
+TEST_SUITE("wide integer") {
+    TEST_CASE("numerics: 128-bit sums and products and shifts and comparisons equal unbounded ones") {
         Random random(1);
         for (std::uint64_t i = 0; i < scaled(50'000); ++i) {
             const Int128 a = some_wide(random);
@@ -73,7 +73,7 @@ TEST_SUITE("runtime arithmetic") {
         }
     }
 
-    TEST_CASE("a 128-bit number becomes the nearest float, ties to even") {
+    TEST_CASE("numerics: a 128-bit number converts to the nearest float and ties go to even") {
         Random random(2);
         std::uint64_t ties = 0;
         for (std::uint64_t i = 0; i < scaled(100'000); ++i) {
@@ -105,7 +105,7 @@ TEST_SUITE("runtime arithmetic") {
         CHECK(ties > 0);
     }
 
-    TEST_CASE("256-bit products, shifts and lengths equal unbounded ones") {
+    TEST_CASE("numerics: 256-bit products and shifts and lengths equal unbounded ones") {
         Random random(3);
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
             const Int128 factor(some_signed(random), some_word(random));
@@ -118,7 +118,7 @@ TEST_SUITE("runtime arithmetic") {
         }
     }
 
-    TEST_CASE("256-bit sums and differences equal unbounded ones, and become the nearest float") {
+    TEST_CASE("numerics: 256-bit sums and differences equal unbounded ones and convert to the nearest float") {
         Random random(5);
         std::uint64_t ties = 0;
         for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
@@ -152,7 +152,7 @@ TEST_SUITE("runtime arithmetic") {
         CHECK(ties > 0);
     }
 
-    TEST_CASE("a comparison with a scaled number is exact for every scale") {
+    TEST_CASE("numerics: a comparison with a scaled number is exact for every scale") {
         Random random(4);
         std::uint64_t equal = 0;
         for (std::uint64_t i = 0; i < scaled(50'000); ++i) {

@@ -110,7 +110,7 @@ void check_work(const Blob& blob, detail::InstructionSet set, const std::vector<
 }  // namespace
 
 TEST_SUITE("work") {
-    TEST_CASE("queries of a landscape look at just as many nodes and leaves as they did") {
+    TEST_CASE("work: queries of a terrain visit the recorded numbers of nodes and leaves") {
         const OpenedBlob landscape(make_terrain(24, 7), {.bits = 18, .profile = format::Profile::fast});
         check_work(
             landscape.blob, detail::InstructionSet::scalar,
@@ -130,7 +130,7 @@ TEST_SUITE("work") {
              {"distances", ask_distances, 10, {212, 170, 0, 9267}, {212, 170, 0, 9267}}});
     }
 
-    TEST_CASE("queries of a closed body look at just as many nodes and leaves as they did") {
+    TEST_CASE("work: queries of a closed body visit the recorded numbers of nodes and leaves") {
         const OpenedBlob body(make_torus(32, 16, 3.0, 1.0), {.bits = 12, .profile = format::Profile::balanced});
         check_work(
             body.blob, detail::InstructionSet::scalar,
@@ -151,7 +151,7 @@ TEST_SUITE("work") {
     }
 
 #if ESPALIER_X86
-    TEST_CASE("four lanes leave just as many triangles open as they did") {
+    TEST_CASE("work: four lanes leave the recorded number of triangles undecided") {
         if (detail::detect_instruction_set() < detail::InstructionSet::sse42) return;
         const OpenedBlob landscape(make_terrain(24, 7), {.bits = 18, .profile = format::Profile::fast});
         check_work(landscape.blob, detail::InstructionSet::sse42,
@@ -171,7 +171,7 @@ TEST_SUITE("work") {
                     {"distances", ask_distances, 10, {203, 200, 0, 3483}}});
     }
 
-    TEST_CASE("batches of rays that look alike walk together, as far as they did") {
+    TEST_CASE("work: batches of alike rays walk together as far as recorded") {
         if (detail::detect_instruction_set() < detail::InstructionSet::sse42) return;  // by one lane each walks alone
         const OpenedBlob landscape(make_terrain(24, 7), {.bits = 12, .profile = format::Profile::fast});
         const detail::BlobData& asset = landscape.blob.data();
