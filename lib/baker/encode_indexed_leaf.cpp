@@ -32,6 +32,7 @@ struct NumberedVertices {
                 const std::uint32_t vertex = mesh.triangles[triangles[i]].corners[corner];
                 const auto end = vertices.begin() + count;
                 const auto found = std::find(vertices.begin(), end, vertex);
+                // mutant(- -> +) equivalent: iterators cannot be added, so the mutant is the original
                 corners[i][corner] = static_cast<std::uint8_t>(found - vertices.begin());
                 if (found == end) vertices[count++] = vertex;
             }

@@ -22,6 +22,7 @@ struct NumberedEntries {
         for (unsigned entry = 0; entry < strip.entry_count; ++entry) {
             const auto end = vertices.begin() + vertex_count;
             const auto found = std::find(vertices.begin(), end, strip.entries[entry]);
+            // mutant(- -> +) equivalent: iterators cannot be added, so the mutant is the original
             numbers[entry] = static_cast<std::uint8_t>(found - vertices.begin());
             if (found != end) continue;
             vertices[vertex_count++] = strip.entries[entry];

@@ -90,6 +90,8 @@ private:
             lo = std::min(lo, box.lo[axis]);
             hi = std::max(hi, box.hi[axis]);
         }
+        // mutant(> -> >=) equivalent: both sides are equal then
+        // mutant(- -> +) sanitizer: shifts by 32 bits too many, which x86 takes modulo 32
         const unsigned base_unit = bits_ > 16 ? bits_ - 16 : 0;
         const Frame frame = frame_for(lo, hi, base_unit);
         set_u16(bytes + (format::node::base_at + 2 * axis), static_cast<std::uint32_t>(frame.base) >> base_unit);

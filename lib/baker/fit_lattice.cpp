@@ -39,6 +39,8 @@ int first_exponent(const Source& source, const SourceBounds& bounds, double tole
     std::frexp(bounds.largest_side, &coarsest);
     coarsest = std::min(coarsest, format::max_step_exponent);
     int exponent = std::min(step_exponent_for_tolerance(tolerance), coarsest);
+    // mutant(without 4, + -> -, + -> right side dropped) work: tries coarser lattices in vain: their points are points
+    // of all finer ones
     while (exponent < coarsest && exponent >= format::min_step_exponent &&
            vertices_are_within(source, Lattice{bounds.min, exponent + 1, 1}, tolerance)) {
         ++exponent;

@@ -25,6 +25,7 @@ constexpr int far_too_fine = -1000;  // below this no float32 extent has few eno
 
 /// Bits of the largest coordinate that the bounds have on this lattice.
 unsigned bits_needed(const SourceBounds& bounds, int step_exponent) {
+    // mutant(< -> <=) equivalent: at 2^-1000 every float32 extent has too many steps, which the loop finds too
     if (step_exponent < far_too_fine) return unsigned{format::max_bits} + 1;
     const double reciprocal_step = std::ldexp(1.0, -step_exponent);
     const double largest = std::max({snap_coordinate(bounds.max.x, bounds.min.x, reciprocal_step),

@@ -24,6 +24,7 @@ public:
 
     std::uint32_t weld(std::uint32_t position) {
         std::uint32_t& vertex = welded_[position];
+        // mutant(== -> true) work: welds a position again for each of its triangles, to the same vertex
         if (vertex == InsertionTable::none) {
             const LatticePoint point = snap(source_.positions[position]);
             vertex = table_.find_or_insert(hash_of(point), static_cast<std::uint32_t>(vertices_.size()),

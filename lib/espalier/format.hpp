@@ -197,6 +197,7 @@ inline constexpr unsigned widths_shift = 20;     // 3 x 4 bits: width codes of x
 /// The field width that a width code stands for: codes count from 1 to the lattice's own width, 0 means a constant
 /// axis.
 constexpr unsigned coordinate_width(unsigned code, unsigned bits) {
+    // mutant(<= -> <) equivalent: at 15 bits both branches give the code itself
     return code == 0 ? 0 : bits <= 15 ? code : code + (bits - 15);
 }
 /// Bits of one vertex number, 3 to 5; a triangle's field is three of them.

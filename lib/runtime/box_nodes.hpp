@@ -20,6 +20,7 @@ struct IntegerBounds {
 inline constexpr std::int32_t bounds_limit = 1 << 26;
 
 constexpr std::int32_t clamp_to_bounds(std::int64_t steps) {
+    // mutant(< -> <=, > -> >=) equivalent: both sides are equal then
     return static_cast<std::int32_t>(steps < -bounds_limit  ? -bounds_limit
                                      : steps > bounds_limit ? bounds_limit
                                                             : steps);
@@ -76,7 +77,9 @@ ESPALIER_SHARED_CODE inline unsigned children_within(const Node& node, unsigned 
         const std::int32_t high = (bounds.high[k] - base) >> shift;
         const std::int32_t low = -((base - bounds.low[k]) >> shift);
         if (high < 0 || low > 255) return 0;
+        // mutant(< -> <=) equivalent: both sides are equal then
         inside &= bytes_at_least(eight_of(high < 255 ? high : 255), load_u64(node.low_planes(k)));
+        // mutant(> -> >=) equivalent: both sides are equal then
         inside &= bytes_at_least(load_u64(node.high_planes(k)), eight_of(low > 0 ? low : 0));
     }
     return tops_of(inside) & all_children(node);
@@ -96,6 +99,7 @@ ESPALIER_SHARED_CODE inline unsigned children_no_larger(const Node& node, std::i
         // `open` has seen that no low plane is above its high one: no byte borrows.
         const std::uint64_t sides = load_u64(node.high_planes(k)) - load_u64(node.low_planes(k));
         const std::int32_t most = steps >> node.shift(k);
+        // mutant(< -> <=) equivalent: both sides are equal then
         small &= bytes_at_least(eight_of(most < 255 ? most : 255), sides);
     }
     return tops_of(small) & all_children(node);

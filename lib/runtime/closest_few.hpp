@@ -26,6 +26,7 @@ public:
 
 private:
     static bool comes_before(const Nearest& a, const Nearest& b) {
+        // mutant(< -> <= 1, < -> <= 2) equivalent: the two differ here, since no triangle is kept twice
         return a.distance != b.distance ? a.distance < b.distance : a.triangle.index < b.triangle.index;
     }
 

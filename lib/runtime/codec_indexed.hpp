@@ -61,6 +61,7 @@ ESPALIER_SHARED_CODE inline IndexedLeaf indexed_leaf(const BlobData& blob, Node 
         leaf.coordinates[k] = at;
         leaf.keep_anchor(k);
         at += stream_bytes(leaf.vertex_count, width);
+        // mutant(> -> >=) equivalent: both sides are equal then
         longest = width > longest ? width : longest;
     }
     leaf.triangles = at;
@@ -81,6 +82,7 @@ ESPALIER_SHARED_CODE inline std::uint32_t first_triangle(const IndexedLeaf& leaf
     const std::byte* descriptor = leaf.descriptors();
     constexpr unsigned most = format::max_children - 1;
     const unsigned end = small_code ? leaf.number : most;
+    // mutant(< -> <=) equivalent: reads one more descriptor, from the guard at the latest, and masks it out
     for (unsigned i = 0; i < end; ++i, descriptor += format::indexed_leaf::descriptor_bytes) {
         const std::uint32_t count = ((load_u32(descriptor) >> format::indexed_leaf::triangles_shift) & 15u) + 1;
         first += count & (i < leaf.number ? ~0u : 0u);

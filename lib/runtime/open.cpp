@@ -51,6 +51,7 @@ Status check_tree(const BlobData& blob) {
             continue;
         }
         if (depth > blob.depth) return Status::bad_node;
+        // mutant(> -> >=) equivalent: both sides are equal then
         seen_depth = depth > seen_depth ? depth : seen_depth;
         const Node node = node_at(blob, siblings.next++);
         const unsigned nodes = node.node_children();
@@ -108,6 +109,7 @@ bool are_copies_sound(const BlobData& blob) {
         if (!is_copy(blob.copies, index)) continue;
         if (index >= blob.triangle_count || seen == blob.copy_count) return false;
         const std::uint32_t owner = load_u32(owners + owner_bytes * std::size_t{seen});
+        // mutant(>= -> >) equivalent: the index itself is a copy, which the second condition refuses
         if (owner >= index || is_copy(blob.copies, owner)) return false;
         ++seen;
     }

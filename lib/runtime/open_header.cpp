@@ -23,6 +23,7 @@ struct Bytes {
         const std::uint64_t bits = std::uint64_t{fields} * field_bits;
         const std::uint64_t words = (bits + 31) / 32;
         const std::byte* taken = at;
+        // mutant(- -> +) compiler: pointers cannot be added
         if (taken == nullptr || words > static_cast<std::size_t>(end - taken) / 4) return at = nullptr;
         at += 4 * static_cast<std::size_t>(words);
         if (looks_at_padding && bits % 32 != 0 &&
@@ -58,6 +59,7 @@ Status read_header(BlobData& blob) {
     const unsigned profile = load_u8(h + profile_at);
     blob.profile = static_cast<format::Profile>(profile);
     if (profile > static_cast<unsigned>(format::Profile::small)) return Status::unsupported_profile;
+    // mutant(never) equivalent: the build for mutants reads all profiles
     if (!is_read(blob.profile)) return Status::unsupported_profile;  // GCOVR_EXCL_BR_LINE: builds of fewer profiles
 
     blob.bits = static_cast<std::uint8_t>(load_u8(h + bits_at));
@@ -144,8 +146,10 @@ Status locate_sections(BlobData& blob, bool looks_at_padding) {
 void make_empty(Blob& blob) { blob = Blob(); }
 
 void BlobData::derive() noexcept {
+    // mutant(< -> <=) equivalent: writes a fourth number, which is 0 in the header and was 0 before
     for (int k = 0; k < 3; ++k) extent_steps[k] = whole_float(static_cast<std::uint32_t>(extent[k]));
     steps_per_unit = power_of_two(-step_exponent);
+    // mutant(> -> >=) equivalent: both sides are equal then
     base_unit = power_of_two(bits > 16 ? bits - 16 : 0);
 }
 

@@ -20,6 +20,7 @@ public:
     /// Of equal keys the one that was offered first comes first.
     void offer(const Candidate& candidate) {
         unsigned place = count_;
+        // mutant(< -> <=) work: changes which of two equally near pairs comes first
         for (; place > 0 && candidate.key < candidates_[place - 1].key; --place)
             candidates_[place] = candidates_[place - 1];
         candidates_[place] = candidate;

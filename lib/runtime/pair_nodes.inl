@@ -30,6 +30,7 @@ ESPALIER_SHARED_CODE inline TwiceBox load_twice_box(const Node& node, unsigned c
 ESPALIER_SHARED_CODE inline SeenBox see_box(const TwiceBox& box, const PairSide& side) {
     SeenBox seen;
     const float half_scale = 0.5f * side.scale;
+    // mutant(< -> <=) sanitizer: reads or writes a fourth coordinate behind three
     for (int k = 0; k < 3; ++k) seen.half[k] = box.half[k] * half_scale;
     for (int k = 0; k < 3; ++k) {
         const float* axis = side.axis[k];

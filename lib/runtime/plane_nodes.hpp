@@ -25,6 +25,7 @@ inline unsigned children_behind(const Node& node, unsigned bits, const LatticePl
         const std::int64_t along = plane.normal[k];
         room -= along * node.base(k, bits);
         scale[k] = along * (std::int64_t{1} << node.shift(k));
+        // mutant(< -> <=) equivalent: an axis along which the normal is 0 adds nothing from either plane
         deepest[k] = along < 0 ? node.high_planes(k) : node.low_planes(k);
     }
     unsigned behind = 0;
@@ -43,6 +44,7 @@ inline bool is_wholly_behind(const Node& node, unsigned bits, unsigned child, co
     std::int64_t reached = 0;
     for (int k = 0; k < 3; ++k) {
         const std::int64_t along = plane.normal[k];
+        // mutant(< -> <=) equivalent: an axis along which the normal is 0 adds nothing from either plane
         reached += along * (along < 0 ? node.low(k, child, bits) : node.high(k, child, bits));
     }
     return reached <= plane.offset - depth;

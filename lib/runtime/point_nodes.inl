@@ -35,10 +35,12 @@ inline unsigned overlap_test(const Node& node, const LatticePoint& point, const 
     const Frame frame = load_frame(node, blob);
     unsigned mask = 0;
     inside = 0;
+    // mutant(< -> <=) equivalent: tests a ninth child from the bytes behind the node and masks it out
     for (unsigned first = 0; first < format::max_children; first += lanes) {
         Floats low[3], high[3];
         planes_from_point(node, frame, point, first, low, high);
         mask |= at_most(squared_distance(low, high), splat(point.limit)) << first;
+        // mutant(|= nothing) work: tests each triangle of a box that is wholly inside, with the same result
         inside |= at_most(squared_distance_of_far_corner(low, high), splat(point.inner_limit)) << first;
     }
     return mask & all_children(node);

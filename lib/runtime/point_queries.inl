@@ -78,8 +78,10 @@ struct EveryOverlap {
 
     unsigned children(const Node& node, float*) { return overlap_test(node, point, blob, inside); }
     Visit visit_leaf(const Leaf& leaf) {
+        // mutant(without 1, != -> true) equivalent: every leaf ends after 0
         if (first != 0 && storage_index(leaf, 0) + leaf.triangle_count() <= first) return keep_going;
         OverlapCandidates<Slots> candidates = {leaf.used_slots(), ~Slots{0}};
+        // mutant(== -> true) work: tests each triangle of a box that is wholly inside, with the same result
         if ((inside >> leaf.child() & 1u) == 0)
             candidates = with_table_groups<Leaf::max_vertices>(
                 leaf.vertex_count, [&](auto groups) { return overlap_candidates_of<groups>(leaf, point); });
@@ -110,6 +112,7 @@ struct LeafDistances {
         for_each_group_of<groups>(leaf, point, [&](unsigned first, const CornersFromPoint& t) {
             const BoxesFromPoint boxes(t);
             const Floats to_box = squared_distance(boxes.low, boxes.high);
+            // mutant(never) work: tests triangles whose boxes are too far, with the same result
             if (at_most(to_box, splat(limit)) == 0) return;
             Floats bound = to_box;
             Floats squared_to_sides;
@@ -134,6 +137,7 @@ template <class Leaf, class Limit, class Decide>
         leaf.vertex_count, [&](auto groups) { return distances.template fill<groups>(leaf, point, limit()); });
     if (near == 0) return;
     auto first = static_cast<unsigned>(std::countr_zero(near));
+    // mutant(- -> right side dropped 1) equivalent: compares the first with itself too
     for (auto others = near & (near - 1); others != 0; others &= others - 1) {
         const auto slot = static_cast<unsigned>(std::countr_zero(others));
         if (distances.to_sides[slot] < distances.to_sides[first]) first = slot;
@@ -168,6 +172,7 @@ struct ClosestTriangle {
         if (found && distance.squared > best.distance.squared) return;
         if (!is_within_radius(point, distance, point.radius)) return;
         const std::uint32_t index = owner_index(leaf, slot);
+        // mutant(> -> >=) equivalent: the same triangle, again from a leaf with a copy, gives the same hit
         if (found && distance.squared == best.distance.squared && index > best.index) return;
         best = {distance, index, triangle};
         found = true;
@@ -194,6 +199,7 @@ struct ClosestTriangles {
         FoundNearest found;
         found.triangle = leaf.triangle(slot);
         found.distance = distance_to(point, found.triangle);
+        // mutant(never) work: offers a triangle farther than all that are kept, which is not taken
         if (few.is_full() && found.distance.squared > few.last()) return;
         if (!is_within_radius(point, found.distance, point.radius)) return;
         found.index = owner_index(leaf, slot);

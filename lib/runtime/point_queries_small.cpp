@@ -32,9 +32,11 @@ struct NearTriangles {
     void lower_limit(float squared) { limit_ = minimum(squared * distance_slack, limit_); }
 
     unsigned children(const Node& node, float* keys) const {
+        // mutant(never) work: no box is nearer than a limit below 0
         if (limit_ < 0.0f) return 0;
         if (counters != nullptr) counters->count_node();
         const unsigned mask = distance_test(node, point, blob, limit_, keys);
+        // mutant(never) equivalent: no box is small then, since small_steps is -1
         if (on_small_box == nullptr) return mask;
         const unsigned small = mask & children_no_larger(node, small_steps);
         for (unsigned left = small; left != 0; left &= left - 1) {
@@ -53,6 +55,7 @@ struct NearTriangles {
         return scalar_walk::for_each_triangle_of(leaf, [&](unsigned slot, const LatticeTriangle& triangle) {
             if (!is_box_near(triangle)) return keep_going;
             const PointDistance distance = distance_to(point, triangle);
+            // mutant(without 1) work: offers a triangle beyond the limit, which is not taken
             if (distance.squared > limit_ || !is_within_radius(point, distance, point.radius)) return keep_going;
             const std::uint32_t index = owner_index(leaf, slot);
             return index < first ? keep_going : on_near({distance, index, triangle});
@@ -99,6 +102,7 @@ bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNear
     bool is_found = false;
     NearTriangles* visitor = nullptr;
     const auto keep_closest = [&](const FoundNearest& found) {
+        // mutant(> -> >= 2) equivalent: the same triangle, again from a leaf with a copy, gives the same hit
         if (is_found && (found.distance.squared > best.distance.squared ||
                          (found.distance.squared == best.distance.squared && found.index > best.index)))
             return keep_going;
@@ -116,6 +120,7 @@ bool closest_triangle(const BlobData& blob, const LatticePoint& point, FoundNear
 void closest_triangles(const BlobData& blob, const LatticePoint& point, ClosestFew& few) {
     NearTriangles* visitor = nullptr;
     const auto keep_few = [&](const FoundNearest& found) {
+        // mutant(without 1) work: offers a triangle farther than all that are kept, which is not taken
         if ((few.is_full() && found.distance.squared > few.last()) || few.has(found.index)) return keep_going;
         few.offer(found);
         if (few.is_full()) visitor->lower_limit(few.last());

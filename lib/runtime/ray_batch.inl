@@ -60,6 +60,7 @@ inline bool look_alike(const BlobData& blob, const Ray* rays, std::size_t count)
     const float* extent = blob.extent_steps;
     const float near = longest({extent[0], extent[1], extent[2]}) * 0x1p-4f;
     const float similar = longest(rays[0].direction) * 0x1p-2f;
+    // mutant(< -> <=) equivalent: the loop takes 5, 10, 15 and then 20
     for (std::size_t i = rays_in_group / 3; i < rays_in_group; i += rays_in_group / 3)
         if (!(distance(rays[i].origin, rays[0].origin) * blob.steps_per_unit <= near) ||
             !(distance(rays[i].direction, rays[0].direction) <= similar))
@@ -78,8 +79,11 @@ inline std::size_t answer_batch(const BlobData& blob, const Ray* rays, const Bat
             const bool grouped = alike;
             std::size_t end = first;
             do {
+                // mutant(< -> <=) equivalent: both branches give the end where exactly one group is left
                 end = count - end < rays_in_group ? count : end + rays_in_group;
                 alike = look_alike(blob, rays + end, count - end);
+                // mutant(without 4, - -> +, - -> right side dropped, < -> <= 2, < -> >= 2) work: how far the loop looks
+                // ahead changes only what is in the cache
             } while (end < count && alike == grouped && end - first < longest_look_ahead);
             hits += grouped ? answer_in_groups<Leaf>(blob, rays + first, answers.from(first), end - first)
                             : answer_in_turns<Leaf>(blob, rays + first, answers.from(first), end - first);

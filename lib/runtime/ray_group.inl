@@ -90,6 +90,7 @@ private:
             if (const GroupMask those = rays_of(node_children + number); those != 0)
                 visit_leaf(leaf_at<Leaf>(blob, node, number), those);
         const unsigned bottom = size_;
+        // mutant(!= -> true) work: stores a child that no ray needs, which is dropped later
         for (unsigned child = 0; child < node_children; ++child)
             if (const GroupMask those = rays_of(child); those != 0) put_aside(blob, node, child, those, bottom);
     }
@@ -99,12 +100,14 @@ private:
         std::uint32_t key = infinity_bits;
         for_each_bit(rays, [&](unsigned number) {
             const auto own = std::bit_cast<std::uint32_t>(keys_[number][child]);
+            // mutant(< -> <=) equivalent: both sides are equal then
             key = own < key ? own : key;
         });
         const std::uint32_t index = node.first_child() + child;
         prefetch(node_at(blob, index).bytes);
         const Waiting waits = {std::uint64_t{key} << 32 | index, rays};
         unsigned place = size_++;
+        // mutant(< -> <=) equivalent: no two entries are equal, since each contains the number of its node
         for (; place > bottom && stack_[place - 1].entry < waits.entry; --place) stack_[place] = stack_[place - 1];
         stack_[place] = waits;
     }
@@ -131,6 +134,7 @@ private:
             for (unsigned group = 0; group < used; ++group)
                 decoded[k][group] = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
         auto corners = corners_of(leaf);
+        // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
         for (unsigned first = 0; first < leaf.slot_count; first += lanes) numbers[first / lanes] = corners.next();
         GroupMask result = 0;
         for_each_bit(rays, [&](unsigned number) {
@@ -147,9 +151,11 @@ private:
                              multiply_add(z, shear_y, add(decoded[ky][group], offset_y)));
             }
             typename Leaf::Slots mask = 0;
+            // mutant(< -> <=) sanitizer: shifts by the width of the type where a leaf is full
             for (unsigned first = 0; first < leaf.slot_count; first += lanes)
                 mask |= typename Leaf::Slots{vertices.allow(numbers[first / lanes])} << first;
             candidates[number] = mask & leaf.used_slots();
+            // mutant(!= -> true) equivalent: a ray without candidates has nothing to visit
             result |= static_cast<GroupMask>(candidates[number] != 0) << number;
         });
         return result;

@@ -19,6 +19,7 @@ struct PlaneOrder {
 /// By the signs of the direction: bit k is set where axis k runs down.
 inline constexpr std::array<PlaneOrder, 8> plane_orders = [] {
     using namespace format::node;
+    // mutant(< -> <= 1) compiler: writes behind a table at compile time, which is an error
     std::array<PlaneOrder, 8> orders{};
     for (unsigned signs = 0; signs < 8; ++signs)
         for (unsigned k = 0; k < 3; ++k) {

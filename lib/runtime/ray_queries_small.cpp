@@ -46,6 +46,7 @@ template <class Leaf>
 [[gnu::noinline]] typename Leaf::Slots ray_candidates(const Leaf& leaf, const SeenRay& ray) {
     const SeenLeaf seen(leaf.size_bits + ray.fraction_bits);
     SeenVertex vertices[Leaf::max_vertices];
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
         std::int32_t place[3];
         leaf.place_vertex(vertex, ray, place);
@@ -53,6 +54,7 @@ template <class Leaf>
     }
     typename Leaf::Slots mask = 0;
     auto corners = scalar::corners_of(leaf);
+    // mutant(< -> <=) sanitizer: shifts by the width of the type where a leaf is full
     for (unsigned slot = 0; slot < leaf.slot_count; ++slot) {
         const scalar::CornerNumbers triangle = corners.next();
         if (seen.allows(vertices[triangle.a], vertices[triangle.b], vertices[triangle.c]))

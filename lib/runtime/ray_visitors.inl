@@ -36,6 +36,7 @@ struct ClosestHit {
         const std::int32_t later = bits(hit.whole_tau) - bits(found() ? best.t : infinity);
         if (later > 0) return;
         const std::uint32_t index = owner_index(leaf, slot);
+        // mutant(>= -> >) equivalent: the same triangle, again from a leaf with a copy, gives the same hit
         if (later == 0 && index >= best.triangle.index) return;
         if (filter != nullptr && !(*filter)(Triangle{index})) return;
         best = undivided(hit, index);

@@ -44,6 +44,7 @@ struct SeenPlanes {
         const std::int32_t down = ray.down(k);
         const int shift = static_cast<int>(load_u16(node + shifts_at) >> (5 * k) & 31u);
         // What is not of the asset, as only boxes that mean nothing are, may come out as anything.
+        // mutant(+ -> - 1, + -> right side dropped 1) equivalent: the base is at 0
         const std::uint32_t base_units = load_u16(node + base_at + std::size_t{2} * k) << ray.base_shift;
         const std::int32_t base = static_cast<std::int32_t>(base_units) - ray.origin[k];
         const std::byte* const low_planes = node + 8 * k + lo_at;
@@ -59,12 +60,14 @@ struct SeenPlanes {
             ends = far_planes;
             continue;
         }
+        // mutant(> -> >=) equivalent: both sides are equal then
         const int fine = 20 - (shift > ahead_shift ? shift : ahead_shift);
         const int finer = fine - ray.fraction_bits;
         // Planes that are much farther apart than the asset is large tell nothing.
         if (finer < 0) return SeenChildren::pack(among, static_cast<unsigned>(std::countr_zero(among)));
         const std::int32_t seen = SeenRay::negated_if(down, ray.across(i, base, base_ahead));
         // Plane 0 is no more than 2^30 away from a box that is met.
+        // mutant(>> -> one less 1) equivalent: differs only in the lowest bit, which is shifted out
         if ((seen ^ seen >> 31) >> (30 - finer) != 0) return 0;
         const std::int32_t plane_0 = seen * (1 << finer);
         SeenPlanes& planes = across[i];
@@ -102,7 +105,9 @@ struct SeenPlanes {
         }
         if (begin <= last) {
             met |= 1u << child;
+            // mutant(<< -> one more) equivalent: the order of keys and the three bits of the child stay
             const unsigned key = static_cast<unsigned>(begin) << 3 | child;
+            // mutant(< -> <=) equivalent: no two keys are equal, since each contains its child
             nearest = key < nearest ? key : nearest;
         }
     missed:;

@@ -25,14 +25,17 @@ struct SeenRay : RoundedRay {
 
     void look_ahead(const BlobData& blob) {
         const auto forth = static_cast<float>(direction[axis[2]]);
+        // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
         for (unsigned i = 0; i < 2; ++i)
             slope[i] = static_cast<std::int32_t>(static_cast<float>(direction[axis[i]]) * (1.0f / forth) *
                                                  power_of_two(slope_bits));
         ahead_per_tau = absolute(forth) * power_of_two(fraction_bits);
         first_ahead = ahead_at(tau_min) - off;
+        // mutant(> -> >=) equivalent: both sides are equal then
         base_shift = fraction_bits + (blob.bits > 16 ? blob.bits - 16 : 0);
     }
     /// -1 for an axis that the ray runs down along, 0 for another one.
+    // mutant(>> -> one less) equivalent: directions are below 2^25, so bit 30 equals the sign
     [[nodiscard]] std::int32_t down(unsigned k) const { return direction[k] >> 31; }
     /// For -1 and 0.
     static std::int32_t negated_if(std::int32_t down, std::int32_t number) {
@@ -47,6 +50,7 @@ struct SeenRay : RoundedRay {
     /// How far ahead the ray is at tau, give or take `off`. Nothing on the lattice is 2^26 ahead.
     [[nodiscard, gnu::noinline]] std::int32_t ahead_at(float tau) const {
         const float ahead = tau * ahead_per_tau;
+        // mutant(< -> <=) equivalent: both sides are equal then
         return ahead < 0x1p26f ? static_cast<std::int32_t>(ahead) : 1 << 26;
     }
     /// Nothing of interest is farther ahead, when nothing is after tau.

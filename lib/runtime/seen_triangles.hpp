@@ -36,6 +36,7 @@ struct SeenLeaf {
 
     /// For a leaf that measures 2^size_bits of the ray's units: 2^29 at most, as all do that a ray has to do with.
     explicit SeenLeaf(int size_bits) {
+        // mutant(< -> <=, > -> >=) equivalent: both sides are equal then
         const int bits = size_bits < 4 ? 4 : size_bits > 29 ? 29 : size_bits;
         finer = 29 - bits;
         // What one coordinate of a triangle that is hit is off by: it is within 2^14 of those that are kept.

@@ -15,6 +15,7 @@ namespace espalier::detail {
 inline std::int32_t steps_in(const BlobData& blob, float accuracy) {
     if (!(accuracy > 0.0f)) return -1;
     const float steps = scale_by_power_of_two(accuracy, -blob.step_exponent);
+    // mutant(< -> <=) equivalent: both sides are equal then
     return steps < static_cast<float>(bounds_limit) ? static_cast<std::int32_t>(steps) : bounds_limit;
 }
 
@@ -39,8 +40,10 @@ inline float farthest_squared(const Node& node, unsigned bits, unsigned child, c
     for (int k = 0; k < 3; ++k) {
         const std::int64_t from = (std::int64_t{low[k]} << ray.fraction_bits) - ray.origin[k];
         const std::int64_t to = (std::int64_t{high[k]} << ray.fraction_bits) - ray.origin[k];
+        // mutant(< -> <=) equivalent: an axis with direction 0 is left out, whichever end comes first
         const bool is_down = ray.direction[k] < 0;
         length[k] = is_down ? -std::int64_t{ray.direction[k]} : std::int64_t{ray.direction[k]};
+        // mutant(without 4) equivalent: a box behind the origin along this axis fails a comparison below
         if (length[k] == 0 && (from > 0 || to < 0)) return false;
         enter[k] = is_down ? -to : from;
         leave[k] = is_down ? -from : to;
@@ -50,10 +53,13 @@ inline float farthest_squared(const Node& node, unsigned bits, unsigned child, c
         if (leave[k] < 0 ||
             (ray.tau_min > 0.0f && ray_triangle::compare_quotient(Int128(leave[k]), denominator, ray.tau_min) < 0))
             return false;
+        // mutant(without 2) equivalent: the comparison takes infinity for 2^128, and no entry is that late
         if (enter[k] <= 0 || ray.tau_max == infinity) return true;
+        // mutant(without 1, > -> >=) equivalent: the comparison takes 0 for 2^-127, and no later entry is that early
         return ray.tau_max > 0.0f && ray_triangle::compare_quotient(Int128(enter[k]), denominator, ray.tau_max) <= 0;
     };
     for (int k = 0; k < 3; ++k) {
+        // mutant(never) equivalent: an axis with direction 0 passes every comparison below
         if (length[k] == 0) continue;
         if (!is_within_window(k)) return false;
         for (int j = 0; j < 3; ++j)  // where the ray does not run nothing is left before it is entered
@@ -77,9 +83,12 @@ inline bool passes_through(const RoundedRay& ray, const Node& node, unsigned bit
 [[gnu::noinline]] inline bool passes_down_to(const RoundedRay& ray, const BlobData& blob, const Node& target) {
     constexpr std::int32_t low[3] = {0, 0, 0};
     if (!passes_through(ray, low, blob.extent)) return false;
+    // mutant(- -> +) equivalent: pointers cannot be added, so the mutant is the original
     const auto index = static_cast<std::uint32_t>(static_cast<std::size_t>(target.bytes - blob.nodes) /
                                                   std::size_t{format::node::bytes});
     Node node = node_at(blob, 0);
+    // mutant(without 2, < -> <=) equivalent: in an opened blob the way down ends earlier; this guards bytes that were
+    // not opened
     for (unsigned depth = 0; node.bytes != target.bytes && depth < format::max_depth; ++depth) {
         const std::uint32_t first = node.first_child();
         unsigned child = 0;

@@ -18,6 +18,7 @@ public:
     [[gnu::always_inline]] bool pop(std::uint32_t& node, unsigned& children) {
         if (size_ == 0) return false;
         const std::uint32_t last = waiting_[--size_];
+        // mutant(<< -> one less) huge: the bit for nodes beyond the first eight million
         node = last & ((1u << 24) - 1u);
         children = last >> 24;
         return true;

@@ -13,6 +13,7 @@ inline Floats squared_distance(const Floats* low, const Floats* high) {
 /// The same to the farthest corners.
 inline Floats squared_distance_of_far_corner(const Floats* low, const Floats* high) {
     Floats sum = splat(0.0f);
+    // mutant(< -> <=) sanitizer: reads or writes a fourth coordinate behind three
     for (int k = 0; k < 3; ++k) {
         const Floats reach = larger(high[k], negate(low[k]));
         sum = add(multiply(reach, reach), sum);

@@ -76,6 +76,7 @@ struct NearestFirst {
         among = every_child;
         if ((mask & ((1u << node_children) - 1u)) != 0) {
             // Most often there is one: nothing to sort, and the next address does not wait for its key.
+            // mutant(- -> right side dropped) work: sorts a single child too and leaves nothing waiting
             const unsigned child =
                 (mask & (mask - 1)) == 0 ? static_cast<unsigned>(std::countr_zero(mask)) : nearest_of(mask);
             if (child < node_children) {
@@ -128,8 +129,11 @@ private:
         for (unsigned others = mask & (mask - 1); others != 0; others &= others - 1) {
             child = static_cast<unsigned>(std::countr_zero(others));
             const std::uint32_t entry = Waiting::entry(keys[child], child);
+            // mutant(< -> <=) equivalent: no two entries are equal, since each contains its child's number
             const std::uint32_t farther = entry < nearest ? nearest : entry;
+            // mutant(< -> <=) equivalent: no two entries are equal, since each contains its child's number
             nearest = entry < nearest ? entry : nearest;
+            // mutant(< -> <=) equivalent: no two entries are equal, since each contains its child's number
             second = farther < second ? farther : second;
         }
         const unsigned others =

@@ -43,6 +43,7 @@ template <class Visitor>
             if (depth == 0) return QueryStatus::ok;
             PairLevel& level = stack[depth - 1];
             side = (level.other_and_side & PairLevel::side_bit) != 0 ? 1u : 0u;
+            // mutant(<< -> one less) huge: matters from eight million nodes on, half a gigabyte
             index = level.node_and_waiting & ((1u << PairLevel::waiting_shift) - 1u);
             mask = level.node_and_waiting >> PairLevel::waiting_shift;
             items[1 - side] = {level.other_and_side & ~PairLevel::side_bit};
@@ -53,10 +54,12 @@ template <class Visitor>
             mask ^= rest;
         }
         auto best = static_cast<unsigned>(std::countr_zero(mask));
+        // mutant(- -> right side dropped 1) equivalent: compares the best with itself too
         for (unsigned others = mask & (mask - 1); others != 0; others &= others - 1) {
             const auto other = static_cast<unsigned>(std::countr_zero(others));
             best = keys[other] < keys[best] ? other : best;
         }
+        // mutant(!= -> true 1) work: pushes an empty set, which is popped again
         if (const unsigned rest = mask & ~(1u << best); rest != 0)
             stack[depth++] = {index | rest << PairLevel::waiting_shift,
                               items[1 - side].packed | (side != 0 ? PairLevel::side_bit : 0u)};

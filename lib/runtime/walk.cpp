@@ -43,6 +43,7 @@ struct EveryNode {
 
     [[nodiscard]] TreeNode describe(const Node& node) const {
         TreeNode seen;
+        // mutant(- -> +) equivalent: pointers cannot be added, so the mutant is the original
         seen.number = static_cast<std::uint32_t>((node.bytes - blob.nodes) / static_cast<int>(format::node::bytes));
         seen.depth = depth;
         const unsigned nodes = node.node_children();
@@ -69,7 +70,9 @@ struct EveryNode {
         const NodeVisit answer = visit(describe(node));
         stopped = answer == NodeVisit::end;
         const unsigned nodes = answer == NodeVisit::descend ? node.node_children() : 0;
+        // mutant(!= -> true) work: enters an empty level and leaves it
         if (nodes != 0) waiting[++depth] = static_cast<std::uint8_t>(nodes);
+        // mutant(> -> >=) equivalent: the first level is empty only at the end
         while (depth > 1 && waiting[depth] == 0) --depth;
         return (1u << nodes) - 1u;
     }

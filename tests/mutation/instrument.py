@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """instrument.py SOURCE TARGET LIST: writes a copy of lib with every mutant in it (mutants.hpp), and the list of them.
+instrument.py --check SOURCE: only checks that each excuse in lib (excuses.py) is about a mutant that exists.
 
 Patterns, not a parser: operators are told from templates and references by the blanks that clang-format puts around them.
 Each file has numbers of its own, so that a change of one file leaves what is made of the others as it is.
@@ -9,6 +10,8 @@ import json
 import pathlib
 import re
 import sys
+
+import excuses
 
 PARTS = {
     "verifier": [
@@ -47,19 +50,26 @@ OPERATORS = {
     "<<": ["one more", "one less"], ">>": ["one more", "one less"]}
 
 
-def blanked(text):
-    """The text with comments, literals and what cannot be mutated made blanks, each character in its place."""
-    def blank(match):
-        return re.sub(r"[^\n]", " ", match.group(0))
-    text = re.sub(r'"(?:[^"\\\n]|\\.)*"', lambda match: "$" * len(match.group(0)), text)
-    for pattern in (
-            r"//[^\n]*", r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", r"static_assert\([^;]*;",
-            r"constexpr [\w:<>, ]+? \w+ = \[\][^}]*?(?:\}[^}(]*?)*\}\(\);",  # a table that the compiler fills
-            r"constexpr [\w:<>, ]+? \w+(?:\[[^\]\n]*\])* =[^;]*;", r"template <[^\n]*", r"^using [^;]*;", r"if constexpr \([^\n]*",
-            r"alignas\(\w+\)", r"__asm__[^;]*;",
-            r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{[^}\n]*\})?;[ ]*$"):
-        text = re.sub(pattern, blank, text, flags=re.MULTILINE)
+def blank(text, patterns):
+    """The text with what matches a pattern made blanks, each other character in its place."""
+    for pattern in patterns:
+        text = re.sub(pattern, lambda match: re.sub(r"[^\n]", " ", match.group(0)), text, flags=re.MULTILINE)
     return text
+
+
+def without_comments(text):
+    text = re.sub(r'"(?:[^"\\\n]|\\.)*"', lambda match: "$" * len(match.group(0)), text)
+    return blank(text, (r"//[^\n]*", r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*"))
+
+
+def blanked(text):
+    """The text with comments, literals and what cannot be mutated made blanks."""
+    return blank(without_comments(text), (
+        r"static_assert\([^;]*;",
+        r"constexpr [\w:<>, ]+? \w+ = \[\][^}]*?(?:\}[^}(]*?)*\}\(\);",  # a table that the compiler fills
+        r"constexpr [\w:<>, ]+? \w+(?:\[[^\]\n]*\])* =[^;]*;", r"template <[^\n]*", r"^using [^;]*;", r"if constexpr \([^\n]*",
+        r"alignas\(\w+\)", r"__asm__[^;]*;",
+        r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{[^}\n]*\})?;[ ]*$"))
 
 
 def matching(text, at):
@@ -123,7 +133,7 @@ class Source:
     def add(self, at, what):
         line = self.text.count("\n", 0, at) + 1
         number = self.first_number + len(self.mutants)
-        self.mutants.append({"number": number, "part": self.part, "file": self.name, "line": line, "change": what,
+        self.mutants.append({"number": number, "part": self.part, "file": self.name, "line": line, "change": what, "at": at,
                              "text": self.text.split("\n")[line - 1].strip()})
         return number
 
@@ -184,7 +194,14 @@ class Source:
             number = self.add(match.start(), f"{name} -> {swaps[name]}")
             self.points.append((match.start(), "[&](auto a_, auto b_) { return ::mutation::on(%d) ? %s(a_, b_) : %s(a_, b_); }"
                                 % (number, swaps[name], name), match.end()))
+        self.excuse()
         return self.written()
+
+    def excuse(self):
+        try:
+            excuses.excuse_mutants(self.text, without_comments(self.text), self.mutants)
+        except excuses.WrongExcuse as wrong:
+            raise SystemExit(f"lib/{self.name}:{wrong}")
 
     def written(self):
         before, after, replaced = {}, {}, {}
@@ -232,16 +249,38 @@ def filled_at_start(text):
                         "std::array<PlaneOrder, 8> orders{}; const int no_constant = ::mutation::active;")
 
 
+def version_of(text):
+    """The same for two texts of a file that differ in comments and blanks alone."""
+    code = re.sub(r"//[^\n]*", "", text)
+    return hashlib.sha256("".join(code.split()).encode()).hexdigest()[:16]
+
+
+def sources(folder):
+    """Every file that has mutants, with its mutants."""
+    for number, (part, name) in enumerate((part, name) for part, names in PARTS.items() for name in names):
+        file = Source(folder / name, name, part, number * NUMBERS_OF_A_FILE)
+        text = filled_at_start(file.instrument())
+        assert len(file.mutants) <= NUMBERS_OF_A_FILE
+        for mutant in file.mutants:
+            mutant["version"] = version_of(text)
+        yield file, text
+
+
+def check(folder):
+    files = {file.name for file, _ in sources(folder)}
+    for path in sorted(folder.rglob("*.*")):
+        name = str(path.relative_to(folder))
+        if name not in files and re.search(r"^[ \t]*// mutant\(", path.read_text(), re.MULTILINE):
+            raise SystemExit(f"lib/{name}: a mutant is excused, but this file is not mutated")
+
+
 def main():
+    if sys.argv[1] == "--check":
+        return check(pathlib.Path(sys.argv[2]))
     source, target, listing = map(pathlib.Path, sys.argv[1:4])
     mutants = []
-    for number, (part, name) in enumerate((part, name) for part, names in PARTS.items() for name in names):
-        file = Source(source / name, name, part, number * NUMBERS_OF_A_FILE)
-        text = filled_at_start(file.instrument())
-        (target / name).write_text(text)
-        for mutant in file.mutants:
-            mutant["version"] = hashlib.sha256(text.encode()).hexdigest()[:16]
-        assert len(file.mutants) <= NUMBERS_OF_A_FILE
+    for file, text in sources(source):
+        (target / file.name).write_text(text)
         mutants += file.mutants
     listing.write_text("\n".join(json.dumps(mutant) for mutant in mutants) + "\n")
 

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""mutate.py BUILD [PART...] [--survivors] [--most N] [--claims TEXT...]: breaks the library in every way that
-instrument.py knows, one at a time, and prints what no claim noticed. PART is verifier, decode, quantiser, traversal,
-rounding, small (what microcontrollers have of their own) or queries (what they do at nodes and leaves, batches); all of
-them when none is named. Exit status 1 when a mutant survives that equivalent.txt does not explain.
+"""mutate.py BUILD [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--most N] [--claims TEXT...] [--publish]:
+breaks the library in every way that instrument.py knows, one at a time, and prints what no claim noticed. PART is verifier,
+decode, quantiser, traversal, rounding, small (what microcontrollers have of their own) or queries (what they do at nodes and
+leaves, batches). --files chooses the mutants of some files of lib, --since those of files whose code has changed since a
+commit; all mutants when nothing is chosen. Exit status 1 when a mutant survives that no comment in the code excuses
+(excuses.py). --publish writes a row for each part that was run as a whole into the table of docs/testing.md.
 
 All mutants are compiled once, into the same programs, and again as small code (ESPALIER_SMALL_CODE); they are chosen
 when a program starts. A first run of every claim without any notes how long it takes and by which mutants it comes;
@@ -29,6 +31,9 @@ import shutil
 import signal
 import subprocess
 import sys
+
+from instrument import PARTS, version_of
+from published import publish
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -181,9 +186,7 @@ def doctest_claims(programs, code):
     program = programs / "mutant_claims"
     listed = subprocess.run([program, "-ltc", "-nv"], stdout=subprocess.PIPE, text=True, check=True)
     names = [name for name in listed.stdout.splitlines() if not name.startswith(("[doctest]", "==="))]
-    patterns = [name.replace("\\", "\\\\").replace(",", "\\,") for name in names]
-    return [Claim(f"{name}, times {SCALE}{code}", [program, f"-tc={pattern}", "-aa=1", "-m"])
-            for name, pattern in zip(names, patterns)]
+    return [Claim(f"{name}, times {SCALE}{code}", [program, f"-tc={name}", "-aa=1", "-m"]) for name in names]
 
 
 def key_of(mutant):
@@ -243,52 +246,60 @@ def earlier_results(path, mutants):
     return kept, hints
 
 
-def names_of(mutants):
-    """File, text of the line and change, by number; a change that the file has several times in such lines is counted."""
-    seen, names = collections.Counter(), {}
-    for mutant in mutants:
-        name = mutant["file"], mutant["text"], mutant["change"]
-        seen[name] += 1
-        names[mutant["number"]] = name if seen[name] == 1 else (*name[:2], f"{name[2]} ({seen[name]})")
-    return names
-
-
-def explanations():
-    """Reasons by name. In equivalent.txt a paragraph is the file, the line, its changes, one in a line, and the reason,
-    which begins with what the mutants are."""
-    path, reasons = HERE / "equivalent.txt", {}
-    for paragraph in path.read_text().strip().split("\n\n") if path.is_file() else []:
-        file, text, *changes, reason = paragraph.split("\n")
-        if not file.startswith("#"):
-            reasons.update({(file, text, change): reason for change in changes})
-    return reasons
-
-
-def report(results, names):
-    explained, tally, unexplained = explanations(), collections.defaultdict(collections.Counter), 0
+def report(results):
+    """How many mutants of each part had which outcome: how they were killed, or the kind of their excuse."""
+    tally = collections.defaultdict(collections.Counter)
     for result in results:
-        reason = explained.get(names[result["number"]])
-        outcome = result["killed"] or (reason and reason.split(":")[0]) or "not explained"
+        outcome = result["killed"] or (result["excuse"] or "not explained").split(":")[0]
         tally[result["part"]][outcome] += 1
+        where = f"lib/{result['file']}:{result['line']}: {result['change']}    {result['text']}"
         if outcome == "not explained":
-            unexplained += 1
-            told = "survived" if result["met"] else "no claim comes by"
-            print(f"{told}: {result['file']}:{result['line']}: {result['change']}    {result['text']}")
-        elif result["killed"] and reason:
-            print(f"explained in vain: {result['file']}:{result['line']}: {result['change']}    {result['text']}")
+            print(f"{'survived' if result['met'] else 'no claim comes by'}: {where}")
+        elif result["killed"] and result["excuse"]:
+            print(f"excused in vain: {where}")
     for part, outcomes in tally.items():
         print(f"{part}: {sum(outcomes.values())} mutants: " + ", ".join(f"{n} {how}" for how, n in outcomes.items()))
-    return unexplained
+    return tally
+
+
+def chosen_mutants(mutants, asked):
+    """Those of the parts and files that were named; all when none was."""
+    files = {str(file).removeprefix("lib/") for file in asked.files}
+    unknown = files - {mutant["file"] for mutant in mutants}
+    if unknown:
+        raise SystemExit(f"mutate.py: no mutants in {', '.join(sorted(unknown))}; instrument.py lists the files")
+    if asked.since is not None:
+        files |= changed_since(asked.since, {mutant["file"] for mutant in mutants})
+    if not asked.parts and not asked.files and asked.since is None:
+        return mutants
+    return [mutant for mutant in mutants if mutant["part"] in asked.parts or mutant["file"] in files]
+
+
+def changed_since(commit, files):
+    """Those whose code differs from the commit's, comments and blanks aside."""
+    changed = set()
+    for file in files:
+        then = subprocess.run(["git", "show", f"{commit}:lib/{file}"], cwd=ROOT, capture_output=True, text=True)
+        if version_of(then.stdout) != version_of((ROOT / "lib" / file).read_text()):
+            changed.add(file)
+    print(f"changed since {commit}: {', '.join(sorted(changed)) or 'nothing'}", flush=True)
+    return changed
 
 
 def main():
     asked = argparse.ArgumentParser()
     asked.add_argument("build")
     asked.add_argument("parts", nargs="*")
+    asked.add_argument("--files", nargs="+", default=[])
+    asked.add_argument("--since")
+    asked.add_argument("--publish", action="store_true")
     asked.add_argument("--survivors", action="store_true")
     asked.add_argument("--claims", nargs="+", default=[""])
     asked.add_argument("--most", type=int, default=1_000_000)
     asked = asked.parse_args()
+    unknown = [part for part in asked.parts if part not in PARTS]
+    if unknown:
+        raise SystemExit(f"mutate.py: there is no part '{unknown[0]}', only {', '.join(PARTS)}")
     folder = pathlib.Path(asked.build).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     mutants = build(folder)
@@ -298,7 +309,7 @@ def main():
         claims = [claim for claim, kept in zip(claims, pool.map(lambda claim: claim.prepare(folder), claims)) if kept]
     print(f"{len(claims)} claims, {sum(claim.seconds for claim in claims):.0f} seconds", flush=True)
     judge = Judge(claims, folder / "scratch", earlier, hints, asked.most, asked.claims != [""])
-    chosen = [mutant for mutant in mutants if not asked.parts or mutant["part"] in asked.parts]
+    chosen = chosen_mutants(mutants, asked)
     pending = [mutant for mutant in chosen
                if (earlier[key_of(mutant)]["killed"] is None if key_of(mutant) in earlier else not asked.survivors)]
     pending.sort(key=lambda mutant: key_of(mutant) in earlier)
@@ -309,10 +320,14 @@ def main():
             earlier[key_of(result)] = result
             kept.write(json.dumps(result) + "\n")
             kept.flush()
-    done = [earlier[key_of(mutant)] for mutant in chosen if key_of(mutant) in earlier]
+    # Where it is and its excuse are of now: a comment may have changed since it was run.
+    done = [{**earlier[key_of(mutant)], **mutant} for mutant in chosen if key_of(mutant) in earlier]
     if len(done) < len(chosen):
         print(f"not run: {len(chosen) - len(done)}")
-    return 1 if report(done, names_of(mutants)) != 0 or len(done) < len(chosen) else 0
+    tally = report(done)
+    if asked.publish:
+        publish(tally, collections.Counter(mutant["part"] for mutant in mutants))
+    return 1 if len(done) < len(chosen) or any(outcomes["not explained"] for outcomes in tally.values()) else 0
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ struct Corner {
 };
 inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& blob, const LatticeRay& ray) {
     Corner corner;
+    // mutant(< -> <=) sanitizer: writes a fourth coordinate behind three, which is never read
     for (int k = 0; k < 3; ++k)
         corner.at[k] = static_cast<float>(node.low(k, child, blob.bits)) - origin_steps(ray, static_cast<unsigned>(k));
     return corner;
