@@ -64,13 +64,20 @@ def named_files(page):
     return [ROOT / name for name in names]
 
 
-def run(page, description, outputs):
-    """The command line of a report. outputs(files) gives everything that the rows decide: path and text."""
+def run(page, description, outputs, merge=None):
+    """The command line of a report. outputs(files) returns everything that the rows decide: path and text.
+
+    merge(named, added) returns the files to report when the option --add names one besides those of the page.
+    """
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--check", action="store_true", help="write nothing; fail when something would change")
     parser.add_argument("files", nargs="*", type=pathlib.Path, help="rows; without any, those that the page names")
+    if merge is not None:
+        parser.add_argument("--add", metavar="FILE", type=pathlib.Path, help="the page's rows and these")
     arguments = parser.parse_args()
     files = [file.resolve() for file in arguments.files] or named_files(page)
+    if merge is not None and arguments.add is not None:
+        files = merge(files, arguments.add.resolve())
     outside = [str(file) for file in files if not file.is_relative_to(ROOT)]
     if outside:
         fail(f"{', '.join(outside)}: the page links to its rows; put them into bench/results")
@@ -81,6 +88,7 @@ def run(page, description, outputs):
             print(f"{path.relative_to(ROOT)} is not what its rows say; run bench/{pathlib.Path(sys.argv[0]).name}",
                   file=sys.stderr)
         else:
+            path.parent.mkdir(exist_ok=True)
             path.write_text(text, encoding="utf-8")
             print(path.relative_to(ROOT))
     sys.exit(1 if arguments.check and stale else 0)

@@ -1,0 +1,189 @@
+"""Draws the README's chart as SVG: bytes per triangle against speed, a panel for each processor, a bar for each system.
+
+A bar spans the slowest and the fastest mesh of a system; a dot on it is one mesh.
+"""
+
+import dataclasses
+import math
+
+from report_plot import text
+
+
+@dataclasses.dataclass
+class Mark:
+    system: str
+    profile: str
+    mesh: str
+    bytes: float
+    ratio: float
+
+
+@dataclasses.dataclass
+class Panel:
+    title: str
+    marks: list
+
+
+@dataclasses.dataclass
+class Style:
+    label: str
+    colour: str
+    side: str = "below"  # where the label is, seen from the bar
+
+
+WIDTH, HEIGHT = 430, 320  # of a panel
+LEFT, RIGHT, TOP, BOTTOM = 48, 22, 34, 48
+COLUMNS = 2
+HEADER = 34
+FONT = 12
+LOW, HIGH = 3.0, 128.0  # bytes per triangle
+OWN, EMBREE, BULLET, ODE = "#D55E00", "#0072B2", "#007A59", "#8A5A83"
+# Systems in the chart; others would repeat these or have no query for rays.
+STYLES = {
+    ("espalier", "small"): Style("small", OWN, "below left"),
+    ("espalier", "balanced"): Style("balanced", OWN, "further below"),
+    ("espalier", "fast"): Style("fast", OWN, "below left"),
+    ("embree", "default"): Style("default", EMBREE, "above"),
+    ("embree", "robust"): Style("robust", EMBREE),
+    ("embree", "compact"): Style("Embree compact", EMBREE, "left"),
+    ("bullet", "quantised"): Style("Bullet", BULLET, "left"),
+    ("ode", "opcode"): Style("ODE", ODE, "right"),
+}
+NAMED_MESHES = ("espalier", "fast")  # the bar whose dots are labelled with their meshes
+HEADINGS = {"espalier": "Espalier", "embree": "Embree"}  # over bars whose labels do not name the system
+GREY = "#666"
+
+
+class Scale:
+    def __init__(self, panels):
+        self.top = max([1.2] + [mark.ratio * 1.12 for panel in panels for mark in panel.marks])
+
+    def x(self, value):
+        return LEFT + math.log(value / LOW) / math.log(HIGH / LOW) * (WIDTH - LEFT - RIGHT)
+
+    def y(self, value):
+        return HEIGHT - BOTTOM - value / self.top * (HEIGHT - TOP - BOTTOM)
+
+
+@dataclasses.dataclass
+class Bar:
+    """All meshes of one system, at the geometric mean of their bytes."""
+    key: tuple
+    marks: list
+
+    def place(self, scale):
+        self.x = scale.x(math.exp(sum(math.log(mark.bytes) for mark in self.marks) / len(self.marks)))
+        self.high = scale.y(max(mark.ratio for mark in self.marks))
+        self.low = scale.y(min(mark.ratio for mark in self.marks))
+
+
+def bars_of(panel, scale):
+    bars = []
+    for key in STYLES:
+        marks = [mark for mark in panel.marks if (mark.system, mark.profile) == key]
+        if marks:
+            bars.append(Bar(key, marks))
+            bars[-1].place(scale)
+    return bars
+
+
+def coloured(colour, weight="normal"):
+    """With a white rim, which keeps letters apart from the lines behind them."""
+    return f' fill="{colour}" font-weight="{weight}" stroke="#fff" stroke-width="3" paint-order="stroke"'
+
+
+def draw_axes(panel, scale):
+    bottom = HEIGHT - BOTTOM
+    parts = [text(LEFT, TOP - 12, panel.title, extra=' font-weight="bold"')]
+    for value in (4, 8, 16, 32, 64, 128):
+        x = scale.x(value)
+        parts.append(f'<line x1="{x:.1f}" y1="{bottom}" x2="{x:.1f}" y2="{bottom + 4}" stroke="#888"/>')
+        parts.append(text(x, bottom + 18, str(value), "middle", coloured(GREY)))
+    for i in range(int(scale.top / 0.5) + 1):
+        y = scale.y(0.5 * i)
+        dash = ' stroke-dasharray="4 3"' if i == 2 else ""
+        parts.append(f'<line x1="{LEFT}" y1="{y:.1f}" x2="{WIDTH - RIGHT}" y2="{y:.1f}" '
+                     f'stroke="{"#888" if i in (0, 2) else "#ddd"}"{dash}/>')
+        parts.append(text(LEFT - 7, y + 4, f"{0.5 * i:.1f}", "end", coloured(GREY)))
+    parts.append(text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, "bytes per triangle, vertices included", "middle"))
+    middle = (TOP + bottom) / 2
+    parts.append(text(14, middle, "rays per second, Embree default = 1", "middle",
+                      f' transform="rotate(-90 14 {middle:.1f})"'))
+    return parts
+
+
+def draw_bar(bar, scale):
+    colour = STYLES[bar.key].colour
+    parts = []
+    if bar.low - bar.high > 1:
+        parts.append(f'<line x1="{bar.x:.1f}" y1="{bar.high:.1f}" x2="{bar.x:.1f}" y2="{bar.low:.1f}" stroke="{colour}" '
+                     'stroke-width="7" stroke-opacity="0.3" stroke-linecap="round"/>')
+    for mark in bar.marks:
+        parts.append(f'<circle cx="{bar.x:.1f}" cy="{scale.y(mark.ratio):.1f}" r="3.5" fill="{colour}"/>')
+    return parts
+
+
+def draw_label(bar):
+    style = STYLES[bar.key]
+    middle = (bar.high + bar.low) / 2 + 4
+    x, y, anchor = {"below": (bar.x, bar.low + 19, "middle"), "below left": (bar.x + 5, bar.low + 19, "end"),
+                    "further below": (bar.x, bar.low + 39, "middle"), "above": (bar.x, bar.high - 10, "middle"),
+                    "left": (bar.x - 9, middle, "end"), "right": (bar.x + 9, middle, "start")}[style.side]
+    parts = [text(x, y, style.label, anchor, coloured(style.colour))]
+    if style.side == "further below":
+        parts.append(f'<line x1="{bar.x:.1f}" y1="{bar.low + 8:.1f}" x2="{bar.x:.1f}" y2="{y - 12:.1f}" '
+                     f'stroke="{style.colour}" stroke-width="0.8"/>')
+    return parts
+
+
+def draw_headings(bars):
+    parts = []
+    for system, heading in HEADINGS.items():
+        own = [bar for bar in bars if bar.key[0] == system and STYLES[bar.key].label[0].islower()]
+        if own:
+            x = sum(bar.x for bar in own) / len(own)
+            above = any(STYLES[bar.key].side == "above" for bar in own)
+            y = min(bar.high for bar in own) - (26 if above else 12)
+            parts.append(text(x, y, heading, "middle", coloured(STYLES[own[0].key].colour, "bold")))
+    return parts
+
+
+def draw_meshes(bar, scale):
+    """Names beside the dots, moved down where they would overlap."""
+    parts, free = [], 0.0
+    for mark in sorted(bar.marks, key=lambda mark: -mark.ratio):
+        y = max(scale.y(mark.ratio) + 4, free)
+        parts.append(text(bar.x + 10, y, mark.mesh, extra=coloured(GREY)))
+        free = y + 13
+    return parts
+
+
+def draw_panel(panel, scale):
+    bars = bars_of(panel, scale)
+    parts = draw_axes(panel, scale)
+    for bar in bars:
+        parts += draw_bar(bar, scale)
+    for bar in bars:
+        parts += draw_label(bar)
+    parts += draw_headings(bars)
+    for bar in bars:
+        if bar.key == NAMED_MESHES:
+            parts += draw_meshes(bar, scale)
+    return parts
+
+
+def draw(panels):
+    """The whole picture, as text. The same rows give the same bytes. White ground: it is read on dark pages too."""
+    scale = Scale(panels)
+    rows = (len(panels) + COLUMNS - 1) // COLUMNS
+    width, height = WIDTH * min(COLUMNS, max(1, len(panels))), HEADER + HEIGHT * rows
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+             f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="{FONT}" fill="#222">',
+             f'<rect width="{width}" height="{height}" rx="8" fill="#fff"/>',
+             text(LEFT, 24, "Closest hits, one ray at a time. Left is smaller, up is faster; each dot is one mesh.",
+                  extra=' font-size="14" font-weight="bold"')]
+    for i, panel in enumerate(panels):
+        parts.append(f'<g transform="translate({WIDTH * (i % COLUMNS)} {HEADER + HEIGHT * (i // COLUMNS)})">')
+        parts += draw_panel(panel, scale)
+        parts.append("</g>")
+    return "\n".join(parts + ["</svg>", ""])
