@@ -11,7 +11,7 @@ when a program starts. A first run of every claim without any notes how long it 
 each mutant is then shown to the claims that come by it, first those that have noticed most of its file's mutants for the
 time that they take, until one is red, crashes or takes far too long.
 
-What was found is kept in BUILD/results.jsonl and holds as long as the mutant's file is made of the same text: a mutant
+What was found is kept in BUILD/results.jsonl and holds as long as the mutant's file has the same code: a mutant
 that was noticed is not asked about again, one that survived only by claims that it has not met. --survivors leaves out
 all mutants that have not been run yet; --claims asks only those with one of these texts in their names, also where the
 mutant has met them, since they may have changed; --most asks so many of each mutant, and leaves the others for another
@@ -55,8 +55,8 @@ QUESTIONS = [5, 100]  # of a kind and blob
 BUILDS = {"build": "", "build_small_code": "ON"}
 
 
-def build(folder):
-    """The programs with all mutants in them, and the list of mutants."""
+def write_sources(folder):
+    """The library with all mutants in it, and the list of mutants."""
     source, fresh = folder / "source", folder / "fresh"
     shutil.rmtree(fresh, ignore_errors=True)
     fresh.mkdir(parents=True)
@@ -65,8 +65,10 @@ def build(folder):
     shutil.copytree(ROOT / "lib", fresh / "lib")
     with open(fresh / "CMakeLists.txt", "a") as top:
         top.write("add_subdirectory(tests/mutation)\n")
-    subprocess.run([sys.executable, HERE / "instrument.py", ROOT / "lib", fresh / "lib", folder / "mutants.jsonl"],
-                   check=True)
+    written = subprocess.run([sys.executable, HERE / "instrument.py", ROOT / "lib", fresh / "lib",
+                              folder / "mutants.jsonl"])
+    if written.returncode != 0:
+        raise SystemExit(written.returncode)
     leave_out_wide_lanes(fresh)
     # Only what changed is touched, and compiled again.
     for path in fresh.rglob("*"):
@@ -74,7 +76,12 @@ def build(folder):
         if path.is_file() and not (old.is_file() and filecmp.cmp(path, old, shallow=False)):
             old.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, old)
-    mutants = [json.loads(line) for line in (folder / "mutants.jsonl").open()]
+    return [json.loads(line) for line in (folder / "mutants.jsonl").open()]
+
+
+def build(folder, mutants):
+    """The programs that judge the mutants."""
+    source = folder / "source"
     flags = f"-std=c++20 -O1 -w -include {source}/tests/mutation/mutants.hpp"
     for name, small_code in BUILDS.items():
         claims = [claim for claim in CLAIMS if not small_code or claim.startswith("runtime/")]
@@ -87,7 +94,6 @@ def build(folder):
                                 "mutant_answers", "mutant_claims"], stdout=subprocess.PIPE, text=True)
         if built.returncode != 0:
             raise SystemExit(built.stdout)
-    return mutants
 
 
 def leave_out_wide_lanes(fresh):
@@ -277,6 +283,9 @@ def chosen_mutants(mutants, asked):
 
 def changed_since(commit, files):
     """Those whose code differs from the commit's, comments and blanks aside."""
+    if subprocess.run(["git", "rev-parse", "--quiet", "--verify", f"{commit}^{{commit}}"], cwd=ROOT,
+                      stdout=subprocess.DEVNULL).returncode != 0:
+        raise SystemExit(f"mutate.py: there is no commit '{commit}'")
     changed = set()
     for file in files:
         then = subprocess.run(["git", "show", f"{commit}:lib/{file}"], cwd=ROOT, capture_output=True, text=True)
@@ -297,19 +306,22 @@ def main():
     asked.add_argument("--claims", nargs="+", default=[""])
     asked.add_argument("--most", type=int, default=1_000_000)
     asked = asked.parse_args()
-    unknown = [part for part in asked.parts if part not in PARTS]
-    if unknown:
-        raise SystemExit(f"mutate.py: there is no part '{unknown[0]}', only {', '.join(PARTS)}")
+    for part in asked.parts:
+        if part not in PARTS:
+            raise SystemExit(f"mutate.py: there is no part '{part}', only {', '.join(PARTS)}")
     folder = pathlib.Path(asked.build).resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    mutants = build(folder)
+    mutants = write_sources(folder)
+    chosen = chosen_mutants(mutants, asked)
+    if not chosen:
+        return 0
+    build(folder, mutants)
     earlier, hints = earlier_results(folder / "results.jsonl", mutants)
     claims = [claim for claim in claims_of(folder) if any(text in claim.name for text in asked.claims)]
     with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
         claims = [claim for claim, kept in zip(claims, pool.map(lambda claim: claim.prepare(folder), claims)) if kept]
     print(f"{len(claims)} claims, {sum(claim.seconds for claim in claims):.0f} seconds", flush=True)
     judge = Judge(claims, folder / "scratch", earlier, hints, asked.most, asked.claims != [""])
-    chosen = chosen_mutants(mutants, asked)
     pending = [mutant for mutant in chosen
                if (earlier[key_of(mutant)]["killed"] is None if key_of(mutant) in earlier else not asked.survivors)]
     pending.sort(key=lambda mutant: key_of(mutant) in earlier)
