@@ -105,7 +105,7 @@ def glance(machines):
             own = [system for _, system in find_all(machines, mesh, "espalier", profile)]
             cells = [span(speeds(machines, mesh, "espalier", profile, kind, mode)) for kind in RAYS for mode in REFERENCES]
             lines.append([f"`{profile}`", mesh, span([system.bytes for system in own]), *cells])
-    header = [f"{kind} / {mode}" for kind in RAYS for mode in REFERENCES]
+    header = [f"{kind}: beside {mode}" for kind in RAYS for mode in REFERENCES]
     return table(["profile", "mesh", "B/triangle", *header], lines)
 
 
@@ -194,13 +194,12 @@ def numbers(machines):
         cells = [span(speeds(machines, mesh, "espalier", "balanced", kind, mode))
                  for kind in ("incoherent", "any") for mode in REFERENCES]
         lines.append([mesh, f"{triangles:,}", own, embree, *cells])
-    header = ["mesh", "triangles", "bytes per triangle", "Embree's bytes", "closest hit / default", "/ robust",
-              "any hit / default", "/ robust"]
+    header = ["mesh", "triangles", "bytes per triangle", "Embree's bytes", *(f"{kind}: beside {mode}" for kind in ("closest hit", "any hit") for mode in REFERENCES)]
     return table(header, lines)
 
 
 def processors(machines):
-    return "Processors: " + ", ".join(machine.name for machine in machines) + "; one thread."
+    return "Measured with one thread on: " + ", ".join(machine.name for machine in machines) + "."
 
 
 def chart(machines):

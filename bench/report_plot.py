@@ -71,7 +71,7 @@ def place(words, x, y, taken):
     """The first free place for a label around its mark; to the right when there is none."""
     width = 0.56 * FONT * len(words)
     places = []
-    for dy in (0, -11, 11, -20, 20, -29, 29):
+    for dy in (0, -11, 11, -20, 20, -29, 29, -38, 38, -47, 47, -56, 56):
         places.append((x + 10, y + dy, "start", (x + 10, y + dy - 5, x + 10 + width, y + dy + 5)))
         places.append((x - 10, y + dy, "end", (x - 10 - width, y + dy - 5, x - 10, y + dy + 5)))
     inside = [p for p in places if p[3][0] > LEFT and p[3][2] < WIDTH - RIGHT and TOP < p[3][1] and p[3][3] < HEIGHT - BOTTOM]
