@@ -146,6 +146,12 @@ const char* name_of(QueryStatus status) {
             return "work_limit";
         case QueryStatus::output_full:
             return "output_full";
+        case QueryStatus::not_found:
+            return "not_found";
+        case QueryStatus::not_open:
+            return "not_open";
+        case QueryStatus::no_data:
+            return "no_data";
     }
     return "unknown";
 }

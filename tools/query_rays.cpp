@@ -22,6 +22,9 @@ void add_hit(Record& record, const Blob& blob, const Ray& ray, const RayHit& hit
     record.triangle(blob, hit.triangle, "hit ");
     record.add("t", hit.t).add("point", point_at(ray, hit.t)).add("normal", hit.normal);
     record.add("u", hit.u).add("v", hit.v);
+    if (const OriginalHit original = original_hit(blob, hit)) {
+        record.add("original_u", original.u).add("original_v", original.v);
+    }
 }
 
 Answer all_hits(const QueryCall& call, const Ray& ray) {

@@ -114,23 +114,6 @@ private:
 /// compared. A blob that both open, both open alike.
 [[nodiscard]] Status open_trusted_image(std::span<const std::byte> bytes, Blob& blob) noexcept;
 
-/// Where a triangle came from: which input file, which mesh in it, which triangle of that mesh, all counted from 0.
-///
-/// The blob's corners a, b, c are the source's corners first_corner, first_corner + 1 and first_corner + 2, modulo 3,
-/// in the same winding; in profile fast first_corner is always 0. Queries give u and v as the weights of the blob's b
-/// and c. So the weights of the source's second and third corner are u and v for first_corner 0, 1 - u - v and u for 1,
-/// v and 1 - u - v for 2.
-struct OriginalTriangle {
-    std::uint32_t file = 0;
-    std::uint32_t mesh = 0;
-    std::uint32_t triangle = 0;
-    std::uint32_t first_corner = 0;  ///< 0, 1 or 2
-    friend constexpr bool operator==(const OriginalTriangle&, const OriginalTriangle&) = default;
-};
-
-/// False, and `original` untouched, when the blob carries no ids or has no such triangle. O(log(number of meshes)).
-bool original_triangle(const Blob& blob, Triangle triangle, OriginalTriangle& original) noexcept;
-
 /// The material number given at bake, or 0 when the blob carries none or has no such triangle. O(1).
 [[nodiscard]] std::uint16_t material(const Blob& blob, Triangle triangle) noexcept;
 

@@ -71,7 +71,10 @@ enum {
     ESPALIER_QUERY_NOT_CLOSED = 3,
     ESPALIER_QUERY_HAS_COPIES = 4,
     ESPALIER_QUERY_WORK_LIMIT = 5,
-    ESPALIER_QUERY_OUTPUT_FULL = 6
+    ESPALIER_QUERY_OUTPUT_FULL = 6,
+    ESPALIER_QUERY_NOT_FOUND = 7,
+    ESPALIER_QUERY_NOT_OPEN = 8,
+    ESPALIER_QUERY_NO_DATA = 9
 };
 
 /* One English sentence without a full stop, static, never null: also for values that are not listed. */
@@ -174,13 +177,6 @@ bool espalier_blob_has_original_ids(const espalier_blob* blob);
 bool espalier_blob_has_materials(const espalier_blob* blob);
 bool espalier_blob_has_edge_flags(const espalier_blob* blob);
 
-typedef struct ESPALIER_SHARED_ espalier_original_triangle {
-    uint32_t file, mesh, triangle;
-    uint32_t first_corner;
-} espalier_original_triangle;
-
-bool espalier_get_original_triangle(const espalier_blob* blob, espalier_triangle triangle,
-                                    espalier_original_triangle* original);
 uint16_t espalier_material(const espalier_blob* blob, espalier_triangle triangle);
 
 /* ---- contact.hpp --------------------------------------------------------------------------------------------------
@@ -273,6 +269,34 @@ size_t espalier_occluded_batch(const espalier_blob* blob, const espalier_ray* ra
 
 typedef espalier_visit (*espalier_hit_visitor)(const espalier_ray_hit* hit, void* user);
 bool espalier_for_each_hit(const espalier_blob* blob, const espalier_ray* ray, espalier_hit_visitor visit, void* user);
+
+/* ---- original.hpp -------------------------------------------------------------------------------------------------
+ */
+
+typedef struct ESPALIER_SHARED_ espalier_original_triangle {
+    uint32_t file, mesh, triangle;
+    uint32_t first_corner;
+} espalier_original_triangle;
+
+bool espalier_get_original_triangle(const espalier_blob* blob, espalier_triangle triangle,
+                                    espalier_original_triangle* original);
+espalier_query_status espalier_get_original_triangle_batch(const espalier_blob* blob,
+                                                           const espalier_triangle* triangles,
+                                                           espalier_original_triangle* originals, size_t count);
+
+/* An answer when status is ESPALIER_QUERY_OK. */
+typedef struct ESPALIER_SHARED_ espalier_original_hit {
+    uint32_t file, mesh, triangle;
+    float u, v;
+    espalier_query_status status;
+} espalier_original_hit;
+
+espalier_original_hit espalier_get_original_hit(const espalier_blob* blob, const espalier_ray_hit* hit);
+espalier_query_status espalier_get_original_hit_batch(const espalier_blob* blob, const espalier_ray_hit* hits,
+                                                      espalier_original_hit* originals, size_t count);
+/* `remap` has `triangles` entries. */
+espalier_original_hit espalier_get_original_hit_by_remap(const espalier_original_triangle* remap, size_t triangles,
+                                                         const espalier_ray_hit* hit);
 
 /* ---- overlap.hpp --------------------------------------------------------------------------------------------------
  */

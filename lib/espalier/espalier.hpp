@@ -9,6 +9,7 @@
 #include <espalier/inside.hpp>
 #include <espalier/lattice.hpp>
 #include <espalier/nearest.hpp>
+#include <espalier/original.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/shapes.hpp>

@@ -32,6 +32,9 @@ enum class QueryStatus : std::uint8_t {
     has_copies = 4,        ///< a blob with copy_count() above 0 answers no enumerating queries
     work_limit = 5,        ///< the caller's limit of work was reached: the answer covers a part only
     output_full = 6,       ///< the caller's array is full and there is more
+    not_found = 7,         ///< the whole answer, which is that there is none
+    not_open = 8,          ///< the blob was never opened, or refused by open
+    no_data = 9,           ///< the blob was baked without the section that the query reads
 };
 
 /// One English sentence without a full stop, static, never null: also for values that are no QueryStatus.

@@ -34,6 +34,18 @@ struct Corners {
     Vec3 c;
 };
 
+/// Where a triangle came from: which input file, which mesh in it, which triangle of that mesh, all counted from 0.
+///
+/// The blob's corners a, b, c are the source's corners first_corner, first_corner + 1 and first_corner + 2, modulo 3,
+/// in the same winding; in profile fast first_corner is always 0.
+struct OriginalTriangle {
+    std::uint32_t file = 0;
+    std::uint32_t mesh = 0;
+    std::uint32_t triangle = 0;
+    std::uint32_t first_corner = 0;  ///< 0, 1 or 2
+    friend constexpr bool operator==(const OriginalTriangle&, const OriginalTriangle&) = default;
+};
+
 /// What a visitor answers after each triangle or hit.
 enum class Visit : std::uint8_t { keep_going, stop };
 inline constexpr Visit keep_going = Visit::keep_going;

@@ -49,6 +49,12 @@ const char* describe(QueryStatus status) noexcept {
             return "the limit of work was reached before the answer was complete";
         case QueryStatus::output_full:
             return "the array is full and there is more to report";
+        case QueryStatus::not_found:
+            return "there is none";
+        case QueryStatus::not_open:
+            return "the blob was never opened, or was refused when it was";
+        case QueryStatus::no_data:
+            return "the blob was baked without the section that this query reads";
     }
     return "not a query status of this library";
 }

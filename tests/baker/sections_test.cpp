@@ -1,6 +1,8 @@
 // Claims about the optional sections and the closed flag.
 #include <doctest/doctest.h>
 
+#include <espalier/original.hpp>
+
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"

@@ -10,6 +10,7 @@
 #include <baker/build_spatial.hpp>
 #include <baker/verify.hpp>
 #include <espalier/nearest.hpp>
+#include <espalier/original.hpp>
 #include <espalier/statistics.hpp>
 #include <espalier/walk.hpp>
 

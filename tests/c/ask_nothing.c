@@ -59,6 +59,9 @@ void ask_nothing(struct asking* asking) {
 
     tell(asking, (uint32_t)espalier_raycast_batch(blob, NULL, NULL, 0));
     tell(asking, (uint32_t)espalier_occluded_batch(blob, NULL, NULL, 0));
+    tell(asking, espalier_get_original_hit_batch(blob, NULL, NULL, 0));
+    tell(asking, espalier_get_original_triangle_batch(blob, NULL, NULL, 0));
+    tell(asking, espalier_get_original_hit_by_remap(NULL, 0, &hit).status);
     hits = espalier_closest_hits(blob, &ray, NULL, 0);
     tell(asking, (uint32_t)hits.count);
     tell(asking, hits.status);

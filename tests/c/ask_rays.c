@@ -8,6 +8,42 @@ static void tell_hit(struct asking* asking, const espalier_ray_hit* hit) {
     tell(asking, hit->triangle);
 }
 
+static void tell_original(struct asking* asking, espalier_original_hit original) {
+    tell(asking, original.file);
+    tell(asking, original.mesh);
+    tell(asking, original.triangle);
+    tell_float(asking, original.u);
+    tell_float(asking, original.v);
+    tell(asking, original.status);
+}
+
+static void ask_originals(struct asking* asking, const espalier_ray_hit* hits) {
+    const uint32_t bits = asking->question->bits;
+    const espalier_original_triangle remap[2] = {{bits, 1, 2, bits % 3u}, {3, 4, bits, bits % 5u}};
+    espalier_original_hit originals[18];
+    espalier_original_triangle triangles[18];
+    espalier_triangle named[18];
+    espalier_ray_hit turned = hits[0];
+    for (int i = 0; i < 18; ++i) tell_original(asking, espalier_get_original_hit(asking->blob, &hits[i]));
+    tell(asking, espalier_get_original_hit_batch(asking->blob, hits, originals, 18));
+    for (int i = 0; i < 18; ++i) tell_original(asking, originals[i]);
+    for (uint32_t i = 0; i < 4; ++i) {
+        turned.triangle = i == 3 ? ESPALIER_NO_TRIANGLE : i;
+        tell_original(asking, espalier_get_original_hit_by_remap(remap, 2, &turned));
+    }
+    memset(triangles, 0, sizeof triangles);
+    for (int i = 0; i < 18; ++i) named[i] = hits[i].triangle;
+    for (size_t count = 1; count <= 18; count += 17) {
+        tell(asking, espalier_get_original_triangle_batch(asking->blob, named, triangles, count));
+        for (size_t i = 0; i < count; ++i) {
+            tell(asking, triangles[i].file);
+            tell(asking, triangles[i].mesh);
+            tell(asking, triangles[i].triangle);
+            tell(asking, triangles[i].first_corner);
+        }
+    }
+}
+
 static espalier_visit visit_hit(const espalier_ray_hit* hit, void* user) {
     struct asking* asking = user;
     tell_hit(asking, hit);
@@ -67,6 +103,7 @@ void ask_rays(struct asking* asking) {
     }
     tell(asking, (uint32_t)espalier_raycast_batch(asking->blob, rays, hits, 18));
     for (int i = 0; i < 18; ++i) tell_hit(asking, &hits[i]);
+    ask_originals(asking, hits);
     tell(asking, (uint32_t)espalier_occluded_batch(asking->blob, rays, answers, 18));
     for (int i = 0; i < 18; ++i) tell(asking, answers[i]);
 }

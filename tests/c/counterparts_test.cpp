@@ -40,7 +40,6 @@ const char* const counterparts = R"(
     has_materials()                                               espalier_blob_has_materials
     has_edge_flags()                                              espalier_blob_has_edge_flags
     data()                                                        -
-    original_triangle(Blob, Triangle, OriginalTriangle)           espalier_get_original_triangle
     material(Blob, Triangle)                                      espalier_material
 
     edge_kinds(Blob, Triangle, EdgeKinds)                         espalier_get_edge_kinds
@@ -64,6 +63,13 @@ const char* const counterparts = R"(
     raycast(Blob, span<Ray>, span<RayHit>)                        espalier_raycast_batch
     occluded(Blob, span<Ray>, span<uint8_t>)                      espalier_occluded_batch
     for_each_hit(Blob, Ray, FunctionRef<Visit(RayHit)>)           espalier_for_each_hit
+
+    original_triangle(Blob, Triangle, OriginalTriangle)           espalier_get_original_triangle
+    original_triangle(Blob, span<Triangle>, span<OriginalTriangle>) espalier_get_original_triangle_batch
+    original_hit(Blob, RayHit)                                    espalier_get_original_hit
+    original_hit(Blob, span<RayHit>, span<OriginalHit>)           espalier_get_original_hit_batch
+    original_hit(span<OriginalTriangle>, RayHit)                  espalier_get_original_hit_by_remap
+    bool()                                                        -
 
     overlaps(Blob, Sphere)                                        espalier_overlaps_sphere
     overlaps(Blob, Capsule)                                       espalier_overlaps_capsule

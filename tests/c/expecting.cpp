@@ -139,6 +139,41 @@ void Expecting::one_ray(const Ray& ray) {
     tell(counters);
 }
 
+void Expecting::tell(const OriginalHit& original) {
+    tell(original.file);
+    tell(original.mesh);
+    tell(original.triangle);
+    tell(original.u);
+    tell(original.v);
+    tell(original.status);
+}
+
+void Expecting::originals(const std::array<RayHit, 18>& hits) {
+    for (const RayHit& hit : hits) tell(original_hit(blob_, hit));
+    std::array<OriginalHit, 18> originals;
+    tell(original_hit(blob_, hits, originals));
+    for (const OriginalHit& original : originals) tell(original);
+    const std::uint32_t bits = asked_.bits;
+    const OriginalTriangle remap[2] = {{bits, 1, 2, bits % 3}, {3, 4, bits, bits % 5}};
+    RayHit turned = hits[0];
+    for (const std::uint32_t triangle : {0u, 1u, 2u, no_triangle.index}) {
+        turned.triangle = {triangle};
+        tell(original_hit(remap, turned));
+    }
+    std::array<OriginalTriangle, 18> triangles;
+    std::array<Triangle, 18> named;
+    for (std::size_t i = 0; i < hits.size(); ++i) named[i] = hits[i].triangle;
+    for (const std::size_t count : {1u, 18u}) {
+        tell(original_triangle(blob_, std::span(named).first(count), std::span(triangles).first(count)));
+        for (const OriginalTriangle& original : std::span(triangles).first(count)) {
+            tell(original.file);
+            tell(original.mesh);
+            tell(original.triangle);
+            tell(original.first_corner);
+        }
+    }
+}
+
 void Expecting::rays() {
     std::array<Ray, 18> rays;
     rays[0] = {point(0), direction(0)};
@@ -152,6 +187,7 @@ void Expecting::rays() {
     std::array<RayHit, 18> hits;
     tell(std::uint64_t{raycast(blob_, rays, hits)});
     for (const RayHit& hit : hits) tell(hit);
+    originals(hits);
     std::array<std::uint8_t, 18> answers;
     tell(std::uint64_t{occluded(blob_, rays, answers)});
     for (const std::uint8_t answer : answers) tell(std::uint32_t{answer});
@@ -386,6 +422,9 @@ void Expecting::nothing() {
 
     tell(std::uint32_t{0});
     tell(std::uint32_t{0});
+    tell(QueryStatus::ok);
+    tell(original_triangle(blob_, {}, {}));
+    tell(QueryStatus::invalid_argument);
     tell(std::uint32_t{0});
     tell(found ? QueryStatus::output_full : QueryStatus::ok);
     tell(std::uint32_t{0});

@@ -1,6 +1,7 @@
 // The C++ side of asking.h: the same questions in the same order, asked of the C++ functions.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
@@ -46,6 +47,7 @@ private:
     void tell(Enumeration value) { tell(static_cast<std::uint32_t>(value)); }
 
     void tell(const RayHit& hit);
+    void tell(const OriginalHit& original);
     void tell(const Nearest& nearest);
     void tell(const NearestPair& pair);
     void tell(const SweepHit& hit);
@@ -54,6 +56,7 @@ private:
     void tell(const HitInSteps& hit);
     void about(Triangle triangle);
     void one_ray(const Ray& ray);
+    void originals(const std::array<RayHit, 18>& hits);
     template <class Shape>
     void volume(const Shape& shape);
     template <class Shape>

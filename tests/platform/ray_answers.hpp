@@ -16,6 +16,11 @@ inline void add_hit(Fingerprint& fingerprint, const Blob& blob, const RayHit& hi
     fingerprint.add(hit.v);
     fingerprint.add(hit.normal);
     add_triangle(fingerprint, blob, hit.triangle);
+    const OriginalHit original = original_hit(blob, hit);
+    fingerprint.add(original.triangle);
+    fingerprint.add(original.u);
+    fingerprint.add(original.v);
+    fingerprint.add(static_cast<std::uint32_t>(original.status));
 }
 
 inline void ask_closest_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {

@@ -58,6 +58,8 @@ TEST_SUITE("heap") {
                 std::array<RayHit, 20> hits;
                 std::array<std::uint8_t, 20> answers;
                 found += raycast(blob, rays, hits) + occluded(blob, rays, answers) != 0 ? 1u : 0u;
+                std::array<OriginalHit, 20> originals;
+                found += original_hit(blob, hits, originals) == QueryStatus::ok && originals[0] ? 1u : 0u;
                 for_each_hit(blob, ray, [&](const RayHit&) { return ++found, keep_going; });
                 for_each_overlap(blob, sphere, [&](Triangle) { return ++found, keep_going; });
                 for_each_node(blob, [&](const TreeNode&) { return ++found, NodeVisit::descend; });

@@ -7,8 +7,10 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <espalier/blob.hpp>
+#include <espalier/original.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/walk.hpp>
 
@@ -71,6 +73,20 @@ std::vector<Corners> every_triangle(const Blob& blob) {
     return triangles;
 }
 
+using Remap = std::vector<OriginalTriangle>;
+
+Remap remap_of(const DecodedBlob& decoded) {
+    Remap remap;
+    for (std::size_t i = 0; i < decoded.original_ids.size(); ++i)
+        remap.push_back({0, 0, decoded.original_ids[i], decoded.first_corners[i]});
+    return remap;
+}
+
+bool same(const OriginalHit& a, const OriginalHit& b) {
+    return a.file == b.file && a.mesh == b.mesh && a.triangle == b.triangle && a.u == b.u && a.v == b.v &&
+           a.status == b.status;
+}
+
 bool is_near(Vec3 a, Vec3 b, float distance) {
     return std::fabs(a.x - b.x) <= distance && std::fabs(a.y - b.y) <= distance && std::fabs(a.z - b.z) <= distance;
 }
@@ -115,7 +131,7 @@ TEST_SUITE("identity") {
         });
     }
 
-    TEST_CASE("source triangle: first_corner turns u and v into weights of the source corners") {
+    TEST_CASE("source triangle: original_hit gives the triangle and the weights that make up the point of the hit") {
         for_each_profile([](format::Profile profile) {
             Mesh mesh = make_terrain(12, 3);
             std::size_t number = 0;
@@ -126,37 +142,139 @@ TEST_SUITE("identity") {
             options.original_ids = true;
             const OpenedBlob opened(mesh, options);
             const DecodedBlob decoded = decode(opened.bytes);
+            const Remap remap = remap_of(decoded);
             QueryMaker maker(decoded, 77);
             std::array<int, 3> seen{};
             for (int i = 0; i < 500; ++i) {
                 const Ray ray = maker.ray(RayKind::incoherent);
                 RayHit hit;
-                OriginalTriangle original;
-                if (!raycast(opened.blob, ray, hit) || !original_triangle(opened.blob, hit.triangle, original))
-                    continue;
-                ++seen[original.first_corner];
-                float u = hit.u, v = hit.v;
-                if (original.first_corner == 1) {
-                    u = 1.0f - hit.u - hit.v;
-                    v = hit.u;
-                } else if (original.first_corner == 2) {
-                    u = hit.v;
-                    v = 1.0f - hit.u - hit.v;
-                }
+                if (!raycast(opened.blob, ray, hit)) continue;
+                const OriginalHit original = original_hit(opened.blob, hit);
+                REQUIRE(original);
+                REQUIRE(same(original_hit(remap, hit), original));
+                ++seen[decoded.first_corners[hit.triangle.index]];
+                REQUIRE(original.file == 0);
+                REQUIRE(original.mesh == 0);
+                REQUIRE(original.triangle == decoded.original_ids[hit.triangle.index]);
                 const TriangleVertices& vertices = mesh.triangles[original.triangle];
                 const Vec3 a = mesh.positions[vertices[0]], b = mesh.positions[vertices[1]],
                            c = mesh.positions[vertices[2]];
                 const auto weighed = [&](float from, float second, float third) {
-                    return from + u * (second - from) + v * (third - from);
+                    return from + original.u * (second - from) + original.v * (third - from);
                 };
                 const Vec3 on_source{weighed(a.x, b.x, c.x), weighed(a.y, b.y, c.y), weighed(a.z, b.z, c.z)};
                 const Vec3 on_ray{ray.origin.x + hit.t * ray.direction.x, ray.origin.y + hit.t * ray.direction.y,
                                   ray.origin.z + hit.t * ray.direction.z};
-                REQUIRE(is_near(on_source, on_ray, 0.01f));
+                REQUIRE(is_near(on_source, on_ray, 0.002f));
             }
             CHECK(seen[0] > 0);
             CHECK((seen[1] > 0) == (profile != format::Profile::fast));
             CHECK((seen[2] > 0) == (profile != format::Profile::fast));
+        });
+    }
+
+    TEST_CASE("source triangle: original_hit turns the weights as first_corner requires and none below 0") {
+        Random random(5);
+        float worst = 0.0f;
+        for (int i = 0; i < 10000; ++i) {
+            RayHit hit;
+            hit.u = random.below(4) == 0 ? std::ldexp(1.0f, -static_cast<int>(random.below(40))) : random.unit();
+            hit.v = random.unit() * (1.0f - hit.u);
+            if (random.below(4) == 0) hit.v = std::nextafter(1.0f - hit.u, 2.0f);  // rounded over the edge
+            const double rest = std::max(0.0, 1.0 - static_cast<double>(hit.u) - static_cast<double>(hit.v));
+            for (const std::uint32_t first_corner : {0u, 1u, 2u}) {
+                const OriginalTriangle remap[] = {{1, 2, 3, first_corner}};
+                const OriginalHit original = original_hit(remap, hit);
+                REQUIRE(original);
+                REQUIRE(original.file == 1);
+                REQUIRE(original.mesh == 2);
+                REQUIRE(original.triangle == 3);
+                REQUIRE(original.u >= 0.0f);
+                REQUIRE(original.v >= 0.0f);
+                const float first = first_corner == 1 ? original.u : first_corner == 2 ? original.v : 0.0f;
+                if (first_corner == 0) REQUIRE(original.u == hit.u);
+                if (first_corner != 1) REQUIRE((first_corner == 0 ? original.v : original.u) == hit.v);
+                if (first_corner == 1) REQUIRE(original.v == hit.u);
+                if (first_corner == 0) continue;
+                worst = std::max(worst, static_cast<float>(std::fabs(static_cast<double>(first) - rest)));
+            }
+        }
+        CHECK(worst <= std::ldexp(1.0f, -24));
+        CHECK(worst > 0.0f);
+    }
+
+    TEST_CASE("source triangle: a batch gives what one call for each gives") {
+        for_each_profile([](format::Profile profile) {
+            const Scene scene = make_scene(profile, true, Materials::none);
+            const Blob& blob = scene.opened.blob;
+            std::vector<RayHit> hits(50);
+            std::vector<Triangle> triangles;
+            for (std::uint32_t i = 0; i < hits.size(); ++i) {
+                hits[i].u = 0.25f;
+                hits[i].triangle = {i * 11};
+                triangles.push_back(hits[i].triangle);
+            }
+            hits[3].triangle = no_triangle;
+            hits[4].triangle = {blob.triangle_count()};
+            std::vector<OriginalHit> originals(hits.size());
+            REQUIRE(original_hit(blob, hits, originals) == QueryStatus::ok);
+            for (std::size_t i = 0; i < hits.size(); ++i) REQUIRE(same(originals[i], original_hit(blob, hits[i])));
+            CHECK(originals[2]);
+            CHECK(originals[3].status == QueryStatus::not_found);
+            CHECK(originals[4].status == QueryStatus::invalid_argument);
+
+            std::vector<OriginalTriangle> sources(triangles.size());
+            REQUIRE(original_triangle(blob, triangles, sources) == QueryStatus::ok);
+            for (std::size_t i = 0; i < triangles.size(); ++i) {
+                OriginalTriangle original;
+                REQUIRE(original_triangle(blob, triangles[i], original));
+                REQUIRE(sources[i] == original);
+            }
+
+            // Refused as a whole, with nothing written.
+            const std::vector<OriginalTriangle> before = sources;
+            std::swap(triangles[0], triangles[1]);
+            CHECK(original_triangle(blob, triangles, std::span(sources).first(49)) == QueryStatus::invalid_argument);
+            triangles.back() = {blob.triangle_count()};
+            CHECK(original_triangle(blob, triangles, sources) == QueryStatus::invalid_argument);
+            CHECK(sources == before);
+            originals[0].status = QueryStatus::work_limit;
+            CHECK(original_hit(blob, hits, std::span(originals).first(49)) == QueryStatus::invalid_argument);
+            CHECK(originals[0].status == QueryStatus::work_limit);
+        });
+    }
+
+    TEST_CASE("source triangle: the status of an original hit is the reason for none") {
+        for_each_profile([](format::Profile profile) {
+            const Scene without = make_scene(profile, false, Materials::none);
+            const Scene scene = make_scene(profile, true, Materials::none);
+            RayHit hit;
+            CHECK(original_hit(scene.opened.blob, hit).status == QueryStatus::ok);
+            CHECK(original_hit(without.opened.blob, hit).status == QueryStatus::no_data);
+            CHECK(original_hit(Blob(), hit).status == QueryStatus::not_open);
+            CHECK_FALSE(original_hit(Blob(), hit));
+            CHECK(OriginalHit().status == QueryStatus::not_open);
+            const OriginalTriangle remap[] = {{1, 2, 3, 0}, {1, 2, 3, 3}};
+            CHECK(original_hit(remap, hit).triangle == 3);
+            CHECK(original_hit(std::span<const OriginalTriangle>{}, hit).status == QueryStatus::invalid_argument);
+            hit.triangle = {1};
+            CHECK(original_hit(remap, hit).status == QueryStatus::invalid_argument);  // its first corner is none
+            hit.triangle = {2};
+            CHECK(original_hit(remap, hit).status == QueryStatus::invalid_argument);
+            hit.triangle = {scene.opened.blob.triangle_count()};
+            CHECK(original_hit(scene.opened.blob, hit).status == QueryStatus::invalid_argument);
+            hit.triangle = no_triangle;
+            CHECK(original_hit(remap, hit).status == QueryStatus::not_found);
+            CHECK(original_hit(scene.opened.blob, hit).status == QueryStatus::not_found);
+            CHECK(original_hit(scene.opened.blob, hit).triangle == 0);
+
+            OriginalTriangle original[1];
+            const Triangle first[1] = {};
+            CHECK(original_triangle(without.opened.blob, first, original) == QueryStatus::no_data);
+            CHECK(original_triangle(Blob(), first, original) == QueryStatus::not_open);
+            // An empty blob that was opened has no triangles, and no ids unless they were asked for.
+            const OpenedBlob empty(Mesh{}, with_profile(profile));
+            CHECK(original_hit(empty.blob, hit).status == QueryStatus::no_data);
         });
     }
 

@@ -72,6 +72,11 @@ void check_hit(Exercise& run, const RayHit& hit) {
     hash.add(hit.u);
     hash.add(hit.v);
     hash.add(hit.normal);
+    const OriginalHit original = original_hit(blob, hit);
+    verdict.require(original || original.status == QueryStatus::no_data, "a hit does not lead back");
+    hash.add(original.triangle);
+    hash.add(original.u);
+    hash.add(original.v);
 }
 
 void exercise_rays(Exercise& run) {
@@ -570,6 +575,10 @@ void exercise_lookups(Exercise& run) {
             hash.add(original.first_corner);
             verdict.require(original.first_corner < 3, "a triangle begins with a corner that it does not have");
         }
+        const RayHit hit = {0.0f, hostile_values[random.below(hostile_values.size())], 0.5f, {}, {index}};
+        const OriginalHit turned = original_hit(blob, hit);
+        verdict.require(!turned || index < blob.triangle_count(), "a hit of no triangle leads back");
+        hash.add(static_cast<std::uint32_t>(turned.status));
         hash.add(std::uint32_t{material(blob, {index})});
         EdgeKinds kinds;
         if (edge_kinds(blob, {index}, kinds))

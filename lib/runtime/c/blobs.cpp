@@ -1,4 +1,4 @@
-// espalier.h: opening, what a blob says of itself, where triangles come from, contacts.
+// espalier.h: opening, what a blob says of itself, contacts.
 #include <runtime/c/twins.hpp>
 
 using namespace espalier;
@@ -38,11 +38,6 @@ bool espalier_blob_closed(const espalier_blob* blob) { return twin(blob)->closed
 bool espalier_blob_has_original_ids(const espalier_blob* blob) { return twin(blob)->has_original_ids(); }
 bool espalier_blob_has_materials(const espalier_blob* blob) { return twin(blob)->has_materials(); }
 bool espalier_blob_has_edge_flags(const espalier_blob* blob) { return twin(blob)->has_edge_flags(); }
-
-bool espalier_get_original_triangle(const espalier_blob* blob, espalier_triangle triangle,
-                                    espalier_original_triangle* original) {
-    return original_triangle(*twin(blob), {triangle}, *twin(original));
-}
 
 uint16_t espalier_material(const espalier_blob* blob, espalier_triangle triangle) {
     return material(*twin(blob), {triangle});

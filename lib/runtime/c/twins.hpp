@@ -38,6 +38,7 @@ ESPALIER_TWINS(espalier_lattice, Lattice);
 ESPALIER_TWINS(espalier_nearest, Nearest);
 ESPALIER_TWINS(espalier_nearest_pair, NearestPair);
 ESPALIER_TWINS(espalier_oriented_box, OrientedBox);
+ESPALIER_TWINS(espalier_original_hit, OriginalHit);
 ESPALIER_TWINS(espalier_original_triangle, OriginalTriangle);
 ESPALIER_TWINS(espalier_overlap_page, OverlapPage);
 ESPALIER_TWINS(espalier_pair_distance, PairDistance);
