@@ -2,12 +2,13 @@
 
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <thread>
 
 #include <runtime/simd/select.hpp>
 
 #include "../../tools/choices.hpp"
+#include "../json_object.hpp"
+#include "../machine.hpp"
 
 namespace espalier::bench {
 namespace {
@@ -28,15 +29,6 @@ const char* instruction_set_name() {
     return "";
 }
 
-/// As the kernel calls it; Linux only, elsewhere nothing.
-std::string processor() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name"))
-            if (const std::size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
-    return "";
-}
-
 std::string today() {
     const std::time_t now = std::time(nullptr);
     char text[16] = "";
@@ -44,57 +36,19 @@ std::string today() {
     return text;
 }
 
-const char* compiler() {
-#if defined(__clang__)
-    return "clang " __clang_version__;
-#else
-    return "gcc " __VERSION__;
-#endif
-}
-
-std::string decimal(double value, int digits) {
+/// Lengths: they may be of any size.
+void add_length(JsonObject& object, const char* name, std::optional<double> value) {
     char text[64];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
+    if (value) std::snprintf(text, sizeof text, "%.6g", *value);
+    object.add_raw(name, value ? text : "null");
 }
 
-/// A JSON object, field by field.
-class Object {
-public:
-    void add(const char* name, const std::string& text) {
-        std::string quoted = "\"";
-        for (const char c : text) {
-            if (c == '"' || c == '\\') quoted += '\\';
-            if (static_cast<unsigned char>(c) >= 0x20) quoted += c;
-        }
-        raw(name, quoted + "\"");
-    }
-    void add(const char* name, std::size_t value) { raw(name, std::to_string(value)); }
-    void add(const char* name, std::optional<std::size_t> value) { raw(name, value ? std::to_string(*value) : "null"); }
-    void add(const char* name, std::optional<double> value, int digits) {
-        raw(name, value ? decimal(*value, digits) : "null");
-    }
-    /// Lengths: they may be of any size.
-    void add_length(const char* name, std::optional<double> value) {
-        char text[64];
-        if (value) std::snprintf(text, sizeof text, "%.6g", *value);
-        raw(name, value ? text : "null");
-    }
-    void add_ratio(const std::string& name, const std::optional<Spread>& ratio) {
-        raw((name + "_ratio").c_str(), ratio ? decimal(ratio->median, 3) : "null");
-        std::string range = "null";
-        if (ratio) range = '[' + decimal(ratio->low, 3) + ',' + decimal(ratio->high, 3) + ']';
-        raw((name + "_spread").c_str(), range);
-    }
-    void print() const { std::printf("{%s}\n", fields_.c_str()); }
-
-private:
-    void raw(const char* name, const std::string& value) {
-        if (!fields_.empty()) fields_ += ',';
-        fields_ += '"' + std::string(name) + "\":" + value;
-    }
-    std::string fields_;
-};
+void add_ratio(JsonObject& object, const std::string& name, const std::optional<Spread>& ratio) {
+    object.add_raw(name + "_ratio", ratio ? decimal(ratio->median, 3) : "null");
+    std::string range = "null";
+    if (ratio) range = '[' + decimal(ratio->low, 3) + ',' + decimal(ratio->high, 3) + ']';
+    object.add_raw(name + "_spread", range);
+}
 
 std::string with_spread(const std::optional<Spread>& ratio) {
     if (!ratio) return "-";
@@ -109,7 +63,7 @@ std::string or_dash(const std::optional<std::size_t>& value) { return value ? st
 
 void print_json(const MeshResult& result, const Options& options) {
     for (const Row& row : result.rows) {
-        Object object;
+        JsonObject object;
         object.add("system", row.system);
         object.add("profile", row.profile);
         object.add("version", row.version);
@@ -132,13 +86,13 @@ void print_json(const MeshResult& result, const Options& options) {
         object.add("bytes_per_triangle_20_bits", row.bytes_per_triangle_20_bits, 3);
         object.add("bytes_per_triangle_with_ids", row.bytes_per_triangle_with_ids, 3);
         const bool rounded = row.lattice.has_value();
-        object.add_length("step", rounded ? std::optional(row.lattice->step) : std::nullopt);
-        object.add_length("extent", rounded ? std::optional(row.lattice->extent) : std::nullopt);
-        object.add_length("max_error", rounded ? std::optional(row.lattice->max_error) : std::nullopt);
-        object.add_ratio("incoherent", row.incoherent.ratio);
-        object.add_ratio("coherent", row.coherent.ratio);
-        object.add_ratio("any", row.any.ratio);
-        object.add_ratio("build", row.build_ratio);
+        add_length(object, "step", rounded ? std::optional(row.lattice->step) : std::nullopt);
+        add_length(object, "extent", rounded ? std::optional(row.lattice->extent) : std::nullopt);
+        add_length(object, "max_error", rounded ? std::optional(row.lattice->max_error) : std::nullopt);
+        add_ratio(object, "incoherent", row.incoherent.ratio);
+        add_ratio(object, "coherent", row.coherent.ratio);
+        add_ratio(object, "any", row.any.ratio);
+        add_ratio(object, "build", row.build_ratio);
         object.add("incoherent_mrays", row.incoherent.mrays, 3);
         object.add("coherent_mrays", row.coherent.mrays, 3);
         object.add("any_mrays", row.any.mrays, 3);

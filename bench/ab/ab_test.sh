@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# ab_test.sh PROGRAM SIDE: runs the program on one shared object as both sides and checks every row. No speed is checked.
+set -euo pipefail
+program=$1 side=$2
+
+fail() {
+    echo "$*" >&2
+    exit 1
+}
+
+rows=$("$program" --base "$side" --other "$side" --base-name one --other-name two \
+    --seconds 0.02 --slice 0.01 --loads 2 --json torus)
+printf '%s\n' "$rows"
+for profile in fast balanced small; do
+    for questions in closest_hit_incoherent closest_hit_coherent any_hit_incoherent closest_hit_batch_incoherent \
+        closest_hit_batch_coherent any_hit_batch_incoherent closest_point overlaps_sphere all_overlaps_sphere overlaps_box \
+        sweep_sphere sweep_capsule sweep_box collides minimum_distance open; do
+        row=$(grep "\"profile\":\"$profile\"" <<<"$rows" | grep "\"questions\":\"$questions\"") ||
+            fail "no row for $questions in $profile"
+        grep -q '"differing":0}' <<<"$row" || fail "different answers: $row"
+        grep -q '"found":[1-9]' <<<"$row" || fail "nothing found: $row"
+        grep -Eq '"ratio":[0-9]+\.[0-9]+,"ratio_low":[0-9]+\.[0-9]+,"ratio_high":[0-9]+\.[0-9]+' <<<"$row" ||
+            fail "no ratio: $row"
+        grep -q '"same_bytes":true' <<<"$row" || fail "two bakes of one mesh differ: $row"
+    done
+done
+[[ $(wc -l <<<"$rows") -eq 48 ]] || fail "other rows than those expected"
+
+# The table, in another instruction set; and a file that is no side.
+table=$("$program" --base "$side" --other "$side" --profile fast --questions closest_point --seconds 0.02 --slice 0.01 --loads 1 \
+    --set scalar torus)
+grep -q 'torus, 60000 triangles, fast, scalar' <<<"$table" || fail "no heading: $table"
+if "$program" --base "$side" --other "$program" torus 2>/dev/null; then fail "a program was taken for a side"; fi

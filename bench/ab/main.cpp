@@ -1,0 +1,139 @@
+// Two commits of the library, each a shared object (side.h), answer the same questions in turns within one process.
+// tools/dev ab builds the two and runs this.
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "../../tests/support/level_maker.hpp"
+#include "../../tests/support/mesh_files.hpp"
+#include "../../tests/support/mesh_makers.hpp"
+#include "../../tools/choices.hpp"
+#include "../program.hpp"
+#include "report.hpp"
+
+namespace {
+
+using namespace espalier;
+using namespace espalier::bench;
+
+struct Options {
+    std::string base_file, other_file;
+    std::vector<std::string> profiles, questions;
+    std::string set = "best";
+    Turns turns;
+    std::size_t loads = 5;
+    bool json = false;
+};
+
+/// A file, or one of the meshes that the tests make.
+Mesh mesh_named(const std::string& word) {
+    Mesh mesh;
+    if (word == "torus") mesh = tests::make_torus(300, 100, 3.0, 1.0);
+    else if (word == "terrain") mesh = tests::make_terrain(256, 1);
+    else if (word == "level") mesh = tests::make_level(20'000, 1);
+    else return tests::read_mesh(word);
+    mesh.name = word;
+    return mesh;
+}
+
+/// Whether the mesh, in that pose, touches itself. Without such a query poses are as they come.
+bool collides_with_itself(const Instance& instance, const Placement& pose) {
+    const EspalierSideKind* kind = instance.calls().kind("collides");
+    if (kind == nullptr) return false;
+    const Memory question(kind->question_bytes), answer(kind->answer_bytes);
+    kind->prepare(numbers_of(pose).data(), 1, question.data());
+    kind->run(&instance.asset(), question.data(), 1, answer.data());
+    std::uint64_t digest = 0;
+    kind->digest(answer.data(), 1, &digest);
+    return digest != 0;
+}
+
+/// The farthest ratio on either side of 1, and which row it is of.
+struct Extremes {
+    double low = 1.0, high = 1.0;
+    std::string low_row = "none", high_row = "none";
+    void add(double ratio, const std::string& row) {
+        if (ratio < low) low = ratio, low_row = row;
+        if (ratio > high) high = ratio, high_row = row;
+    }
+};
+
+void compare(const std::string& word, const Options& options, Heading& heading, Extremes& extremes) {
+    Mesh mesh = mesh_named(word);
+    bring_to_common_size(mesh);
+    std::vector<QuestionSet> sets;
+    for (const std::string& profile : options.profiles) {
+        const SideOfMesh base = bake_with(options.base_file, mesh, profile, heading.bits);
+        const SideOfMesh other = bake_with(options.other_file, mesh, profile, heading.bits);
+        std::vector<PairOfInstances> pairs;
+        for (std::size_t i = 0; i < options.loads; ++i) pairs.emplace_back(base, other, options.set);
+        const PairOfInstances& any = pairs.front();
+        const auto collides = [&](const Placement& pose) { return collides_with_itself(any.base(), pose); };
+        if (sets.empty())
+            for (const std::string& name : options.questions) sets.push_back(make_questions(name, mesh, collides));
+        heading.base_compiler = any.base().calls().compiler;
+        heading.other_compiler = any.other().calls().compiler;
+        if (!options.json && !heading.printed) print_heading(heading);
+        heading.printed = true;
+        const Baking baking = {mesh.name,
+                               profile,
+                               any.base().set(),
+                               mesh.triangles.size(),
+                               base.bytes.size(),
+                               other.bytes.size(),
+                               base.bytes == other.bytes};
+        if (!options.json) print_baking(baking);
+        for (const QuestionSet& set : sets) {
+            const auto comparison = take_turns(pairs, set, options.turns);
+            if (comparison) extremes.add(comparison->ratio.median, set.name + " of " + mesh.name + ", " + profile);
+            if (options.json) print_json(heading, baking, set.name, comparison);
+            else print_row(set.name, comparison);
+        }
+    }
+}
+
+std::vector<std::string> profile_names() {
+    std::vector<std::string> names;
+    for (const auto& choice : tools::profile_choices) names.push_back(choice.first);
+    return names;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    Options options;
+    options.profiles = profile_names();
+    options.questions = question_names();
+    Heading heading;
+    Program program("espalier_bench_ab",
+                    "Two commits answer the same questions in turns; a MESH is a file, or torus, terrain or level");
+    program.add_option("--base", options.base_file, "Shared object of the one side")->required();
+    program.add_option("--other", options.other_file, "Shared object of the other side")->required();
+    program.add_option("--base-name", heading.base, "What the report calls it");
+    program.add_option("--other-name", heading.other, "What the report calls it");
+    program.add_option("--profile", options.profiles, "Only this profile; may be repeated")
+        ->check(CLI::IsMember(profile_names()))
+        ->take_all()
+        ->expected(1);
+    program.add_option("--questions", options.questions, "Only this row; may be repeated")
+        ->check(CLI::IsMember(question_names()))
+        ->take_all()
+        ->expected(1);
+    program.add_option("--set", options.set, "Instruction set: scalar, sse42, avx2, avx512 or the best there is")
+        ->check(CLI::IsMember({"scalar", "sse42", "avx2", "avx512", "neon", "best"}))
+        ->capture_default_str();
+    program.add_number("--bits", heading.bits, 1u, 24u, "Of the lattice");
+    program.add_number("--seconds", options.turns.seconds, 0.0, 1e6, "Processor time of a row");
+    program.add_number("--slice", options.turns.slice_milliseconds, 0.0, 1e6, "Milliseconds of a turn");
+    program.add_number("--loads", options.loads, std::size_t{1}, std::size_t{1000},
+                       "How often each side is loaded, with a copy of the bytes each");
+    program.add_flag("--json", options.json, "A JSON object for each row instead of tables");
+    return program.run(count, words, [&](const std::vector<std::string>& meshes) {
+        Extremes extremes;
+        for (const std::string& word : meshes) compare(word, options, heading, extremes);
+        if (!options.json)
+            std::printf("\nratios from %.3f (%s) to %.3f (%s)\n", extremes.low, extremes.low_row.c_str(), extremes.high,
+                        extremes.high_row.c_str());
+    });
+}

@@ -1,0 +1,27 @@
+// Memory whose address does not decide a measurement: it begins at a multiple of 2 MiB and consists of small pages.
+// Large ones would be given to some and not to others, as the system has them left, which is worth a fifth of a ray's
+// time.
+#pragma once
+
+#include <cstddef>
+
+namespace espalier::bench {
+
+class Memory {
+public:
+    /// Throws std::bad_alloc.
+    explicit Memory(std::size_t size);
+    ~Memory();
+    Memory(const Memory&) = delete;
+    Memory& operator=(const Memory&) = delete;
+    Memory(Memory&& other) noexcept;
+    Memory& operator=(Memory&&) = delete;
+    [[nodiscard]] std::byte* data() const { return data_; }
+
+private:
+    void* mapping_;
+    std::size_t mapped_;
+    std::byte* data_;
+};
+
+}  // namespace espalier::bench

@@ -1,0 +1,172 @@
+#include "questions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "../../tests/support/random.hpp"
+
+namespace espalier::bench {
+namespace {
+
+constexpr std::uint64_t seed = 2026;
+constexpr std::size_t ray_count = 1 << 16;
+constexpr std::size_t point_count = 1 << 14;
+constexpr std::size_t pose_count = 400;
+
+struct Box3 {
+    Vec3 low, size;
+    float diagonal;
+};
+
+Box3 box_of(const Mesh& mesh) {
+    Vec3 low = mesh.positions.front(), high = low;
+    for (const Vec3& p : mesh.positions) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    const Vec3 size = {high.x - low.x, high.y - low.y, high.z - low.z};
+    return {low, size, std::sqrt(size.x * size.x + size.y * size.y + size.z * size.z)};
+}
+
+void append(std::vector<float>& numbers, const Vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); }
+
+std::vector<float> ray_numbers(const std::vector<Ray>& rays) {
+    std::vector<float> numbers;
+    numbers.reserve(7 * rays.size());
+    for (const Ray& ray : rays) {
+        append(numbers, ray.origin);
+        append(numbers, ray.direction);
+        numbers.push_back(ray.t_max);
+    }
+    return numbers;
+}
+
+std::vector<float> incoherent(const Mesh& mesh) { return ray_numbers(incoherent_rays(mesh, ray_count, seed)); }
+std::vector<float> coherent(const Mesh& mesh) { return ray_numbers(coherent_rays(mesh)); }
+
+/// Calls `add(numbers, point, diagonal, random)` for points anywhere in the mesh's box.
+template <class Add>
+std::vector<float> at_points(const Mesh& mesh, Add add) {
+    const Box3 box = box_of(mesh);
+    tests::Random random(seed);
+    std::vector<float> numbers;
+    for (std::size_t i = 0; i < point_count; ++i) {
+        const float x = box.low.x + box.size.x * random.unit();
+        const float y = box.low.y + box.size.y * random.unit();
+        const float z = box.low.z + box.size.z * random.unit();
+        add(numbers, Vec3{x, y, z}, box.diagonal, random);
+    }
+    return numbers;
+}
+
+std::vector<float> points(const Mesh& mesh) {
+    return at_points(mesh, [](std::vector<float>& to, Vec3 p, float, tests::Random&) { append(to, p); });
+}
+
+/// The radius is 2 % of the diagonal.
+std::vector<float> spheres(const Mesh& mesh) {
+    return at_points(mesh, [](std::vector<float>& to, Vec3 p, float diagonal, tests::Random&) {
+        append(to, p);
+        to.push_back(0.02f * diagonal);
+    });
+}
+
+/// Cubes with a side of 4 % of the diagonal.
+void append_cube(std::vector<float>& to, Vec3 p, float half) {
+    append(to, {p.x - half, p.y - half, p.z - half});
+    append(to, {p.x + half, p.y + half, p.z + half});
+}
+
+std::vector<float> boxes(const Mesh& mesh) {
+    return at_points(mesh, [](std::vector<float>& to, Vec3 p, float diagonal, tests::Random&) {
+        append_cube(to, p, 0.02f * diagonal);
+    });
+}
+
+/// In any direction, up to a tenth of the diagonal: a character's step rather than a shot.
+void append_way(std::vector<float>& to, float diagonal, tests::Random& random) {
+    append(to, random.in_cube(0.1f * diagonal));
+}
+
+std::vector<float> moving_spheres(const Mesh& mesh) {
+    return at_points(mesh, [](std::vector<float>& to, Vec3 p, float diagonal, tests::Random& random) {
+        append(to, p);
+        to.push_back(0.01f * diagonal);
+        append_way(to, diagonal, random);
+    });
+}
+
+std::vector<float> moving_capsules(const Mesh& mesh) {
+    return at_points(mesh, [](std::vector<float>& to, Vec3 p, float diagonal, tests::Random& random) {
+        append(to, p);
+        append(to, {p.x, p.y + 0.02f * diagonal, p.z});
+        to.push_back(0.01f * diagonal);
+        append_way(to, diagonal, random);
+    });
+}
+
+std::vector<float> moving_boxes(const Mesh& mesh) {
+    return at_points(mesh, [](std::vector<float>& to, Vec3 p, float diagonal, tests::Random& random) {
+        append_cube(to, p, 0.01f * diagonal);
+        append_way(to, diagonal, random);
+    });
+}
+
+struct Maker {
+    const char* name;
+    const char* kind;
+    std::size_t floats;
+    std::vector<float> (*make)(const Mesh&);  ///< null: poses, or nothing where there are no floats
+};
+
+constexpr Maker makers[] = {
+    {"closest_hit_incoherent", "closest_hit", 7, incoherent},
+    {"closest_hit_coherent", "closest_hit", 7, coherent},
+    {"any_hit_incoherent", "any_hit", 7, incoherent},
+    {"closest_hit_batch_incoherent", "closest_hit_batch", 7, incoherent},
+    {"closest_hit_batch_coherent", "closest_hit_batch", 7, coherent},
+    {"any_hit_batch_incoherent", "any_hit_batch", 7, incoherent},
+    {"closest_point", "closest_point", 3, points},
+    {"overlaps_sphere", "overlaps_sphere", 4, spheres},
+    {"all_overlaps_sphere", "all_overlaps_sphere", 4, spheres},
+    {"overlaps_box", "overlaps_box", 6, boxes},
+    {"sweep_sphere", "sweep_sphere", 7, moving_spheres},
+    {"sweep_capsule", "sweep_capsule", 10, moving_capsules},
+    {"sweep_box", "sweep_box", 9, moving_boxes},
+    {"collides", "collides", 8, nullptr},
+    {"minimum_distance", "minimum_distance", 8, nullptr},
+    {"open", "open", 0, nullptr},
+};
+
+}  // namespace
+
+std::vector<std::string> question_names() {
+    std::vector<std::string> names;
+    for (const Maker& maker : makers) names.emplace_back(maker.name);
+    return names;
+}
+
+std::vector<float> numbers_of(const Placement& pose) {
+    const Quaternion& q = pose.rotation;
+    const Vec3& t = pose.translation;
+    return {q.x, q.y, q.z, q.w, t.x, t.y, t.z, pose.scale};
+}
+
+QuestionSet make_questions(const std::string& name, const Mesh& mesh,
+                           const std::function<bool(const Placement&)>& collides) {
+    for (const Maker& maker : makers) {
+        if (name != maker.name) continue;
+        QuestionSet set = {maker.name, maker.kind, maker.floats, point_count, {}};
+        if (maker.floats == 0) return set;
+        if (maker.make != nullptr) set.numbers = maker.make(mesh);
+        else
+            for (const Placement& pose : some_poses(mesh, pose_count, seed, collides))
+                for (const float number : numbers_of(pose)) set.numbers.push_back(number);
+        set.count = set.numbers.size() / set.floats;
+        return set;
+    }
+    throw std::invalid_argument("there are no questions named " + name);
+}
+
+}  // namespace espalier::bench
