@@ -1,3 +1,3 @@
-// The one executable that holds every claim.
+// The main function of every program of tests.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>

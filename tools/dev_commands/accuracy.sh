@@ -1,0 +1,19 @@
+# How far blobs are from their source.
+accuracy() {
+    local program=build/accuracy/bench/espalier_bench_accuracy rows=build/accuracy/rows.jsonl name
+    install_missing "${build_packages[@]}" libcli11-dev python3 >&2
+    check_cmake
+    build build/accuracy espalier_bench_accuracy -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
+        -DESPALIER_BENCH_PEERS=OFF >&2
+    if [[ ${1-} == --publish ]]; then
+        [[ $# -ge 3 ]] || fail "accuracy --publish NAME MESH...: NAME says when, as in 2026-11-20_accuracy"
+        name=$2
+        "$program" "${@:3}" >"$rows"
+        mv "$rows" "bench/results/$name.jsonl"
+        python3 bench/accuracy_report.py "bench/results/$name.jsonl"
+    else
+        "$program" "$@"
+    fi
+}
+
+accuracy "$@"

@@ -1,0 +1,28 @@
+# Espalier and its peers, measured beside each other.
+bench() {
+    install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev >&2
+    check_cmake
+    build build/bench espalier_bench_peers -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF >&2
+    if [[ ${1-} == --publish ]]; then
+        [[ $# -ge 3 ]] || fail "bench --publish NAME MESH...: NAME says when and where, as in 2026-11-20_epyc_avx2"
+        publish_bench "${@:2}"
+    else
+        build/bench/bench/espalier_bench_peers "$@"
+    fi
+}
+
+# publish_bench NAME ARGUMENT...: three runs, since a process may be lucky with its memory; then the tables and plots
+publish_bench() {
+    local name=$1 rows=build/bench/rows.jsonl run
+    shift
+    install_missing python3
+    : >"$rows"
+    for run in 1 2 3; do
+        echo "run $run of 3" >&2
+        build/bench/bench/espalier_bench_peers --json "$@" >>"$rows"
+    done
+    mv "$rows" "bench/results/$name.jsonl"
+    python3 bench/report.py --add "bench/results/$name.jsonl"
+}
+
+bench "$@"

@@ -1,0 +1,14 @@
+# Extreme sizes, places and forms, by the hundred million.
+extremes() {
+    local log=$PWD/build/counts/extremes.log
+    install_missing "${build_packages[@]}" doctest-dev libeigen3-dev >&2
+    check_cmake
+    build build/counts espalier_tests -DCMAKE_BUILD_TYPE=Release -DESPALIER_TOOLS=OFF -DESPALIER_BENCH=OFF >&2
+    : >"$log"
+    run_patterns extremes none "$log"
+    sed -nE 's/.*MESSAGE: ((aimed rays|extreme rays|decisions of).*)/\1/p' "$log"
+    awk '/decisions of / { sub(/.*: MESSAGE: decisions of [^:]*: /, ""); all += $1 } END { print "decisions in all: " all }' "$log"
+    fail_at_failures "$log"
+}
+
+extremes

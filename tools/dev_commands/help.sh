@@ -1,0 +1,49 @@
+# What tools/dev can do.
+
+cat <<'TEXT'
+Usage: tools/dev COMMAND [ARGUMENT...]
+
+Every day
+  demo        Builds the command, bakes a mesh, casts a million rays and renders a picture.
+  check       Builds the runtime and the baker and runs their unit tests (3 minutes from nothing).
+  format      Formats the C and C++ files with clang-format 14; format --check only lists those that differ.
+  test        Builds everything and runs every test, then again under the sanitizers (15 minutes).
+              test --strict fails at a compiler warning too, as continuous integration does.
+  lint        Runs clang-tidy and cppcheck over lib and tools (10 minutes).
+  bench       Measures Espalier and the peers Embree, Bullet, ODE and FCL: bench [OPTION...] MESH...
+              bench --help lists the options.
+  help        Prints this text.
+
+Before a release
+  platforms   Bakes and queries on every machine, compiler and instruction set, and compares the bits with
+              tests/platform/golden.txt (an hour).
+  coverage    Counts which branches of lib/runtime the tests take (5 minutes). Fails below 95 %, or below 100 % for open.
+  fuzz        Fuzzes open, tree, bake and import for 60 seconds each: fuzz [SECONDS [TARGET...]]. Exit status 1: a finding.
+              fuzz --afl uses AFL++ instead of libFuzzer; fuzz --small-code fuzzes the code for microcontrollers;
+              fuzz --minimise reduces the corpus to fuzz/corpus.
+  mutate      Breaks the library in some 3,200 places, one at a time, and lists the changes that no test finds and no comment
+              "// mutant(...)" at the line excuses (an hour):
+              mutate [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--claims TEXT...] [--publish]
+              The parts are verifier, decode, quantiser, traversal, rounding, small and queries; --since selects the files
+              of lib whose code differs from a commit; --publish writes the table of docs/testing.md. Results are kept.
+  firmware    Counts code, instructions, bytes read and stack of queries on six emulated Cortex-M cores (3 minutes):
+              firmware [FOLDER_OF_MESHES]
+
+Research
+  ab          Compares two commits: both answer the same queries in turns within one process. Without --against the other
+              side is the working tree: ab [--against COMMIT] COMMIT MESH... [OPTION...]
+              A MESH is a file, or torus, terrain or level; ab --help lists the options (4 minutes).
+  counts      Compares each query with the loop over all triangles, 100,000 times at random and 10,000 times adversarially,
+              on generated meshes and on those of a folder (an hour or two): counts [FOLDER]
+  extremes    Casts 10^8 rays at corners and edges of extreme closed meshes, tests a million decisions of the kernels
+              against exact arithmetic, and bakes ten million identical triangles (half an hour).
+  accuracy    Measures how far blobs of 8 to 20 bits are from their source: accuracy [OPTION...] MESH...
+
+Publishing
+  bench --publish NAME MESH...         writes bench/results and docs/benchmarks.md from three runs.
+  accuracy --publish NAME MESH...      writes bench/results and docs/accuracy.md.
+  firmware --publish NAME FOLDER       writes bench/results, docs/small_cores.md and the budgets of tests/firmware.
+
+Missing packages are installed by apt-get, as root or by sudo without a password; otherwise the command to run is printed.
+All output is in build/. Times are of two cores. Without this script: cmake -B build && cmake --build build && ctest --test-dir build
+TEXT

@@ -1,0 +1,55 @@
+# Which Debian packages there are to install, and how.
+
+build_packages=(g++ cmake ninja-build)
+tool_packages=(libassimp-dev libcli11-dev libpng-dev nlohmann-json3-dev)
+test_packages=(clang libclang-rt-dev doctest-dev libeigen3-dev python3 make pkgconf dpkg-dev file gzip
+    qemu-system-arm gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)
+machine_packages=(qemu-user g++-i686-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu g++-riscv64-linux-gnu
+    g++-s390x-linux-gnu clang lld llvm nodejs wasi-libc)
+
+is_installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2>/dev/null || true) == "install ok installed" ]]; }
+
+install_missing() {
+    local missing=() package
+    command -v dpkg-query >/dev/null ||
+        fail "this is no Debian or Ubuntu; install the equivalents of: $*; then use cmake as in 'tools/dev help'"
+    for package in "$@"; do
+        is_installed "$package" || missing+=("$package")
+    done
+    [[ ${#missing[@]} -eq 0 ]] && return
+    local as_root=()
+    if [[ $(id -u) -ne 0 ]]; then
+        if sudo -n true 2>/dev/null; then
+            as_root=(sudo -n DEBIAN_FRONTEND=noninteractive)
+        else
+            echo "tools/dev: packages are missing and there is no root to install them. Run this, then try again:" >&2
+            echo "sudo apt-get update && sudo apt-get install -y --no-install-recommends ${missing[*]}" >&2
+            exit 1
+        fi
+    fi
+    echo "installing ${missing[*]}"
+    "${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=300 update >/dev/null || fail "apt-get update failed (no network?)"
+    "${as_root[@]}" apt-get -q -y -o DPkg::Lock::Timeout=300 install --no-install-recommends "${missing[@]}" >/dev/null ||
+        fail "apt-get could not install: ${missing[*]}"
+}
+
+# The C++ library for WebAssembly: 16 is the first that has what the baker uses, later ones want a later clang.
+wasm_packages() {
+    local clang_version library_version
+    clang_version=$(clang --version | sed -n '1s/.*version \([0-9]*\).*/\1/p')
+    for library_version in 16 17 18 19; do
+        if is_installed "libc++-$library_version-dev-wasm32" ||
+            apt-cache show "libc++-$library_version-dev-wasm32" >/dev/null 2>&1; then
+            echo "libclang-rt-$clang_version-dev-wasm32 libc++-$library_version-dev-wasm32 libc++abi-$library_version-dev-wasm32"
+            return
+        fi
+    done
+    fail "no libc++ for wasm32 among the packages"
+}
+
+check_cmake() {
+    local version
+    version=$(cmake --version | awk 'NR == 1 { print $3 }')
+    [[ $(printf '%s\n3.25\n' "$version" | sort -V | head -n 1) == 3.25 ]] ||
+        fail "CMake 3.25 or later is needed, this is $version (Ubuntu 22.04: snap install cmake --classic)"
+}

@@ -1,0 +1,53 @@
+# Every test, and again under sanitizers.
+
+passed=0
+failed=0
+skipped=0
+
+# run_tests FOLDER CTEST_OPTION...: shows ctest's own summary and adds to the totals
+run_tests() {
+    local folder=$1 results=$PWD/$1/results.xml run not_run all
+    shift
+    rm -f "$results"
+    ctest --test-dir "$folder" --output-on-failure --no-tests=error --output-junit "$results" \
+        --parallel "$(nproc)" "$@" || true
+    if [[ ! -s $results ]]; then
+        failed=$((failed + 1))
+        return
+    fi
+    all=$(grep -c '<testcase ' "$results" || true)
+    run=$(grep -c '<testcase .* status="run"' "$results" || true)
+    # a test whose program is missing is reported as skipped too: only those count that skipped themselves or are disabled
+    not_run=$(grep -cE '<skipped message="SKIP_|<testcase .* status="disabled"' "$results" || true)
+    [[ $all -gt 0 ]] || failed=$((failed + 1))
+    passed=$((passed + run))
+    skipped=$((skipped + not_run))
+    failed=$((failed + all - run - not_run))
+}
+
+run_all_tests() {
+    local warnings_are_errors=OFF
+    case ${1-} in
+        --strict) warnings_are_errors=ON ;;
+        ?*) fail "test [--strict]: '$1' is no option" ;;
+    esac
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}" "${machine_packages[@]}"
+    install_missing $(wasm_packages)
+    check_cmake
+    if build build/release all --preset release -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors"; then
+        run_tests build/release
+    else
+        failed=$((failed + 1))
+    fi
+    if build build/sanitize all --preset sanitize -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors"; then
+        run_tests build/sanitize -LE emulated
+    else
+        failed=$((failed + 1))
+    fi
+    local summary="$passed passed, $failed failed"
+    [[ $skipped -eq 0 ]] || summary+=", $skipped skipped"
+    echo "$summary"
+    [[ $failed -eq 0 ]]
+}
+
+run_all_tests "$@"
