@@ -6,13 +6,17 @@ ab() {
         [[ -n $other ]] || fail "ab --against COMMIT: the commit is missing"
         shift 2
     fi
-    [[ $# -ge 2 ]] || fail "ab [--against COMMIT] COMMIT MESH...: a commit and a mesh are needed; a mesh is a file, or torus, terrain or level"
+    [[ ${1-} == --help || $# -ge 2 ]] || fail "ab [--against COMMIT] COMMIT MESH...: a commit and a mesh are needed; a mesh is a file, or torus, terrain or level"
     base=$1
     shift
     install_missing "${build_packages[@]}" libcli11-dev git >&2
     check_cmake
     build build/ab/program espalier_bench_ab -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
         -DESPALIER_BENCH_PEERS=OFF >&2
+    if [[ $base == --help ]]; then
+        "$program" --help
+        return
+    fi
     base=$(commit_of "$base")
     build_side "build/ab/$base" "$(commit_sources "$base")"
     if [[ -n $other ]]; then
