@@ -45,6 +45,17 @@ std::vector<NamedVolume> volumes_of(const BakeReport& report) {
     return asked;
 }
 
+/// What became of a closed source, and with which bits nothing does.
+std::string lost_closed_text(const BakeReport& report) {
+    const std::string lost = text("the source is closed, but at ", counted(report.bits, "bit"),
+                                  " the baked surface is not: inside and signed-distance queries will refuse it. ");
+    if (report.bits_that_keep_closed == 0) {
+        return lost +
+               "No number of bits keeps it closed: remove repeated triangles and triangles without area from the mesh.";
+    }
+    return text(lost, "--bits ", report.bits_that_keep_closed, " keeps it closed.");
+}
+
 double bytes_per_triangle(const BakeReport& report) {
     return report.triangles == 0 ? 0.0 : static_cast<double>(report.bytes) / report.triangles;
 }
@@ -88,7 +99,7 @@ void say_result(const Console& console, const BakeReport& report) {
     console.say(text("bounds: ", shortest(report.bounds_min), " to ", shortest(report.bounds_max), ", extent ",
                      rounded(report.extent)));
     console.say(text("lattice: ", report.bits, " bits, step ", rounded(report.step), ", max error ",
-                     rounded(report.max_error)));
+                     rounded(report.max_error), " (from the source's coordinates as float32)"));
     console.say(text("tree: ", counted(report.triangles, "triangle"), ", ", counted(report.vertices, "vertex"), ", ",
                      counted(report.nodes, "node"), ", ", report.leaves, report.leaves == 1 ? " leaf" : " leaves",
                      ", depth ", report.depth, report.closed ? ", closed" : ", not closed"));
@@ -108,7 +119,15 @@ void say_result(const Console& console, const BakeReport& report) {
                  " is finer than the spacing of the source's own floats at its coordinates: fewer bits or a "
                  "coarser tolerance loses nothing, and moving the asset closer to the origin gains accuracy."));
     }
+    if (report.lost_closed) console.warn(lost_closed_text(report));
     if (report.triangles == 0) return;
+    if (report.rays_rounded_coarsely) {
+        console.warn(
+            text("at ", counted(report.bits, "bit"),
+                 " rays that start outside of the asset are rounded to whole lattice steps, coarser than "
+                 "float32: one that is aimed exactly at a corner may miss it. 22 bits or fewer leave room for a "
+                 "finer grid."));
+    }
     if (report.extent > largest_expected_extent || report.extent < smallest_expected_extent) {
         console.warn(text("the asset is ", rounded(report.extent),
                           " m across. If that is not what it is, give the unit of its file with --unit, or --scale."));
@@ -157,6 +176,10 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
     document["leaves"] = report.leaves;
     document["depth"] = report.depth;
     document["closed"] = report.closed;
+    document["lost_closed"] = report.lost_closed;
+    document["bits_that_keep_closed"] =
+        report.bits_that_keep_closed == 0 ? Json(nullptr) : Json(report.bits_that_keep_closed);
+    document["rays_rounded_coarsely"] = report.rays_rounded_coarsely;
     document["profile"] = name_of(blob.profile());
     document["checksum"] = checksum_text(blob.checksum());
     return document;

@@ -15,6 +15,7 @@
 #include "fit_lattice.hpp"
 #include "lattice.hpp"
 #include "leaf_size.hpp"
+#include "lost_closed.hpp"
 #include "optimise.hpp"
 #include "optional_sections.hpp"
 #include "order.hpp"
@@ -26,6 +27,8 @@ namespace espalier {
 namespace baker {
 
 namespace {
+
+constexpr unsigned coarse_ray_bits = 23;  // from here on the asset fills the grid of rays, which is then whole steps
 
 float to_world(float origin, std::int32_t coordinate, double step) {
     return static_cast<float>(double(origin) + coordinate * step);
@@ -47,6 +50,7 @@ void fill_in(BakeReport& report, const SourceBounds& bounds, const LatticeMesh& 
     report.max_error = double(properties.max_error);
     report.bits = lattice.bits;
     report.closed = properties.closed;
+    report.rays_rounded_coarsely = lattice.bits >= coarse_ray_bits;
     report.step_below_float_spacing = is_below_float_spacing(lattice, bounds);
     report.depth = wide.depth;
     report.nodes = static_cast<std::uint32_t>(wide.nodes.size());
@@ -107,6 +111,7 @@ Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const M
 
     baked.blob = std::move(*blob);
     fill_in(report, bounds, mesh, wide, properties, baked.blob.size());
+    report_lost_closed(*source, bounds, report);
     report.volumes = volumes_of(sections, mesh);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return baked;

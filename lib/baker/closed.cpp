@@ -1,6 +1,9 @@
 #include "closed.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 #include "insertion_table.hpp"
@@ -9,10 +12,19 @@ namespace espalier::baker {
 
 namespace {
 
+using Corners = std::array<std::uint32_t, 3>;
+
+/// An edge that runs `count` times more often from `from` to `to` than back; below zero it is the other way round.
+struct UnpairedEdge {
+    std::uint32_t from;
+    std::uint32_t to;
+    std::int64_t count;
+};
+
 /// Calls visit(from, to) for every directed edge.
-template <class Visit>
-void for_each_edge(const LatticeMesh& mesh, Visit visit) {
-    for (const LatticeTriangle& triangle : mesh.triangles) {
+template <class Triangles, class Visit>
+void for_each_edge(const Triangles& triangles, Visit visit) {
+    for (const auto& triangle : triangles) {
         const auto [a, b, c] = triangle.corners;
         visit(a, b);
         visit(b, c);
@@ -20,45 +32,127 @@ void for_each_edge(const LatticeMesh& mesh, Visit visit) {
     }
 }
 
-/// Edges that pair up in opposite directions cancel in this sum. One that is not zero proves that some do not: the
-/// cheap answer for almost every open mesh.
-bool edges_may_cancel(const LatticeMesh& mesh) {
-    std::uint64_t sum = 0;
-    for_each_edge(mesh, [&](std::uint32_t from, std::uint32_t to) {
-        const auto low = from < to ? from : to;
-        const auto high = from < to ? to : from;
-        const std::uint64_t hash = mix_bits(std::uint64_t{low} << 32 | high);
-        sum += from < to ? hash : std::uint64_t{0} - hash;
+/// Cancels edges in pairs of opposite direction and returns what is left.
+template <class Triangles>
+std::vector<UnpairedEdge> unpaired_edges(const Triangles& triangles, std::size_t vertex_count) {
+    // Edges sorted by their lower vertex (counting), then by the higher one: equal ones become neighbours.
+    std::vector<std::uint32_t> first(vertex_count + 1, 0);
+    for_each_edge(triangles, [&](std::uint32_t from, std::uint32_t to) { ++first[std::min(from, to) + 1]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint64_t> edges(triangles.size() * 3);
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for_each_edge(triangles, [&](std::uint32_t from, std::uint32_t to) {
+        edges[next[std::min(from, to)]++] = std::uint64_t{std::max(from, to)} << 1 | (from < to ? 1 : 0);
     });
-    return sum == 0;
+    std::vector<UnpairedEdge> unpaired;
+    for (std::uint32_t low = 0; low < vertex_count; ++low) {
+        const auto begin = edges.begin() + first[low];
+        const auto end = edges.begin() + first[low + 1];
+        std::sort(begin, end);
+        for (auto edge = begin; edge != end;) {
+            const auto high = static_cast<std::uint32_t>(*edge >> 1);
+            std::int64_t count = 0;
+            for (; edge != end && *edge >> 1 == high; ++edge) count += (*edge & 1) != 0 ? 1 : -1;
+            if (count != 0 && high != low) unpaired.push_back({low, high, count});
+        }
+    }
+    return unpaired;
+}
+
+/// Twice the areas' vectors add up to zero over a closed surface, of whatever triangles it is made. A sum that is not
+/// zero is the cheap answer for almost every open mesh. It wraps around: zero stays zero.
+bool areas_cancel(const LatticeMesh& mesh) {
+    std::array<std::uint64_t, 3> sum{};
+    for (const LatticeTriangle& triangle : mesh.triangles) {
+        const LatticePoint& a = mesh.vertices[triangle.corners[0]];
+        const LatticePoint& b = mesh.vertices[triangle.corners[1]];
+        const LatticePoint& c = mesh.vertices[triangle.corners[2]];
+        const std::array<std::int64_t, 3> ab{b.x - a.x, b.y - a.y, b.z - a.z};
+        const std::array<std::int64_t, 3> ac{c.x - a.x, c.y - a.y, c.z - a.z};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+            sum[k] += static_cast<std::uint64_t>(ab[i] * ac[j] - ab[j] * ac[i]);
+        }
+    }
+    return sum == std::array<std::uint64_t, 3>{};
+}
+
+/// An end of an edge, and the line that the edge lies on.
+struct EdgeEnd {
+    std::uint32_t vertex;
+    LatticePoint direction;  ///< of the line: without common factor, the first coordinate that is not zero above zero
+    std::int64_t count;      ///< of edges that begin here, less those that end here
+
+    [[nodiscard]] auto place() const { return std::tuple(vertex, direction.x, direction.y, direction.z); }
+};
+
+LatticePoint line_direction(const LatticePoint& from, const LatticePoint& to) {
+    const LatticePoint along = {to.x - from.x, to.y - from.y, to.z - from.z};
+    const std::int32_t first = along.x != 0 ? along.x : along.y != 0 ? along.y : along.z;
+    const std::int32_t divisor = std::gcd(std::gcd(along.x, along.y), along.z) * (first < 0 ? -1 : 1);
+    return {along.x / divisor, along.y / divisor, along.z / divisor};
+}
+
+/// Along a line the number of edges that run one way, less those that run the other way, changes only at vertices. It
+/// is zero everywhere on the line when it changes nowhere: when at each vertex as many edges of the line begin as end.
+bool cancel_along_lines(const std::vector<UnpairedEdge>& edges, const std::vector<LatticePoint>& vertices) {
+    std::vector<EdgeEnd> ends;
+    ends.reserve(2 * edges.size());
+    for (const auto& [from, to, count] : edges) {
+        const LatticePoint direction = line_direction(vertices[from], vertices[to]);
+        ends.push_back({from, direction, count});
+        ends.push_back({to, direction, -count});
+    }
+    std::sort(ends.begin(), ends.end(), [](const EdgeEnd& a, const EdgeEnd& b) { return a.place() < b.place(); });
+    for (std::size_t i = 0; i < ends.size();) {
+        std::int64_t sum = 0;
+        const auto place = ends[i].place();
+        for (; i < ends.size() && ends[i].place() == place; ++i) sum += ends[i].count;
+        if (sum != 0) return false;
+    }
+    return true;
+}
+
+/// Triangles over positions of which no two are equal.
+struct WeldedSource {
+    struct Triangle {
+        Corners corners;
+    };
+    std::vector<Triangle> triangles;
+    std::size_t vertex_count = 0;
+};
+
+WeldedSource weld(const Source& source) {
+    const auto bits = [](float coordinate) { return std::bit_cast<std::uint32_t>(coordinate + 0.0f); };  // -0 is 0
+    const auto is_same = [](const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    WeldedSource welded;
+    welded.vertex_count = source.positions.size();
+    InsertionTable table(source.positions.size());
+    const auto vertex_of = [&](std::uint32_t position) {
+        const Vec3& point = source.positions[position];
+        const std::uint64_t xy = std::uint64_t{bits(point.x)} << 32 | bits(point.y);
+        return table.find_or_insert(mix_bits(xy ^ mix_bits(bits(point.z))), position,
+                                    [&](std::uint32_t other) { return is_same(source.positions[other], point); });
+    };
+    for (const auto* triangles : {&source.triangles, &source.without_area}) {
+        for (const SourceTriangle& triangle : *triangles) {
+            const auto [a, b, c] = triangle.corners;
+            welded.triangles.push_back({{vertex_of(a), vertex_of(b), vertex_of(c)}});
+        }
+    }
+    return welded;
 }
 
 }  // namespace
 
 bool is_closed(const LatticeMesh& mesh) {
-    if (mesh.triangles.empty() || !edges_may_cancel(mesh)) return false;
-    // Edges sorted by their lower vertex (counting), then by the higher one and the direction: pairs become neighbours.
-    std::vector<std::uint32_t> first(mesh.vertices.size() + 1, 0);
-    for_each_edge(mesh, [&](std::uint32_t from, std::uint32_t to) { ++first[(from < to ? from : to) + 1]; });
-    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-    std::vector<std::uint64_t> edges(mesh.triangles.size() * 3);
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for_each_edge(mesh, [&](std::uint32_t from, std::uint32_t to) {
-        const bool is_upward = from < to;
-        edges[next[is_upward ? from : to]++] = std::uint64_t{is_upward ? to : from} << 1 | (is_upward ? 1 : 0);
-    });
-    for (std::size_t vertex = 0; vertex + 1 < first.size(); ++vertex) {
-        const auto begin = edges.begin() + first[vertex];
-        const auto end = edges.begin() + first[vertex + 1];
-        if ((end - begin) % 2 != 0) return false;
-        std::sort(begin, end);
-        for (auto edge = begin; edge != end; edge += 2) {
-            // Of more than two uses, or two in one direction, two equal ones come first.
-            const bool is_pair = edge[1] == edge[0] + 1 && (edge[0] & 1) == 0;
-            if (!is_pair) return false;
-        }
-    }
-    return true;
+    return !mesh.triangles.empty() && areas_cancel(mesh) &&
+           cancel_along_lines(unpaired_edges(mesh.triangles, mesh.vertices.size()), mesh.vertices);
+}
+
+bool is_closed(const Source& source) {
+    const WeldedSource welded = weld(source);
+    return !welded.triangles.empty() && unpaired_edges(welded.triangles, welded.vertex_count).empty();
 }
 
 }  // namespace espalier::baker

@@ -121,9 +121,17 @@ struct BakeReport {
     Vec3 bounds_max;
     double step = 0.0;
     double extent = 0.0;     ///< largest side of the bounds
-    double max_error = 0.0;  ///< what the header says
+    double max_error = 0.0;  ///< what the header says; counts from the float32 positions that were given
     unsigned bits = 0;       ///< what the header says
-    bool closed = false;
+    bool closed = false;     ///< what the header says
+    /// The source is closed and the baked triangles are not. The source is closed if each of its edges, from position
+    /// to position, runs as often one way as the other. Snapping keeps that. Only triangles that were dropped although
+    /// they have an area on the lattice can lose it: duplicates, and triangles that had no area in the source.
+    bool lost_closed = false;
+    /// The fewest bits, above `bits`, with which the same source bakes closed; 0 if there are none. Tried one by one,
+    /// and only if lost_closed.
+    unsigned bits_that_keep_closed = 0;
+    bool rays_rounded_coarsely = false;  ///< 23 or 24 bits: rays from outside are rounded coarser (ray.hpp)
     BoundsVolumes volumes;
     bool step_below_float_spacing =
         false;  ///< the step is finer than the source's own float32 spacing: bits are wasted

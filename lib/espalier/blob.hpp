@@ -76,12 +76,16 @@ public:
     [[nodiscard]] constexpr format::Profile profile() const noexcept { return data_.profile; }
     /// The lattice step, a power of two, in world units.
     [[nodiscard]] float step() const noexcept;
-    /// The baked surface differs from its source by at most this, in world units.
+    /// The baked surface differs from its source by at most this, in world units. The source is what the baker was
+    /// given: float32 positions. What a conversion from float64 to float32 moved before that is not in it. How far
+    /// queries are rounded is not in it either: rounding.hpp returns that.
     [[nodiscard]] constexpr float max_error() const noexcept { return data_.max_error; }
     /// Corners of the box around all triangles, each coordinate rounded to float. Two zeros when empty.
     [[nodiscard]] Vec3 bounds_min() const noexcept;
     [[nodiscard]] Vec3 bounds_max() const noexcept;
-    /// Every edge is shared by exactly two triangles of opposite direction.
+    /// The boundary of the triangles cancels along lines: wherever an edge runs, as many edges run one way as the
+    /// other. The winding number of every point that is not on the surface is then an integer, and contains and
+    /// signed_distance answer.
     [[nodiscard]] constexpr bool closed() const noexcept { return (data_.features & format::feature::closed) != 0; }
     [[nodiscard]] constexpr bool has_original_ids() const noexcept { return data_.ids != nullptr; }
     [[nodiscard]] constexpr bool has_materials() const noexcept { return data_.materials != nullptr; }

@@ -20,7 +20,8 @@ enum class EdgeKind : std::uint8_t {
     convex = 1,   ///< a ridge: the other triangle lies below this one's plane, or is folded back onto it
     concave = 2,  ///< a valley
     open = 3,     ///< not shared by exactly two triangles that run along it in opposite directions: a border, three
-                  ///< triangles and more, or two that do not face the same way. A closed blob has none
+                  ///< triangles and more, or two that do not face the same way. A closed blob may have some, where a
+                  ///< long edge lies on shorter ones or where surfaces touch in an edge
 };
 
 /// Corners are those of the blob (walk.hpp).

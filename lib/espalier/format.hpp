@@ -66,8 +66,8 @@ constexpr unsigned first_corner_bits(Profile profile) { return profile == Profil
 namespace feature {
 inline constexpr std::uint32_t original_ids = 1u << 0;
 inline constexpr std::uint32_t materials_8 = 1u << 1;
-inline constexpr std::uint32_t materials_16 = 1u << 2;  // never together with materials_8
-inline constexpr std::uint32_t closed = 1u << 3;  // no bytes: every edge is shared by two triangles, oppositely wound
+inline constexpr std::uint32_t materials_16 = 1u << 2;      // never together with materials_8
+inline constexpr std::uint32_t closed = 1u << 3;            // no bytes: the triangles' boundary cancels along lines
 inline constexpr std::uint32_t split_references = 1u << 4;  // triangles have copies in several leaves, see `copies`
 inline constexpr std::uint32_t edge_flags = 1u << 5;        // see `edge_flags` below
 inline constexpr std::uint32_t oriented_box = 1u << 6;      // see `bounds`, also for the next two

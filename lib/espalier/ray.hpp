@@ -6,6 +6,9 @@
 // within 4 ulp of the exact values (t is infinite where float32 ends), the normal's coordinates within 4 ulp of 1. A
 // ray inside the plane of a triangle does not hit that triangle. The rounding mode must be to nearest, as it is unless
 // a program changes it.
+// With 23 or 24 bits a ray from outside may be rounded to whole lattice steps, coarser than float32 resolves it close
+// to the asset: one that is aimed exactly at a corner may pass it by. Neighbours leave no gap then either. rounding.hpp
+// returns how far a ray moves.
 //
 // Arguments. Any bit pattern is safe. A NaN anywhere, an infinite origin or direction, a zero direction, or an origin
 // more than 2^120 lattice steps or all of float32 away: no hit, O(1). t_max may be infinite; t_min below zero counts as

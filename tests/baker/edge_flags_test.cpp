@@ -149,7 +149,7 @@ TEST_SUITE("edge flags") {
         }
     }
 
-    TEST_CASE("edge flags: a blob is closed exactly when it has no open edge") {
+    TEST_CASE("edge flags: a blob without an open edge is closed and without slivers and fins the reverse holds") {
         for (const Mesh& mesh : {make_cube(0.0f, 1.0f), make_terrain(5, 1), make_torus(20, 12, 3.0, 1.0),
                                  make_soup(50, 1), make_coplanar_stacks(50, 5)}) {
             CAPTURE(mesh.name);

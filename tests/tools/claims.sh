@@ -26,6 +26,7 @@ claim() {
     claims=$((claims + 1))
 }
 err_has() { grep -qF -- "$1" err || fail "stderr lacks '$1': $(head -c 400 err)"; }
+err_lacks() { ! grep -qF -- "$1" err || fail "stderr has '$1': $(head -c 400 err)"; }
 out_has() { grep -qF -- "$1" out || fail "stdout lacks '$1': $(head -c 600 out)"; }
 same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 # json FILTER: the JSON in ./out makes jq's FILTER true; nothing is looked at without jq.

@@ -125,9 +125,42 @@ claim "bake --json tells the same as one object on stdout"
 run 0 bake box.obj -o x.espl -q --json
 for key in '"schema": 1' '"triangles": 12' '"vertices": 8' '"source_triangles": 12' '"bits": 16' '"step": ' '"max_error": ' \
     '"extent": 3.0' '"bytes": ' '"bytes_per_triangle": ' '"depth": 1' '"nodes": 1' '"closed": true' '"profile": "balanced"' \
+    '"lost_closed": false' '"bits_that_keep_closed": null' '"rays_rounded_coarsely": false' \
     '"checksum": "' '"zero_area"' '"collapsed"' '"duplicate"' '"not_finite"' '"index_out_of_range"' '"unit_origin": '; do
     out_has "$key"
 done
+
+claim "a bake that opens a closed mesh says so and names the bits that keep it"
+# A corner on the edge from 0 0 0 to 35 -3 0, in a triangle without area that rounding would give one.
+cat >mended.obj <<'END'
+v 0 0 0
+v 35 -3 0
+v 7 40 0
+v 3 5 50
+v 13.125 -1.125 0
+f 1 3 2
+f 1 5 4
+f 5 2 4
+f 1 2 5
+f 2 3 4
+f 3 1 4
+END
+run 0 bake mended.obj -o mended.espl --bits 5 --json
+err_has "the source is closed, but at 5 bits the baked surface is not"
+err_has "keeps it closed"
+out_has '"closed": false'
+json '.lost_closed and (.closed | not) and .bits_that_keep_closed > 5'
+run 0 bake mended.obj -o mended.espl --bits 16 --json
+err_lacks "the source is closed"
+json '.closed and (.lost_closed | not) and .bits_that_keep_closed == null'
+
+claim "a bake at 23 bits warns that rays from outside are rounded coarsely and one at 22 does not"
+run 0 bake box.obj -o x.espl --bits 23 --json
+err_has "rounded to whole lattice steps"
+json '.rays_rounded_coarsely'
+run 0 bake box.obj -o x.espl --bits 22 --json
+err_lacks "rounded to whole lattice steps"
+json '.rays_rounded_coarsely | not'
 
 claim "OBJ, PLY and STL of the same triangles give the same bytes"
 run 0 bake box.ply -o ply.espl

@@ -1,0 +1,13 @@
+// Whether a bake made an open surface of a closed one.
+#pragma once
+
+#include "lattice.hpp"
+#include "source.hpp"
+
+namespace espalier::baker {
+
+/// Fills in BakeReport::lost_closed and bits_that_keep_closed. Reads BakeReport::closed, bits and the counts of dropped
+/// triangles. Snaps the source once for each number of bits that it tries, and only if `closed` is lost.
+void report_lost_closed(const Source& source, const SourceBounds& bounds, BakeReport& report);
+
+}  // namespace espalier::baker

@@ -1,0 +1,161 @@
+// Claims about the closed flag and what loses it; the judge is closed_check.hpp.
+#include <doctest/doctest.h>
+
+#include <espalier/inside.hpp>
+
+#include "../support/baking.hpp"
+#include "../support/mesh_makers.hpp"
+#include "../support/profiles.hpp"
+#include "../support/watertight.hpp"
+#include "baking_support.hpp"
+#include "closed_check.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+void require_sound(const Mesh& mesh, const BakeOptions& options, std::uint64_t points, Random& random,
+                   ClosedTally& tally) {
+    const std::string complaint = check_closed(mesh, options, points, random, tally);
+    CAPTURE(mesh.name);
+    CAPTURE(options.bits);
+    REQUIRE_MESSAGE(complaint.empty(), complaint);
+}
+
+/// A triangle that has no area, and has one when its corners move.
+Mesh make_mended_cube() {
+    Mesh mesh = make_cube(0.0f, 1.0f);
+    mesh.name = "mended cube";
+    for (Vec3& p : mesh.positions) p = {p.x + 2.0f * p.y, 3.0f * p.y - p.x, p.z};  // no axis along an edge
+    // The corner lies exactly on the edge: a half has a float of its own.
+    add_sliver(mesh, 0, 0.375f, {0.0f, 0.0f, 0.0f});
+    return mesh;
+}
+
+}  // namespace
+
+TEST_SUITE("closed") {
+    TEST_CASE("closed: a sliver that collapses to a line leaves a closed surface with an inside") {
+        const Mesh mesh = make_sliver_pyramid();
+        const auto baked = bake_mesh(mesh, with_bits(16));
+        REQUIRE(baked);
+        CHECK(baked->report.collapsed.count == 1);
+        CHECK(baked->report.closed);
+        CHECK(!baked->report.lost_closed);
+        const OpenedBlob opened(baked->blob);
+        bool inside = false;
+        CHECK(contains(opened.blob, {0.1f, 0.1f, 0.1f}, inside) == QueryStatus::ok);
+        CHECK(inside);
+        CHECK(contains(opened.blob, {0.5f, 0.5f, 0.5f}, inside) == QueryStatus::ok);
+        CHECK(!inside);
+        Nearest nearest;
+        CHECK(signed_distance(opened.blob, {0.125f, 0.125f, 0.25f}, 10.0f, nearest) == QueryStatus::ok);
+        CHECK(nearest.distance == -0.125f);
+        ClosedTally tally;
+        Random random(2400);
+        for (const unsigned bits : {1u, 8u, 10u, 12u, 16u, 20u, 24u})
+            require_sound(mesh, with_bits(bits), scaled(200), random, tally);
+    }
+
+    TEST_CASE("closed: watertight meshes with slivers stay closed and contains is exact") {
+        ClosedTally tally;
+        Random random(2410);
+        for (std::uint64_t i = 0; i < scaled(40); ++i) {
+            const Mesh mesh = make_watertight(random);
+            for (const unsigned bits : {8u, 10u, 12u, 16u}) {
+                BakeOptions options = with_profile(every_profile[(i + bits) % every_profile.size()]);
+                options.bits = bits;
+                require_sound(mesh, options, 40, random, tally);
+            }
+        }
+        MESSAGE(tally.text());
+        if (!asks_enough()) return;
+        CHECK(tally.edges_not_in_pairs > tally.closed / 8);
+        CHECK(tally.inside > tally.points / 20);
+        CHECK(tally.other_windings > 0);
+        CHECK(tally.on_surface > tally.points / 20);
+    }
+
+    TEST_CASE("closed: a hole of one lattice step is found wherever it is") {
+        Random random(2420);
+        ClosedTally tally;
+        for (std::uint64_t i = 0; i < scaled(20); ++i) {
+            Mesh mesh = make_watertight(random);
+            const std::size_t hole = random.below(static_cast<std::uint32_t>(mesh.triangles.size()));
+            if (random.coin()) mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
+            else std::swap(mesh.triangles[hole][0], mesh.triangles[hole][1]);
+            for (const unsigned bits : {8u, 12u, 16u}) require_sound(mesh, with_bits(bits), 4, random, tally);
+        }
+        CHECK(tally.closed < tally.bakes);  // what collapses leaves no hole
+    }
+
+    TEST_CASE("closed: long edges cancel with short ones on the same line and with no others") {
+        // Two flat quadrilaterals, back to back. The edge of one is in two parts, of the other in three.
+        const auto folded = [](float third) {
+            Mesh mesh;
+            mesh.positions = {{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {0, 4, 0}, {2, 0, 0}, {third, 0, 0}, {3, 0, 0}};
+            mesh.triangles = {{0, 6, 3}, {6, 1, 2}, {6, 2, 3}, {4, 0, 3}, {5, 4, 3}, {1, 5, 2}, {2, 5, 3}};
+            return mesh;
+        };
+        CHECK(bake_mesh(folded(4.0f))->report.closed);
+        CHECK(bake_mesh(folded(5.0f))->report.closed);
+        Mesh bent = folded(4.0f);
+        bent.positions[5].z = 1.0f;
+        CHECK(!bake_mesh(bent)->report.closed);
+        Mesh beside = folded(4.0f);
+        beside.positions[6].y = 1.0f;
+        CHECK(!bake_mesh(beside)->report.closed);
+    }
+
+    TEST_CASE("closed: a triangle without area in the source that gets one by rounding is a loss with bits that keep") {
+        const Mesh mesh = make_mended_cube();
+        bool was_lost = false;
+        for (unsigned bits = 2; bits <= 20; ++bits) {
+            const auto baked = bake_mesh(mesh, with_bits(bits));
+            REQUIRE(baked);
+            const BakeReport& report = baked->report;
+            CHECK(report.zero_area.count == 1);
+            CHECK(report.lost_closed == !report.closed);
+            was_lost = was_lost || report.lost_closed;
+            if (!report.lost_closed) continue;
+            REQUIRE(report.bits_that_keep_closed > bits);
+            for (unsigned more = bits + 1; more <= report.bits_that_keep_closed; ++more)
+                CHECK(bake_mesh(mesh, with_bits(more))->report.closed == (more == report.bits_that_keep_closed));
+        }
+        CHECK(was_lost);
+    }
+
+    TEST_CASE("closed: duplicates that are dropped may lose it and no bits keep what is in the source") {
+        // A triangle twice, and around it the same hole twice: every edge runs as often one way as the other.
+        Mesh mesh = make_cube(0.0f, 1.0f);
+        const auto [a, b, c] = mesh.triangles[0];
+        mesh.positions.push_back({0.25f, 0.5f, 3.0f});
+        mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {b, a, 8}, {c, b, 8}, {a, c, 8}});
+        const auto baked = bake_mesh(mesh);
+        REQUIRE(baked);
+        CHECK(baked->report.duplicate.count == 1);
+        CHECK(!baked->report.closed);
+        CHECK(baked->report.lost_closed);
+        CHECK(baked->report.bits_that_keep_closed == 0);
+        const auto twice = bake_mesh(joined(make_cube(0.0f, 1.0f), make_cube(0.0f, 1.0f)));
+        CHECK(twice->report.duplicate.count == 12);
+        CHECK(twice->report.closed);
+    }
+
+    TEST_CASE("closed: what is open in the source is not lost") {
+        Mesh mesh = make_terrain(5, 1);
+        mesh.triangles.push_back(mesh.triangles[3]);
+        const auto baked = bake_mesh(mesh);
+        CHECK(baked->report.duplicate.count == 1);
+        CHECK(!baked->report.closed);
+        CHECK(!baked->report.lost_closed);
+        CHECK(bake({}, {})->report.lost_closed == false);
+    }
+
+    TEST_CASE("closed: from 23 bits on the report says that rays are rounded coarsely") {
+        const Mesh mesh = make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f});
+        for (unsigned bits = 20; bits <= 24; ++bits)
+            CHECK(bake_mesh(mesh, with_bits(bits))->report.rays_rounded_coarsely == (bits >= 23));
+    }
+}
