@@ -59,7 +59,8 @@ enum {
     ESPALIER_STATUS_BAD_CHECKSUM = 8,
     ESPALIER_STATUS_BAD_NODE = 9,
     ESPALIER_STATUS_BAD_LEAF = 10,
-    ESPALIER_STATUS_BAD_SECTION = 11
+    ESPALIER_STATUS_BAD_SECTION = 11,
+    ESPALIER_STATUS_MISALIGNED = 13
 };
 
 /* What a query says that has more to say than yes or no. */
@@ -152,7 +153,8 @@ typedef struct ESPALIER_BLOB_ espalier_blob {
     unsigned char opaque_[sizeof(void*) == 8 ? 192 : 160];
 } espalier_blob;
 
-/* `bytes` may be null when `size` is 0. `blob` need not be initialised. */
+/* `bytes` may be null when `size` is 0. `blob` need not be initialised. At an address that is no multiple of 16 it is
+ * refused with ESPALIER_STATUS_MISALIGNED and not written; no other function may be given such an address. */
 espalier_status espalier_open(const void* bytes, size_t size, espalier_blob* blob);
 /* For bytes that you linked into your own image: believes all but the header. */
 espalier_status espalier_open_trusted_image(const void* bytes, size_t size, espalier_blob* blob);
@@ -377,6 +379,24 @@ espalier_query_status espalier_closest_to_box(const espalier_blob* blob, const e
 espalier_query_status espalier_contains(const espalier_blob* blob, espalier_vec3 point, bool* inside);
 espalier_query_status espalier_signed_distance(const espalier_blob* blob, espalier_vec3 point, float max_distance,
                                                espalier_nearest* nearest);
+
+/* ---- rounding.hpp -------------------------------------------------------------------------------------------------
+ */
+
+/* The value counts only if the status is ESPALIER_QUERY_OK. */
+typedef struct ESPALIER_SHARED_ espalier_float_result {
+    float value;
+    espalier_query_status status;
+} espalier_float_result;
+
+espalier_float_result espalier_rounding_error_point(const espalier_blob* blob, espalier_vec3 point);
+espalier_float_result espalier_rounding_error_ray(const espalier_blob* blob, const espalier_ray* ray);
+espalier_float_result espalier_rounding_error_segment(const espalier_blob* blob, const espalier_segment* segment);
+espalier_float_result espalier_rounding_error_sphere(const espalier_blob* blob, const espalier_sphere* sphere);
+espalier_float_result espalier_rounding_error_capsule(const espalier_blob* blob, const espalier_capsule* capsule);
+espalier_float_result espalier_rounding_error_box(const espalier_blob* blob, const espalier_box* box);
+espalier_float_result espalier_rounding_error_oriented_box(const espalier_blob* blob, const espalier_oriented_box* box);
+espalier_float_result espalier_rounding_error_triangle(const espalier_blob* blob, const espalier_corners* triangle);
 
 /* ---- sweep.hpp ----------------------------------------------------------------------------------------------------
  */

@@ -18,6 +18,7 @@ enum class Status : std::uint8_t {
     bad_node = 9,             ///< a node breaks the rules of docs/format.md
     bad_leaf = 10,            ///< a leaf breaks the rules of docs/format.md
     bad_section = 11,         ///< an optional section breaks the rules of docs/format.md
+    misaligned = 13,          ///< of C alone: the address of the espalier_blob is no multiple of 16
 };
 
 /// One English sentence without a full stop, static, never null: also for values that are no Status.
@@ -39,5 +40,18 @@ enum class QueryStatus : std::uint8_t {
 
 /// One English sentence without a full stop, static, never null: also for values that are no QueryStatus.
 [[nodiscard]] const char* describe(QueryStatus status) noexcept;
+
+template <class Value, class Error = QueryStatus>
+class Result;
+
+/// A value, which counts only if the status is ok.
+template <class Value>
+class [[nodiscard]] Result<Value, QueryStatus> {
+public:
+    Value value = {};
+    QueryStatus status = QueryStatus::invalid_argument;
+
+    explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
+};
 
 }  // namespace espalier

@@ -29,6 +29,8 @@ const char* describe(Status status) noexcept {
             return "a leaf of the blob breaks the format's rules";
         case Status::bad_section:
             return "an optional section of the blob breaks the format's rules, or bytes are left over";
+        case Status::misaligned:
+            return "the espalier_blob to open into lies at an address that is no multiple of 16: align it";
     }
     return "not a status of this library";
 }

@@ -81,6 +81,23 @@ static bool is_empty(const espalier_blob* blob) {
     return espalier_blob_size_bytes(blob) == 0 && espalier_blob_triangle_count(blob) == 0;
 }
 
+/* At each address of a 16-byte block, as other languages may hand them over. Refused ones are not written. */
+static int misbehaviour_when_misaligned(const void* bytes, size_t size) {
+    static espalier_blob room[2];
+    for (uintptr_t offset = 0; offset < 16; ++offset) {
+        const uintptr_t address = (uintptr_t)room + offset;
+        espalier_blob* blob = (espalier_blob*)address;
+        const espalier_status expected = offset == 0 ? ESPALIER_STATUS_OK : ESPALIER_STATUS_MISALIGNED;
+        for (int trusted = 0; trusted < 2; ++trusted) {
+            memset(room, 0xA5, sizeof room);
+            if ((trusted ? espalier_open_trusted_image : espalier_open)(bytes, size, blob) != expected) return 12;
+            for (size_t i = 0; expected != ESPALIER_STATUS_OK && i < sizeof room; ++i)
+                if (((const unsigned char*)room)[i] != 0xA5) return 13;
+        }
+    }
+    return 0;
+}
+
 int misbehaviour_of_open(const void* bytes, size_t size) {
     static espalier_blob zero; /* as static storage is */
     espalier_blob blob, copy;
@@ -100,5 +117,5 @@ int misbehaviour_of_open(const void* bytes, size_t size) {
     if (espalier_open_trusted_image(NULL, 0, &blob) != ESPALIER_STATUS_TOO_SHORT || !is_empty(&blob)) return 9;
     if (strlen(espalier_describe_status(ESPALIER_STATUS_TOO_SHORT)) == 0) return 10;
     if (strlen(espalier_describe_query_status(ESPALIER_QUERY_WORK_LIMIT)) == 0) return 11;
-    return 0;
+    return misbehaviour_when_misaligned(bytes, size);
 }

@@ -18,6 +18,33 @@ static void tell_pair(struct asking* asking, const espalier_nearest_pair* pair) 
     tell(asking, pair->triangle);
 }
 
+static void tell_result(struct asking* asking, espalier_float_result result) {
+    tell_float(asking, result.value);
+    tell(asking, result.status);
+}
+
+static void ask_rounding(struct asking* asking) {
+    const espalier_blob* blob = asking->blob;
+    const struct question* question = asking->question;
+    const espalier_vec3* points = question->points;
+    const espalier_segment segment = {points[0], points[1]};
+    const espalier_sphere sphere = {points[2], question->lengths[0]};
+    const espalier_capsule capsule = {points[2], points[3], question->lengths[1]};
+    const espalier_box box = {points[0], points[3]};
+    const espalier_oriented_box oriented = {
+        points[1], {question->directions[0], question->directions[1], question->directions[2]}};
+    const espalier_corners triangle = {points[0], points[1], points[2]};
+    const espalier_ray ray = espalier_ray_from(points[0], question->directions[0]);
+    tell_result(asking, espalier_rounding_error_point(blob, points[0]));
+    tell_result(asking, espalier_rounding_error_ray(blob, &ray));
+    tell_result(asking, espalier_rounding_error_segment(blob, &segment));
+    tell_result(asking, espalier_rounding_error_sphere(blob, &sphere));
+    tell_result(asking, espalier_rounding_error_capsule(blob, &capsule));
+    tell_result(asking, espalier_rounding_error_box(blob, &box));
+    tell_result(asking, espalier_rounding_error_oriented_box(blob, &oriented));
+    tell_result(asking, espalier_rounding_error_triangle(blob, &triangle));
+}
+
 void ask_points(struct asking* asking) {
     const espalier_blob* blob = asking->blob;
     const struct question* question = asking->question;
@@ -48,4 +75,5 @@ void ask_points(struct asking* asking) {
     tell(asking, inside);
     tell(asking, espalier_signed_distance(blob, question->points[1], question->lengths[3], &nearest));
     tell_nearest(asking, &nearest);
+    ask_rounding(asking);
 }

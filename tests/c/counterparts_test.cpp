@@ -21,6 +21,8 @@ const char* const counterparts = R"(
     describe(Status)                                              espalier_describe_status
     describe(QueryStatus)                                         espalier_describe_query_status
 
+    bool()                                                        -
+
     open(span<byte>, Blob)                                        espalier_open
     open_trusted_image(span<byte>, Blob)                          espalier_open_trusted_image
     triangle_count()                                              espalier_blob_triangle_count
@@ -96,6 +98,15 @@ const char* const counterparts = R"(
     closest_to_box(Blob, Box, float, NearestPair)                 espalier_closest_to_box
     contains(Blob, Vec3, bool)                                    espalier_contains
     signed_distance(Blob, Vec3, float, Nearest)                   espalier_signed_distance
+
+    rounding_error(Blob, Vec3)                                    espalier_rounding_error_point
+    rounding_error(Blob, Ray)                                     espalier_rounding_error_ray
+    rounding_error(Blob, Segment)                                 espalier_rounding_error_segment
+    rounding_error(Blob, Sphere)                                  espalier_rounding_error_sphere
+    rounding_error(Blob, Capsule)                                 espalier_rounding_error_capsule
+    rounding_error(Blob, Box)                                     espalier_rounding_error_box
+    rounding_error(Blob, OrientedBox)                             espalier_rounding_error_oriented_box
+    rounding_error(Blob, Corners)                                 espalier_rounding_error_triangle
 
     sweep(Blob, Sphere, Vec3, SweepHit)                           espalier_sweep_sphere
     sweep(Blob, Capsule, Vec3, SweepHit)                          espalier_sweep_capsule

@@ -254,6 +254,19 @@ void Expecting::points() {
     tell(inside);
     tell(signed_distance(blob_, point(1), length(3), nearest));
     tell(nearest);
+    const auto rounding = [&](const auto& shape) {
+        const Result<float> moved = rounding_error(blob_, shape);
+        tell(moved.value);
+        tell(moved.status);
+    };
+    rounding(point(0));
+    rounding(Ray{.origin = point(0), .direction = direction(0)});
+    rounding(Segment{point(0), point(1)});
+    rounding(Sphere{point(2), length(0)});
+    rounding(Capsule{point(2), point(3), length(1)});
+    rounding(Box{point(0), point(3)});
+    rounding(OrientedBox{point(1), {direction(0), direction(1), direction(2)}});
+    rounding(Corners{point(0), point(1), point(2)});
 }
 
 template <class Shape>

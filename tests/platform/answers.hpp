@@ -192,7 +192,7 @@ inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint
         Nearest nearest;
         const bool found = closest_point(blob, point, max_distance, nearest);
         ++answers.points;
-        answers.calls += 4;
+        answers.calls += 5;
         answers.points_found += found ? 1u : 0u;
         answers.fingerprint.add(found);
         add_nearest(answers.fingerprint, blob, nearest);
@@ -205,6 +205,9 @@ inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint
         answers.fingerprint.add(inside);
         answers.fingerprint.add(static_cast<std::uint32_t>(signed_distance(blob, point, max_distance, nearest)));
         answers.fingerprint.add(nearest.distance);
+        const Result<float> moved = rounding_error(blob, Sphere{point, max_distance});
+        answers.fingerprint.add(static_cast<std::uint32_t>(moved.status));
+        answers.fingerprint.add(moved.value);
     }
 }
 

@@ -220,6 +220,12 @@ void exercise_distances(Exercise& run) {
         run.hash.add(pair.on_shape);
         run.hash.add(pair.on_surface);
     }
+    for (const Result<float>& moved : {rounding_error(blob, point), rounding_error(blob, Segment{point, end}),
+                                       rounding_error(blob, Ray{.origin = end, .direction = point})}) {
+        run.verdict.require(moved.value >= 0.0f, "how far rounding moves a query is negative or NaN");
+        run.hash.add(static_cast<std::uint32_t>(moved.status));
+        run.hash.add(moved.value);
+    }
     bool inside = false;
     const QueryStatus status = contains(blob, point, inside);
     run.hash.add(static_cast<std::uint32_t>(status));

@@ -1,8 +1,17 @@
 // espalier.h: opening, what a blob says of itself, contacts.
+#include <cstdint>
+
 #include <runtime/c/twins.hpp>
 
 using namespace espalier;
 using namespace espalier::detail;
+
+namespace {
+
+/// Vectors of the blob are loaded at addresses that are multiples of 16. Other languages allocate as they please.
+bool is_aligned(const espalier_blob* blob) { return reinterpret_cast<std::uintptr_t>(blob) % alignof(Blob) == 0; }
+
+}  // namespace
 
 extern "C" {
 
@@ -13,10 +22,12 @@ const char* espalier_describe_query_status(espalier_query_status status) {
 }
 
 espalier_status espalier_open(const void* bytes, size_t size, espalier_blob* blob) {
+    if (!is_aligned(blob)) return ESPALIER_STATUS_MISALIGNED;
     return static_cast<espalier_status>(open({static_cast<const std::byte*>(bytes), size}, *twin(blob)));
 }
 
 espalier_status espalier_open_trusted_image(const void* bytes, size_t size, espalier_blob* blob) {
+    if (!is_aligned(blob)) return ESPALIER_STATUS_MISALIGNED;
     return static_cast<espalier_status>(open_trusted_image({static_cast<const std::byte*>(bytes), size}, *twin(blob)));
 }
 

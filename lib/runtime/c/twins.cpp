@@ -106,6 +106,9 @@ SAME_FIELD(espalier_ray_hit, u);
 SAME_FIELD(espalier_ray_hit, v);
 SAME_FIELD(espalier_ray_hit, normal);
 SAME_FIELD(espalier_ray_hit, triangle);
+static_assert(same_layout<espalier_float_result>());
+SAME_FIELD(espalier_float_result, value);
+SAME_FIELD(espalier_float_result, status);
 static_assert(same_layout<espalier_hit_count>());
 SAME_FIELD(espalier_hit_count, count);
 SAME_FIELD(espalier_hit_count, status);
@@ -208,6 +211,7 @@ SAME_VALUE(ESPALIER_STATUS_BAD_CHECKSUM, Status::bad_checksum);
 SAME_VALUE(ESPALIER_STATUS_BAD_NODE, Status::bad_node);
 SAME_VALUE(ESPALIER_STATUS_BAD_LEAF, Status::bad_leaf);
 SAME_VALUE(ESPALIER_STATUS_BAD_SECTION, Status::bad_section);
+SAME_VALUE(ESPALIER_STATUS_MISALIGNED, Status::misaligned);
 
 static_assert(sizeof(espalier_query_status) == sizeof(QueryStatus));
 SAME_VALUE(ESPALIER_QUERY_OK, QueryStatus::ok);

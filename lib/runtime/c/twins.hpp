@@ -31,6 +31,7 @@ ESPALIER_TWINS(espalier_contact, Contact);
 ESPALIER_TWINS(espalier_corners, Corners);
 ESPALIER_TWINS(espalier_distance_bounds, DistanceBounds);
 ESPALIER_TWINS(espalier_edge_kinds, EdgeKinds);
+ESPALIER_TWINS(espalier_float_result, Result<float>);
 ESPALIER_TWINS(espalier_hit_count, HitCount);
 ESPALIER_TWINS(espalier_hit_in_steps, HitInSteps);
 ESPALIER_TWINS(espalier_k_dop, KDop);
