@@ -1,5 +1,6 @@
 // What bake takes.
 #include <memory>
+#include <vector>
 
 #include "arguments.hpp"
 #include "numbers.hpp"
@@ -9,13 +10,13 @@ namespace espalier::tools {
 namespace {
 
 /// The options that try several bakes and keep one. They judge by counters, so that every machine picks the same.
-void add_picking(CLI::App* verb, BakeArguments& arguments, CLI::Option* tolerance, CLI::Option* bits) {
+void add_picking(CLI::App* verb, BakeArguments& arguments, const std::vector<CLI::Option*>& lattice) {
     CLI::Option* max_bytes =
         verb->add_option(
                 "--max-bytes", arguments.max_bytes,
                 "Pick what fits into so many bytes (64K, 1.5M): the finest lattice up to --bits at which "
                 "anything fits, and there the profile, builder, leaf size and price of bytes with the least counted "
-                "work. With --tolerance or --max-error the lattice stays")
+                "work. With --tolerance, --step, --lattice-of or --max-error the lattice stays")
             ->type_name("BYTES");
     verb->add_option(
             "--fastest-under", arguments.fastest_under,
@@ -23,13 +24,13 @@ void add_picking(CLI::App* verb, BakeArguments& arguments, CLI::Option* toleranc
             "many bytes, at the lattice asked for")
         ->excludes(max_bytes)
         ->type_name("BYTES");
-    verb->add_option(
-            "--max-error", arguments.max_error,
-            "Pick the profile, builder, leaf size and price of bytes with the least counted work, on the coarsest "
-            "lattice that keeps this distance between source and blob")
-        ->excludes(tolerance)
-        ->excludes(bits)
-        ->type_name("LENGTH");
+    CLI::Option* max_error =
+        verb->add_option(
+                "--max-error", arguments.max_error,
+                "Pick the profile, builder, leaf size and price of bytes with the least counted work, on the coarsest "
+                "lattice that keeps this distance between source and blob")
+            ->type_name("LENGTH");
+    for (CLI::Option* option : lattice) max_error->excludes(option);
 }
 
 }  // namespace
@@ -57,7 +58,19 @@ void add_bake(CLI::App& app, Chosen& chosen) {
                             ->check(between(1u, 24u))
                             ->excludes(tolerance)
                             ->type_name("1..24");
-    add_picking(verb, *arguments, tolerance, bits);
+    CLI::Option* step = verb->add_option("--step", arguments->step,
+                                         "Lattice step, a power of two in units of the blob: 2^-14. Blobs with one "
+                                         "step share lattice points where their meshes share vertices")
+                            ->excludes(tolerance)
+                            ->excludes(bits)
+                            ->type_name("2^N");
+    CLI::Option* lattice_of =
+        verb->add_option("--lattice-of", arguments->lattice_of, "Take the lattice step of another blob")
+            ->excludes(tolerance)
+            ->excludes(bits)
+            ->excludes(step)
+            ->type_name("BLOB");
+    add_picking(verb, *arguments, {tolerance, bits, step, lattice_of});
     add_choice(verb, "--profile", arguments->profile, profile_choices,
                "How leaves are coded, and how large they may be. Without it: balanced, or what is picked");
     verb->add_option("--leaf-size", arguments->leaf_size,

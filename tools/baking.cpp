@@ -16,7 +16,7 @@ ExitCode exit_code_of(BakeError::Kind kind) {
         case BakeError::Kind::invalid_mesh:
             return ExitCode::invalid_input;
         // The mesh is sound and the option is well-formed: together they ask for more than 24 bits.
-        case BakeError::Kind::tolerance_too_fine:
+        case BakeError::Kind::too_fine:
             return ExitCode::unsupported;
         case BakeError::Kind::too_large:
             return ExitCode::unsupported;

@@ -13,6 +13,7 @@
 #include "cost_model_file.hpp"
 #include "depfile.hpp"
 #include "import_assimp.hpp"
+#include "lattice_step.hpp"
 #include "lengths.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
@@ -38,6 +39,8 @@ BakeOptions bake_options(const BakeArguments& arguments) {
     if (!arguments.tolerance.empty()) options.tolerance = error_bound(arguments.tolerance, "--tolerance");
     if (arguments.max_error) options.tolerance = error_bound(*arguments.max_error, "--max-error");
     options.bits = arguments.bits;
+    if (!arguments.step.empty()) options.step_exponent = parse_step_exponent(arguments.step, "--step");
+    if (!arguments.lattice_of.empty()) options.step_exponent = step_exponent_of_blob(arguments.lattice_of);
     if (arguments.profile) options.profile = *arguments.profile;
     if (arguments.leaf_size) options.max_leaf_triangles = *arguments.leaf_size;
     if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
@@ -64,7 +67,8 @@ std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
     PickGoal goal;
     if (arguments.max_bytes) {
         goal.max_bytes = parse_byte_size(*arguments.max_bytes, "--max-bytes");
-        goal.may_coarsen = arguments.tolerance.empty() && !arguments.max_error;
+        goal.may_coarsen = arguments.tolerance.empty() && arguments.step.empty() && arguments.lattice_of.empty() &&
+                           !arguments.max_error;
         goal.limit_name = text("--max-bytes ", printable(*arguments.max_bytes));
     } else if (arguments.fastest_under) {
         goal.max_bytes = parse_byte_size(*arguments.fastest_under, "--fastest-under");
@@ -92,6 +96,7 @@ void write_depfile(const BakeArguments& arguments, const Imported& imported) {
         sources.insert(sources.end(), file.opened.begin(), file.opened.end());
     }
     if (!arguments.cost_model.empty()) sources.push_back(arguments.cost_model);
+    if (!arguments.lattice_of.empty()) sources.push_back(arguments.lattice_of);
     const std::string rule = depfile_text(arguments.output, sources);
     write_output_file(arguments.depfile, std::as_bytes(std::span(rule)));
 }
@@ -118,6 +123,7 @@ ExitCode run_bake(const BakeArguments& arguments) {
         refuse_to_overwrite_input(arguments.output, input);
         refuse_to_overwrite_input(arguments.depfile, input);
     }
+    refuse_to_overwrite_input(arguments.output, arguments.lattice_of);
     refuse_one_file_for_two(arguments.output, "--depfile", arguments.depfile);
     const ImportOptions source = import_options(arguments.source);
     static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import

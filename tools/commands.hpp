@@ -27,10 +27,12 @@ struct BakeArguments {
     std::string output;
     std::string depfile;  ///< empty: none
     SourceArguments source;
-    std::string tolerance;  ///< a length; empty: bits decide
+    std::string tolerance;   ///< a length; empty: bits or a step decide
+    std::string step;        ///< a power of two; empty: none
+    std::string lattice_of;  ///< a blob whose step is taken; empty: none
     unsigned bits = 16;
     std::optional<std::string> max_bytes;      ///< an amount of bytes
-    std::optional<std::string> max_error;      ///< a length; without it --tolerance or --bits decides
+    std::optional<std::string> max_error;      ///< a length; without it --tolerance, --bits or a step decides
     std::optional<std::string> fastest_under;  ///< an amount of bytes
     std::optional<format::Profile> profile;    ///< without one: the library's, or what the picking options pick
     std::optional<unsigned> leaf_size;         ///< likewise

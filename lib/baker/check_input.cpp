@@ -182,6 +182,15 @@ std::optional<BakeError> check_options(const BakeOptions& options) {
         return invalid_options("materials is " + std::to_string(static_cast<unsigned>(options.materials)) +
                                "; choose none, 8 bits or 16 bits");
     }
+    if (options.step_exponent) {
+        if (options.tolerance)
+            return invalid_options(
+                "a step and a tolerance were both given; either of them fixes the lattice: choose one");
+        if (*options.step_exponent < format::min_step_exponent || *options.step_exponent > format::max_step_exponent)
+            return invalid_options("the step is 2^" + std::to_string(*options.step_exponent) + "; choose one from 2^" +
+                                   std::to_string(format::min_step_exponent) + " to 2^" +
+                                   std::to_string(format::max_step_exponent));
+    }
     if (options.edge_flags && !(*options.edge_flags >= 0.0 && *options.edge_flags < max_flat_angle)) {
         return invalid_options("the largest angle of a flat edge is " + number_text(*options.edge_flags) +
                                " degrees; choose 0 or more, below " + number_text(max_flat_angle));

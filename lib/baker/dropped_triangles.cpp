@@ -103,12 +103,15 @@ void DroppedTriangles::find_vertices_of_those_without_area() {
     }
     for (const SourceTriangle& triangle : source_.without_area) {
         for (const std::uint32_t corner : triangle.corners) {
-            const StepPoint steps = point_of(corner);
-            const auto is_on_lattice = [](double step) { return step > -0.5 && step < 0x1p24; };
+            const Vec3& position = source_.positions[corner];
+            const Vec3& origin = mesh_.lattice.origin;
+            const StepPoint steps = {snap_coordinate(position.x, origin.x, reciprocal_step_),
+                                     snap_coordinate(position.y, origin.y, reciprocal_step_),
+                                     snap_coordinate(position.z, origin.z, reciprocal_step_)};
+            const auto is_on_lattice = [](double step) { return step >= 0.0 && step < 0x1p24; };
             if (vertex_of(corner) != none || !std::all_of(steps.begin(), steps.end(), is_on_lattice)) continue;
-            const LatticePoint point = {static_cast<std::int32_t>(round_half_even(steps[0])),
-                                        static_cast<std::int32_t>(round_half_even(steps[1])),
-                                        static_cast<std::int32_t>(round_half_even(steps[2]))};
+            const LatticePoint point = {static_cast<std::int32_t>(steps[0]), static_cast<std::int32_t>(steps[1]),
+                                        static_cast<std::int32_t>(steps[2])};
             vertex_of_position_[corner] =
                 table.find(hash_of(point), [&](std::uint32_t other) { return mesh_.vertices[other] == point; });
         }

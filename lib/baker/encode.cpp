@@ -96,7 +96,7 @@ void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh
     const std::uint32_t features = features_of(options, properties, wide, sections);
     set_u32(header + magic_at, format::magic);
     set_u16(header + version_major_at, format::version_major);
-    set_u16(header + version_minor_at, format::minor_version_of(features));
+    set_u16(header + version_minor_at, format::version_minor);
     set_u32(header + features_at, features);
     set_u8(header + profile_at, static_cast<std::uint32_t>(options.profile));
     set_u8(header + bits_at, mesh.lattice.bits);

@@ -25,7 +25,7 @@ BakeError too_far_away(const Source& source, const FittedMesh& fitted) {
 
 BakeError tolerance_error(const Source& source, const FittedMesh& last, double tolerance, const BakeError& too_fine) {
     if (!last.error.is_of_dropped) return too_fine;
-    return {BakeError::Kind::tolerance_too_fine,
+    return {BakeError::Kind::too_fine,
             triangle_name(source, last.error.dropped_triangle) + ": it has no area on the lattice and lies " +
                 number_text(double(last.error.largest)) +
                 " from the rest, so that dropping it exceeds the tolerance of " + number_text(tolerance) +
@@ -42,7 +42,7 @@ int first_exponent(const Source& source, const SourceBounds& bounds, double tole
     // mutant(without 4, + -> -, + -> right side dropped) work: tries coarser lattices in vain: their points are points
     // of all finer ones
     while (exponent < coarsest && exponent >= format::min_step_exponent &&
-           vertices_are_within(source, Lattice{bounds.min, exponent + 1, 1}, tolerance)) {
+           vertices_are_within(source, exponent + 1, tolerance)) {
         ++exponent;
     }
     return exponent;
@@ -52,7 +52,7 @@ Result<FittedMesh, BakeError> fit_tolerance(const Source& source, const SourceBo
                                             BakeReport& report) {
     FittedMesh last;
     for (int exponent = first_exponent(source, bounds, tolerance);; --exponent) {
-        const auto lattice = lattice_for_step(bounds, exponent, tolerance);
+        const auto lattice = lattice_for_tolerance(bounds, exponent, tolerance);
         if (!lattice) return tolerance_error(source, last, tolerance, lattice.error());
         last = snap_and_measure(source, *lattice, report);
         // A surface that vanished as a whole keeps no tolerance.
@@ -67,8 +67,9 @@ Result<FittedMesh, BakeError> fit_lattice(const Source& source, const SourceBoun
                                           BakeReport& report) {
     if (options.tolerance && !source.triangles.empty())
         return fit_tolerance(source, bounds, *options.tolerance, report);
-    const auto lattice =
-        options.tolerance ? Result<Lattice, BakeError>(Lattice{}) : lattice_for_bits(bounds, options.bits);
+    const auto lattice = options.tolerance       ? Result<Lattice, BakeError>(Lattice{})
+                         : options.step_exponent ? lattice_for_step(bounds, *options.step_exponent)
+                                                 : lattice_for_bits(bounds, options.bits);
     if (!lattice) return lattice.error();
     FittedMesh fitted = snap_and_measure(source, *lattice, report);
     if (!std::isfinite(fitted.error.largest)) return too_far_away(source, fitted);

@@ -21,16 +21,19 @@ float largest_snap_error(int step_exponent) {
     return round_up_to_float(half_diagonal * std::ldexp(1.0, step_exponent));
 }
 
-constexpr int far_too_fine = -1000;  // below this no float32 extent has few enough steps, nor could they be counted
+constexpr int far_too_fine = -200;  // below this no float32 extent has few enough steps
 
 /// Bits of the largest coordinate that the bounds have on this lattice.
 unsigned bits_needed(const SourceBounds& bounds, int step_exponent) {
     // mutant(< -> <=) equivalent: at 2^-1000 every float32 extent has too many steps, which the loop finds too
     if (step_exponent < far_too_fine) return unsigned{format::max_bits} + 1;
     const double reciprocal_step = std::ldexp(1.0, -step_exponent);
-    const double largest = std::max({snap_coordinate(bounds.max.x, bounds.min.x, reciprocal_step),
-                                     snap_coordinate(bounds.max.y, bounds.min.y, reciprocal_step),
-                                     snap_coordinate(bounds.max.z, bounds.min.z, reciprocal_step)});
+    const auto steps_between = [&](float min, float max) {
+        return snap_to_step(max, reciprocal_step) - snap_to_step(min, reciprocal_step);
+    };
+    const double largest =
+        std::max({steps_between(bounds.min.x, bounds.max.x), steps_between(bounds.min.y, bounds.max.y),
+                  steps_between(bounds.min.z, bounds.max.z)});
     unsigned bits = 1;
     while (largest > std::ldexp(1.0, static_cast<int>(bits)) - 1.0) ++bits;
     return bits;
@@ -45,13 +48,17 @@ std::optional<BakeError> check_exponent(int step_exponent, const SourceBounds& b
                                                      std::to_string(format::max_step_exponent) + "; scale the input"};
 }
 
-}  // namespace
-
-float origin_coordinate(double coordinate) {
-    using Limits = std::numeric_limits<float>;
-    if (std::abs(coordinate) < double(Limits::min())) return 0.0f;
-    return static_cast<float>(std::clamp(coordinate, double(Limits::lowest()), double(Limits::max())));
+/// With as many bits as given. A step of which the bounds are too many gives an origin, too, which is of no use.
+Lattice lattice_at(const SourceBounds& bounds, int step_exponent, unsigned bits) {
+    const double step = std::ldexp(1.0, step_exponent);
+    const double reciprocal_step = std::ldexp(1.0, -step_exponent);
+    const auto snapped = [&](float coordinate) {
+        return static_cast<float>(snap_to_step(coordinate, reciprocal_step) * step);
+    };
+    return {{snapped(bounds.min.x), snapped(bounds.min.y), snapped(bounds.min.z)}, step_exponent, bits};
 }
+
+}  // namespace
 
 SourceBounds bounds_of(const Source& source) {
     SourceBounds bounds;
@@ -66,8 +73,6 @@ SourceBounds bounds_of(const Source& source) {
                           std::max(bounds.max.z, point.z)};
         }
     }
-    bounds.min = {origin_coordinate(double(bounds.min.x)), origin_coordinate(double(bounds.min.y)),
-                  origin_coordinate(double(bounds.min.z))};
     bounds.largest_side =
         std::max({double(bounds.max.x) - double(bounds.min.x), double(bounds.max.y) - double(bounds.min.y),
                   double(bounds.max.z) - double(bounds.min.z)});
@@ -88,7 +93,7 @@ Result<Lattice, BakeError> lattice_for_bits(const SourceBounds& bounds, unsigned
     std::frexp(bounds.largest_side, &step_exponent);
     while (bits_needed(bounds, step_exponent - 1) <= bits) --step_exponent;
     if (auto error = check_exponent(step_exponent, bounds)) return *error;
-    return Lattice{bounds.min, step_exponent, bits};
+    return lattice_at(bounds, step_exponent, bits);
 }
 
 int step_exponent_for_tolerance(double tolerance) {
@@ -98,7 +103,20 @@ int step_exponent_for_tolerance(double tolerance) {
     return exponent;
 }
 
-Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent, double tolerance) {
+Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent) {
+    if (bounds.largest_side == 0.0) return Lattice{{}, step_exponent, 1};
+    const unsigned bits = bits_needed(bounds, step_exponent);
+    if (bits <= unsigned{format::max_bits}) return lattice_at(bounds, step_exponent, bits);
+    std::string message = "a step of 2^" + std::to_string(step_exponent) + " is too fine for meshes that are " +
+                          number_text(bounds.largest_side) + " large: a blob has at most 2^" +
+                          std::to_string(format::max_bits) + " - 1 steps along each axis";
+    if (const auto finest = lattice_for_bits(bounds, unsigned{format::max_bits}))
+        message += ", so at this size the finest step is 2^" + std::to_string(finest->step_exponent);
+    return BakeError{BakeError::Kind::too_fine,
+                     message + "; choose a coarser step, or split the input into several blobs with the same step"};
+}
+
+Result<Lattice, BakeError> lattice_for_tolerance(const SourceBounds& bounds, int step_exponent, double tolerance) {
     if (bounds.largest_side == 0.0) return Lattice{};
     const unsigned bits = bits_needed(bounds, step_exponent);
     if (bits > unsigned{format::max_bits}) {
@@ -112,11 +130,11 @@ Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step
             const double finest_tolerance = double(largest_snap_error(finest.value().step_exponent));
             message += ", at this size the finest tolerance is " + number_text(finest_tolerance * (1.0 + text_margin));
         }
-        return BakeError{BakeError::Kind::tolerance_too_fine,
+        return BakeError{BakeError::Kind::too_fine,
                          message + "; choose a coarser tolerance, or split the input into several blobs"};
     }
     if (auto error = check_exponent(step_exponent, bounds)) return *error;
-    return Lattice{bounds.min, step_exponent, bits};
+    return lattice_at(bounds, step_exponent, bits);
 }
 
 }  // namespace espalier::baker

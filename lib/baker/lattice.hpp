@@ -1,4 +1,5 @@
-// The lattice of one asset: world = origin + q * 2^step_exponent with whole q.
+// The lattice of one asset: world = origin + q * 2^step_exponent with whole q. The origin is itself a whole multiple of
+// the step, so that all assets with one step lie on one lattice, whatever their origins are.
 #pragma once
 
 #include <cmath>
@@ -34,10 +35,6 @@ struct SourceBounds {
     float largest_coordinate = 0.0f;  ///< of any sign
 };
 
-/// The float32 to write for the origin: finite, and zero for minus zero, which would be a second way to write the same
-/// origin, and for subnormal numbers, which the format does not allow there: they are far below the finest step.
-[[nodiscard]] float origin_coordinate(double coordinate);
-
 [[nodiscard]] SourceBounds bounds_of(const Source& source);
 
 /// Round to nearest, ties to even, for |value| < 2^51: in binary64 the sum keeps no bit below 1.
@@ -46,10 +43,17 @@ struct SourceBounds {
     return (value + shifter) - shifter;
 }
 
-/// A coordinate in steps from the origin, rounded to whole ones. Deterministic: two correctly rounded operations, of
-/// which the second, by a power of two, is exact.
+/// The multiple of the step nearest to a coordinate, ties to even, as a number of steps from the world's origin. It
+/// depends on the coordinate and the step alone. Float32 represents it, times the step: it is whole and at most 2^24,
+/// or the coordinate itself, since float32 numbers from 2^24 on are whole. It is never minus zero.
+[[nodiscard]] inline double snap_to_step(float coordinate, double reciprocal_step) {
+    const double steps = double(coordinate) * reciprocal_step;  // exact: by a power of two, within binary64
+    return std::abs(steps) < 0x1p24 ? round_half_even(steps) : steps;
+}
+
+/// The same as a lattice coordinate: exact up to 2^53 steps, and not below 2^53 beyond.
 [[nodiscard]] inline double snap_coordinate(float coordinate, float origin, double reciprocal_step) {
-    return round_half_even((double(coordinate) - double(origin)) * reciprocal_step);
+    return snap_to_step(coordinate, reciprocal_step) - double(origin) * reciprocal_step;
 }
 
 /// Whether the lattice is finer than float32 numbers are around the farthest coordinate: it then only records noise.
@@ -61,8 +65,11 @@ struct SourceBounds {
 /// The largest step exponent at which no lattice point is farther than `tolerance` from what it stands for.
 [[nodiscard]] int step_exponent_for_tolerance(double tolerance);
 
-/// The lattice with this step and as few bits as hold every coordinate.
-[[nodiscard]] Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent,
-                                                          double tolerance);
+/// The lattice with this step and as few bits as hold every coordinate; refused with the step that would fit.
+[[nodiscard]] Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent);
+
+/// The same for a step that keeps a tolerance; refused with the tolerance that would fit.
+[[nodiscard]] Result<Lattice, BakeError> lattice_for_tolerance(const SourceBounds& bounds, int step_exponent,
+                                                               double tolerance);
 
 }  // namespace espalier::baker

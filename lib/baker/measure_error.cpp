@@ -38,20 +38,19 @@ MeasuredError measure_error(const Source& source, const LatticeMesh& mesh) {
     return error;
 }
 
-bool vertices_are_within(const Source& source, const Lattice& lattice, double tolerance) {
-    const Vec3 origin = lattice.origin;
-    const double step = lattice.step();
+bool vertices_are_within(const Source& source, int step_exponent, double tolerance) {
+    const double step = std::ldexp(1.0, step_exponent);
     const double reciprocal_step = 1.0 / step;
     const double square_tolerance = tolerance * tolerance;
-    const auto error_of = [&](float coordinate, float from) {
-        return snap_error(coordinate, from, snap_coordinate(coordinate, from, reciprocal_step), step);
+    const auto error_of = [&](float coordinate) {
+        return double(coordinate) - snap_to_step(coordinate, reciprocal_step) * step;
     };
     for (const SourceTriangle& triangle : source.triangles) {
         for (const std::uint32_t corner : triangle.corners) {
             const Vec3& point = source.positions[corner];
-            const double x = error_of(point.x, origin.x);
-            const double y = error_of(point.y, origin.y);
-            const double z = error_of(point.z, origin.z);
+            const double x = error_of(point.x);
+            const double y = error_of(point.y);
+            const double z = error_of(point.z);
             if (x * x + y * y + z * z > square_tolerance) return false;
         }
     }

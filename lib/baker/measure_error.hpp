@@ -18,8 +18,8 @@ struct MeasuredError {
 /// the error is then 0.
 [[nodiscard]] MeasuredError measure_error(const Source& source, const LatticeMesh& mesh);
 
-/// Whether every vertex of a triangle with an area is within `tolerance` of its lattice point: a quick look before
+/// Whether every vertex of a triangle with an area is within `tolerance` of its lattice point: a quick test before
 /// snapping.
-[[nodiscard]] bool vertices_are_within(const Source& source, const Lattice& lattice, double tolerance);
+[[nodiscard]] bool vertices_are_within(const Source& source, int step_exponent, double tolerance);
 
 }  // namespace espalier::baker

@@ -67,8 +67,8 @@ void drop_duplicates(const Source& source, std::vector<LatticeTriangle>& triangl
 
 /// Marks the vertices of kept triangles and moves the lattice so that their smallest coordinates are 0.
 ///
-/// They are 0 already unless a collapsed triangle reached farthest. Then the lattice moves by whole steps, which
-/// changes no shape; the new origin is rounded to float32, and the measured error includes what that rounding does.
+/// They are 0 already unless a collapsed triangle reached farthest. The origin then becomes the place of another
+/// vertex, which float32 represents, and no vertex moves.
 void settle(LatticeMesh& mesh) {
     mesh.is_used.assign(mesh.vertices.size(), 0);
     if (mesh.triangles.empty()) return;
@@ -87,8 +87,8 @@ void settle(LatticeMesh& mesh) {
     mesh.extent = {high.x - low.x, high.y - low.y, high.z - low.z};
     const double step = mesh.lattice.step();
     Vec3& origin = mesh.lattice.origin;
-    origin = {origin_coordinate(double(origin.x) + low.x * step), origin_coordinate(double(origin.y) + low.y * step),
-              origin_coordinate(double(origin.z) + low.z * step)};
+    origin = {static_cast<float>(double(origin.x) + low.x * step), static_cast<float>(double(origin.y) + low.y * step),
+              static_cast<float>(double(origin.z) + low.z * step)};
     for (LatticePoint& point : mesh.vertices) point = {point.x - low.x, point.y - low.y, point.z - low.z};
 }
 

@@ -21,7 +21,7 @@ set_property(GLOBAL PROPERTY ESPALIER_BLOB_VERSION "${espalier_VERSION}")
 
 # Each is an option of `espalier bake` by the same name: MAX_BYTES is --max-bytes.
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_FLAGS IDS EDGE_FLAGS REPAIR)
-set_property(GLOBAL PROPERTY ESPALIER_BAKE_VALUES TOLERANCE BITS MAX_BYTES FASTEST_UNDER MAX_ERROR PROFILE LEAF_SIZE
+set_property(GLOBAL PROPERTY ESPALIER_BAKE_VALUES TOLERANCE BITS STEP LATTICE_OF MAX_BYTES FASTEST_UNDER MAX_ERROR PROFILE LEAF_SIZE
   COST_MODEL BUILDER DUPLICATES UNIT SCALE UP MATERIALS FLAT_ANGLE BOUNDS EFFORT THREADS)
 
 function(espalier_add_blob target)
@@ -88,6 +88,17 @@ function(espalier_add_blob target)
   if(blob_COST_MODEL)
     cmake_path(ABSOLUTE_PATH blob_COST_MODEL BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   endif()
+  if(blob_LATTICE_OF) # a target of this function, or a blob as a file
+    if(TARGET ${blob_LATTICE_OF})
+      get_target_property(neighbour ${blob_LATTICE_OF} ESPALIER_BLOB)
+      if(NOT neighbour)
+        message(FATAL_ERROR "espalier_add_blob(${target}): LATTICE_OF ${blob_LATTICE_OF} is a target without a blob")
+      endif()
+      set(blob_LATTICE_OF ${neighbour})
+    else()
+      cmake_path(ABSOLUTE_PATH blob_LATTICE_OF BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+    endif()
+  endif()
   set(bake_options "")
   foreach(option IN LISTS bake_values bake_flags)
     if(DEFINED blob_${option} AND NOT (option IN_LIST bake_flags AND NOT blob_${option}))
@@ -109,7 +120,7 @@ function(espalier_add_blob target)
 
   add_custom_command(OUTPUT ${blob}
     COMMAND ${command} bake ${meshes} -o ${blob} --depfile ${folder}/${target}.d --quiet ${bake_options} ${forget}
-    DEPENDS ${meshes} ${blob_DEPENDS} ${made_by} DEPFILE ${folder}/${target}.d
+    DEPENDS ${meshes} ${blob_DEPENDS} ${blob_LATTICE_OF} ${made_by} DEPFILE ${folder}/${target}.d
     COMMENT "Baking ${target}" VERBATIM)
   # The header keeps its time while it stays the same, so it is a byproduct: who includes it is compiled again only then.
   add_custom_command(OUTPUT ${source} BYPRODUCTS ${header}

@@ -66,6 +66,10 @@ struct BakeOptions {
     /// Largest allowed distance between source and baked surface, in world units. Without it `bits` decides the
     /// lattice.
     std::optional<double> tolerance = std::nullopt;
+    /// The lattice step is 2^step_exponent, -100 .. 100, and not what `bits` or a tolerance give. Excludes `tolerance`.
+    /// Blobs with one step lie on one lattice: a vertex that two sources have in common is one lattice point in both,
+    /// for example where two tiles of a terrain meet. lattice_of(blob).step_exponent is that of another blob.
+    std::optional<int> step_exponent = std::nullopt;
     /// Lattice bits for the largest extent, 1..24: the step is the smallest power of two for which they suffice.
     unsigned bits = 16;
     format::Profile profile = format::Profile::balanced;
@@ -151,10 +155,10 @@ struct Baked {
 struct BakeError {
     enum class Kind : std::uint8_t {
         invalid_options,
-        invalid_mesh,        ///< broken geometry: NaN, indices out of range
-        tolerance_too_fine,  ///< the lattice would need more than 24 bits
-        too_large,           ///< a limit of the format
-        internal,            ///< the baker's own check of its result failed
+        invalid_mesh,  ///< broken geometry: NaN, indices out of range
+        too_fine,      ///< the lattice would need more than 24 bits
+        too_large,     ///< a limit of the format
+        internal,      ///< the baker's own check of its result failed
     };
     Kind kind = Kind::internal;
     std::string message;

@@ -9,8 +9,8 @@
 namespace espalier::format {
 
 /// The format's version, apart from the library's. Readers accept the same major and a minor up to their own.
-inline constexpr std::uint16_t version_major = 1;
-inline constexpr std::uint16_t version_minor = 1;
+inline constexpr std::uint16_t version_major = 2;
+inline constexpr std::uint16_t version_minor = 0;
 inline constexpr std::uint32_t magic = 0x4C505345u;  // "ESPL"
 
 // ---- limits -------------------------------------------------------------------------------------------------------
@@ -39,7 +39,7 @@ inline constexpr std::size_t triangle_count_at = 24;    // u32
 inline constexpr std::size_t vertex_count_at = 28;      // u32, distinct lattice points
 inline constexpr std::size_t node_count_at = 32;        // u32, 0 only for an empty mesh
 inline constexpr std::size_t leaf_bytes_at = 36;        // u32, a multiple of 4
-inline constexpr std::size_t origin_at = 40;            // 3 x f32, world position of lattice point 0 0 0
+inline constexpr std::size_t origin_at = 40;            // 3 x f32, of lattice point 0 0 0; a multiple of the step
 inline constexpr std::size_t extent_at = 52;            // 3 x u32, largest coordinate per axis (the smallest is 0)
 inline constexpr std::size_t max_error_at = 64;         // f32, world units
 inline constexpr std::size_t depth_at = 68;             // u8
@@ -77,12 +77,6 @@ inline constexpr std::uint32_t bounds = oriented_box | bounding_sphere | k_dop;
 inline constexpr std::uint32_t known =
     original_ids | materials_8 | materials_16 | closed | split_references | edge_flags | bounds;
 }  // namespace feature
-
-/// What a blob states as its minor version: the lowest that has its features. So blobs without new ones keep their
-/// bytes.
-constexpr std::uint16_t minor_version_of(std::uint32_t features) {
-    return (features & (feature::edge_flags | feature::bounds)) != 0 ? 1 : 0;
-}
 
 // ---- sections ------------------------------------------------------------------------------------------------------
 // In this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4 bytes.

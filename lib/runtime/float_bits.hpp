@@ -39,7 +39,13 @@ constexpr float whole_float(std::uint32_t number) {
 /// Exponent of a normal number: |x| is in [2^e, 2^(e+1)).
 constexpr int exponent_of(float x) { return static_cast<int>(magnitude_bits(x) >> 23) - 127; }
 
-constexpr bool is_subnormal(float x) { return magnitude_bits(x) - 1u < 0x007FFFFFu; }
+/// Whether a finite number is a whole multiple of 2^exponent, which is at least 2^-100: of the numbers that are not 0,
+/// no subnormal one is.
+constexpr bool is_multiple_of_power(float x, int exponent) {
+    const std::uint32_t magnitude = magnitude_bits(x);
+    // The implicit bit stands above the others: no more than 23 of them are zeros.
+    return magnitude == 0 || exponent_of(x) - 23 + std::countr_zero(magnitude | 0x00800000u) >= exponent;
+}
 /// Subnormal numbers count as zero.
 constexpr float flush_subnormal(float x) { return magnitude_bits(x) < 0x00800000u ? 0.0f : x; }
 

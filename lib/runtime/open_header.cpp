@@ -12,6 +12,8 @@ namespace {
 using format::feature::materials_16;
 using format::feature::materials_8;
 
+bool is_minus_zero(float x) { return std::bit_cast<std::uint32_t>(x) == 0x80000000u; }
+
 /// Takes sections off the front of what is left. The only bounds check.
 struct Bytes {
     const std::byte* at;  ///< null when something was not there
@@ -105,7 +107,8 @@ Status read_header(BlobData& blob) {
     for (std::size_t k = 0; k < 3; ++k) {
         blob.origin[k] = load_f32(h + origin_at + 4 * k);
         const std::uint32_t extent = load_u32(h + extent_at + 4 * k);
-        if (!is_finite(blob.origin[k]) || is_subnormal(blob.origin[k]) || extent >> blob.bits != 0)
+        if (!is_finite(blob.origin[k]) || is_minus_zero(blob.origin[k]) ||
+            !is_multiple_of_power(blob.origin[k], blob.step_exponent) || extent >> blob.bits != 0)
             return Status::bad_header;
         blob.extent[k] = static_cast<std::int32_t>(extent);
     }

@@ -56,7 +56,7 @@ TEST_SUITE("fit lattice") {
         for (const double tolerance : {0x1p-101, 0x1p-102, 0x1p-600}) {
             const auto refused = bake_mesh(make_cube(0.0f, 1.0f), with_tolerance(tolerance));
             REQUIRE(!refused);
-            CHECK(refused.error().kind == BakeError::Kind::tolerance_too_fine);
+            CHECK(refused.error().kind == BakeError::Kind::too_fine);
         }
     }
 

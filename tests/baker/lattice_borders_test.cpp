@@ -1,7 +1,9 @@
 // Claims about the lattice at the borders of what it accepts: the functions that choose it, asked directly.
 #include <doctest/doctest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -9,6 +11,7 @@
 #include <baker/lattice.hpp>
 
 #include "../support/mesh_makers.hpp"
+#include "../support/random.hpp"
 #include "baking_support.hpp"
 
 using namespace espalier;
@@ -46,12 +49,55 @@ TEST_SUITE("lattice borders") {
         CHECK(baker::bounds_of({}).largest_side == 0.0);
     }
 
-    TEST_CASE("lattice: the origin keeps any normal number to the bit and clamps to the range of float32") {
-        CHECK(baker::origin_coordinate(double(least_normal)) == least_normal);
-        CHECK(baker::origin_coordinate(-double(least_normal)) == -least_normal);
-        CHECK(baker::origin_coordinate(double(least_normal) * 0.999999) == 0.0f);
-        CHECK(baker::origin_coordinate(1e39) == std::numeric_limits<float>::max());
-        CHECK(baker::origin_coordinate(-1e39) == std::numeric_limits<float>::lowest());
+    TEST_CASE("lattice: a coordinate snaps to the nearest multiple of the step and float32 holds it") {
+        Random random(24);
+        for (int i = 0; i < 100'000; ++i) {
+            const int exponent = random.between(format::min_step_exponent, format::max_step_exponent);
+            const double step = std::ldexp(1.0, exponent);
+            float coordinate = std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+            if (random.coin()) coordinate = std::ldexp(random.signed_unit(), exponent + random.between(-5, 26));
+            if (random.below(8) == 0) coordinate = static_cast<float>((random.between(-99, 99) + 0.5) * step);
+            if (!std::isfinite(coordinate)) continue;
+            CAPTURE(coordinate);
+            CAPTURE(exponent);
+            const double snapped = baker::snap_to_step(coordinate, 1.0 / step);
+            REQUIRE(snapped == std::nearbyint(snapped));
+            REQUIRE(!(snapped == 0.0 && std::signbit(snapped)));
+            const double place = snapped * step;
+            REQUIRE(double(static_cast<float>(place)) == place);
+            const double moved = std::abs(double(coordinate) - place);
+            REQUIRE(moved <= 0.5 * step);
+            if (moved == 0.5 * step) REQUIRE(std::fmod(snapped, 2.0) == 0.0);
+        }
+        for (const float largest : {std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()})
+            CHECK(baker::snap_to_step(largest, 0x1p-100) * 0x1p100 == double(largest));
+        CHECK(!std::signbit(baker::snap_to_step(-0.0f, 1.0)));
+        CHECK(!std::signbit(baker::snap_to_step(-least_normal, 1.0)));
+    }
+
+    TEST_CASE("lattice: the origin is the lowest corner snapped to the step") {
+        const auto bounds = bounds_between({-0.75f, 0.5f, 100.25f}, {1.0f, 3.0f, 101.0f});
+        const auto lattice = baker::lattice_for_step(bounds, 0);
+        REQUIRE(lattice);
+        CHECK(lattice->origin == Vec3{-1.0f, 0.0f, 100.0f});
+        CHECK(lattice->bits == 2);  // along y from 0 to 3
+        CHECK(baker::lattice_for_step(bounds, -1)->origin == Vec3{-1.0f, 0.5f, 100.0f});
+    }
+
+    TEST_CASE("lattice: a step too fine for the meshes is refused with the finest that fits") {
+        for (int exponent = -60; exponent <= 60; ++exponent) {
+            const float most = std::ldexp(0x1p24f - 1.0f, exponent);
+            const auto fits = bounds_between({}, {most, 0.0f, 0.0f});
+            REQUIRE(baker::lattice_for_step(fits, exponent));
+            CHECK(baker::lattice_for_step(fits, exponent)->bits == 24);
+            const auto refused = baker::lattice_for_step(fits, exponent - 1);
+            REQUIRE(!refused);
+            CHECK(refused.error().kind == BakeError::Kind::too_fine);
+            CHECK(number_after(refused.error().message, "the finest step is 2^") == exponent);
+            const auto larger = bounds_between({}, {std::ldexp(1.0f, exponent + 24), 0.0f, 0.0f});
+            CHECK(!baker::lattice_for_step(larger, exponent));
+        }
+        CHECK(baker::lattice_for_step(baker::SourceBounds{}, -7)->step_exponent == -7);
     }
 
     TEST_CASE("lattice: an error is rounded up to the next float at most and never to a subnormal") {
@@ -103,14 +149,14 @@ TEST_SUITE("lattice borders") {
             const int exponent = baker::step_exponent_for_tolerance(tolerance);
             const double most = (0x1p24 - 1.0) * std::ldexp(1.0, exponent);
             const auto fits = bounds_between({}, {static_cast<float>(most), 0.0f, 0.0f});
-            const auto kept = baker::lattice_for_step(fits, exponent, tolerance);
+            const auto kept = baker::lattice_for_tolerance(fits, exponent, tolerance);
             REQUIRE(kept);
             CHECK(kept->bits == 24);
             CHECK(kept->step_exponent == exponent);
             const auto larger = bounds_between({}, {static_cast<float>(most * 1.5), 1.0f, 1.0f});
-            const auto refused = baker::lattice_for_step(larger, exponent, tolerance);
+            const auto refused = baker::lattice_for_tolerance(larger, exponent, tolerance);
             REQUIRE(!refused);
-            CHECK(refused.error().kind == BakeError::Kind::tolerance_too_fine);
+            CHECK(refused.error().kind == BakeError::Kind::too_fine);
             const double named = number_after(refused.error().message, "they may be ");
             CHECK(named <= most);
             CHECK(named >= most * (1.0 - 3e-8));
@@ -123,14 +169,14 @@ TEST_SUITE("lattice borders") {
     TEST_CASE("lattice: a tolerance whose steps no double can count is refused also for a flat mesh") {
         const auto bounds = bounds_between({}, {0.0f, 1.0f, 1.0f});
         for (const int exponent : {-999, -1000, -1001, -1024, -1074}) {
-            const auto refused = baker::lattice_for_step(bounds, exponent, std::ldexp(1.0, exponent));
+            const auto refused = baker::lattice_for_tolerance(bounds, exponent, std::ldexp(1.0, exponent));
             REQUIRE(!refused);
-            CHECK(refused.error().kind == BakeError::Kind::tolerance_too_fine);
+            CHECK(refused.error().kind == BakeError::Kind::too_fine);
         }
     }
 
     TEST_CASE("lattice: an empty mesh gets a lattice for every step and bits") {
-        const auto by_step = baker::lattice_for_step(baker::SourceBounds{}, -200, 1e-60);
+        const auto by_step = baker::lattice_for_tolerance(baker::SourceBounds{}, -200, 1e-60);
         REQUIRE(by_step);
         CHECK(by_step->bits == 1);
         CHECK(by_step->step_exponent == 0);

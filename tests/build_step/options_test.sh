@@ -72,6 +72,8 @@ espalier_add_blob(level MESH level.obj level.obj MAX_BYTES 64K BUILDER sweep_sah
 get_target_property(blob level ESPALIER_BLOB)
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/blob.txt" "${blob}")
 espalier_add_blob(arena-2 MESH level.obj SYMBOL arena)
+espalier_add_blob(tile-1 MESH level.obj STEP 2^-9)
+espalier_add_blob(tile-2 MESH level.obj LATTICE_OF tile-1)
 add_executable(game main.c)
 target_link_libraries(game PRIVATE level)
 CMAKE
@@ -85,6 +87,17 @@ same expected.espl build/blobs/all.espl
 [ "$(cat build/blob.txt)" = "$folder/build/blobs/all.espl" ] || fail "the target says $(cat build/blob.txt)"
 build/game >game.bytes
 same game.bytes expected.espl
+
+claim "a blob takes the step that is given, or that of another target, which is baked before it"
+must build build --target tile-2
+run 0 bake level/level.obj -o tile.espl -q --step 2^-9
+same tile.espl build/espalier_blobs/tile-1/tile-1.espl
+same tile.espl build/espalier_blobs/tile-2/tile-2.espl
+echo 'espalier_add_blob(tile-3 MESH level.obj LATTICE_OF game)' >>level/CMakeLists.txt
+must_not configure level build
+log_has "LATTICE_OF game is a target without a blob"
+sed -i '$d' level/CMakeLists.txt
+must configure level build
 
 claim "a symbol names everything that the header declares"
 for word in "arena[" "arena_size" "arena_bytes()"; do

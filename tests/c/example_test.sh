@@ -11,7 +11,7 @@ fail() {
 
 # Each way of building gives a program that says this.
 check() {
-    local program=$1 blob=$project/tests/format_versions/1.1_everything_fast.espl said
+    local program=$1 blob=$project/tests/format_versions/2.0_everything_fast.espl said
     said=$("$program" "$blob" 0.1 0.2 -100 0 0 1)
     [[ $said == "hit triangle 68 at t = 100.039, normal 0.0114835 -0.199047 0.979923" ]] || fail "$program says: $said"
     said=$("$program" "$blob" 0.1 0.2 100 0 0 1)

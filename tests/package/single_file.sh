@@ -39,6 +39,6 @@ done
 
 "$c_compiler" -std=c99 -pedantic -Wall -Wextra -Werror -c "$project/docs/examples/c/main.c" -Iinclude -o cast_ray.o
 "$compiler" cast_ray.o espalier.o -o cast_ray
-hit=$(./cast_ray "$project/tests/format_versions/1.1_everything_fast.espl" 0.1 0.2 -100 0 0 1)
+hit=$(./cast_ray "$project/tests/format_versions/2.0_everything_fast.espl" 0.1 0.2 -100 0 0 1)
 [[ $hit == "hit triangle 68 at t = 100.039,"* ]] || { echo "failed: from C: $hit"; exit 1; }
 echo "$compiler: $(wc -l <single/espalier.cpp) lines compile without a warning and give everybody's answers"

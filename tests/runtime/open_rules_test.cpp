@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <espalier/espalier.hpp>
 
@@ -95,17 +98,32 @@ TEST_SUITE("open rules") {
             CHECK(refused(at::id_bits_at + 2, 1, 1));
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 CHECK(refused(at::origin_at + 4 * axis, 0x00000001u, 4));  // a subnormal number
+                CHECK(refused(at::origin_at + 4 * axis, 0x80000000u, 4));  // -0
                 CHECK(refused(at::origin_at + 4 * axis, 0x7F800000u, 4));
                 CHECK(refused(at::extent_at + 4 * axis, std::uint64_t{1} << get(bytes, at::bits_at, 1), 4));
             }
             CHECK(status_with(three_sources(profile), at::id_bits_at, 33, 1) == Status::bad_header);
+            Bytes at_zero = bytes;
+            put(at_zero, at::origin_at, 0, 4);
+            put(at_zero, at::origin_at + 4, 0, 4);
+            put(at_zero, at::origin_at + 8, 0, 4);
             const auto with_step = [&](int exponent) {
-                return status_with(bytes, at::step_exponent_at, static_cast<std::uint16_t>(exponent), 2);
+                return status_with(at_zero, at::step_exponent_at, static_cast<std::uint16_t>(exponent), 2);
             };
             CHECK(with_step(format::min_step_exponent) == Status::ok);
             CHECK(with_step(format::min_step_exponent - 1) == Status::bad_header);
             CHECK(with_step(format::max_step_exponent) == Status::ok);
             CHECK(with_step(format::max_step_exponent + 1) == Status::bad_header);
+            // An origin of 1.5 steps, of 3 and of 2^24 + 2: the last is the step's multiple in its last place.
+            const int step = static_cast<std::int16_t>(get(bytes, at::step_exponent_at, 2));
+            for (const auto& [steps, expected] :
+                 {std::pair(1.5f, Status::bad_header), std::pair(3.0f, Status::ok),
+                  std::pair(0x1p-1f, Status::bad_header), std::pair(-0x1.8p0f, Status::bad_header),
+                  std::pair(-8388609.0f, Status::ok), std::pair(-4194304.5f, Status::bad_header),
+                  std::pair(0x1p24f + 2.0f, Status::ok)}) {
+                const auto origin = std::bit_cast<std::uint32_t>(std::ldexp(steps, step));
+                CHECK(status_with(at_zero, at::origin_at + 4, origin, 4) == expected);
+            }
 
             const Bytes empty = bake_or_throw(Mesh{}, with_profile(profile));
             REQUIRE(status_of(empty) == Status::ok);

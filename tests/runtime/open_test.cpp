@@ -235,6 +235,8 @@ TEST_SUITE("open") {
             CHECK(status_with(bytes, at::magic_at, 0x4C505346u, 4) == Status::not_a_blob);
             CHECK(status_with(bytes, at::version_major_at, format::version_major + 1, 2) ==
                   Status::unsupported_version);
+            CHECK(status_with(bytes, at::version_major_at, format::version_major - 1, 2) ==
+                  Status::unsupported_version);
             CHECK(status_with(bytes, at::version_minor_at, format::version_minor + 1, 2) ==
                   Status::unsupported_version);
             CHECK(status_with(bytes, at::profile_at, 3, 1) == Status::unsupported_profile);

@@ -208,8 +208,8 @@ private:
     void put_header(Writer& out, std::size_t section_bytes) const {
         const std::size_t total = 128 + std::size_t{64} * node_count_ + leaves_.bytes.size() + 64 + section_bytes;
         out.put(0x4C505345u, 4);
-        out.put(1, 2);
-        out.put((head_.features >> 5) != 0 ? 1 : 0, 2);
+        out.put(2, 2);
+        out.put(0, 2);
         out.put(total, 4);
         out.put(0, 4);  // the checksum comes last
         out.put(head_.features, 4);

@@ -92,7 +92,7 @@ std::vector<ExtremeSolid> make_extreme_solids() {
     const Vec3 nowhere{};
     const Mesh ball = make_icosphere(1, 1.0, nowhere), cube = make_cube(-1.0f, 1.0f);
     // Sizes. Steps go from 2^-100 to 2^100: the smallest and the largest have room for few bits, or for 24 and no more.
-    add(solids, named(scaled_by(cube, 1e-30f), "cube of 2e-30"), 1);
+    add(solids, named(scaled_by(cube, 1e-30f), "cube of 2e-30"), 2);
     add(solids, named(scaled_by(ball, 1e-27f), "ball of 2e-27"), 11);
     add(solids, named(scaled_by(ball, 1e-20f), "ball of 2e-20"), 16);
     add(solids, named(scaled_by(ball, 1e-10f), "ball of 2e-10"), 24);

@@ -57,7 +57,9 @@ private:
             head_.extent[axis] = kind == 0 ? 0 : kind == 1 ? most : random_.below(most + 1);
             float origin = std::ldexp(static_cast<float>(random_.between(-1000, 1000)), head_.step_exponent);
             if (!tame) origin = std::bit_cast<float>(static_cast<std::uint32_t>(random_.next()));
-            head_.origin[axis] = std::isnormal(origin) ? origin : 0.0f;
+            const double steps = std::isfinite(origin) ? std::ldexp(double(origin), -head_.step_exponent) : 0.0;
+            const double whole = std::abs(steps) < 0x1p24 ? std::nearbyint(steps) : steps;
+            head_.origin[axis] = static_cast<float>(std::ldexp(whole, head_.step_exponent)) + 0.0f;  // never -0
         }
         head_.max_error = random_.unit();
         deepest_ = random_.below(3) == 0 ? 1 : random_.coin() ? 16 : 1 + random_.below(16);

@@ -192,6 +192,38 @@ run 1 bake sheet.obj -o x.espl --tolerance 0
 run 1 bake sheet.obj -o x.espl --tolerance nan
 run 1 bake sheet.obj -o x.espl --tolerance inf
 
+claim "a step is a power of two, written either way, and is that of the blob"
+run 0 bake sheet.obj -o step.espl --step 2^-9 --json -q
+[ "$(jq .step out)" = 0.001953125 ] || fail "the step is $(jq .step out)"
+run 0 bake sheet.obj -o x.espl --step 0.001953125
+same step.espl x.espl
+for step in 0.3 2^ 2^x 2^-1.5 -0.5 0 nan inf 2^-9mm; do
+    run 1 bake sheet.obj -o x.espl --step "$step"
+    err_has "is no power of two"
+done
+run 1 bake sheet.obj -o x.espl --step 2^-101
+err_has "from 2^-100 to 2^100"
+run 1 bake sheet.obj -o x.espl --step 2^-9 --tolerance 1mm
+run 1 bake sheet.obj -o x.espl --step 2^-9 --bits 12
+run 1 bake sheet.obj -o x.espl --step 2^-9 --max-error 1mm
+run 1 bake sheet.obj -o x.espl --step 2^-9 --lattice-of step.espl
+
+claim "a step finer than the format is unsupported and says which one fits"
+run 5 bake sheet.obj -o fine.espl --step 2^-60
+err_has "the finest step is 2^"
+absent fine.espl
+finest=$(sed -n 's/.*the finest step is \(2^-*[0-9]*\).*/\1/p' err)
+run 0 bake sheet.obj -o x.espl --step "$finest"
+
+claim "the lattice of another blob fixes the step, and a depfile has that blob"
+run 0 bake box.obj -o neighbour.espl --lattice-of step.espl --depfile neighbour.d --json -q
+[ "$(jq .step out)" = 0.001953125 ] || fail "the step is $(jq .step out)"
+grep -q 'step\.espl' neighbour.d || fail "neighbour.d: $(cat neighbour.d)"
+run 3 bake box.obj -o x.espl --lattice-of box.obj
+run 1 bake box.obj -o x.espl --lattice-of step.espl --bits 12
+run 1 bake box.obj -o step.espl --lattice-of step.espl
+run 5 bake sheet.obj -o x.espl --step 2^-9 --max-bytes 100
+
 claim "a tolerance finer than the format is unsupported, and leaves no file"
 run 5 bake sheet.obj -o fine.espl --tolerance 1e-9
 err_has "too fine"
@@ -674,7 +706,7 @@ out_has '"volumes": {'
 same extras.espl extras5.espl
 run 0 verify extras.espl --deep
 run 0 info extras.espl
-for word in "format        1.1" "edge_flags, oriented_box, bounding_sphere, k_dop" "half axis" "radius"; do
+for word in "format        2.0" "edge_flags, oriented_box, bounding_sphere, k_dop" "half axis" "radius"; do
     out_has "$word"
 done
 run 0 info extras.espl --json
