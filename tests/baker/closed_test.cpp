@@ -143,6 +143,16 @@ TEST_SUITE("closed") {
         CHECK(twice->report.closed);
     }
 
+    TEST_CASE("closed: a tube with open ends is open although its areas cancel") {
+        Mesh mesh = make_cube(0.0f, 1.0f);
+        std::erase_if(mesh.triangles, [&](const TriangleVertices& corners) {
+            const auto height = [&](std::size_t k) { return mesh.positions[corners[k]].z; };
+            return height(0) == height(1) && height(1) == height(2);
+        });
+        REQUIRE(mesh.triangles.size() == 8);
+        CHECK(!bake_mesh(mesh)->report.closed);
+    }
+
     TEST_CASE("closed: what is open in the source is not lost") {
         Mesh mesh = make_terrain(5, 1);
         mesh.triangles.push_back(mesh.triangles[3]);
