@@ -26,4 +26,4 @@ documented=$(block text "hit triangle" | grep -oE 'file [0-9]+, mesh [0-9]+, tri
 [[ -n $commands && -n $documented ]] || fail "$readme has no commands, or does not show what they print"
 printed=$(bash -euo pipefail -c "$commands" 2>stderr.txt) || fail "a command of $readme: $(cat stderr.txt)"
 [[ $printed == *"$documented"* ]] || fail "$readme shows: $documented"$'\n'"The commands print: $printed"
-[[ -s knot.espl && -s knot.png ]] || fail "the commands of $readme made no blob or no picture"
+[[ -s build/knot.espl && -s build/knot.png ]] || fail "the commands of $readme made no blob or no picture"
