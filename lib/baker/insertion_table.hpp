@@ -26,7 +26,7 @@ public:
     /// The number of the entry for which `equals(number)` holds, or `next` after having put it in.
     template <class Equals>
     std::uint32_t find_or_insert(std::uint64_t hash, std::uint32_t next, Equals equals) {
-        std::size_t slot = hash & mask_;
+        std::size_t slot = first_slot(hash);
         while (slots_[slot] != none) {
             if (equals(slots_[slot])) return slots_[slot];
             slot = (slot + 1) & mask_;
@@ -38,15 +38,17 @@ public:
     /// The number of the entry for which `equals(number)` holds, or none.
     template <class Equals>
     [[nodiscard]] std::uint32_t find(std::uint64_t hash, Equals equals) const {
-        std::size_t slot = hash & mask_;
+        std::size_t slot = first_slot(hash);
         while (slots_[slot] != none && !equals(slots_[slot])) slot = (slot + 1) & mask_;
         return slots_[slot];
     }
 
     /// Brings the slot of a later find_or_insert into the cache.
-    void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & mask_], 1); }
+    void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[first_slot(hash)], 1); }
 
 private:
+    [[nodiscard]] std::size_t first_slot(std::uint64_t hash) const { return static_cast<std::size_t>(hash & mask_); }
+
     std::size_t mask_;
     std::vector<std::uint32_t> slots_;
 };

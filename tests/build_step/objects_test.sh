@@ -11,7 +11,7 @@ mkdir made
 "$espalier" bake level/level.obj -o made/level.espl -q || fail "the level cannot be baked"
 size=$(stat -c %s made/level.espl)
 any_compiler=$(command -v gcc || command -v clang) || { echo "skipped: there is neither gcc nor clang" && exit 77; }
-strict=(-Wall -Wextra -Wpedantic -Wconversion -Werror)
+strict=(-Wall -Wextra -Wpedantic -Wconversion "${WERROR:--Werror}")
 
 # object_is FILE SECTION ALIGNMENT SYMBOL [OBJCOPY]: in it the blob, read-only and hidden, and nothing else that takes memory
 object_is() {

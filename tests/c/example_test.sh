@@ -26,7 +26,7 @@ rm -rf "$folder"
 mkdir -p "$folder"
 
 # No C++ library, no flags: a C compiler, the header and the archive.
-"$cc" -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -I "$project/lib" "$project/docs/examples/c/main.c" "$archive" \
+"$cc" -std=c99 -pedantic -Wall -Wextra -Wconversion "${WERROR:--Werror}" -I "$project/lib" "$project/docs/examples/c/main.c" "$archive" \
     -o "$folder/alone"
 check "$folder/alone"
 needed=$(readelf -d "$folder/alone" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | grep -v '^libc\.so' || true)
@@ -40,7 +40,7 @@ needed=$(readelf -d "$folder/alone" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | g
     printf '(void)hit;\n}\n'
 } >"$folder/page.c"
 grep -q espalier_overlaps_box "$folder/page.c" || fail "docs/embedding.md shows no C"
-"$cc" -std=c99 -pedantic -Wall -Wextra -Werror -I "$project/lib" -fsyntax-only "$folder/page.c" || fail "docs/embedding.md shows what is no C"
+"$cc" -std=c99 -pedantic -Wall -Wextra "${WERROR:--Werror}" -I "$project/lib" -fsyntax-only "$folder/page.c" || fail "docs/embedding.md shows what is no C"
 
 "$cmake" --install "$build" --prefix "$folder/package" --component runtime >"$folder/install.log"
 "$cmake" -S "$project/docs/examples/c" -B "$folder/example" -DCMAKE_PREFIX_PATH="$folder/package" -DCMAKE_C_COMPILER="$cc" \

@@ -9,6 +9,8 @@ machine_packages=(qemu-user g++-i686-linux-gnu g++-arm-linux-gnueabihf g++-aarch
 
 is_installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2>/dev/null || true) == "install ok installed" ]]; }
 
+lists_are_new=no
+
 install_missing() {
     local missing=() package
     command -v dpkg-query >/dev/null ||
@@ -28,7 +30,9 @@ install_missing() {
         fi
     fi
     echo "installing ${missing[*]}"
-    "${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=300 update >/dev/null || fail "apt-get update failed (no network?)"
+    [[ $lists_are_new == yes ]] || "${as_root[@]}" apt-get -q -o DPkg::Lock::Timeout=300 update >/dev/null ||
+        fail "apt-get update failed (no network?)"
+    lists_are_new=yes
     "${as_root[@]}" apt-get -q -y -o DPkg::Lock::Timeout=300 install --no-install-recommends "${missing[@]}" >/dev/null ||
         fail "apt-get could not install: ${missing[*]}"
 }
@@ -45,6 +49,11 @@ wasm_packages() {
         fi
     done
     fail "no libc++ for wasm32 among the packages"
+}
+
+# clang-format 14 where the system has it; without it the test of the format is skipped.
+formatter_packages() {
+    if is_installed clang-format-14 || apt-cache show clang-format-14 >/dev/null 2>&1; then echo clang-format-14; fi
 }
 
 check_cmake() {
