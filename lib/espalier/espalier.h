@@ -588,6 +588,23 @@ espalier_query_status espalier_first_hit(const espalier_blob* blob, const espali
                                          espalier_hit_in_steps* hit);
 espalier_query_status espalier_any_hit(const espalier_blob* blob, const espalier_segment_in_steps* segment, bool* hit);
 
+/* ---- rounded_ray.hpp ----------------------------------------------------------------------------------------------
+ */
+
+/* Filled with zeros it hits nothing. What is in it is no promise. */
+typedef struct ESPALIER_SHARED_ espalier_rounded_ray {
+    uint32_t opaque_[21];
+} espalier_rounded_ray;
+
+/* `region` is untouched unless the status is ok. */
+espalier_query_status espalier_lattice_of_blobs(const espalier_blob* blobs, size_t count, espalier_lattice* region);
+/* The status is that of the rounded ray, which every query of it returns again. */
+espalier_query_status espalier_round_ray(const espalier_lattice* region, const espalier_ray* ray,
+                                         espalier_rounded_ray* rounded);
+espalier_query_status espalier_raycast_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray,
+                                               espalier_ray_hit* hit);
+espalier_query_status espalier_occluded_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray, bool* hit);
+
 #ifdef __cplusplus
 }
 #endif

@@ -12,6 +12,7 @@
 #include <espalier/original.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
+#include <espalier/rounded_ray.hpp>
 #include <espalier/rounding.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>

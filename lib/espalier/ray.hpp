@@ -9,6 +9,8 @@
 // With 23 or 24 bits a ray from outside may be rounded to whole lattice steps, coarser than float32 resolves it close
 // to the asset: one that is aimed exactly at a corner may pass it by. Neighbours leave no gap then either. rounding.hpp
 // returns how far a ray moves.
+// How a ray is rounded depends on the blob: its origin, its extent, its distance. For several blobs that meet, round it
+// once: rounded_ray.hpp.
 //
 // Arguments. Any bit pattern is safe. A NaN anywhere, an infinite origin or direction, a zero direction, or an origin
 // more than 2^120 lattice steps or all of float32 away: no hit, O(1). t_max may be infinite; t_min below zero counts as

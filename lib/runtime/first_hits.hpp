@@ -21,7 +21,7 @@ public:
     [[nodiscard]] float last_tau() const { return hits_.last().t; }
     [[nodiscard]] bool has(const BlobData& blob, std::uint32_t index) const { return hits_.has(blob, index); }
     void offer(const RayHit& hit) { hits_.offer(hit); }
-    HitCount finish(const RoundedRay& ray, const Ray& world, std::span<RayHit> hits) {
+    HitCount finish(const IntegerRay& ray, const Ray& world, std::span<RayHit> hits) {
         hits_.sort();
         for (RayHit& hit : hits.first(hits_.count())) hit.t = to_t(ray, hit.t, world);
         return {hits_.count(), hits_.has_overflowed() ? QueryStatus::output_full : QueryStatus::ok};

@@ -19,7 +19,7 @@ inline constexpr float interval_slack = 1.0f + 0x1p-21f;
 /// Cores without lanes would only lose room on their stacks.
 inline constexpr std::size_t lane_alignment = sizeof(void*) < 8 ? 4 : 16;
 
-struct RoundedRay {
+struct IntegerRay {
     // The ray, exactly: point(tau) = origin * 2^-fraction_bits + tau * direction, in lattice steps from lattice point 0
     // 0 0. What follows each vector fills its register, so that one load fetches it and no room is lost.
     alignas(
@@ -42,9 +42,16 @@ struct RoundedRay {
 
 /// With what the filters that reject triangles in floats need: the shear that turns the ray into its longest axis, and
 /// a bound on the error of sheared coordinates.
-struct LatticeRay : RoundedRay {
+struct LatticeRay : IntegerRay {
     float shear[2];
     float shear_error;
+};
+
+/// A ray that was rounded for more blobs than this one, on this one's lattice, and the caller's window.
+struct RayOnLattice {
+    IntegerRay ray;
+    float t_min;
+    float t_max;
 };
 
 /// What is known of a ray once it is rounded and only its test against boxes needs.
@@ -85,7 +92,7 @@ inline std::uint32_t reach_bits(const float* origin, const BlobData& blob) {
 
 /// Moves an origin far outside the asset along the ray to the asset's box, grown by its own size where the lattice has
 /// room. False when the ray passes the box by.
-ESPALIER_PART_OF_CALLER inline bool approach(const BlobData& blob, RoundedRay& ray, float* origin) {
+ESPALIER_PART_OF_CALLER inline bool approach(const BlobData& blob, IntegerRay& ray, float* origin) {
     std::int32_t largest = 0;
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     // mutant(> -> >=) equivalent: both sides are equal then
@@ -135,7 +142,7 @@ inline float to_tau(float t, int t_exponent) {
 
 }  // namespace lattice_ray
 
-inline void set_longest_axis(RoundedRay& ray, unsigned axis) {
+inline void set_longest_axis(IntegerRay& ray, unsigned axis) {
     constexpr unsigned after = 0b01'00'10'01;  // two bits each: no processor could foresee a branch on it
     ray.axis[0] = static_cast<std::uint8_t>(after >> (2 * axis) & 3u);
     ray.axis[1] = static_cast<std::uint8_t>(after >> (2 * axis + 2) & 3u);
@@ -153,7 +160,7 @@ inline void set_shear(LatticeRay& ray, RaySlope& slope, float reach) {
 
 /// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by. `reach` is how far
 /// the asset is from the origin at most, along any axis, in lattice steps.
-ESPALIER_PART_OF_CALLER inline bool round_ray(const BlobData& blob, const Ray& world, RoundedRay& ray, float& reach) {
+ESPALIER_PART_OF_CALLER inline bool round_ray(const BlobData& blob, const Ray& world, IntegerRay& ray, float& reach) {
     // The window, by its bits. A number that is none is above infinity; t_min may be below 0, and t_max -0.
     const auto t_min_bits = std::bit_cast<std::uint32_t>(world.t_min);
     const std::uint32_t from = t_min_bits & ((t_min_bits >> 31) - 1u);
@@ -218,14 +225,17 @@ ESPALIER_PART_OF_CALLER inline bool round_ray(const BlobData& blob, const Ray& w
     // -0 is not below 0.
     return std::bit_cast<std::uint32_t>(ray.tau_max) <= 0x80000000u && magnitude_bits(ray.tau_min) != infinity_bits;
 }
-inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
-    float reach = 0.0f;
-    if (!round_ray(blob, world, ray, reach)) return false;
+inline void set_slope(LatticeRay& ray, float reach, RaySlope& slope) {
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (unsigned k = 0; k < 3; ++k)
         slope.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
     slope.inverse[3] = 0.0f;
     set_shear(ray, slope, reach);
+}
+inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
+    float reach = 0.0f;
+    if (!round_ray(blob, world, ray, reach)) return false;
+    set_slope(ray, reach, slope);
     return true;
 }
 inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
@@ -234,21 +244,22 @@ inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray) {
 }
 
 /// The origin in lattice steps, exactly.
-inline float origin_steps(const RoundedRay& ray, unsigned axis) {
+inline float origin_steps(const IntegerRay& ray, unsigned axis) {
     return static_cast<float>(ray.origin[axis]) * power_of_two(-ray.fraction_bits);
 }
 
 /// A hit in the ray's window has its box's interval begin at or before what this answers, and
-inline float window_limit(const RoundedRay& ray) { return ray.tau_max * interval_slack; }
+inline float window_limit(const IntegerRay& ray) { return ray.tau_max * interval_slack; }
 /// one at least as good as one of this tau, counted from the caller's origin, has its box's interval begin at or
 /// before what this answers (docs/numerics.md, 5).
-inline float hit_limit(const RoundedRay& ray, float whole_tau) {
+inline float hit_limit(const IntegerRay& ray, float whole_tau) {
     return (whole_tau * interval_slack - ray.tau_offset) * interval_slack;
 }
 
 /// The caller's t, from tau counted from his origin. A hit is decided exactly: rounding must not report it outside of
-/// the window that it was found in.
-inline float to_t(const RoundedRay& ray, float whole_tau, const Ray& world) {
+/// the window that it was found in, that of a Ray or of a RayOnLattice.
+template <class Caller>
+inline float to_t(const IntegerRay& ray, float whole_tau, const Caller& world) {
     // By their bits, as none is negative, but for a t_min, which is 0 then, and what is -0.
     const auto bits = [](float number) { return std::bit_cast<std::uint32_t>(number); };
     const std::uint32_t t = bits(scale_by_power_of_two(whole_tau, ray.t_exponent));

@@ -77,7 +77,7 @@ struct LeafVertices {
         return triangle;
     }
     /// A vertex as seen from the ray's origin, in the ray's units.
-    ESPALIER_SHARED_CODE void place_vertex(unsigned vertex, const RoundedRay& ray, std::int32_t* place) const {
+    ESPALIER_SHARED_CODE void place_vertex(unsigned vertex, const IntegerRay& ray, std::int32_t* place) const {
         for (int k = 0; k < 3; ++k) {
             const unsigned bit = width[k] * vertex;  // load_field, without a call for each coordinate
             const std::uint32_t field = load_u32(coordinates[k] + bit / 8) >> (bit % 8) & ((1u << width[k]) - 1u);

@@ -95,4 +95,15 @@ inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRay& pre
     return meets_asset(blob, prepared.ray, prepared.in_lanes);
 }
 
+/// The same for a ray that was rounded before.
+inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
+    static_cast<IntegerRay&>(prepared.ray) = given.ray;
+    float origin[3];
+    for (unsigned k = 0; k < 3; ++k) origin[k] = origin_steps(given.ray, k);
+    RaySlope slope;
+    set_slope(prepared.ray, std::bit_cast<float>(lattice_ray::reach_bits(origin, blob)), slope);
+    prepared.in_lanes = spread_ray(blob, prepared.ray, slope);
+    return meets_asset(blob, prepared.ray, prepared.in_lanes);
+}
+
 }  // namespace espalier::detail

@@ -14,6 +14,8 @@
     bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                                \
     bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const RayHit&)> visit);                   \
     bool may_hit(const BlobData& blob, const Ray& world, std::int32_t steps, QueryCounters& counters);                 \
+    bool closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, RayHit& hit);                           \
+    bool any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray);                                            \
     }
 
 namespace espalier::detail {

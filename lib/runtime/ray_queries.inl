@@ -2,9 +2,9 @@
 
 namespace {
 
-/// One function for each kind of leaf, the walk inside of it: one frame on the stack.
-template <class Leaf, class Counters>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool closest_hit_in(const BlobData& blob, const Ray& world, RayHit& hit,
+/// One function for each kind of leaf, the walk inside of it: one frame on the stack. For a Ray or a RayOnLattice.
+template <class Leaf, class Caller, class Counters>
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool closest_hit_in(const BlobData& blob, const Caller& world, RayHit& hit,
                                                          const TriangleFilter* filter, Counters& counters) {
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
@@ -15,8 +15,8 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool closest_hit_in(const BlobData& blob, c
     return true;
 }
 
-template <class Counters>
-[[gnu::always_inline]] inline bool closest_hit_counting(const BlobData& blob, const Ray& world, RayHit& hit,
+template <class Caller, class Counters>
+[[gnu::always_inline]] inline bool closest_hit_counting(const BlobData& blob, const Caller& world, RayHit& hit,
                                                         const TriangleFilter* filter, Counters& counters) {
     return with_leaves_of(
         blob, [&]<class Leaf>()
@@ -24,15 +24,15 @@ template <class Counters>
 }
 
 /// The same. True when the callable, which is told of the ray and the hit, stopped it.
-template <class Leaf, class OnHit>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool every_hit_in(const BlobData& blob, const Ray& world, OnHit on_hit) {
+template <class Leaf, class Caller, class OnHit>
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool every_hit_in(const BlobData& blob, const Caller& world, OnHit on_hit) {
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
     EveryHit<Leaf, OnHit> visitor = {prepared.ray, prepared.lanes(), on_hit};
     return walk_in_storage_order<Leaf>(blob, visitor) == stop;
 }
-template <class OnHit>
-[[gnu::always_inline]] inline bool visit_every_hit(const BlobData& blob, const Ray& world, OnHit on_hit) {
+template <class Caller, class OnHit>
+[[gnu::always_inline]] inline bool visit_every_hit(const BlobData& blob, const Caller& world, OnHit on_hit) {
     return with_leaves_of(
         blob, [&]<class Leaf>() __attribute__((always_inline)) { return every_hit_in<Leaf>(blob, world, on_hit); });
 }
@@ -64,4 +64,12 @@ bool every_hit(const BlobData& blob, const Ray& world, FunctionRef<Visit(const R
     return !visit_every_hit(blob, world, [&](const LatticeRay& ray, const FoundHit& found) {
         return visit(to_ray_hit(ray, world, found.hit, found.index));
     });
+}
+
+bool closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, RayHit& hit) {
+    return closest_hit_counting(blob, ray, hit, nullptr, no_counters);
+}
+
+bool any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) {
+    return visit_every_hit(blob, ray, [](const LatticeRay&, const FoundHit&) { return stop; });
 }

@@ -24,6 +24,11 @@ inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepare
     prepared.ray.look_ahead(blob);
     return true;
 }
+inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
+    static_cast<IntegerRay&>(prepared.ray) = given.ray;
+    prepared.ray.look_ahead(blob);
+    return true;
+}
 /// Limits of walks are places ahead.
 using Limit = std::int32_t;
 [[gnu::noinline]] inline Limit hit_limit(const SeenRay& ray, float whole_tau) {

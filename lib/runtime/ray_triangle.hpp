@@ -106,7 +106,7 @@ inline bool is_within(float quotient, float low, float high, Compare compare) {
 
 /// `Volume` holds the products of the normal with the direction and with corner a, `Sum` the weights, which are larger.
 template <class Volume, class Sum>
-inline bool hits(const RoundedRay& ray, const OriginRelative& t, TriangleHit& hit) {
+inline bool hits(const IntegerRay& ray, const OriginRelative& t, TriangleHit& hit) {
     const Integer3 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
     const Integer3 normal = cross(t.ab, t.ac);
     Volume volume = dot<Volume>(direction, normal);
@@ -144,7 +144,7 @@ inline constexpr unsigned middle_bits = 18;
 }  // namespace ray_triangle
 
 /// Whether the ray hits the triangle with ray.tau_min <= tau <= ray.tau_max, exactly.
-inline bool intersect(const RoundedRay& ray, const LatticeTriangle& triangle, TriangleHit& hit) {
+inline bool intersect(const IntegerRay& ray, const LatticeTriangle& triangle, TriangleHit& hit) {
     using namespace ray_triangle;
     const OriginRelative t = relative_to(ray, triangle);
     if (edges_are_below<narrow_bits>(t)) return hits<std::int64_t, std::int64_t>(ray, t, hit);
@@ -173,7 +173,7 @@ inline RayHit to_ray_hit(const TriangleHit& hit, std::uint32_t index) {
 }
 
 /// All that the caller sees of a hit: t within 4 ulp and in the window that he asked for.
-inline RayHit to_ray_hit(const RoundedRay& ray, const Ray& world, const TriangleHit& hit, std::uint32_t index) {
+inline RayHit to_ray_hit(const IntegerRay& ray, const Ray& world, const TriangleHit& hit, std::uint32_t index) {
     RayHit result = to_ray_hit(hit, index);
     result.t = to_t(ray, hit.whole_tau, world);
     return result;

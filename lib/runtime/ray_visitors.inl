@@ -44,7 +44,8 @@ struct ClosestHit {
         limit_ = hit_limit(ray, hit.whole_tau);
     }
     /// Once all of them are found.
-    void finish(const Ray& world) const {
+    template <class Caller>
+    void finish(const Caller& world) const {
         divide_hit(best, std::bit_cast<float>(volume_bits));
         best.t = to_t(ray, best.t, world);
     }

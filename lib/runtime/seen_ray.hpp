@@ -13,7 +13,7 @@
 namespace espalier::detail {
 
 /// A ray, and how it looks at the lattice. The axis ahead is axis[2].
-struct SeenRay : RoundedRay {
+struct SeenRay : IntegerRay {
     static constexpr int slope_bits = 28;
     /// By how many units at most what is seen is off its place.
     static constexpr std::int32_t off = 4;

@@ -83,7 +83,7 @@ struct CrossProduct {
 /// Whether the ray hits the triangle with ray.tau_min <= tau <= ray.tau_max, exactly. With all corners counted from the
 /// origin in units of 2^-f, as they are given, each determinant of two of them and the direction is a corner's weight,
 /// times 2^f, and that of all three is tau, times the sum of the weights and 2^f. Corners b and c become sides.
-[[gnu::always_inline]] inline bool hits(const RoundedRay& ray, LatticeTriangle& from_origin, TriangleHit& hit) {
+[[gnu::always_inline]] inline bool hits(const IntegerRay& ray, LatticeTriangle& from_origin, TriangleHit& hit) {
     auto& c = from_origin.corner;
     std::int32_t negative = 0, positive = 0;  // below 0 where a weight is
     hit.c = 0.0f;

@@ -82,9 +82,23 @@ static void ask_one_ray(struct asking* asking, const espalier_ray* ray) {
     tell(asking, (uint32_t)counters.candidates);
 }
 
+static void ask_rounded_ray(struct asking* asking, const espalier_lattice* region, const espalier_ray* ray) {
+    espalier_rounded_ray rounded;
+    espalier_ray_hit hit;
+    bool any = true;
+    memset(&hit, 0, sizeof hit);
+    tell(asking, espalier_round_ray(region, ray, &rounded));
+    tell(asking, espalier_raycast_rounded(asking->blob, &rounded, &hit));
+    tell_hit(asking, &hit);
+    tell(asking, espalier_occluded_rounded(asking->blob, &rounded, &any));
+    tell(asking, any);
+}
+
 void ask_rays(struct asking* asking) {
     const struct question* question = asking->question;
     espalier_segment segment;
+    const espalier_blob blobs[2] = {*asking->blob, *asking->other};
+    espalier_lattice region = espalier_lattice_of(asking->blob);
     espalier_ray rays[18];
     espalier_ray_hit hits[18];
     uint8_t answers[18];
@@ -106,4 +120,7 @@ void ask_rays(struct asking* asking) {
     ask_originals(asking, hits);
     tell(asking, (uint32_t)espalier_occluded_batch(asking->blob, rays, answers, 18));
     for (int i = 0; i < 18; ++i) tell(asking, answers[i]);
+    for (int i = 0; i < 3; ++i) ask_rounded_ray(asking, &region, &rays[i]);
+    tell(asking, espalier_lattice_of_blobs(blobs, 2, &region));
+    ask_rounded_ray(asking, &region, &rays[0]);
 }

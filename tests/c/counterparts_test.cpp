@@ -146,6 +146,11 @@ const char* const counterparts = R"(
     overlaps(Blob, BoxInSteps)                                    espalier_overlaps_box_in_steps
     for_each_overlap(Blob, BoxInSteps, FunctionRef<Visit(Triangle)>) espalier_for_each_overlap_box_in_steps
     collect_overlaps(Blob, BoxInSteps, span<Triangle>, uint32_t)  espalier_collect_overlaps_box_in_steps
+    lattice_of(span<Blob>, Lattice)                               espalier_lattice_of_blobs
+    round_ray(Lattice, Ray)                                       espalier_round_ray
+    status()                                                      espalier_round_ray
+    raycast(Blob, RoundedRay, RayHit)                             espalier_raycast_rounded
+    occluded(Blob, RoundedRay, bool)                              espalier_occluded_rounded
     first_hit(Blob, SegmentInSteps, HitInSteps)                   espalier_first_hit
     any_hit(Blob, SegmentInSteps, bool)                           espalier_any_hit
 )";

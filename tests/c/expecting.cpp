@@ -174,6 +174,17 @@ void Expecting::originals(const std::array<RayHit, 18>& hits) {
     }
 }
 
+void Expecting::rounded_ray(const Lattice& region, const Ray& ray) {
+    const RoundedRay rounded = round_ray(region, ray);
+    RayHit hit;
+    bool any = true;
+    tell(rounded.status());
+    tell(raycast(blob_, rounded, hit));
+    tell(hit);
+    tell(occluded(blob_, rounded, any));
+    tell(any);
+}
+
 void Expecting::rays() {
     std::array<Ray, 18> rays;
     rays[0] = {point(0), direction(0)};
@@ -191,6 +202,11 @@ void Expecting::rays() {
     std::array<std::uint8_t, 18> answers;
     tell(std::uint64_t{occluded(blob_, rays, answers)});
     for (const std::uint8_t answer : answers) tell(std::uint32_t{answer});
+    Lattice region = lattice_of(blob_);
+    for (std::size_t i = 0; i < 3; ++i) rounded_ray(region, rays[i]);
+    const std::array<Blob, 2> blobs = {blob_, other_};
+    tell(lattice_of(blobs, region));
+    rounded_ray(region, rays[0]);
 }
 
 namespace {

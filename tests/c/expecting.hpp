@@ -57,6 +57,7 @@ private:
     void about(Triangle triangle);
     void one_ray(const Ray& ray);
     void originals(const std::array<RayHit, 18>& hits);
+    void rounded_ray(const Lattice& region, const Ray& ray);
     template <class Shape>
     void volume(const Shape& shape);
     template <class Shape>

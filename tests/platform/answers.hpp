@@ -266,6 +266,7 @@ inline Answers ask_everything(const Blob& blob, std::uint32_t questions_of_a_kin
     ask_all_hits(blob, questions, questions_of_a_kind, answers);
     ask_first_hits(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_batches(blob, questions, (questions_of_a_kind + 15) / 16, answers);
+    ask_rounded_rays(blob, questions, questions_of_a_kind, answers);
     ask_sweeps(blob, questions, (questions_of_a_kind + 3) / 4, answers);
     ask_spheres(blob, questions, questions_of_a_kind, answers);
     ask_volumes(blob, questions, (questions_of_a_kind + 3) / 4, answers);

@@ -80,6 +80,31 @@ inline void ask_first_hits(const Blob& blob, Questions& questions, std::uint32_t
     }
 }
 
+/// Rounded for a region that is larger than the blob, by a power of two on each axis.
+inline void ask_rounded_rays(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        Lattice region;
+        const QueryStatus found = lattice_of(std::span<const Blob>(&blob, 1), region);
+        const std::uint32_t room = (1u << 24) - 1u;
+        const std::uint32_t margin = 1u << (number % 24);
+        for (std::int32_t& extent : region.extent) {
+            const std::uint32_t larger = static_cast<std::uint32_t>(extent) + margin;
+            extent = static_cast<std::int32_t>(larger < room ? larger : room);
+        }
+        const RoundedRay rounded = round_ray(region, questions.ray(number));
+        RayHit hit;
+        bool any = false;
+        ++answers.rays;
+        answers.calls += 3;
+        answers.fingerprint.add(static_cast<std::uint32_t>(found));
+        answers.fingerprint.add(static_cast<std::uint32_t>(rounded.status()));
+        answers.fingerprint.add(static_cast<std::uint32_t>(raycast(blob, rounded, hit)));
+        add_hit(answers.fingerprint, blob, hit);
+        answers.fingerprint.add(static_cast<std::uint32_t>(occluded(blob, rounded, any)));
+        answers.fingerprint.add(any);
+    }
+}
+
 /// Batches of 0 to 24 rays: of one kind of direction, as a camera has them, and of every kind at once.
 inline void ask_batches(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     constexpr std::uint32_t capacity = 24;

@@ -42,6 +42,7 @@ TEST_SUITE("heap") {
                 found += raycast(blob, ray, hit) ? 1u : 0u;
                 found += raycast(blob, ray, hit, [](Triangle) { return true; }) ? 1u : 0u;
                 found += occluded(blob, ray) ? 1u : 0u;
+                found += raycast(blob, round_ray(lattice_of(blob), ray), hit) == QueryStatus::ok ? 1u : 0u;
                 found += overlaps(blob, sphere) ? 1u : 0u;
                 found += closest_point(blob, sphere.center, sphere.radius, nearest) ? 1u : 0u;
                 std::array<Nearest, 20> few;

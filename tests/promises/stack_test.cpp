@@ -172,6 +172,9 @@ TEST_SUITE("stack") {
             {"closest_point, every instruction set", 4096,
              point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
                                 const detail::LatticePoint& point) { path.closest_triangle(blob, point, found); })},
+            {"raycast, a rounded ray", 1408, ray_row([&](const Blob& blob, const Ray& ray) {
+                 (void)raycast(blob, round_ray(lattice_of(blob), ray), hit);
+             })},
             {"occluded", 1024, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
             {"raycast, a batch", 12288,
              batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},

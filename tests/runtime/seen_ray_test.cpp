@@ -19,9 +19,9 @@ using platform::Fingerprint;
 
 namespace {
 
-detail::SeenRay look_along(const detail::RoundedRay& rounded, const detail::BlobData& asset) {
+detail::SeenRay look_along(const detail::IntegerRay& rounded, const detail::BlobData& asset) {
     detail::SeenRay ray;
-    static_cast<detail::RoundedRay&>(ray) = rounded;
+    static_cast<detail::IntegerRay&>(ray) = rounded;
     ray.look_ahead(asset);
     return ray;
 }
@@ -38,7 +38,7 @@ TEST_SUITE("seen ray") {
     TEST_CASE("small code: rays and boxes and vertices convert to the recorded bits") {
         Fingerprint sum;
         std::uint32_t rays = 0, met = 0, missed = 0;
-        const auto look = [&](const detail::BlobData& asset, const EightBoxes& boxes, const detail::RoundedRay& rounded,
+        const auto look = [&](const detail::BlobData& asset, const EightBoxes& boxes, const detail::IntegerRay& rounded,
                               Random& random) {
             const detail::SeenRay ray = look_along(rounded, asset);
             ++rays;
@@ -74,7 +74,7 @@ TEST_SUITE("seen ray") {
     TEST_CASE("small code: no box that the ray passes through is left out") {
         std::uint32_t passed = 0, rejected = 0;
         for_each_ray(100, true,
-                     [&](const detail::BlobData& asset, const EightBoxes& boxes, const detail::RoundedRay& rounded,
+                     [&](const detail::BlobData& asset, const EightBoxes& boxes, const detail::IntegerRay& rounded,
                          Random& random) {
                          const detail::SeenRay ray = look_along(rounded, asset);
                          const std::int32_t limit = random.coin()
@@ -108,7 +108,7 @@ TEST_SUITE("seen ray") {
                     boxes.set_shifts({13, 13, 13});
                     const unsigned axis = (ahead + beside) % 3;
                     for (const std::int32_t away : {0, 132, 133, 134, 135}) {
-                        detail::RoundedRay rounded{};
+                        detail::IntegerRay rounded{};
                         detail::set_longest_axis(rounded, ahead);
                         rounded.fraction_bits = 6;
                         rounded.direction[ahead] = sign * (1 << 23);

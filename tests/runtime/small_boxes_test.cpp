@@ -25,7 +25,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Turns the ray so that it meets corners, sides and borders of its window at whole fractions of steps: along an axis
 /// or a diagonal, from or to a corner of the child's box, ulps beside it or none.
-void turn_to_border(const EightBoxes& boxes, unsigned bits, unsigned child, Random& random, detail::RoundedRay& ray) {
+void turn_to_border(const EightBoxes& boxes, unsigned bits, unsigned child, Random& random, detail::IntegerRay& ray) {
     for (std::int32_t& way : ray.direction) way = random.between(-1, 1) * (1 << 23);
     ray.direction[random.below(3)] = random.coin() ? 1 << 23 : -(1 << 23);
     const std::int32_t back = random.between(-3, 40) << ray.fraction_bits;
@@ -52,7 +52,7 @@ TEST_SUITE("small boxes") {
         std::uint32_t passed = 0, missed = 0;
         for_each_ray(
             100, true,
-            [&](const detail::BlobData& asset, const EightBoxes& boxes, detail::RoundedRay& ray, Random& random) {
+            [&](const detail::BlobData& asset, const EightBoxes& boxes, detail::IntegerRay& ray, Random& random) {
                 const unsigned child = random.below(children);
                 if (random.coin()) turn_to_border(boxes, asset.bits, child, random, ray);
                 for (unsigned other : {child, random.below(children)}) {
@@ -94,7 +94,7 @@ TEST_SUITE("small boxes") {
                         at[k] = data.origin[k] + std::ldexp(static_cast<float>(place), data.step_exponent);
                     }
                     world.direction = {at[0] - world.origin.x, at[1] - world.origin.y, at[2] - world.origin.z};
-                    detail::RoundedRay ray;
+                    detail::IntegerRay ray;
                     float reach = 0.0f;
                     if (!detail::round_ray(data, world, ray, reach)) continue;
                     constexpr std::int32_t zero[3] = {0, 0, 0};
@@ -138,7 +138,7 @@ TEST_SUITE("small boxes") {
     TEST_CASE("approximate: the farthest point of a box is its farthest corner") {
         for_each_ray(
             50, true,
-            [](const detail::BlobData& asset, const EightBoxes& boxes, const detail::RoundedRay&, Random& random) {
+            [](const detail::BlobData& asset, const EightBoxes& boxes, const detail::IntegerRay&, Random& random) {
                 detail::LatticePoint point{};
                 for (int k = 0; k < 3; ++k)
                     point.steps[k] = static_cast<float>(random.between(-100, asset.extent[k] + 100));

@@ -71,7 +71,7 @@ inline void make_boxes(const detail::BlobData& asset, Random& random, bool withi
 }
 
 /// At a point of one of the boxes or anywhere; from anywhere. False when the ray is none.
-inline bool make_ray(const detail::BlobData& asset, const EightBoxes& boxes, Random& random, detail::RoundedRay& ray) {
+inline bool make_ray(const detail::BlobData& asset, const EightBoxes& boxes, Random& random, detail::IntegerRay& ray) {
     Ray world = some_ray(asset, random);
     if (random.below(4) != 0) {
         const unsigned child = random.below(children);
@@ -91,7 +91,7 @@ inline bool make_ray(const detail::BlobData& asset, const EightBoxes& boxes, Ran
 
 /// Whether the ray passes through a box of lattice steps within its window; and, where there is a limit, no farther
 /// ahead than that.
-inline bool passes_exactly(const detail::RoundedRay& ray, const std::int32_t* low, const std::int32_t* high,
+inline bool passes_exactly(const detail::IntegerRay& ray, const std::int32_t* low, const std::int32_t* high,
                            const std::int32_t* last_ahead = nullptr) {
     Rational first = Rational::of(ray.tau_min);
     bool is_endless = ray.tau_max == detail::infinity;
@@ -120,7 +120,7 @@ inline bool passes_exactly(const detail::RoundedRay& ray, const std::int32_t* lo
 }
 
 /// The same of a child's box.
-inline bool passes_exactly(const detail::RoundedRay& ray, const detail::Node& node, unsigned bits, unsigned child,
+inline bool passes_exactly(const detail::IntegerRay& ray, const detail::Node& node, unsigned bits, unsigned child,
                            const std::int32_t* last_ahead = nullptr) {
     std::int32_t low[3], high[3];
     for (int k = 0; k < 3; ++k) {
@@ -139,7 +139,7 @@ void for_each_ray(std::uint32_t seeds, bool within, Call call) {
         for (int i = 0; i < 100; ++i) {
             EightBoxes boxes;
             make_boxes(asset, random, within, boxes);
-            detail::RoundedRay ray;
+            detail::IntegerRay ray;
             if (make_ray(asset, boxes, random, ray)) call(asset, boxes, ray, random);
         }
     }

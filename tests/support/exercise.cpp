@@ -110,6 +110,14 @@ void exercise_rays(Exercise& run) {
     verdict.require(raycast_counted(blob, ray, counted, counters) == found || !run.sound,
                     "the counted query and raycast disagree");
     verdict.require(!found || !run.sound || counted.triangle == hit.triangle, "the counted query hit something else");
+    RayHit rounded_hit;
+    bool rounded_any = false;
+    const RoundedRay rounded = round_ray(lattice_of(blob.for_walks(2)), ray);
+    const QueryStatus refused = raycast(blob, rounded, rounded_hit);
+    verdict.require(occluded(blob, rounded, rounded_any) == refused, "occluded and raycast refuse differently");
+    verdict.require(refused != QueryStatus::ok || rounded_any == found || !run.sound,
+                    "a ray and the same one rounded before disagree");
+    if (refused == QueryStatus::ok && rounded_any) check_hit(run, rounded_hit);
     if (parity != 0) {
         std::array<Ray, 20> rays;  // a group, and strangers
         rays.fill(ray);

@@ -3,12 +3,13 @@
 #include <runtime/simd/select.hpp>
 
 /// By the name of the one that single rays take, and of the one for everything else.
-#define ESPALIER_PATH_OF(rays, set)                                                                                    \
-    InstructionPath {                                                                                                  \
-#rays, detail::rays::closest_hit, detail::rays::first_hits, detail::rays::any_hit, detail::rays::every_hit,    \
-            detail::set::closest_hits, detail::set::any_hits, detail::set::any_overlap, detail::set::every_overlap,    \
-            detail::set::closest_triangle, detail::set::closest_triangles, detail::set::may_overlap,                   \
-            detail::set::closest_bounds, detail::rays::may_hit, detail::set::touching_pairs, detail::set::nearest_pair \
+#define ESPALIER_PATH_OF(rays, set)                                                                                 \
+    InstructionPath {                                                                                               \
+#rays, detail::rays::closest_hit, detail::rays::first_hits, detail::rays::any_hit, detail::rays::every_hit, \
+            detail::set::closest_hits, detail::set::any_hits, detail::set::any_overlap, detail::set::every_overlap, \
+            detail::set::closest_triangle, detail::set::closest_triangles, detail::set::may_overlap,                \
+            detail::set::closest_bounds, detail::rays::may_hit, detail::rays::closest_hit_on_lattice,               \
+            detail::rays::any_hit_on_lattice, detail::set::touching_pairs, detail::set::nearest_pair                \
     }
 #define ESPALIER_PATH(set) ESPALIER_PATH_OF(set, set)
 

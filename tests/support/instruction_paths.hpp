@@ -25,6 +25,8 @@ struct InstructionPath {
     decltype(&detail::scalar::may_overlap) may_overlap;
     decltype(&detail::scalar::closest_bounds) closest_bounds;
     decltype(&detail::scalar::may_hit) may_hit;
+    decltype(&detail::scalar::closest_hit_on_lattice) closest_hit_on_lattice;
+    decltype(&detail::scalar::any_hit_on_lattice) any_hit_on_lattice;
     decltype(&detail::scalar::touching_pairs) touching_pairs;
     decltype(&detail::scalar::nearest_pair) nearest_pair;
 };

@@ -62,4 +62,23 @@ bool espalier_raycast_counted(const espalier_blob* blob, const espalier_ray* ray
     return raycast_counted(*twin(blob), *twin(ray), *twin(hit), *twin(counters));
 }
 
+espalier_query_status espalier_lattice_of_blobs(const espalier_blob* blobs, size_t count, espalier_lattice* region) {
+    return static_cast<espalier_query_status>(lattice_of(twins(blobs, count), *twin(region)));
+}
+
+espalier_query_status espalier_round_ray(const espalier_lattice* region, const espalier_ray* ray,
+                                         espalier_rounded_ray* rounded) {
+    *twin(rounded) = round_ray(*twin(region), *twin(ray));
+    return static_cast<espalier_query_status>(twin(rounded)->status());
+}
+
+espalier_query_status espalier_raycast_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray,
+                                               espalier_ray_hit* hit) {
+    return static_cast<espalier_query_status>(raycast(*twin(blob), *twin(ray), *twin(hit)));
+}
+
+espalier_query_status espalier_occluded_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray, bool* hit) {
+    return static_cast<espalier_query_status>(occluded(*twin(blob), *twin(ray), *hit));
+}
+
 }  // extern "C"

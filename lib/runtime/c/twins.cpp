@@ -10,6 +10,11 @@ static_assert(sizeof(espalier_blob) == sizeof(Blob) && alignof(espalier_blob) ==
               "give espalier_blob the size of Blob, for 4-byte and for 8-byte pointers");
 static_assert(std::is_trivially_copyable_v<Blob> && std::is_trivially_destructible_v<Blob>);
 
+static_assert(sizeof(espalier_rounded_ray) == sizeof(RoundedRay) &&
+                  alignof(espalier_rounded_ray) == alignof(RoundedRay),
+              "give espalier_rounded_ray the size of RoundedRay");
+static_assert(std::is_trivially_copyable_v<RoundedRay> && std::is_trivially_destructible_v<RoundedRay>);
+
 // ---- structures ---------------------------------------------------------------------------------------------------
 
 namespace {

@@ -49,6 +49,7 @@ ESPALIER_TWINS(espalier_quaternion, Quaternion);
 ESPALIER_TWINS(espalier_query_counters, QueryCounters);
 ESPALIER_TWINS(espalier_ray, Ray);
 ESPALIER_TWINS(espalier_ray_hit, RayHit);
+ESPALIER_TWINS(espalier_rounded_ray, RoundedRay);
 ESPALIER_TWINS(espalier_segment, Segment);
 ESPALIER_TWINS(espalier_segment_in_steps, SegmentInSteps);
 ESPALIER_TWINS(espalier_sphere, Sphere);

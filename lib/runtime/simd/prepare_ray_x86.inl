@@ -102,3 +102,6 @@ inline bool meets_asset_in_lanes(const BlobData& blob, const LatticeRay& ray, co
     prepared.in_lanes = spread_in_lanes(blob, prepared.ray, slope);
     return meets_asset_in_lanes(blob, prepared.ray, prepared.in_lanes);
 }
+[[gnu::noinline]] inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
+    return prepare_ray(blob, given, prepared);
+}

@@ -9,6 +9,9 @@ namespace espalier::detail::scalar {
 inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
     return prepare_ray(blob, world, prepared);
 }
+inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
+    return prepare_ray(blob, given, prepared);
+}
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
 #include <runtime/float_vertices.inl>

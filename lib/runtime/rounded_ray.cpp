@@ -1,0 +1,166 @@
+// Rays rounded once for several blobs on one lattice, and moved onto each by whole steps.
+#include <espalier/rounded_ray.hpp>
+#include <runtime/lattice_ray.hpp>
+#include <runtime/lattice_round.hpp>
+#include <runtime/ray_queries.hpp>
+#include <runtime/simd/dispatch.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+constexpr std::int32_t most_steps = (1 << format::max_bits) - 1;
+
+/// How many steps `to` is beyond `from`, of two multiples of the step. False below 0 and beyond most_steps; in between
+/// float32 holds the difference exactly.
+bool whole_steps(float from, float to, float steps_per_unit, std::int32_t& steps) {
+    const float difference = (to - from) * steps_per_unit;
+    if (!(difference >= 0.0f && difference <= static_cast<float>(most_steps))) return false;
+    steps = static_cast<std::int32_t>(difference);
+    return true;
+}
+
+bool is_region(const Lattice& region) {
+    if (region.step_exponent < format::min_step_exponent || region.step_exponent > format::max_step_exponent)
+        return false;
+    const Vec3& o = region.origin;
+    for (const float origin : {o.x, o.y, o.z})
+        if (!is_finite(origin) || !is_multiple_of_power(origin, region.step_exponent)) return false;
+    for (const std::int32_t extent : region.extent)
+        if (extent < 0 || extent > most_steps) return false;
+    return true;
+}
+
+/// As a blob that fills the region, of which rounding needs no more.
+BlobData asset_of(const Lattice& region) {
+    BlobData asset;
+    asset.step_exponent = static_cast<std::int16_t>(region.step_exponent);
+    asset.bits = format::max_bits;
+    asset.origin[0] = region.origin.x;
+    asset.origin[1] = region.origin.y;
+    asset.origin[2] = region.origin.z;
+    for (int k = 0; k < 3; ++k) asset.extent[k] = region.extent[k];
+    asset.derive();
+    return asset;
+}
+
+QueryStatus check(const BlobData& asset, const Ray& ray) {
+    if (!is_finite(ray.origin) || !is_finite(ray.direction) || is_nan(ray.t_min) || is_nan(ray.t_max))
+        return QueryStatus::invalid_argument;
+    const Vec3& d = ray.direction;
+    if ((magnitude_bits(d.x) | magnitude_bits(d.y) | magnitude_bits(d.z)) == 0) return QueryStatus::invalid_argument;
+    const float origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+    for (int k = 0; k < 3; ++k)
+        if (magnitude_bits(to_steps(asset, k, origin[k])) >= magnitude_bits(0x1p120f)) return QueryStatus::out_of_range;
+    return QueryStatus::ok;
+}
+
+/// The ray from lattice point 0 0 0 of the blob.
+QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattice& moved) {
+    if (blob.step_exponent != ray.region.step_exponent) return QueryStatus::invalid_argument;
+    const float region[3] = {ray.region.origin.x, ray.region.origin.y, ray.region.origin.z};
+    for (int k = 0; k < 3; ++k) {
+        std::int32_t steps = 0;
+        if (!whole_steps(region[k], blob.origin[k], blob.steps_per_unit, steps) ||
+            steps + blob.extent[k] > ray.region.extent[k])
+            return QueryStatus::out_of_range;
+        moved.ray.origin[k] = ray.origin[k] - (steps << ray.fraction_bits);
+        moved.ray.direction[k] = ray.direction[k];
+    }
+    moved.ray.fraction_bits = ray.fraction_bits;
+    moved.ray.t_exponent = ray.t_exponent;
+    moved.ray.tau_min = ray.tau_min;
+    moved.ray.tau_max = ray.tau_max;
+    moved.ray.tau_offset = ray.tau_offset;
+    set_longest_axis(moved.ray, ray.longest_axis);
+    moved.ray.faces = ray.faces;
+    moved.t_min = ray.t_min;
+    moved.t_max = ray.t_max;
+    return QueryStatus::ok;
+}
+
+}  // namespace
+
+QueryStatus lattice_of(std::span<const Blob> blobs, Lattice& region) noexcept {
+    Lattice found;
+    bool is_first = true;
+    for (const Blob& blob : blobs) {
+        if (blob.triangle_count() == 0) continue;
+        const Lattice lattice = lattice_of(blob);
+        if (is_first) found = lattice;
+        is_first = false;
+        if (lattice.step_exponent != found.step_exponent) return QueryStatus::invalid_argument;
+        found.origin.x = minimum(found.origin.x, lattice.origin.x);
+        found.origin.y = minimum(found.origin.y, lattice.origin.y);
+        found.origin.z = minimum(found.origin.z, lattice.origin.z);
+    }
+    for (std::int32_t& extent : found.extent) extent = 0;
+    for (const Blob& blob : blobs) {
+        if (blob.triangle_count() == 0) continue;
+        const BlobData& data = blob.data();
+        const float from[3] = {found.origin.x, found.origin.y, found.origin.z};
+        for (int k = 0; k < 3; ++k) {
+            std::int32_t steps = 0;
+            if (!whole_steps(from[k], data.origin[k], data.steps_per_unit, steps) ||
+                steps + data.extent[k] > most_steps)
+                return QueryStatus::out_of_range;
+            if (steps + data.extent[k] > found.extent[k]) found.extent[k] = steps + data.extent[k];
+        }
+    }
+    region = found;
+    return QueryStatus::ok;
+}
+
+RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
+    RoundedRay result;
+    RoundedRayData& data = result.data_;
+    if (!is_region(region)) return result;
+    const BlobData asset = asset_of(region);
+    data.status = check(asset, ray);
+    if (data.status != QueryStatus::ok) return result;
+    data.region = region;
+    data.t_min = ray.t_min;
+    data.t_max = ray.t_max;
+    data.faces = ray.faces;
+    IntegerRay rounded{};
+    float reach = 0.0f;
+    data.may_hit = detail::round_ray(asset, ray, rounded, reach);
+    if (!data.may_hit) return result;
+    for (int k = 0; k < 3; ++k) {
+        data.origin[k] = rounded.origin[k];
+        data.direction[k] = rounded.direction[k];
+    }
+    data.fraction_bits = rounded.fraction_bits;
+    data.t_exponent = rounded.t_exponent;
+    data.tau_min = rounded.tau_min;
+    data.tau_max = rounded.tau_max;
+    data.tau_offset = rounded.tau_offset;
+    data.longest_axis = rounded.axis[2];
+    return result;
+}
+
+QueryStatus raycast(const Blob& blob, const RoundedRay& ray, RayHit& hit) noexcept {
+    const RoundedRayData& data = ray.data();
+    RayOnLattice moved;
+    QueryStatus status = data.status;
+    if (status == QueryStatus::ok && blob.triangle_count() != 0) status = move_to(blob.data(), data, moved);
+    if (status != QueryStatus::ok) return status;
+    if (!data.may_hit || blob.triangle_count() == 0 ||
+        !ESPALIER_DISPATCH_RAY(closest_hit_on_lattice, blob.data(), moved, hit))
+        hit = {infinity, 0.0f, 0.0f, {}, no_triangle};
+    return status;
+}
+
+QueryStatus occluded(const Blob& blob, const RoundedRay& ray, bool& hit) noexcept {
+    const RoundedRayData& data = ray.data();
+    RayOnLattice moved;
+    QueryStatus status = data.status;
+    if (status == QueryStatus::ok && blob.triangle_count() != 0) status = move_to(blob.data(), data, moved);
+    if (status != QueryStatus::ok) return status;
+    hit = data.may_hit && blob.triangle_count() != 0 && ESPALIER_DISPATCH_RAY(any_hit_on_lattice, blob.data(), moved);
+    return status;
+}
+
+}  // namespace espalier
