@@ -48,6 +48,15 @@ void add_bake(CLI::App& app, Chosen& chosen) {
                      "Also write which files were read, those that a mesh refers to included, as a rule that Make, "
                      "Ninja and CMake understand")
         ->type_name("FILE");
+    verb->add_option("--remap", arguments->remap,
+                     "Also write which triangle of the source each triangle of the blob is: 16 bytes a triangle, "
+                     "nothing in the blob")
+        ->type_name("FILE");
+    verb->add_option("--reorder", arguments->reorder,
+                     "Also write the source as one mesh, .obj or .ply, whose n-th triangle is the blob's triangle n, "
+                     "corner for corner: a program that draws it needs neither ids nor a remap. Without materials, "
+                     "groups and what was dropped; in the blob's units and axes; copies of triangles repeat them")
+        ->type_name("MESH");
     CLI::Option* tolerance =
         verb->add_option("--tolerance", arguments->tolerance,
                          "Largest distance between source and blob: 0.5mm, 2cm, 1e-3m, 1in; a bare number is in units "

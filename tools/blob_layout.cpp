@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include <runtime/id_steps.hpp>
+
 #include "exit_code.hpp"
 
 namespace espalier::tools {
@@ -29,8 +31,6 @@ std::size_t padded_to_4(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
 }  // namespace
 
-unsigned id_field_bits(const detail::BlobData& data) { return format::first_corner_bits(data.profile) + data.id_bits; }
-
 std::vector<Section> sections_of(const Blob& blob) {
     const detail::BlobData& data = blob.data();
     std::vector<Section> sections;
@@ -45,7 +45,9 @@ std::vector<Section> sections_of(const Blob& blob) {
     add("guard", format::guard_bytes);
     if ((data.features & format::feature::original_ids) != 0) {
         add("sources", std::size_t{data.source_count} * format::source::bytes);
-        add("original_ids", padded_to_4((std::size_t{data.triangle_count} * id_field_bits(data) + 7) / 8));
+        const auto before_steps = static_cast<std::size_t>(detail::id_steps(data, 0) - data.ids);
+        add("original_ids",
+            padded_to_4(before_steps + detail::load_u32(data.bytes + format::header::id_step_bytes_at)));
     }
     if ((data.features & format::feature::materials_8) != 0) add("materials", padded_to_4(data.triangle_count));
     if ((data.features & format::feature::materials_16) != 0) {

@@ -26,9 +26,6 @@ struct Section {
     std::size_t bytes;
 };
 
-/// Bits for one triangle in the section of original ids.
-unsigned id_field_bits(const detail::BlobData& data);
-
 /// Every byte of an opened blob belongs to exactly one of them.
 std::vector<Section> sections_of(const Blob& blob);
 const Section& section_named(const std::vector<Section>& sections, std::string_view name);

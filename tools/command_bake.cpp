@@ -19,6 +19,7 @@
 #include "output_file.hpp"
 #include "pick.hpp"
 #include "pick_report.hpp"
+#include "reordered_mesh.hpp"
 #include "source_options.hpp"
 
 namespace espalier::tools {
@@ -121,10 +122,16 @@ ExitCode run_bake(const BakeArguments& arguments) {
     const Console console(arguments.quiet);
     for (const std::string& input : arguments.inputs) {
         refuse_to_overwrite_input(arguments.output, input);
-        refuse_to_overwrite_input(arguments.depfile, input);
+        for (const std::string& other : {arguments.depfile, arguments.remap, arguments.reorder})
+            refuse_to_overwrite_input(other, input);
     }
     refuse_to_overwrite_input(arguments.output, arguments.lattice_of);
-    refuse_one_file_for_two(arguments.output, "--depfile", arguments.depfile);
+    const NamedOutput outputs[] = {{"-o", arguments.output},
+                                   {"--depfile", arguments.depfile},
+                                   {"--remap", arguments.remap},
+                                   {"--reorder", arguments.reorder}};
+    refuse_one_file_for_two(outputs);
+    require_writable_mesh(arguments.reorder);
     const ImportOptions source = import_options(arguments.source);
     static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import
     static_cast<void>(pick_goal(arguments));
@@ -136,8 +143,12 @@ ExitCode run_bake(const BakeArguments& arguments) {
     say_findings(console, baked.report);
     say_result(console, baked.report);
     write_depfile(arguments, imported);
+    if (!arguments.remap.empty()) write_output_file(arguments.remap, remap_file(baked));
+    if (!arguments.reorder.empty())
+        write_output_file(arguments.reorder, reordered_mesh(arguments.reorder, imported, baked.remap));
     write_output_file(arguments.output, baked.blob);
-    console.say(text("wrote ", printable(arguments.output)));
+    for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
+        if (!written.empty()) console.say(text("wrote ", printable(written)));
     if (arguments.json) {
         Json document = bake_json(arguments, imported, baked.report, opened(baked));
         if (!picked_json.is_null()) document["picked"] = std::move(picked_json);

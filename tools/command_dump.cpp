@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
+#include <runtime/id_steps.hpp>
 
 #include "blob_file.hpp"
 #include "blob_layout.hpp"
@@ -44,10 +45,11 @@ constexpr HeaderField header_fields[] = {
     {format::header::extent_at, 12, "extent in steps", HeaderField::Kind::vector},
     {format::header::max_error_at, 4, "max error", HeaderField::Kind::real},
     {format::header::depth_at, 1, "depth", HeaderField::Kind::integer},
-    {format::header::id_bits_at, 1, "bits of an original id", HeaderField::Kind::integer},
-    {format::header::id_bits_at + 1, 2, "reserved", HeaderField::Kind::zero},
+    {format::header::id_kind_bits_at, 1, "bits of the kind of an id's step", HeaderField::Kind::integer},
+    {format::header::id_kind_bits_at + 1, 2, "reserved", HeaderField::Kind::zero},
     {format::header::source_count_at, 4, "source meshes", HeaderField::Kind::integer},
     {format::header::source_triangles_at, 4, "source triangles", HeaderField::Kind::integer},
+    {format::header::id_step_bytes_at, 4, "bytes of the steps of ids", HeaderField::Kind::integer},
     {format::header::reserved_at, format::header::bytes - format::header::reserved_at, "reserved",
      HeaderField::Kind::zero},
 };
@@ -145,14 +147,32 @@ void list_numbers(const Section& section, std::uint32_t count, unsigned width, c
 }
 
 void list_ids(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
-    const unsigned corner_bits = format::first_corner_bits(data.profile);
-    const unsigned width = corner_bits + data.id_bits;
-    const auto value = [&](std::size_t bit) {
-        const std::uint32_t id = read_bits(bytes, bit + corner_bits, data.id_bits);
-        return corner_bits == 0 ? text(id) : text(id, '.', read_bits(bytes, bit, corner_bits));
-    };
-    list_numbers(section, width == 0 ? 0 : data.triangle_count, width, corner_bits == 0 ? "ids" : "ids.first corners",
-                 value, listing);
+    using namespace format::ids;
+    for (unsigned kind = 0; kind >> data.id_kind_bits == 0 && !listing.full(); ++kind) {
+        const std::size_t at = listing.at();
+        listing.field(kind_bytes, text("steps of kind ", kind, ": offset ", read_u32(bytes, at + offset_at),
+                                       " and a field of ", read_u32(bytes, at + width_at), " bits"));
+    }
+    const auto steps_begin = static_cast<std::size_t>(detail::id_steps(data, 0) - data.bytes);
+    std::vector<std::size_t> begins;
+    for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles) {
+        const std::size_t at = listing.at();
+        begins.push_back(steps_begin + read_u32(bytes, at + steps_at));
+        listing.field(block_bytes, text("block of triangles from ", first, ": number ", read_u32(bytes, at + number_at),
+                                        ", steps at byte ", read_u32(bytes, at + steps_at)));
+    }
+    begins.push_back(steps_begin + read_u32(bytes, format::header::id_step_bytes_at));
+    const std::uint32_t factor = corner_factor(data.profile);
+    for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles) {
+        std::string values;
+        for (std::uint32_t i = first; i < std::min(first + block_triangles, data.triangle_count); ++i) {
+            const std::uint32_t number = detail::number_of(data, i);
+            values += text(' ', number / factor, factor == 1 ? "" : text('.', number % factor));
+        }
+        listing.field_up_to(begins[first / block_triangles + 1],
+                            text(factor == 1 ? "ids" : "ids.first corners", " of triangles from ", first, ':', values));
+    }
+    listing.field_up_to(section.at + section.bytes, "padding");
 }
 
 void list_materials(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {

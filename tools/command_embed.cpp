@@ -68,7 +68,8 @@ std::string blob_name(const EmbedArguments& arguments) {
 void refuse_to_meet(const EmbedArguments& arguments) {
     refuse_to_overwrite_input(arguments.output, arguments.blob);
     refuse_to_overwrite_input(arguments.header, arguments.blob);
-    refuse_one_file_for_two(arguments.output, "--header", arguments.header);
+    const NamedOutput outputs[] = {{"-o", arguments.output}, {"--header", arguments.header}};
+    refuse_one_file_for_two(outputs);
 }
 
 }  // namespace

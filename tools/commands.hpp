@@ -26,6 +26,8 @@ struct BakeArguments {
     std::vector<std::string> inputs;
     std::string output;
     std::string depfile;  ///< empty: none
+    std::string remap;    ///< empty: none
+    std::string reorder;  ///< a mesh file; empty: none
     SourceArguments source;
     std::string tolerance;   ///< a length; empty: bits or a step decide
     std::string step;        ///< a power of two; empty: none

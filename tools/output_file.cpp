@@ -129,13 +129,21 @@ void refuse_to_overwrite_input(const std::string& output, const std::string& inp
                                              "' itself, which it would replace. Give another name to -o."));
 }
 
-void refuse_one_file_for_two(const std::string& output, const char* option, const std::string& other) {
+void refuse_one_file_for_two(std::span<const NamedOutput> outputs) {
     const auto place = [](const std::string& path) { return std::filesystem::absolute(path).lexically_normal(); };
     std::error_code error;
-    if (output.empty() || other.empty()) return;
-    if (place(output) != place(other) && !std::filesystem::equivalent(output, other, error)) return;
-    if (std::filesystem::exists(other, error) && !std::filesystem::is_regular_file(other, error)) return;
-    throw CommandError(ExitCode::usage, text(option, " and -o name the same file. Give each its own."));
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (const NamedOutput& other : outputs.first(i)) {
+            const NamedOutput& output = outputs[i];
+            if (output.path.empty() || other.path.empty()) continue;
+            if (place(output.path) != place(other.path) && !std::filesystem::equivalent(output.path, other.path, error))
+                continue;
+            if (std::filesystem::exists(output.path, error) && !std::filesystem::is_regular_file(output.path, error))
+                continue;
+            throw CommandError(ExitCode::usage,
+                               text(output.option, " and ", other.option, " name the same file. Give each its own."));
+        }
+    }
 }
 
 }  // namespace espalier::tools

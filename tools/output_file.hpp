@@ -19,8 +19,13 @@ void write_output_file_if_changed(const std::string& path, std::span<const std::
 /// none.
 void refuse_to_overwrite_input(const std::string& output, const std::string& input);
 
-/// Throws CommandError (usage) when `output`, of -o, and what `option` names are one file, of which the last would
-/// stay.
-void refuse_one_file_for_two(const std::string& output, const char* option, const std::string& other);
+/// A file to be written and the option that names it; an empty path is none.
+struct NamedOutput {
+    const char* option;
+    const std::string& path;
+};
+
+/// Throws CommandError (usage) when two of the outputs are one file, of which the last would stay.
+void refuse_one_file_for_two(std::span<const NamedOutput> outputs);
 
 }  // namespace espalier::tools

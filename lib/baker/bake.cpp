@@ -20,6 +20,7 @@
 #include "optional_sections.hpp"
 #include "order.hpp"
 #include "progress.hpp"
+#include "remap.hpp"
 #include "strip.hpp"
 
 namespace espalier {
@@ -110,6 +111,7 @@ Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const M
     progress.finish();
 
     baked.blob = std::move(*blob);
+    baked.remap = remap_of(*source, mesh, wide);
     fill_in(report, bounds, mesh, wide, properties, baked.blob.size());
     report_lost_closed(*source, bounds, report);
     report.volumes = volumes_of(sections, mesh);

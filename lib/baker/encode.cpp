@@ -8,6 +8,7 @@
 #include <runtime/checksum.hpp>
 
 #include "byte_writer.hpp"
+#include "encode_ids.hpp"
 #include "encode_tree.hpp"
 
 namespace espalier::baker {
@@ -25,10 +26,6 @@ std::uint32_t features_of(const BakeOptions& options, const Properties& properti
     return features;
 }
 
-unsigned id_bits_of(std::uint32_t source_triangles) {
-    return source_triangles <= 1 ? 0 : static_cast<unsigned>(std::bit_width(source_triangles - 1));
-}
-
 std::uint32_t original_id(const LatticeMesh& mesh, const WideTree& wide, std::size_t storage_index) {
     return mesh.triangles[wide.triangles[storage_index]].original_id;
 }
@@ -41,16 +38,11 @@ void put_source_table(std::vector<std::byte>& blob, const Source& source) {
     }
 }
 
-void put_ids(std::vector<std::byte>& blob, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
-             format::Profile profile) {
-    const unsigned width = id_bits_of(source.triangle_count);
-    BitStream stream(blob);
-    for (std::size_t i = 0; i < wide.triangles.size(); ++i) {
-        stream.put(wide.first_corners[i], format::first_corner_bits(profile));
-        stream.put(original_id(mesh, wide, i), width);
-    }
-    stream.finish();
-    pad_to(blob, 4);
+std::vector<std::uint32_t> numbers_of(const LatticeMesh& mesh, const WideTree& wide, format::Profile profile) {
+    std::vector<std::uint32_t> numbers(wide.triangles.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = format::ids::corner_factor(profile) * original_id(mesh, wide, i) + wide.first_corners[i];
+    return numbers;
 }
 
 void put_materials(std::vector<std::byte>& blob, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
@@ -113,7 +105,6 @@ void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh
     set_u32(header + max_error_at, std::bit_cast<std::uint32_t>(properties.max_error));
     set_u8(header + depth_at, wide.depth);
     if (options.original_ids) {
-        set_u8(header + id_bits_at, id_bits_of(source.triangle_count));
         set_u32(header + source_count_at, static_cast<std::uint32_t>(source.meshes.size()));
     }
     set_u32(header + source_triangles_at, source.triangle_count);
@@ -138,6 +129,14 @@ std::optional<BakeError> check_limits(const WideTree& wide, std::uint64_t total_
     return std::nullopt;
 }
 
+std::optional<BakeError> check_number_limit(std::uint64_t limit) {
+    if (limit >> 32 == 0) return std::nullopt;
+    return BakeError{
+        BakeError::Kind::too_large,
+        "with original ids the sources can have at most 1431655765 triangles (4294967295 in profile fast), "
+        "dropped ones included; split the input into several blobs"};
+}
+
 }  // namespace
 
 Result<std::vector<std::byte>, BakeError> encode(const Source& source, const LatticeMesh& mesh, const BinaryTree& tree,
@@ -151,9 +150,12 @@ Result<std::vector<std::byte>, BakeError> encode(const Source& source, const Lat
     blob.insert(blob.end(), encoded.nodes.begin(), encoded.nodes.end());
     blob.insert(blob.end(), encoded.leaves.begin(), encoded.leaves.end());
     blob.resize(blob.size() + format::guard_bytes);
+    IdSteps id_steps;
     if (options.original_ids) {
+        const std::uint64_t limit = format::ids::number_limit(options.profile, source.triangle_count);
+        if (auto error = check_number_limit(limit)) return *error;
         put_source_table(blob, source);
-        put_ids(blob, source, mesh, wide, options.profile);
+        id_steps = put_ids(blob, numbers_of(mesh, wide, options.profile), format::ids::number_bits(limit));
     }
     if (options.materials != Materials::none) put_materials(blob, source, mesh, wide, options.materials);
     if (wide.copies != 0) put_copies(blob, mesh, wide);
@@ -161,6 +163,8 @@ Result<std::vector<std::byte>, BakeError> encode(const Source& source, const Lat
     if (auto error = check_limits(wide, blob.size())) return *error;
 
     put_header(blob.data(), source, mesh, wide, options, properties, sections);
+    set_u8(blob.data() + format::header::id_kind_bits_at, id_steps.kind_bits);
+    set_u32(blob.data() + format::header::id_step_bytes_at, id_steps.bytes);
     set_u32(blob.data() + format::header::leaf_bytes_at, static_cast<std::uint32_t>(encoded.leaves.size()));
     set_u32(blob.data() + format::header::total_bytes_at, static_cast<std::uint32_t>(blob.size()));
     set_u32(blob.data() + format::header::checksum_at, detail::checksum_of_blob(blob));

@@ -33,6 +33,9 @@ struct Source {
 /// "level.obj, mesh 3 (walls), triangle 17"
 [[nodiscard]] std::string triangle_name(const Source& source, std::uint32_t original_id);
 
+/// Where a triangle came from, beginning with its first corner.
+[[nodiscard]] OriginalTriangle original_triangle(const Source& source, std::uint32_t original_id);
+
 /// The material that came with a triangle, 0 without one.
 [[nodiscard]] std::uint32_t material_of(const Source& source, std::uint32_t original_id);
 

@@ -148,6 +148,9 @@ struct BakeReport {
 
 struct Baked {
     std::vector<std::byte> blob;
+    /// Where each triangle of the blob came from, by storage index, copies included: what original_hit takes
+    /// (original.hpp), whether or not the blob carries ids.
+    std::vector<OriginalTriangle> remap;
     BakeReport report;
 };
 
@@ -187,5 +190,8 @@ private:
 /// Bakes all meshes into one blob. The same arrays and options give the same bytes on every machine and at any number
 /// of threads. An empty mesh gives a legal, empty blob. About 1 microsecond and 150 bytes of memory for each triangle.
 [[nodiscard]] Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options);
+
+/// Returns the remap table as the bytes of a file, which read_remap (original.hpp) reads: 16 bytes a triangle.
+[[nodiscard]] std::vector<std::byte> remap_file(const Baked& baked);
 
 }  // namespace espalier

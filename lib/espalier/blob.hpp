@@ -22,7 +22,7 @@ struct BlobData {
     std::int16_t step_exponent = 0;
     std::uint8_t bits = 0;
     std::uint8_t depth = 0;
-    std::uint8_t id_bits = 0;
+    std::uint8_t id_kind_bits = 0;
     format::Profile profile = format::Profile::fast;
     const std::byte* sources = nullptr;  // null without original ids
     const std::byte* ids = nullptr;

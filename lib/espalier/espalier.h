@@ -60,7 +60,9 @@ enum {
     ESPALIER_STATUS_BAD_NODE = 9,
     ESPALIER_STATUS_BAD_LEAF = 10,
     ESPALIER_STATUS_BAD_SECTION = 11,
-    ESPALIER_STATUS_MISALIGNED = 13
+    ESPALIER_STATUS_MISALIGNED = 13,
+    ESPALIER_STATUS_NOT_A_REMAP = 15,
+    ESPALIER_STATUS_OTHER_BLOB = 16
 };
 
 /* What a query says that has more to say than yes or no. */
@@ -299,6 +301,10 @@ espalier_query_status espalier_get_original_hit_batch(const espalier_blob* blob,
 /* `remap` has `triangles` entries. */
 espalier_original_hit espalier_get_original_hit_by_remap(const espalier_original_triangle* remap, size_t triangles,
                                                          const espalier_ray_hit* hit);
+
+/* `remap` has `triangles` places: as many as the blob has triangles. */
+espalier_status espalier_read_remap(const void* file, size_t size, const espalier_blob* blob,
+                                    espalier_original_triangle* remap, size_t triangles);
 
 /* ---- overlap.hpp --------------------------------------------------------------------------------------------------
  */

@@ -43,10 +43,11 @@ inline constexpr std::size_t origin_at = 40;            // 3 x f32, of lattice p
 inline constexpr std::size_t extent_at = 52;            // 3 x u32, largest coordinate per axis (the smallest is 0)
 inline constexpr std::size_t max_error_at = 64;         // f32, world units
 inline constexpr std::size_t depth_at = 68;             // u8
-inline constexpr std::size_t id_bits_at = 69;           // u8, width of an original id, 0..32
+inline constexpr std::size_t id_kind_bits_at = 69;      // u8, 0..4, see `ids`
 inline constexpr std::size_t source_count_at = 72;      // u32, entries of the source table
 inline constexpr std::size_t source_triangles_at = 76;  // u32, triangles in the sources, dropped ones included
-inline constexpr std::size_t reserved_at = 80;          // zero up to the end (and the two bytes at 70)
+inline constexpr std::size_t id_step_bytes_at = 80;     // u32, see `ids`
+inline constexpr std::size_t reserved_at = 84;          // zero up to the end (and the two bytes at 70)
 inline constexpr std::size_t bytes = 128;
 static_assert(reserved_at < bytes && bytes % 64 == 0);
 }  // namespace header
@@ -57,10 +58,6 @@ enum class Profile : std::uint8_t {
     balanced = 1,  ///< strip leaves of at most max_balanced_entries
     small = 2,     ///< strip leaves of at most max_small_entries
 };
-
-/// A strip begins a triangle where it needs to: in profiles that have them each original id has this many bits before
-/// it, which of the original triangle's corners is stored first (0, 1 or 2; the others follow in its order).
-constexpr unsigned first_corner_bits(Profile profile) { return profile == Profile::fast ? 0 : 2; }
 
 /// Bits of the features field. An optional section is there exactly when its bit is set; they follow in bit order.
 namespace feature {
@@ -88,6 +85,34 @@ inline constexpr std::size_t file_at = 4;   // u32
 inline constexpr std::size_t mesh_at = 8;   // u32
 inline constexpr std::size_t bytes = 12;
 }  // namespace source
+
+// The section of original ids. The number of a triangle is corner_factor * its original id + its first corner: which of
+// the original triangle's corners is stored first (0, 1 or 2; the others follow in its order). Numbers stand in blocks
+// of consecutive storage indices, and count from one triangle to the next: number + the offset of a kind + a field,
+// modulo 2^number_bits. 2^id_kind_bits kinds; blocks; then the steps of each block, in id_step_bytes together, low bits
+// first, padded with zero bits to a byte: the kind, in id_kind_bits, then its field.
+namespace ids {
+inline constexpr unsigned max_kind_bits = 4;
+inline constexpr std::size_t offset_at = 0;  // u32, in a kind
+inline constexpr std::size_t width_at = 4;   // u32, at most number_bits
+inline constexpr std::size_t kind_bytes = 8;
+inline constexpr std::uint32_t block_triangles = 128;
+inline constexpr std::size_t number_at = 0;  // u32, in a block: the number of its first triangle
+inline constexpr std::size_t steps_at = 4;   // u32, where its steps begin, counted in bytes from the first block's
+inline constexpr std::size_t block_bytes = 8;
+constexpr std::uint32_t block_count(std::uint32_t triangle_count) {
+    return (triangle_count + block_triangles - 1) / block_triangles;
+}
+/// A strip begins a triangle where it needs to; an indexed leaf keeps the source's first corner.
+constexpr std::uint32_t corner_factor(Profile profile) { return profile == Profile::fast ? 1 : 3; }
+/// Numbers are below this, which is at most 2^32.
+constexpr std::uint64_t number_limit(Profile profile, std::uint32_t source_triangles) {
+    return std::uint64_t{corner_factor(profile)} * source_triangles;
+}
+constexpr unsigned number_bits(std::uint64_t number_limit) {
+    return number_limit == 0 ? 0 : static_cast<unsigned>(std::bit_width(number_limit - 1));
+}
+}  // namespace ids
 
 // The section of split references: which storage indices are copies, and of which triangle. The lowest storage index of
 // a triangle is its owner; copies have the same corners in the same order, and stand in leaves whose boxes hold other
@@ -240,5 +265,20 @@ constexpr unsigned coordinate_width(std::uint32_t side, unsigned bits) {
     return width < bits ? width : bits;
 }
 }  // namespace strip_leaf
+
+// ---- the remap file, beside a blob ---------------------------------------------------------------------------------
+// A header of 16 bytes, then for each storage index u32 file, mesh, triangle and first corner: what OriginalTriangle
+// holds.
+namespace remap {
+inline constexpr std::uint32_t magic = 0x52505345u;  // "ESPR"
+inline constexpr std::uint32_t version = 1;
+inline constexpr std::size_t magic_at = 0;
+inline constexpr std::size_t version_at = 4;
+inline constexpr std::size_t blob_checksum_at = 8;  // u32, that of the blob which it belongs to
+inline constexpr std::size_t checksum_at = 12;      // u32, CRC-32 of the file with this field zero, as in a blob
+static_assert(checksum_at == header::checksum_at);
+inline constexpr std::size_t triangles_at = 16;
+inline constexpr std::size_t triangle_bytes = 16;
+}  // namespace remap
 
 }  // namespace espalier::format

@@ -11,6 +11,7 @@
 // 0 where that is negative.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -55,5 +56,12 @@ OriginalHit original_hit(const Blob& blob, const RayHit& hit) noexcept;
 /// Returns the source's triangle of a hit by the remap table of the blob's bake. Status: not_found for a miss,
 /// invalid_argument for a triangle that the table does not have, or a first_corner above 2. O(1).
 OriginalHit original_hit(std::span<const OriginalTriangle> remap, const RayHit& hit) noexcept;
+
+/// Writes the triangles of a remap file (`bake --remap`, remap_file of bake.hpp) to `remap`, which has a place for each
+/// triangle of the blob. Any bytes, any alignment. On any status but ok nothing was written: not_a_remap (also when it
+/// is damaged), or other_blob for a file that belongs to another blob, and for another number of places. On a
+/// little-endian machine the bytes behind the first 16 are the table as it lies in memory. O(size).
+[[nodiscard]] Status read_remap(std::span<const std::byte> file, const Blob& blob,
+                                std::span<OriginalTriangle> remap) noexcept;
 
 }  // namespace espalier

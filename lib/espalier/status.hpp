@@ -19,6 +19,8 @@ enum class Status : std::uint8_t {
     bad_leaf = 10,            ///< a leaf breaks the rules of docs/format.md
     bad_section = 11,         ///< an optional section breaks the rules of docs/format.md
     misaligned = 13,          ///< of C alone: the address of the espalier_blob is no multiple of 16
+    not_a_remap = 15,         ///< of read_remap: no remap file that this library reads, or a damaged one
+    other_blob = 16,          ///< of read_remap: the remap file belongs to another blob
 };
 
 /// One English sentence without a full stop, static, never null: also for values that are no Status.

@@ -33,7 +33,7 @@ inline std::uint32_t checksum_step(std::uint32_t state, std::uint32_t byte) {
     return state;
 }
 
-/// Of a whole blob of at least a header's size, its checksum field taken as zero.
+/// Of a whole blob, or of the remap file beside it, the checksum field of its header taken as zero.
 inline std::uint32_t checksum_of_blob(std::span<const std::byte> bytes) {
     std::uint32_t state = 0xFFFFFFFFu;
     for (std::size_t i = 0; i < bytes.size(); ++i) {

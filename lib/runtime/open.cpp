@@ -8,6 +8,7 @@
 #include <runtime/bytes.hpp>
 #include <runtime/checksum.hpp>
 #include <runtime/copies.hpp>
+#include <runtime/id_steps.hpp>
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/open_checks.hpp>
 #include <runtime/open_header.hpp>
@@ -69,32 +70,54 @@ Status check_tree(const BlobData& blob) {
     return Status::ok;
 }
 
-/// Not both bits of any.
-bool are_first_corners_sound(const BlobData& blob) {
-    const std::byte* at = blob.ids;
-    unsigned bit = 0;
-    const auto is_set = [&](unsigned place) { return (load_u8(at + place / 8) >> (place % 8) & 1u) != 0; };
-    for (std::uint32_t i = 0; i < blob.triangle_count; ++i) {
-        if (is_set(bit) && is_set(bit + 1)) return false;
-        bit += first_corner_bits(blob) + blob.id_bits;
-        at += bit / 8;
-        bit %= 8;
+/// A block's steps, which must end before `bit_count`: whether every number that they lead to is one that the sources
+/// can have. `steps` is then behind them.
+bool are_steps_sound(const BlobData& blob, std::uint32_t number, std::uint32_t triangles, std::uint64_t bit_count,
+                     StepFields& steps) {
+    const std::uint64_t limit = number_limit(blob);
+    const std::uint32_t mask = number_mask(blob);
+    for (;;) {
+        if (number >= limit) return false;
+        if (--triangles == 0) return true;
+        if (steps.bit + blob.id_kind_bits > bit_count) return false;
+        const std::byte* const kind = id_kind(blob, steps.take(blob.id_kind_bits));
+        const std::uint32_t width = load_u32(kind + format::ids::width_at);
+        if (steps.bit + width > bit_count) return false;
+        number = after_step(number, kind, steps.take(width), mask);
     }
-    return true;
 }
 
-/// The source table and the ids that count through it.
+/// The steps of each block begin where those of the block before it end.
+bool are_numbers_sound(const BlobData& blob) {
+    using namespace format::ids;
+    const std::uint32_t step_bytes = load_u32(blob.bytes + format::header::id_step_bytes_at);
+    for (std::uint32_t kind = 0; kind >> blob.id_kind_bits == 0; ++kind)
+        if (load_u32(id_kind(blob, kind) + width_at) > number_bits(number_limit(blob))) return false;
+    std::uint32_t begin = 0;
+    for (std::uint32_t first = 0; first < blob.triangle_count; first += block_triangles) {
+        const std::byte* const block = id_block(blob, first / block_triangles);
+        if (load_u32(block + steps_at) != begin) return false;
+        const std::uint32_t left = blob.triangle_count - first;
+        StepFields steps = {id_steps(blob, begin)};
+        if (!are_steps_sound(blob, load_u32(block + number_at), left < block_triangles ? left : block_triangles,
+                             std::uint64_t{step_bytes - begin} * 8, steps) ||
+            !is_padded_with_zeros(steps.bytes, steps.bit))
+            return false;
+        begin += (steps.bit + 7) / 8;
+    }
+    return begin == step_bytes;
+}
+
+/// The source table and the numbers that count through it.
 bool are_ids_sound(const BlobData& blob) {
-    if (blob.source_count == 0) return blob.triangle_count == 0;
-    if (load_u32(blob.sources) != 0) return false;
     std::uint32_t previous = 0;
     for (std::uint32_t i = 0; i < blob.source_count; ++i) {
         const std::uint32_t first = load_u32(blob.sources + std::size_t{i} * format::source::bytes);
-        if (first < previous) return false;
+        if (first < previous || (i == 0 && first != 0)) return false;
         previous = first;
     }
-    if (previous > blob.source_triangles) return false;
-    return first_corner_bits(blob) == 0 || are_first_corners_sound(blob);
+    if (previous > blob.source_triangles || (blob.source_count == 0 && blob.triangle_count != 0)) return false;
+    return are_numbers_sound(blob);
 }
 
 /// The map of copies: ranks add up, and every copy is of a triangle with a lower storage index that is none.

@@ -24,11 +24,6 @@ inline bool is_padded_with_zeros(const std::byte* stream, unsigned bit_count) {
     return bit_count % 8 == 0 || load_u8(stream + bit_count / 8) >> (bit_count % 8) == 0;
 }
 
-/// Known at compile time where one kind of leaves is read.
-inline unsigned first_corner_bits(const BlobData& blob) {
-    return has_indexed_leaves(blob.profile) ? 0 : format::first_corner_bits(blob.profile);
-}
-
 /// How far the pass over the nodes has come.
 struct OpenProgress {
     const BlobData& blob;

@@ -2,6 +2,7 @@
 // needs no float operation, for the sake of cores that have none.
 #include <runtime/bytes.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/id_steps.hpp>
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/open_checks.hpp>
 #include <runtime/open_header.hpp>
@@ -96,10 +97,12 @@ Status read_header(BlobData& blob) {
     blob.source_count = load_u32(h + source_count_at);
     blob.source_triangles = load_u32(h + source_triangles_at);
     // With the two zero bytes behind them.
-    const std::uint32_t id_bits = load_u32(h + depth_at) >> 8;
-    blob.id_bits = static_cast<std::uint8_t>(id_bits);
+    const std::uint32_t id_kind_bits = load_u32(h + depth_at) >> 8;
+    blob.id_kind_bits = static_cast<std::uint8_t>(id_kind_bits);
     const bool ids = (blob.features & format::feature::original_ids) != 0;
-    if (ids ? id_bits > 32 : (id_bits | blob.source_count) != 0) return Status::bad_header;
+    if (ids ? id_kind_bits > format::ids::max_kind_bits || number_limit(blob) >> 32 != 0
+            : (id_kind_bits | blob.source_count | load_u32(h + id_step_bytes_at)) != 0)
+        return Status::bad_header;
 
     // Finite, and the sign bit clear.
     if (load_u32(h + max_error_at) >= infinity_bits) return Status::bad_header;
@@ -125,7 +128,9 @@ Status locate_sections(BlobData& blob, bool looks_at_padding) {
     rest.take(format::guard_bytes, 8);
     if ((blob.features & format::feature::original_ids) != 0) {
         blob.sources = rest.take(blob.source_count, 8 * format::source::bytes);
-        blob.ids = rest.take(blob.triangle_count, first_corner_bits(blob) + unsigned{blob.id_bits});
+        blob.ids = rest.take(std::size_t{1} << blob.id_kind_bits, 8 * format::ids::kind_bytes);
+        rest.take(format::ids::block_count(blob.triangle_count), 8 * format::ids::block_bytes);
+        rest.take(load_u32(blob.bytes + format::header::id_step_bytes_at), 8);
     }
     if ((blob.features & (materials_8 | materials_16)) != 0)
         blob.materials = rest.take(blob.triangle_count, (blob.features & materials_16) != 0 ? 16 : 8);

@@ -1,7 +1,7 @@
 // From triangles and hits back to the source.
 #include <espalier/original.hpp>
 #include <runtime/bytes.hpp>
-#include <runtime/id_field.hpp>
+#include <runtime/id_steps.hpp>
 
 namespace espalier {
 
@@ -11,9 +11,9 @@ namespace {
 
 /// Requires ids, and a triangle that there is.
 OriginalTriangle original_of(const BlobData& data, std::uint32_t triangle) {
-    const std::uint64_t field = id_field(data, triangle);
-    const unsigned corner_bits = format::first_corner_bits(data.profile);
-    const std::uint64_t id = field >> corner_bits;
+    const std::uint32_t number = number_of(data, triangle);
+    const std::uint32_t factor = corner_factor(data);
+    const std::uint32_t id = number / factor;
 
     std::uint32_t low = 0;  // the last source that begins at or before the id
     std::uint32_t high = data.source_count;
@@ -23,8 +23,7 @@ OriginalTriangle original_of(const BlobData& data, std::uint32_t triangle) {
     }
     const std::byte* source = data.sources + std::size_t{low} * format::source::bytes;
     return {load_u32(source + format::source::file_at), load_u32(source + format::source::mesh_at),
-            static_cast<std::uint32_t>(id) - load_u32(source + format::source::first_at),
-            static_cast<std::uint32_t>(field & ((1u << corner_bits) - 1u))};
+            id - load_u32(source + format::source::first_at), number % factor};
 }
 
 /// Whether a blob leads back at all.

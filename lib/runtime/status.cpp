@@ -31,6 +31,10 @@ const char* describe(Status status) noexcept {
             return "an optional section of the blob breaks the format's rules, or bytes are left over";
         case Status::misaligned:
             return "the espalier_blob to open into lies at an address that is no multiple of 16: align it";
+        case Status::not_a_remap:
+            return "these bytes are not a remap file that this library reads, or they are damaged";
+        case Status::other_blob:
+            return "the remap file belongs to another blob, or the array has another size than it";
     }
     return "not a status of this library";
 }

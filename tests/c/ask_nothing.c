@@ -62,6 +62,7 @@ void ask_nothing(struct asking* asking) {
     tell(asking, espalier_get_original_hit_batch(blob, NULL, NULL, 0));
     tell(asking, espalier_get_original_triangle_batch(blob, NULL, NULL, 0));
     tell(asking, espalier_get_original_hit_by_remap(NULL, 0, &hit).status);
+    tell(asking, espalier_read_remap(NULL, 0, blob, NULL, 0));
     hits = espalier_closest_hits(blob, &ray, NULL, 0);
     tell(asking, (uint32_t)hits.count);
     tell(asking, hits.status);

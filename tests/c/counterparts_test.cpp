@@ -72,6 +72,7 @@ const char* const counterparts = R"(
     original_hit(Blob, span<RayHit>, span<OriginalHit>)           espalier_get_original_hit_batch
     original_hit(span<OriginalTriangle>, RayHit)                  espalier_get_original_hit_by_remap
     bool()                                                        -
+    read_remap(span<byte>, Blob, span<OriginalTriangle>)          espalier_read_remap
 
     overlaps(Blob, Sphere)                                        espalier_overlaps_sphere
     overlaps(Blob, Capsule)                                       espalier_overlaps_capsule

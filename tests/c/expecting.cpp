@@ -454,6 +454,7 @@ void Expecting::nothing() {
     tell(QueryStatus::ok);
     tell(original_triangle(blob_, {}, {}));
     tell(QueryStatus::invalid_argument);
+    tell(Status::not_a_remap);
     tell(std::uint32_t{0});
     tell(found ? QueryStatus::output_full : QueryStatus::ok);
     tell(std::uint32_t{0});

@@ -15,6 +15,7 @@
 #include "../support/guarded_pages.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
+#include "../support/random.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -92,21 +93,22 @@ TEST_SUITE("open rules") {
                    profile == format::Profile::fast));
             CHECK(refused(at::max_error_at, 0x7F800000u, 4));
             CHECK_FALSE(refused(at::max_error_at, 0x7F7FFFFFu, 4));
-            CHECK(refused(at::id_bits_at, 1, 1));  // ids that are not there
+            CHECK(refused(at::id_kind_bits_at, 1, 1));  // ids that are not there
             CHECK(refused(at::source_count_at, 1, 4));
-            CHECK(refused(at::id_bits_at + 1, 1, 1));
-            CHECK(refused(at::id_bits_at + 2, 1, 1));
+            CHECK(refused(at::id_step_bytes_at, 1, 4));
+            CHECK(refused(at::id_kind_bits_at + 1, 1, 1));
+            CHECK(refused(at::id_kind_bits_at + 2, 1, 1));
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 CHECK(refused(at::origin_at + 4 * axis, 0x00000001u, 4));  // a subnormal number
                 CHECK(refused(at::origin_at + 4 * axis, 0x80000000u, 4));  // -0
                 CHECK(refused(at::origin_at + 4 * axis, 0x7F800000u, 4));
                 CHECK(refused(at::extent_at + 4 * axis, std::uint64_t{1} << get(bytes, at::bits_at, 1), 4));
             }
-            CHECK(status_with(three_sources(profile), at::id_bits_at, 33, 1) == Status::bad_header);
             Bytes at_zero = bytes;
             put(at_zero, at::origin_at, 0, 4);
             put(at_zero, at::origin_at + 4, 0, 4);
             put(at_zero, at::origin_at + 8, 0, 4);
+            CHECK(status_with(three_sources(profile), at::id_kind_bits_at, 5, 1) == Status::bad_header);
             const auto with_step = [&](int exponent) {
                 return status_with(at_zero, at::step_exponent_at, static_cast<std::uint16_t>(exponent), 2);
             };
@@ -366,14 +368,6 @@ TEST_SUITE("open rules") {
             for (std::size_t i = table; i < no_sources.size(); ++i) put(no_sources, i, 0, 1);
             CHECK(status_resized(no_sources) == Status::bad_section);
             CHECK(status_resized(without(bytes, bytes.size() - 4, 4)) == Status::bad_section);
-            Bytes widest = bytes;  // ids of 32 bits, all 0
-            widest.resize(table + 3 * format::source::bytes);
-            widest.resize(widest.size() + (profile == format::Profile::fast ? 12 : 16));
-            put(widest, at::id_bits_at, 32, 1);
-            CHECK(status_resized(widest) == Status::ok);
-            CHECK((status_with(bytes, table + 3 * format::source::bytes, 3, 1) == Status::bad_section ||
-                   profile == format::Profile::fast));  // the corner that comes first is one of three
-
             BakeOptions options = with_profile(profile);
             options.original_ids = true;
             const auto nothing = bake({}, options);
@@ -382,6 +376,114 @@ TEST_SUITE("open rules") {
             const GuardedPages pages(nothing->blob, true);  // no source is looked at behind its end
             Blob blob;
             CHECK(open(pages.bytes(), blob) == Status::ok);
+        });
+    }
+
+    TEST_CASE("open: each rule of the steps of ids is enforced") {
+        for_each_profile([](format::Profile profile) {
+            namespace ids = format::ids;
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            const Bytes bytes = bake_or_throw(make_plane_grid(10), options);  // 200 triangles: two blocks
+            REQUIRE(status_of(bytes) == Status::ok);
+            const std::size_t kinds = sections_of(bytes) + format::source::bytes;
+            const std::uint64_t kind_bits = get(bytes, at::id_kind_bits_at, 1);
+            REQUIRE(kind_bits > 0);
+            const std::size_t blocks = kinds + (ids::kind_bytes << kind_bits);
+            const std::size_t steps = blocks + 2 * ids::block_bytes;
+            const std::uint64_t step_bytes = get(bytes, at::id_step_bytes_at, 4);
+            REQUIRE(bytes.size() == (steps + step_bytes + 3) / 4 * 4);
+            const std::uint64_t numbers = profile == format::Profile::fast ? 200 : 600;
+            const unsigned number_bits = profile == format::Profile::fast ? 8 : 10;
+            REQUIRE(get(bytes, kinds + ids::width_at, 4) == number_bits);
+            const auto status = [&](std::size_t place, std::uint64_t value, unsigned size = 4) {
+                return status_with(bytes, place, value, size);
+            };
+
+            // A field is at most as wide as a number.
+            for (std::size_t kind = 0; kind >> kind_bits == 0; ++kind)
+                CHECK(status(kinds + kind * ids::kind_bytes + ids::width_at, number_bits + 1) == Status::bad_section);
+            // A block begins with a number that a source can have, and where the one before it ends.
+            CHECK(status(blocks + ids::number_at, numbers) == Status::bad_section);
+            CHECK(status(blocks + ids::number_at, ~0u) == Status::bad_section);
+            CHECK(status(blocks + ids::steps_at, 1) == Status::bad_section);
+            const std::uint64_t second = get(bytes, blocks + ids::block_bytes + ids::steps_at, 4);
+            CHECK(status(blocks + ids::block_bytes + ids::steps_at, second - 1) == Status::bad_section);
+            CHECK(status(blocks + ids::block_bytes + ids::steps_at, second + 1) == Status::bad_section);
+            CHECK(status(blocks + ids::block_bytes + ids::steps_at, ~0u) == Status::bad_section);
+            // Steps end where the header says, and bits that fill them up are zero.
+            CHECK(status(at::id_step_bytes_at, step_bytes - 4) == Status::bad_section);
+            CHECK(status(at::id_step_bytes_at, step_bytes + 4) == Status::bad_section);
+            CHECK(status(at::id_step_bytes_at, ~0u) == Status::bad_section);
+            for (const std::uint64_t fewer : {1u, 2u, 3u}) {
+                if ((step_bytes - 1) / 4 == (step_bytes - fewer - 1) / 4)
+                    CHECK(status(at::id_step_bytes_at, step_bytes - fewer) == Status::bad_section);
+            }
+            for (std::size_t end = steps + step_bytes; end < bytes.size(); ++end)
+                CHECK(status(end, 1, 1) == Status::bad_section);
+
+            // Any other steps are refused, or lead to triangles that the source has.
+            Random random(9);
+            int opened = 0;
+            for (int i = 0; i < 2000; ++i) {
+                Bytes changed = bytes;
+                const std::size_t place = kinds + random.below(static_cast<std::uint32_t>(bytes.size() - kinds));
+                changed[place] ^= static_cast<std::byte>(1u << random.below(8));
+                repair_checksum(changed);
+                Blob blob;
+                if (open(changed, blob) != Status::ok) continue;
+                ++opened;
+                for (std::uint32_t triangle = 0; triangle < 200; ++triangle) {
+                    OriginalTriangle original;
+                    REQUIRE(original_triangle(blob, {triangle}, original));
+                    REQUIRE(original.triangle < 200);
+                    REQUIRE(original.first_corner < (profile == format::Profile::fast ? 1 : 3));
+                }
+            }
+            CHECK(opened > 0);
+            CHECK(opened < 2000);
+        });
+    }
+
+    TEST_CASE("open: ids may have steps of every kind and width up to numbers of 32 bits") {
+        for_each_profile([](format::Profile profile) {
+            const std::uint64_t factor = profile == format::Profile::fast ? 1 : 3;
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            const Bytes bytes = bake_or_throw(make_cube(0.0f, 1.0f), options);
+            const std::size_t kinds = sections_of(bytes) + format::source::bytes;
+            REQUIRE(get(bytes, at::id_kind_bits_at, 1) == 0);
+            const auto most = static_cast<std::uint32_t>((std::uint64_t{1} << 32) / factor - (factor == 1 ? 1 : 0));
+            for (const std::uint32_t count : {most, most + 1}) {
+                Bytes widest(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(kinds));
+                const auto last = static_cast<std::uint32_t>(factor * most - 1);
+                for (const std::uint32_t word : {0u, 32u, last, 0u}) {
+                    widest.resize(widest.size() + 4);
+                    put(widest, widest.size() - 4, word, 4);
+                }
+                for (unsigned step = 1; step < 12; ++step) {  // from the last number to the first and back
+                    widest.resize(widest.size() + 4);
+                    put(widest, widest.size() - 4, step % 2 != 0 ? 0u - last : last, 4);
+                }
+                put(widest, at::source_triangles_at, count, 4);
+                put(widest, at::id_step_bytes_at, 44, 4);
+                if (count != most) {  // of profile fast, 0: numbers of no bits
+                    CHECK(status_resized(widest) == (factor == 1 ? Status::bad_section : Status::bad_header));
+                    continue;
+                }
+                REQUIRE(status_resized(widest) == Status::ok);
+                put(widest, at::total_bytes_at, widest.size(), 4);
+                repair_checksum(widest);
+                const GuardedPages pages(widest, true);
+                Blob blob;
+                REQUIRE(open(pages.bytes(), blob) == Status::ok);
+                OriginalTriangle original;
+                for (std::uint32_t triangle = 0; triangle < 12; ++triangle) {
+                    REQUIRE(original_triangle(blob, {triangle}, original));
+                    CHECK(original.triangle == (triangle % 2 != 0 ? 0 : most - 1));
+                    CHECK(original.first_corner == (triangle % 2 != 0 ? 0 : factor - 1));
+                }
+            }
         });
     }
 

@@ -73,10 +73,11 @@ constexpr std::array header_fields = {
     Field{"extent z", format::header::extent_at + 8, 4},
     Field{"max_error", format::header::max_error_at, 4},
     Field{"depth", format::header::depth_at, 1},
-    Field{"id_bits", format::header::id_bits_at, 1},
+    Field{"id_kind_bits", format::header::id_kind_bits_at, 1},
     Field{"two reserved bytes", 70, 2},
     Field{"source_count", format::header::source_count_at, 4},
     Field{"source_triangles", format::header::source_triangles_at, 4},
+    Field{"id_step_bytes", format::header::id_step_bytes_at, 4},
     Field{"reserved", format::header::reserved_at, 8},
     Field{"the last reserved bytes", format::header::bytes - 8, 8},
 };
@@ -472,25 +473,6 @@ TEST_SUITE("open") {
             CHECK(status_with(*bytes, format::header::profile_at, 1, 1) ==
                   (bytes == &fits ? Status::ok : Status::bad_leaf));
         }
-    }
-
-    TEST_CASE("open: the first triangle of a strip has three corners") {
-        BakeOptions options = with_profile(format::Profile::balanced);
-        options.original_ids = true;
-        const Bytes bytes = bake_or_throw(make_plane_grid(2), options);  // 8 triangles: fields of 2 + 3 bits
-        const std::size_t ids_at =
-            format::header::bytes + get(bytes, format::header::node_count_at, 4) * format::node::bytes +
-            get(bytes, format::header::leaf_bytes_at, 4) + format::guard_bytes + format::source::bytes;
-        REQUIRE(bytes.size() == ids_at + 8);
-        const std::uint64_t ids = get(bytes, ids_at, 8);
-        for (unsigned triangle = 0; triangle < 8; ++triangle) {
-            for (std::uint64_t corner = 0; corner < 4; ++corner) {
-                const std::uint64_t cleared = ids & ~(std::uint64_t{3} << (5 * triangle));
-                CHECK(status_with(bytes, ids_at, cleared | corner << (5 * triangle), 8) ==
-                      (corner < 3 ? Status::ok : Status::bad_section));
-            }
-        }
-        CHECK(status_with(bytes, ids_at, ids | std::uint64_t{1} << 40, 8) == Status::bad_section);  // padding
     }
 
     TEST_CASE("open: each header field at its extremes is refused or leaves queries safe") {

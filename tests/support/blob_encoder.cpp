@@ -158,17 +158,12 @@ private:
         }
     }
 
-    void put_sections(Writer& out) const {
+    void put_sections(Writer& out) {
         const std::uint32_t features = head_.features;
         if ((features & 1u << 0) != 0) {
             for (const DecodedSource& source : head_.sources)
                 for (const std::uint32_t number : {source.first, source.file, source.mesh}) out.put(number, 4);
-            for (std::size_t i = 0; i < triangles_; ++i) {
-                if (head_.profile != format::Profile::fast) out.put_bits(head_.first_corners[i], 2);
-                out.put_bits(head_.original_ids[i], blob_.id_bits);
-            }
-            out.end_stream();
-            out.pad_to(4);
+            put_ids(out);
         }
         if ((features & (1u << 1 | 1u << 2)) != 0) {
             for (const std::uint16_t material : head_.materials) out.put(material, (features & 1u << 1) != 0 ? 1 : 2);
@@ -186,6 +181,43 @@ private:
             out.put(static_cast<std::uint32_t>(head_.oriented_box[i]), i < 4 ? 2 : 4);
         for (const std::int32_t number : head_.sphere) out.put(static_cast<std::uint32_t>(number), 4);
         for (const std::int32_t number : head_.k_dop) out.put(static_cast<std::uint32_t>(number), 4);
+    }
+
+    void put_ids(Writer& out) {
+        const std::uint64_t factor = head_.profile == format::Profile::fast ? 1 : 3;
+        const std::uint64_t limit = factor * head_.source_triangles;
+        const std::uint64_t modulus = std::uint64_t{1}
+                                      << (limit == 0 ? 0 : bits_for(static_cast<std::uint32_t>(limit - 1)));
+        const unsigned kind_bits = bits_for(static_cast<std::uint32_t>(blob_.id_kinds.size()) - 1);
+        Writer blocks, steps;
+        std::uint64_t before = 0;
+        std::size_t last = 0;
+        for (std::size_t i = 0; i < triangles_; ++i) {
+            const std::uint64_t corner = factor == 1 ? 0 : head_.first_corners[i];
+            const std::uint64_t number = factor * head_.original_ids[i] + corner;
+            if (i % 128 == 0) {
+                steps.end_stream();
+                blocks.put(number, 4);
+                blocks.put(steps.bytes.size(), 4);
+            } else {
+                std::uint64_t field = modulus;
+                do {
+                    last = (last + 1) % blob_.id_kinds.size();
+                    field = (number + 2 * modulus - before - blob_.id_kinds[last][0] % modulus) % modulus;
+                } while (field >> blob_.id_kinds[last][1] != 0);
+                steps.put_bits(last, kind_bits);
+                steps.put_bits(field, blob_.id_kinds[last][1]);
+            }
+            before = number;
+        }
+        id_step_bytes_ = steps.bytes.size();
+        for (const auto& [offset, width] : blob_.id_kinds) {
+            out.put(offset, 4);
+            out.put(width, 4);
+        }
+        out.append(blocks);
+        out.append(steps);
+        out.pad_to(4);
     }
 
     void put_copies(Writer& out) const {
@@ -224,11 +256,13 @@ private:
         for (const std::uint32_t extent : head_.extent) out.put(extent, 4);
         out.put(std::bit_cast<std::uint32_t>(head_.max_error), 4);
         out.put(depth_, 1);
-        out.put(blob_.id_bits, 1);
+        out.put((head_.features & 1u << 0) != 0 ? bits_for(static_cast<std::uint32_t>(blob_.id_kinds.size()) - 1) : 0,
+                1);
         out.put(0, 2);
         out.put(head_.sources.size(), 4);
         out.put(head_.source_triangles, 4);
-        for (int i = 0; i < 12; ++i) out.put(0, 4);
+        out.put(id_step_bytes_, 4);
+        for (int i = 0; i < 11; ++i) out.put(0, 4);
     }
 
     const PlainBlob& blob_;
@@ -237,6 +271,7 @@ private:
     Writer leaves_;
     std::uint32_t node_count_ = 0;
     std::uint32_t triangles_ = 0;
+    std::size_t id_step_bytes_ = 0;
     unsigned depth_ = 0;
 };
 

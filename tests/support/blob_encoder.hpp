@@ -49,7 +49,9 @@ struct PlainNode {
 /// What a blob holds. `decoded` gives the header and the optional sections; its nodes and triangles are not looked at.
 struct PlainBlob {
     DecodedBlob decoded;
-    unsigned id_bits = 0;
+    /// As offset and width; 1, 2, 4, 8 or 16, of which the first takes every step. Each step is written by the kind
+    /// that follows the last one's, of those that take it.
+    std::vector<std::array<std::uint32_t, 2>> id_kinds = {{0, 0}};
     std::vector<PlainNode> nodes;  ///< the root first; each is the child of one other
 };
 

@@ -172,7 +172,7 @@ private:
         }
         decoded_.max_error = bytes_.f32(at::max_error_at);
         decoded_.depth = bytes_.u8(at::depth_at);
-        id_bits_ = bytes_.u8(at::id_bits_at);
+        id_kind_bits_ = bytes_.u8(at::id_kind_bits_at);
         source_count_ = bytes_.u32(at::source_count_at);
         decoded_.source_triangles = bytes_.u32(at::source_triangles_at);
         leaves_at_ = at::bytes + std::size_t{node_count_} * format::node::bytes;
@@ -253,6 +253,42 @@ private:
         }
     }
 
+    /// Returns where the section ends.
+    std::size_t read_ids(std::size_t at) {
+        const std::uint64_t factor = is_indexed_ ? 1 : 3;
+        const unsigned number_bits = decoded_.source_triangles == 0
+                                         ? 0
+                                         : bits_of(static_cast<std::uint32_t>(factor * decoded_.source_triangles - 1));
+        const std::size_t kinds_at = at;
+        const std::size_t blocks_at = kinds_at + (std::size_t{8} << id_kind_bits_);
+        const std::size_t steps_at = blocks_at + 8 * ((std::size_t{decoded_.triangle_count} + 127) / 128);
+        std::size_t byte = steps_at, bit = 0;
+        std::uint64_t number = 0;
+        for (std::uint32_t i = 0; i < decoded_.triangle_count; ++i) {
+            if (i % 128 == 0) {
+                byte += (bit + 7) / 8;
+                bit = 0;
+                number = bytes_.u32(blocks_at + i / 16);
+                if (bytes_.u32(blocks_at + i / 16 + 4) != byte - steps_at)
+                    throw std::runtime_error("decoder: a block of ids begins elsewhere than the one before it ends");
+            } else {
+                const std::size_t kind = kinds_at + std::size_t{8} * bytes_.field(byte, bit, id_kind_bits_);
+                bit += id_kind_bits_;
+                const unsigned width = bytes_.u32(kind + 4);
+                number += std::uint64_t{bytes_.u32(kind)} + bytes_.field(byte, bit, width);
+                number %= std::uint64_t{1} << number_bits;
+                bit += width;
+            }
+            decoded_.original_ids.push_back(static_cast<std::uint32_t>(number / factor));
+            decoded_.first_corners.push_back(static_cast<std::uint8_t>(number % factor));
+            if (decoded_.original_ids.back() >= decoded_.source_triangles)
+                throw std::runtime_error("decoder: an original id is of no source triangle");
+        }
+        byte += (bit + 7) / 8;
+        if (byte - steps_at != bytes_.u32(80)) throw std::runtime_error("decoder: ids do not fill their section");
+        return at + padded(byte - at);
+    }
+
     void read_optional_sections() {
         const std::size_t triangles = decoded_.triangle_count;
         std::size_t at = leaves_at_ + leaf_bytes_ + format::guard_bytes;
@@ -262,13 +298,7 @@ private:
                                             bytes_.u32(at + format::source::file_at),
                                             bytes_.u32(at + format::source::mesh_at)});
             }
-            const unsigned corner_bits = is_indexed_ ? 0 : 2;
-            const std::size_t width = corner_bits + id_bits_;
-            for (std::size_t i = 0; i < triangles; ++i) {
-                decoded_.first_corners.push_back(static_cast<std::uint8_t>(bytes_.field(at, i * width, corner_bits)));
-                decoded_.original_ids.push_back(bytes_.field(at, i * width + corner_bits, id_bits_));
-            }
-            at += padded((triangles * width + 7) / 8);
+            at = read_ids(at);
         }
         if ((decoded_.features & format::feature::materials_8) != 0) {
             for (std::size_t i = 0; i < triangles; ++i) {
@@ -330,7 +360,7 @@ private:
     std::uint32_t node_count_ = 0;
     std::uint32_t leaf_bytes_ = 0;
     std::uint32_t source_count_ = 0;
-    unsigned id_bits_ = 0;
+    unsigned id_kind_bits_ = 0;
     std::size_t leaves_at_ = 0;
 };
 

@@ -225,8 +225,15 @@ private:
     void make_sections() {
         if (triangles_ == 0) head_.features &= 7u;
         if (has(0)) {
-            blob_.id_bits = random_.below(33);
-            head_.source_triangles = static_cast<std::uint32_t>(random_.next());
+            const std::uint32_t factor = head_.profile == format::Profile::fast ? 1 : 3;
+            head_.source_triangles = (1 + random_.below(0xFFFFFFFFu / factor)) >> random_.below(32);
+            if (head_.source_triangles == 0) head_.source_triangles = triangles_ == 0 ? random_.below(2) : 1;
+            const std::uint32_t numbers = factor * head_.source_triangles;
+            const std::uint32_t number_bits =
+                numbers <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(numbers - 1));
+            blob_.id_kinds = {{0, number_bits}};
+            for (std::uint32_t i = 1u << random_.below(5); i != 1; --i)
+                blob_.id_kinds.push_back({static_cast<std::uint32_t>(random_.next()), random_.below(number_bits + 1)});
             std::uint32_t first = 0;
             for (std::uint32_t i = random_.below(5) + (triangles_ == 0 ? 0 : 1); i != 0; --i) {
                 head_.sources.push_back({first, random_.below(9), static_cast<std::uint32_t>(random_.next())});
@@ -237,9 +244,8 @@ private:
         }
         bool any_copy = false;
         for (std::uint32_t i = 0; i < triangles_; ++i) {
-            const std::uint32_t mask = blob_.id_bits == 0 ? 0 : 0xFFFFFFFFu >> (32 - blob_.id_bits);
             head_.first_corners.push_back(static_cast<std::uint8_t>(random_.below(3)));
-            head_.original_ids.push_back(static_cast<std::uint32_t>(random_.next()) & mask);
+            head_.original_ids.push_back(random_.below(head_.source_triangles));
             if (has(1) || has(2))
                 head_.materials.push_back(static_cast<std::uint16_t>(random_.below(has(1) ? 256 : 65536)));
             const std::uint32_t owner = i != 0 && random_.below(3) == 0 ? random_.below(i) : i;

@@ -32,4 +32,10 @@ espalier_original_hit espalier_get_original_hit_by_remap(const espalier_original
     return twin_value(original_hit(twins(remap, triangles), *twin(hit)));
 }
 
+espalier_status espalier_read_remap(const void* file, size_t size, const espalier_blob* blob,
+                                    espalier_original_triangle* remap, size_t triangles) {
+    return static_cast<espalier_status>(
+        read_remap({static_cast<const std::byte*>(file), size}, *twin(blob), twins(remap, triangles)));
+}
+
 }  // extern "C"

@@ -217,6 +217,8 @@ SAME_VALUE(ESPALIER_STATUS_BAD_NODE, Status::bad_node);
 SAME_VALUE(ESPALIER_STATUS_BAD_LEAF, Status::bad_leaf);
 SAME_VALUE(ESPALIER_STATUS_BAD_SECTION, Status::bad_section);
 SAME_VALUE(ESPALIER_STATUS_MISALIGNED, Status::misaligned);
+SAME_VALUE(ESPALIER_STATUS_NOT_A_REMAP, Status::not_a_remap);
+SAME_VALUE(ESPALIER_STATUS_OTHER_BLOB, Status::other_blob);
 
 static_assert(sizeof(espalier_query_status) == sizeof(QueryStatus));
 SAME_VALUE(ESPALIER_QUERY_OK, QueryStatus::ok);

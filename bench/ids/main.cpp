@@ -1,0 +1,97 @@
+// What original ids take in a blob, by the order of the source's triangles: as in the file, shuffled, and as the baker
+// put them. Counted in bytes, the same on every machine.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "../../tests/support/mesh_files.hpp"
+#include "../../tests/support/mesh_makers.hpp"
+#include "../../tests/support/random.hpp"
+#include "../program.hpp"
+
+namespace {
+
+using namespace espalier;
+using namespace espalier::bench;
+using tests::Mesh;
+
+Baked bake_with(const Mesh& mesh, format::Profile profile, bool ids) {
+    BakeOptions options;
+    options.profile = profile;
+    options.original_ids = ids;
+    const MeshView view = mesh.view();
+    auto baked = bake({&view, 1}, options);
+    if (!baked) throw std::runtime_error(baked.error().message);
+    return std::move(*baked);
+}
+
+Mesh shuffled(Mesh mesh) {
+    tests::Random random(2026);
+    for (std::size_t i = mesh.triangles.size(); i > 1; --i)
+        std::swap(mesh.triangles[i - 1], mesh.triangles[random.below(static_cast<std::uint32_t>(i))]);
+    return mesh;
+}
+
+Mesh reordered(const Mesh& mesh, const std::vector<OriginalTriangle>& remap) {
+    Mesh result = mesh;
+    result.triangles.clear();
+    for (const OriginalTriangle& original : remap) {
+        TriangleVertices triangle = mesh.triangles[original.triangle];
+        std::rotate(triangle.begin(), triangle.begin() + original.first_corner, triangle.end());
+        result.triangles.push_back(triangle);
+    }
+    return result;
+}
+
+void measure(const Mesh& mesh) {
+    constexpr std::array<std::pair<const char*, format::Profile>, 3> profiles = {
+        {{"fast", format::Profile::fast}, {"balanced", format::Profile::balanced}, {"small", format::Profile::small}}};
+    for (const auto& [profile_name, profile] : profiles) {
+        const Baked plain = bake_with(mesh, profile, false);
+        const std::array<std::pair<const char*, Mesh>, 3> orders = {
+            {{"file", mesh}, {"random", shuffled(mesh)}, {"reordered", reordered(mesh, plain.remap)}}};
+        for (const auto& [order, source] : orders) {
+            const Baked without = bake_with(source, profile, false);
+            const Baked with = bake_with(source, profile, true);
+            const auto triangles = static_cast<double>(with.remap.size());
+            // One width for all, and two bits for the first corner of strips.
+            const double fixed = (static_cast<double>(std::bit_width(source.triangles.size() - 1)) +
+                                  (profile == format::Profile::fast ? 0.0 : 2.0)) /
+                                 8.0;
+            const double section = static_cast<double>(with.blob.size() - without.blob.size()) / triangles;
+            std::printf("| %s | `%s` | %s | %.2f | %.2f | %.2f | %.0f %% |\n", mesh.name.c_str(), profile_name, order,
+                        static_cast<double>(without.blob.size()) / triangles, fixed, section, 100.0 * section / fixed);
+            std::fflush(stdout);
+        }
+    }
+}
+
+void run(const std::vector<std::string>& files) {
+    std::printf(
+        "# Original ids\n\n"
+        "Written by `espalier_bench_ids MESH...`, in bytes a triangle at 16 bits. *Fixed width*: one width for all ids "
+        "and 2 bits for the first corner of strips.\n"
+        "Orders of the source: as in its file, shuffled, and in the order of the blob (`bake --reorder`), where ids "
+        "are "
+        "not needed at all. A remap table takes 0 bytes of the blob.\n\n"
+        "| mesh | profile | order | without ids | ids, fixed width | ids | of fixed width |\n"
+        "|---|---|---|---|---|---|---|\n");
+    Mesh grid = tests::make_plane_grid(150);
+    grid.name = "grid 150 x 150";
+    measure(grid);
+    for (const std::string& file : files) measure(tests::read_mesh(file));
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    Program program("espalier_bench_ids", "What original ids take by the order of the source; a table in Markdown");
+    return program.run(count, words, [](const std::vector<std::string>& meshes) { run(meshes); });
+}

@@ -1,0 +1,72 @@
+// The section of original ids: from a block's first triangle step by step to the one that is wanted.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/bytes.hpp>
+#include <runtime/leaf_kinds.hpp>
+
+namespace espalier::detail {
+
+/// Known at compile time where one kind of leaves is read.
+inline std::uint32_t corner_factor(const BlobData& blob) {
+    return has_indexed_leaves(blob.profile) ? 1 : format::ids::corner_factor(format::Profile::balanced);
+}
+
+inline std::uint64_t number_limit(const BlobData& blob) {
+    return std::uint64_t{corner_factor(blob)} * blob.source_triangles;
+}
+
+/// The parts of the section, which must be there.
+inline const std::byte* id_kind(const BlobData& blob, std::uint32_t kind) {
+    return blob.ids + format::ids::kind_bytes * std::size_t{kind};
+}
+inline const std::byte* id_block(const BlobData& blob, std::uint32_t block) {
+    return id_kind(blob, 1u << blob.id_kind_bits) + format::ids::block_bytes * std::size_t{block};
+}
+inline const std::byte* id_steps(const BlobData& blob, std::uint32_t first_byte) {
+    return id_block(blob, format::ids::block_count(blob.triangle_count)) + first_byte;
+}
+
+/// Reads the fields of a block's steps one after the other.
+struct StepFields {
+    const std::byte* bytes;
+    unsigned bit = 0;  ///< of the next field
+
+    /// `width` at most 32. Reads the bytes that the field lies in, no other.
+    std::uint32_t take(unsigned width) {
+        std::uint64_t window = 0;  // the field may begin in any bit of a byte: up to five bytes
+        const std::byte* at = bytes + bit / 8;
+        for (unsigned i = 0; i < (bit % 8 + width + 7) / 8; ++i) window |= std::uint64_t{load_u8(at + i)} << (8 * i);
+        const std::uint64_t field = (window >> (bit % 8)) & ((std::uint64_t{1} << width) - 1);
+        bit += width;
+        return static_cast<std::uint32_t>(field);
+    }
+};
+
+/// The number after `number`, by a step of this kind and its field. `number_mask` is 2^number_bits - 1.
+inline std::uint32_t after_step(std::uint32_t number, const std::byte* kind, std::uint32_t field,
+                                std::uint32_t number_mask) {
+    return (number + load_u32(kind + format::ids::offset_at) + field) & number_mask;
+}
+
+inline std::uint32_t number_mask(const BlobData& blob) {
+    return static_cast<std::uint32_t>((std::uint64_t{1} << format::ids::number_bits(number_limit(blob))) - 1);
+}
+
+/// The number of a triangle that there is. At most 127 steps.
+inline std::uint32_t number_of(const BlobData& blob, std::uint32_t triangle) {
+    const std::byte* const block = id_block(blob, triangle / format::ids::block_triangles);
+    const std::uint32_t mask = number_mask(blob);
+    std::uint32_t number = load_u32(block + format::ids::number_at);
+    StepFields steps = {id_steps(blob, load_u32(block + format::ids::steps_at))};
+    for (std::uint32_t left = triangle % format::ids::block_triangles; left != 0; --left) {
+        const std::byte* const kind = id_kind(blob, steps.take(blob.id_kind_bits));
+        number = after_step(number, kind, steps.take(load_u32(kind + format::ids::width_at)), mask);
+    }
+    return number;
+}
+
+}  // namespace espalier::detail
