@@ -6,7 +6,7 @@
 
 #include <espalier/contact.hpp>
 #include <espalier/format.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 #include <runtime/wide_integer.hpp>
 
 namespace espalier::baker {

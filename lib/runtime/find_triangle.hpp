@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 
 namespace espalier::detail {
 

@@ -11,7 +11,7 @@
 #include <runtime/lattice_point.hpp>
 #include <runtime/lattice_ray.hpp>
 #include <runtime/point_triangle.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 
 namespace espalier::detail {
 

@@ -1,6 +1,7 @@
 #include <runtime/lattice_oriented_box.hpp>
 
 #include <runtime/lattice_round.hpp>
+#include <runtime/ray_triangle.hpp>
 
 namespace espalier::detail {
 

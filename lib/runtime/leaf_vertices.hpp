@@ -7,7 +7,8 @@
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
 #include <runtime/codec_node.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_ray.hpp>
+#include <runtime/lattice_triangle.hpp>
 #include <runtime/small_code.hpp>
 
 namespace espalier::detail {

@@ -7,7 +7,8 @@
 
 #include <espalier/types.hpp>
 #include <runtime/lattice_point.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_ray.hpp>
+#include <runtime/lattice_triangle.hpp>
 #include <runtime/step_counter.hpp>
 #include <runtime/wide_integer.hpp>
 

@@ -8,7 +8,7 @@
 
 #include <runtime/lattice_segment.hpp>
 #include <runtime/point_triangle.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 
 namespace espalier::detail {
 

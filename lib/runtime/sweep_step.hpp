@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_ray.hpp>
+#include <runtime/lattice_triangle.hpp>
 
 namespace espalier::detail {
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 #include <runtime/wide_integer.hpp>
 
 namespace espalier::detail {

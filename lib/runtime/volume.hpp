@@ -9,7 +9,7 @@
 #include <espalier/types.hpp>
 #include <runtime/box_nodes.hpp>
 #include <runtime/plane_nodes.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 
 namespace espalier::detail {
 

@@ -1,5 +1,6 @@
 // Widths and what the walk may leave out: docs/numerics.md.
 #include <runtime/whole_segment.hpp>
+#include <runtime/ray_triangle.hpp>
 
 #include <bit>
 

@@ -6,7 +6,7 @@
 #include <espalier/blob.hpp>
 #include <espalier/lattice.hpp>
 #include <runtime/box_nodes.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 
 namespace espalier::detail {
 

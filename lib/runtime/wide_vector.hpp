@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <runtime/plane_nodes.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 #include <runtime/wide_integer.hpp>
 
 namespace espalier::detail {

@@ -5,7 +5,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/lattice_point.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 
 namespace espalier::detail {
 
