@@ -7,6 +7,8 @@
 #include <map>
 #include <string>
 
+#include <espalier/original.hpp>
+
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/random.hpp"
