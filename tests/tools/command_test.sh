@@ -693,7 +693,7 @@ for key in schema format_version triangles vertices bytes bytes_per_triangle sec
     checksum bounds nodes leaves features closed; do
     out_has "\"$key\": "
 done
-out_has '"format_version": "1.'
+out_has '"format_version": "2.'
 out_has "\"bytes\": $(stat -c %s sheet.espl)"
 
 claim "edge flags and bounds are there on request, and the report tells how much space the bounds take"
@@ -783,6 +783,29 @@ cat sheet.espl | "$espalier" info /dev/stdin >out 2>err || fail "piped blob"
 out_has "triangles     3200"
 awk 'BEGIN { for (i = 0; i < 9999; ++i) printf "junk" }' | "$espalier" info /dev/stdin >out 2>err
 [ $? = 3 ] || fail "piped junk is not exit status 3"
+
+# ---- which triangle was that ----------------------------------------------------------------------------------------
+claim "a remap file and a source in the blob's order lead back without ids in the blob"
+run 0 bake sheet.obj -o lean.espl --profile small
+run 0 bake sheet.obj -o lead.espl --profile small --remap order.bin --reorder order.ply
+same lean.espl lead.espl
+[ "$(head -c 4 order.bin)" = ESPR ] || fail "a remap file begins otherwise"
+triangles=$(("($(stat -c %s order.bin) - 16) / 16"))
+grep -aq "element face $triangles" order.ply || fail "the reordered source has other triangles than the remap file"
+run 0 bake sheet.obj -o lead.espl --profile small --reorder order.obj
+[ "$(grep -c '^f ' order.obj)" = "$triangles" ] || fail "an OBJ in the blob's order has other triangles than a PLY"
+# The first triangle of the blob, corner for corner.
+for corner in 2 3 4; do
+    vertex=$(grep -m 1 '^f ' order.obj | cut -d ' ' -f $corner)
+    grep '^v ' order.obj | sed -n "${vertex}p" | cut -d ' ' -f 2-
+done >corners
+run 0 query lead.espl show 0 --json
+jq -r '[.a, .b, .c][] | join(" ")' out | paste -d ' ' - corners |
+    awk '{ for (i = 1; i < 4; ++i) if (($i - $(i + 3)) ^ 2 > 1e-6) exit 1 } END { if (NR != 3) exit 1 }' ||
+    fail "the first triangle of the reordered source is not the blob's"
+run 1 bake sheet.obj -o lead.espl --reorder order.stl
+run 1 bake sheet.obj -o lead.espl --remap same.bin --reorder same.bin
+run 1 bake sheet.obj -o lead.espl --remap sheet.obj
 
 # ---- dump, render ---------------------------------------------------------------------------------------------------
 claim "dump shows every byte once and in order"
