@@ -125,7 +125,7 @@ std::vector<ExtremeShape> make_extreme_surfaces() {
     std::vector<ExtremeShape> shapes;
     add(shapes, named(scaled_by(make_soup(60, 1), 1e-25f), "soup of 1e-25"), 16);
     add(shapes, named(scaled_by(make_soup(60, 2), 1e30f), "soup of 1e30"), 24);
-    add(shapes, named(scaled_by(make_soup(2, 3), 1e-30f), "soup of 1e-30"), 2);
+    add(shapes, named(scaled_by(make_soup(2, 3), 2e-30f), "soup of 2e-30"), 2);
     add(shapes, named(scaled_by(make_plane_grid(5), 1e10f), "plane of 5e10"), 24);
     add(shapes, named(stretched(make_plane_grid(5), {1e-20f, 1e-20f, 0.0f}), "plane of 5e-20 at 0"), 12);
     add(shapes, named(make_needle_fan(50), "needles"), 24);
