@@ -6,7 +6,7 @@
 
 #include <espalier/ray.hpp>
 #include <runtime/first_few.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_ray.hpp>
 
 namespace espalier::detail {
 

@@ -7,7 +7,7 @@
 
 #include <runtime/lattice_point.hpp>
 #include <runtime/lattice_ray.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 
 #include "../oracle/exact_geometry.hpp"
 #include "../support/decoder.hpp"

@@ -8,6 +8,7 @@
 
 #include <espalier/nearest.hpp>
 #include <runtime/nearest_world.hpp>
+#include <runtime/ray_triangle.hpp>
 
 #include "float_mode.hpp"
 #include "instruction_paths.hpp"

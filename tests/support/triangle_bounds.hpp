@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <runtime/plane_nodes.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/lattice_triangle.hpp>
 
 namespace espalier::tests {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <runtime/ray_triangle.hpp>
+
 namespace espalier::tests {
 
 namespace {

@@ -1,4 +1,4 @@
-# The quick check: the runtime and the baker with their unit tests, at a tenth of the random cases of tools/dev test, without meshes
+# The quick check: the runtime and the baker with their unit tests, at a twentieth of the random cases of tools/dev test, without meshes
 # from files and without the slow tests that tests/scales.txt lists.
 
 check() {
