@@ -36,7 +36,7 @@ Baked bake_two_files(const BakeOptions& options) {
 
 }  // namespace
 
-TEST_SUITE("baker") {
+TEST_SUITE("remap") {
     TEST_CASE("remap: it holds what ids in the blob would whether or not there are any") {
         for_each_profile([](format::Profile profile) {
             BakeOptions options = with_profile(profile);

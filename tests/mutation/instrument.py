@@ -19,19 +19,19 @@ PARTS = {
         "runtime/open_trusted_image.cpp"],
     "decode": [
         "runtime/bytes.hpp", "runtime/codec_node.hpp", "runtime/codec_indexed.hpp", "runtime/codec_strip.hpp",
-        "runtime/leaf_vertices.hpp", "runtime/copies.hpp", "runtime/id_field.hpp", "espalier/format.hpp",
+        "runtime/leaf_vertices.hpp", "runtime/copies.hpp", "runtime/id_steps.hpp", "espalier/format.hpp",
         "runtime/simd/frames_portable.inl", "runtime/simd/leaf_corners.inl", "runtime/simd/strip_corners_portable.inl",
         "runtime/float_vertices.inl"],
     "quantiser": [
         "baker/lattice.hpp", "baker/lattice.cpp", "baker/fit_lattice.cpp", "baker/snap.cpp", "baker/float_rounding.hpp",
-        "baker/encode_tree.cpp", "baker/encode_indexed_leaf.cpp", "baker/encode_strip_leaf.cpp"],
+        "baker/encode_tree.cpp", "baker/encode_indexed_leaf.cpp", "baker/encode_strip_leaf.cpp", "baker/closed.cpp"],
     "traversal": [
         "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_lanes.hpp", "runtime/box_nodes.hpp",
         "runtime/point_nodes.inl", "runtime/point_bounds.inl", "runtime/squared_distance.inl",
         "runtime/plane_nodes.hpp", "runtime/pair_nodes.inl", "runtime/pair_trees.inl",
         "runtime/traverse_pair.inl"],
     "rounding": ["runtime/lattice_ray.hpp", "runtime/lattice_point.hpp", "runtime/lattice_round.hpp",
-                 "runtime/outward.hpp"],
+                 "runtime/outward.hpp", "runtime/rounded_ray.cpp", "runtime/rounding.cpp"],
     "small": ["runtime/small_walk.inl", "runtime/small_pair_walk.inl", "runtime/seen_ray.hpp", "runtime/seen_boxes.hpp",
               "runtime/seen_triangles.hpp", "runtime/small_boxes.hpp"],
     "queries": [
@@ -39,7 +39,8 @@ PARTS = {
         "runtime/approximate_rays.inl", "runtime/ray_group.inl", "runtime/ray_in_batch.inl", "runtime/ray_batch.inl",
         "runtime/point_queries.inl", "runtime/closest_few.hpp", "runtime/approximate_points.inl",
         "runtime/pair_queries.inl", "runtime/pair_beam.inl", "runtime/walk.cpp", "runtime/find_triangle.cpp",
-        "runtime/scalar_walk.hpp", "runtime/ray_queries_small.cpp", "runtime/point_queries_small.cpp"],
+        "runtime/scalar_walk.hpp", "runtime/original.cpp", "runtime/remap.cpp", "runtime/ray_queries_small.cpp",
+        "runtime/point_queries_small.cpp"],
 }
 
 NUMBERS_OF_A_FILE = 1000

@@ -46,11 +46,13 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/open", "runtime/open_rules", "runtime/open_leaves", "runtime/trusted_image", "runtime/weird_blob",
     "runtime/statistics", "runtime/work", "runtime/node_boxes", "runtime/traversal", "runtime/lattice_ray",
     "runtime/lattice_point", "runtime/lattice_queries", "runtime/lattice_steps", "runtime/identity", "runtime/nearest",
-    "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk", "runtime/rounding", "runtime/seen_ray",
+    "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk", "runtime/rounding",
+    "runtime/rounding_error", "runtime/rounded_ray", "runtime/seam_rays", "runtime/seen_ray",
     "runtime/small_boxes", "runtime/ray_filter", "runtime/ray", "runtime/ray_batch", "runtime/closest_hits",
     "runtime/far_query", "runtime/collide", "runtime/pair_work", "runtime/copies", "runtime/packed_walk",
     "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds",
-    "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles", "baker/input")]
+    "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles", "baker/input",
+    "baker/closed", "baker/seams", "baker/remap")]
 QUESTIONS = [5, 100]  # of a kind and blob
 BUILDS = {"build": "", "build_small_code": "ON"}
 

@@ -101,7 +101,7 @@ QueryStatus status_of(const Lattice& region, const Ray& ray) { return round_ray(
 
 }  // namespace
 
-TEST_SUITE("seams") {
+TEST_SUITE("rounded ray") {
     TEST_CASE("seams: a rounded ray in any region is answered as by the loop over all triangles") {
         const std::uint64_t count = scaled_share(200);
         std::uint64_t hits = 0, asked = 0;

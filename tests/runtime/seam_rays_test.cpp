@@ -133,7 +133,7 @@ struct Tiles {
 
 }  // namespace
 
-TEST_SUITE("seams") {
+TEST_SUITE("seam rays") {
     TEST_CASE("seams: no rounded ray that is aimed at it passes between the parts of a mesh") {
         constexpr std::uint32_t splits = 100;
         // Times a scale of 100 these are a million rays.
