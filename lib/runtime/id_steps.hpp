@@ -1,6 +1,7 @@
 // The section of original ids: from a block's first triangle step by step to the one that is wanted.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,9 +16,8 @@ inline std::uint32_t corner_factor(const BlobData& blob) {
     return has_indexed_leaves(blob.profile) ? 1 : format::ids::corner_factor(format::Profile::balanced);
 }
 
-inline std::uint64_t number_limit(const BlobData& blob) {
-    return std::uint64_t{corner_factor(blob)} * blob.source_triangles;
-}
+/// Numbers are below this. `open` proves that it fits.
+inline std::uint32_t number_limit(const BlobData& blob) { return corner_factor(blob) * blob.source_triangles; }
 
 /// The parts of the section, which must be there.
 inline const std::byte* id_kind(const BlobData& blob, std::uint32_t kind) {
@@ -35,14 +35,17 @@ struct StepFields {
     const std::byte* bytes;
     unsigned bit = 0;  ///< of the next field
 
-    /// `width` at most 32. Reads the bytes that the field lies in, no other.
+    /// Returns the next `width` bits, at most 32. Reads the bytes that they lie in, no other.
     std::uint32_t take(unsigned width) {
-        std::uint64_t window = 0;  // the field may begin in any bit of a byte: up to five bytes
-        const std::byte* at = bytes + bit / 8;
-        for (unsigned i = 0; i < (bit % 8 + width + 7) / 8; ++i) window |= std::uint64_t{load_u8(at + i)} << (8 * i);
-        const std::uint64_t field = (window >> (bit % 8)) & ((std::uint64_t{1} << width) - 1);
-        bit += width;
-        return static_cast<std::uint32_t>(field);
+        std::uint32_t field = 0;
+        for (unsigned done = 0; done < width;) {
+            const unsigned first = bit % 8, left = width - done;
+            const unsigned count = left < 8 - first ? left : 8 - first;
+            field |= ((load_u8(bytes + bit / 8) >> first) & ((1u << count) - 1u)) << done;
+            done += count;
+            bit += count;
+        }
+        return field;
     }
 };
 
@@ -52,8 +55,10 @@ inline std::uint32_t after_step(std::uint32_t number, const std::byte* kind, std
     return (number + load_u32(kind + format::ids::offset_at) + field) & number_mask;
 }
 
+/// 2^number_bits - 1: the smallest mask that holds every number.
 inline std::uint32_t number_mask(const BlobData& blob) {
-    return static_cast<std::uint32_t>((std::uint64_t{1} << format::ids::number_bits(number_limit(blob))) - 1);
+    const std::uint32_t limit = number_limit(blob);
+    return limit <= 1 ? 0 : ~std::uint32_t{0} >> std::countl_zero(limit - 1);
 }
 
 /// The number of a triangle that there is. At most 127 steps.

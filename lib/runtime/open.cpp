@@ -72,9 +72,9 @@ Status check_tree(const BlobData& blob) {
 
 /// A block's steps, which must end before `bit_count`: whether every number that they lead to is one that the sources
 /// can have. `steps` is then behind them.
-bool are_steps_sound(const BlobData& blob, std::uint32_t number, std::uint32_t triangles, std::uint64_t bit_count,
+bool are_steps_sound(const BlobData& blob, std::uint32_t number, std::uint32_t triangles, std::uint32_t bit_count,
                      StepFields& steps) {
-    const std::uint64_t limit = number_limit(blob);
+    const std::uint32_t limit = number_limit(blob);
     const std::uint32_t mask = number_mask(blob);
     for (;;) {
         if (number >= limit) return false;
@@ -90,17 +90,20 @@ bool are_steps_sound(const BlobData& blob, std::uint32_t number, std::uint32_t t
 /// The steps of each block begin where those of the block before it end.
 bool are_numbers_sound(const BlobData& blob) {
     using namespace format::ids;
+    constexpr std::uint32_t max_bytes_of_a_block = block_triangles * (max_kind_bits + 32) / 8;
     const std::uint32_t step_bytes = load_u32(blob.bytes + format::header::id_step_bytes_at);
     for (std::uint32_t kind = 0; kind >> blob.id_kind_bits == 0; ++kind)
-        if (load_u32(id_kind(blob, kind) + width_at) > number_bits(number_limit(blob))) return false;
+        if (load_u32(id_kind(blob, kind) + width_at) > static_cast<std::uint32_t>(std::popcount(number_mask(blob))))
+            return false;
     std::uint32_t begin = 0;
     for (std::uint32_t first = 0; first < blob.triangle_count; first += block_triangles) {
         const std::byte* const block = id_block(blob, first / block_triangles);
         if (load_u32(block + steps_at) != begin) return false;
         const std::uint32_t left = blob.triangle_count - first;
+        const std::uint32_t bytes_left = step_bytes - begin;
         StepFields steps = {id_steps(blob, begin)};
         if (!are_steps_sound(blob, load_u32(block + number_at), left < block_triangles ? left : block_triangles,
-                             std::uint64_t{step_bytes - begin} * 8, steps) ||
+                             8 * (bytes_left < max_bytes_of_a_block ? bytes_left : max_bytes_of_a_block), steps) ||
             !is_padded_with_zeros(steps.bytes, steps.bit))
             return false;
         begin += (steps.bit + 7) / 8;

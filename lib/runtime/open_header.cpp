@@ -100,7 +100,8 @@ Status read_header(BlobData& blob) {
     const std::uint32_t id_kind_bits = load_u32(h + depth_at) >> 8;
     blob.id_kind_bits = static_cast<std::uint8_t>(id_kind_bits);
     const bool ids = (blob.features & format::feature::original_ids) != 0;
-    if (ids ? id_kind_bits > format::ids::max_kind_bits || number_limit(blob) >> 32 != 0
+    if (ids ? id_kind_bits > format::ids::max_kind_bits ||
+                  blob.source_triangles > ~std::uint32_t{0} / corner_factor(blob)
             : (id_kind_bits | blob.source_count | load_u32(h + id_step_bytes_at)) != 0)
         return Status::bad_header;
 
