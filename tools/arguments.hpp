@@ -33,6 +33,12 @@ CLI::Option* add_choice(CLI::App* verb, const std::string& option, Target& targe
     return verb->add_option_function<std::string>(option, choose, description)->type_name(names);
 }
 
+/// Refuses an empty value, which a script with an unset variable passes.
+inline CLI::Validator not_empty() {
+    return CLI::Validator([](std::string& value) { return std::string(value.empty() ? "the value is empty" : ""); },
+                          "");
+}
+
 template <class Number>
 CLI::Validator between(Number least, Number most) {
     return CLI::Range(least, most).description("");

@@ -24,7 +24,7 @@ std::vector<NamedFinding> findings_of(const BakeReport& report) {
         {"index_out_of_range", "with an index out of range", report.index_out_of_range},
         {"zero_area", "without area", report.zero_area},
         {"collapsed", "that the lattice flattened to no area", report.collapsed},
-        {"duplicate", "that repeat another one", report.duplicate},
+        {"duplicate", "with the corners of another one", report.duplicate},
     };
 }
 

@@ -120,23 +120,22 @@ Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, con
 
 ExitCode run_bake(const BakeArguments& arguments) {
     const Console console(arguments.quiet);
-    for (const std::string& input : arguments.inputs) {
-        refuse_to_overwrite_input(arguments.output, input);
-        for (const std::string& other : {arguments.depfile, arguments.remap, arguments.reorder})
-            refuse_to_overwrite_input(other, input);
-    }
-    refuse_to_overwrite_input(arguments.output, arguments.lattice_of);
     const NamedOutput outputs[] = {{"-o", arguments.output},
                                    {"--depfile", arguments.depfile},
                                    {"--remap", arguments.remap},
                                    {"--reorder", arguments.reorder}};
     refuse_one_file_for_two(outputs);
+    for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
+    for (const std::string& input : {arguments.lattice_of, arguments.cost_model})
+        refuse_to_overwrite_input(outputs, input);
     require_writable_mesh(arguments.reorder);
     const ImportOptions source = import_options(arguments.source);
     static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import
     static_cast<void>(pick_goal(arguments));
 
     const Imported imported = import_with_progress(arguments, source);
+    for (const ImportedFile& file : imported.files)
+        for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
     Json picked_json;
     const Baked baked = bake_or_pick(imported, arguments, console, picked_json);

@@ -66,9 +66,8 @@ std::string blob_name(const EmbedArguments& arguments) {
 }
 
 void refuse_to_meet(const EmbedArguments& arguments) {
-    refuse_to_overwrite_input(arguments.output, arguments.blob);
-    refuse_to_overwrite_input(arguments.header, arguments.blob);
     const NamedOutput outputs[] = {{"-o", arguments.output}, {"--header", arguments.header}};
+    refuse_to_overwrite_input(outputs, arguments.blob);
     refuse_one_file_for_two(outputs);
 }
 

@@ -120,7 +120,8 @@ Work draw_heatmap(const Blob& blob, const Camera& camera, const RenderArguments&
 ExitCode run_render(const RenderArguments& arguments) {
     const Console console(arguments.quiet);
     const PictureSize size = picture_size(arguments.size);
-    refuse_to_overwrite_input(arguments.output, arguments.blob);
+    const NamedOutput outputs[] = {{"-o", arguments.output}};
+    refuse_to_overwrite_input(outputs, arguments.blob);
     const BlobFile file = open_blob_file(arguments.blob);
     const Blob& blob = file.blob;
     const Camera camera(blob, view_from(arguments.up, arguments.azimuth, arguments.elevation), size.width, size.height);

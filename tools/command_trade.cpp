@@ -76,10 +76,8 @@ void write_text(const std::string& path, const std::string& words) {
 
 ExitCode run_trade(const TradeArguments& arguments) {
     const Console console(arguments.quiet);
-    for (const std::string& input : arguments.inputs) {
-        if (!arguments.output.empty()) refuse_to_overwrite_input(arguments.output, input);
-        if (!arguments.csv.empty()) refuse_to_overwrite_input(arguments.csv, input);
-    }
+    const NamedOutput outputs[] = {{"-o", arguments.output}, {"--csv", arguments.csv}};
+    for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
     const TradeSpace space = trade_space(arguments);
     BakeOptions options;
     options.effort = arguments.effort;

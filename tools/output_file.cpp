@@ -24,7 +24,7 @@ namespace {
 [[noreturn]] void fail(const std::string& path, int error) {
     throw CommandError(ExitCode::file_access,
                        text("cannot write '", printable(path), "': ", std::strerror(error),
-                            ". Nothing was written; check the folder, its rights and the space on the disk."));
+                            ". This file was not written; check the folder, its rights and the space on the disk."));
 }
 
 /// Holds back the signals that end a program, so that an interrupt leaves no temporary behind.
@@ -121,17 +121,22 @@ void write_output_file_if_changed(const std::string& path, std::span<const std::
     write_output_file(path, bytes);
 }
 
-void refuse_to_overwrite_input(const std::string& output, const std::string& input) {
-    std::error_code error;
-    if (!std::filesystem::equivalent(output, input, error) || error) return;
-    if (!std::filesystem::is_regular_file(output, error)) return;
-    throw CommandError(ExitCode::usage, text("the output '", printable(output), "' is the input '", printable(input),
-                                             "' itself, which it would replace. Give another name to -o."));
+void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::string& input) {
+    for (const NamedOutput& output : outputs) {
+        std::error_code error;
+        if (!std::filesystem::equivalent(output.path, input, error) || error) continue;
+        if (!std::filesystem::is_regular_file(output.path, error)) continue;
+        throw CommandError(ExitCode::usage,
+                           text("the output '", printable(output.path), "' is the input '", printable(input),
+                                "' itself, which it would replace. Give another name to ", output.option, "."));
+    }
 }
 
 void refuse_one_file_for_two(std::span<const NamedOutput> outputs) {
-    const auto place = [](const std::string& path) { return std::filesystem::absolute(path).lexically_normal(); };
     std::error_code error;
+    const auto place = [&error](const std::string& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+    };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (const NamedOutput& other : outputs.first(i)) {
             const NamedOutput& output = outputs[i];

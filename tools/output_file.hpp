@@ -15,15 +15,14 @@ void write_output_file(const std::string& path, std::span<const std::byte> bytes
 /// As write_output_file, but a file that has these bytes already keeps its time: nobody who reads it is built again.
 void write_output_file_if_changed(const std::string& path, std::span<const std::byte> bytes);
 
-/// Throws CommandError (usage) when `output` is one of our own inputs, which it would replace. An empty `output` is
-/// none.
-void refuse_to_overwrite_input(const std::string& output, const std::string& input);
-
 /// A file to be written and the option that names it; an empty path is none.
 struct NamedOutput {
     const char* option;
     const std::string& path;
 };
+
+/// Throws CommandError (usage) when an output is the file `input`, which it would replace. An empty `input` is none.
+void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::string& input);
 
 /// Throws CommandError (usage) when two of the outputs are one file, of which the last would stay.
 void refuse_one_file_for_two(std::span<const NamedOutput> outputs);

@@ -152,7 +152,7 @@ private:
                  : goal_.may_coarsen
                      ? ". There is no coarser lattice: allow more bytes, or bake a simpler mesh."
                      : ". Allow more bytes, a larger error or fewer bits, or bake a simpler mesh; --max-bytes "
-                       "without a tolerance gives up bits until it fits."));
+                       "without --tolerance, --step and --lattice-of gives up bits until it fits."));
     }
 
     std::vector<MeshView> meshes_;

@@ -432,7 +432,7 @@ claim "triangles without area and repeated ones are dropped, counted and named"
 run 0 bake untidy.obj -o x.espl --json
 err_has "dropped 1 triangle without area; first: untidy.obj, mesh 0"
 err_has "triangle 12"
-err_has "dropped 2 triangles that repeat another one; first: untidy.obj, mesh 0"
+err_has "dropped 2 triangles with the corners of another one; first: untidy.obj, mesh 0"
 out_has '"triangles": 12'
 
 claim "points and lines are skipped and counted; a scene without triangles is an empty blob, and says so"
@@ -805,6 +805,29 @@ jq -r '[.a, .b, .c][] | join(" ")' out | paste -d ' ' - corners |
     fail "the first triangle of the reordered source is not the blob's"
 run 1 bake sheet.obj -o lead.espl --reorder order.stl
 run 1 bake sheet.obj -o lead.espl --remap same.bin --reorder same.bin
+
+claim "no output replaces a file that is read, and empty values are refused"
+printf 'mtllib own.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n' >own.obj
+printf 'newmtl red\nKd 1 0 0\n' >own.mtl
+printf '{"byte_price": 0}' >own.json
+for output in -o --remap --depfile; do
+    others="-o own.espl"
+    [ "$output" != -o ] || others=
+    # shellcheck disable=SC2086  # words
+    run 1 bake own.obj $others $output own.mtl
+    err_has "'own.mtl' is the input"
+    err_has "Give another name to $output"
+done
+run 0 bake own.obj -o own.espl -q
+run 1 bake own.obj -o new.espl --lattice-of own.espl --remap own.espl
+run 1 bake own.obj -o new.espl --cost-model own.json --remap own.json
+for option in --step --lattice-of --remap --reorder; do
+    run 1 bake own.obj -o new.espl "$option" ""
+done
+absent new.espl
+printf 'v 0 0 0\nv nan 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\nf 1 4 3\n' >half.obj
+run 0 bake half.obj -o half.espl -q --repair --reorder whole.obj
+! grep -qi nan whole.obj || fail "the reordered source has a vertex that no triangle uses"
 run 1 bake sheet.obj -o lead.espl --remap sheet.obj
 
 # ---- dump, render ---------------------------------------------------------------------------------------------------

@@ -10,6 +10,8 @@ ab() {
     base=$1
     shift
     install_missing "${build_packages[@]}" libcli11-dev git >&2
+    [[ $base == --help ]] || base=$(commit_of "$base")
+    [[ -z $other ]] || other=$(commit_of "$other")
     check_cmake
     build build/ab/program espalier_bench_ab -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
         -DESPALIER_BENCH_PEERS=OFF >&2
@@ -17,10 +19,8 @@ ab() {
         "$program" --help
         return
     fi
-    base=$(commit_of "$base")
     build_side "build/ab/$base" "$(commit_sources "$base")"
     if [[ -n $other ]]; then
-        other=$(commit_of "$other")
         name=$other
         build_side "build/ab/$other" "$(commit_sources "$other")"
     else

@@ -12,4 +12,5 @@ check() {
     grep ' tests passed' build/check/tests.log
 }
 
+without_arguments check "$@"
 check

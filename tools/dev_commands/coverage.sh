@@ -28,4 +28,5 @@ coverage() {
     gcovr --root . "$build/lib/runtime" --filter "$verifier" --branches --exclude-unreachable-branches --fail-under-branch 100
 }
 
+without_arguments coverage "$@"
 coverage

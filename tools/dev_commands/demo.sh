@@ -11,4 +11,5 @@ demo() {
     "$cmake/tools/demo/espalier_demo_rays" "$mesh" "$blob" "$picture"
 }
 
-demo "$@"
+without_arguments demo "$@"
+demo

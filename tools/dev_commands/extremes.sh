@@ -11,4 +11,5 @@ extremes() {
     fail_at_failures "$log"
 }
 
+without_arguments extremes "$@"
 extremes

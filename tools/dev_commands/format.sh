@@ -14,6 +14,7 @@ find_clang_format() {
 
 format() {
     local program mode=(-i)
+    [[ $# -le 1 ]] || fail "format [--check]: '$2' is no option"
     case ${1-} in
         --check) mode=(--dry-run --Werror) ;;
         ?*) fail "format [--check]: '$1' is no option" ;;

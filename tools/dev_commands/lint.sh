@@ -14,4 +14,5 @@ lint() {
     echo "nothing found"
 }
 
+without_arguments lint "$@"
 lint

@@ -41,4 +41,5 @@ platform_row() {
     return "$status"
 }
 
+without_arguments platforms "$@"
 platforms
