@@ -17,7 +17,7 @@ for area in "${areas[@]}"; do is_area[$area]=1; done
 mapfile -t cases < <(grep -rhoE --include='*.[ch]pp' 'TEST_CASE[A-Z_]*\(.*' . | sed -E 's/^[A-Z_]*\("([^"]*)"\).*/\1/')
 # The others. A program that was not built has no names yet.
 mapfile -t others < <("$ctest" --test-dir "$build" --show-only |
-    sed -nE 's/^ *Test +#[0-9]+: //p' | grep -vE '^[a-z_]+_(NOT_BUILT|is_built)(-|$)')
+    sed -nE 's/ \(Disabled\)$//; s/^ *Test +#[0-9]+: //p' | grep -vE '^[a-z_]+_(NOT_BUILT|is_built)(-|$)')
 [[ ${#areas[@]} -gt 0 && ${#cases[@]} -gt 0 && ${#others[@]} -gt 0 ]] || complain "no areas, no test cases or no tests in $build"
 
 for name in "${cases[@]}" "${others[@]}"; do
