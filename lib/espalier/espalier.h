@@ -597,7 +597,7 @@ espalier_query_status espalier_any_hit(const espalier_blob* blob, const espalier
 /* ---- rounded_ray.hpp ----------------------------------------------------------------------------------------------
  */
 
-/* Filled with zeros it hits nothing. What is in it is no promise. */
+/* Filled with zeros it hits nothing. What is in it is no promise. Any bits are safe: invalid_argument for others. */
 typedef struct ESPALIER_SHARED_ espalier_rounded_ray {
     uint32_t opaque_[21];
 } espalier_rounded_ray;

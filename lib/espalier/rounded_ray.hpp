@@ -44,7 +44,7 @@ struct RoundedRayData {
     QueryStatus status = QueryStatus::invalid_argument;
     Faces faces = Faces::both;
     std::uint8_t longest_axis = 0;
-    bool may_hit = false;  ///< false: the window is empty, or the ray passes the region by
+    std::uint8_t may_hit = 0;  ///< 0: the window is empty, or the ray passes the region by. No bool: any byte is sound
 };
 
 }  // namespace detail
@@ -79,7 +79,8 @@ QueryStatus lattice_of(std::span<const Blob> blobs, Lattice& region) noexcept;
 
 /// The closest hit, as of raycast(blob, ray, hit). Without one hit.triangle is no_triangle and hit.t infinite. ok, or
 /// the ray's own status; invalid_argument for a blob with another step, out_of_range for one that reaches out of the
-/// ray's region: `hit` is then untouched. A blob without triangles is never hit and never refused.
+/// ray's region: `hit` is then untouched. A blob without triangles is never hit and never refused. invalid_argument
+/// also for bits that are no rounded ray: any bits are safe.
 QueryStatus raycast(const Blob& blob, const RoundedRay& ray, RayHit& hit) noexcept;
 
 /// Whether the ray hits anything. Cheaper than the closest hit. The same statuses; `hit` is untouched unless ok.

@@ -1,5 +1,8 @@
 // Rays rounded once for several blobs on one lattice, and moved onto each by whole steps.
 #include <espalier/rounded_ray.hpp>
+
+#include <bit>
+
 #include <runtime/lattice_ray.hpp>
 #include <runtime/lattice_round.hpp>
 #include <runtime/ray_queries.hpp>
@@ -57,6 +60,39 @@ QueryStatus check(const BlobData& asset, const Ray& ray) {
     return QueryStatus::ok;
 }
 
+/// Tests what the kernels rely on (docs/numerics.md, 2). round_ray leaves nothing else, but the words of a handle in C
+/// may be any.
+bool is_ray_of_region(const RoundedRayData& ray) {
+    constexpr std::int32_t most_units = 1 << 24;
+    constexpr std::int32_t most_t_exponent = format::max_step_exponent + 172;  // a subnormal direction's shift
+    if (ray.fraction_bits < 0 || ray.fraction_bits > 6 || ray.longest_axis > 2) return false;
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t origin = ray.origin[k], extent = ray.region.extent[k];
+        if (origin < -most_units || origin > most_units || extent < 0 || extent > most_steps) return false;
+        if (origin - (extent << ray.fraction_bits) < -most_units) return false;
+    }
+    const auto is_within = [](std::int32_t number, std::int32_t most) { return number >= -most && number <= most; };
+    const std::int32_t along = ray.direction[ray.longest_axis];
+    if (!is_within(along, most_units - 1) || is_within(along, most_units / 2 - 1)) return false;
+    const std::int32_t longest = along < 0 ? -along : along;
+    for (const std::int32_t way : ray.direction)
+        if (!is_within(way, longest)) return false;
+    // By their bits. As to_tau leaves them: 0, also -0, or from 2^-100 on.
+    const auto is_tau = [](float tau, std::uint32_t most) {
+        const auto bits = std::bit_cast<std::uint32_t>(tau);
+        return magnitude_bits(tau) == 0 || (bits >= magnitude_bits(0x1p-100f) && bits <= most);
+    };
+    return is_within(ray.t_exponent, most_t_exponent) && is_tau(ray.tau_min, infinity_bits - 1) &&
+           is_tau(ray.tau_max, infinity_bits) && is_tau(ray.tau_offset, magnitude_bits(0x1p121f)) &&
+           !is_nan(ray.t_min) && !is_nan(ray.t_max);
+}
+
+QueryStatus check(const RoundedRayData& ray) {
+    if (ray.status == QueryStatus::out_of_range) return ray.status;
+    const bool is_sound = ray.status == QueryStatus::ok && (ray.may_hit == 0 || is_ray_of_region(ray));
+    return is_sound ? QueryStatus::ok : QueryStatus::invalid_argument;
+}
+
 /// The ray from lattice point 0 0 0 of the blob.
 QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattice& moved) {
     if (blob.step_exponent != ray.region.step_exponent) return QueryStatus::invalid_argument;
@@ -66,9 +102,11 @@ QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattic
         if (!whole_steps(region[k], blob.origin[k], blob.steps_per_unit, steps) ||
             steps + blob.extent[k] > ray.region.extent[k])
             return QueryStatus::out_of_range;
+        if (ray.may_hit == 0) continue;
         moved.ray.origin[k] = ray.origin[k] - (steps << ray.fraction_bits);
         moved.ray.direction[k] = ray.direction[k];
     }
+    if (ray.may_hit == 0) return QueryStatus::ok;
     moved.ray.fraction_bits = ray.fraction_bits;
     moved.ray.t_exponent = ray.t_exponent;
     moved.ray.tau_min = ray.tau_min;
@@ -126,8 +164,8 @@ RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
     data.faces = ray.faces;
     IntegerRay rounded{};
     float reach = 0.0f;
-    data.may_hit = detail::round_ray(asset, ray, rounded, reach);
-    if (!data.may_hit) return result;
+    data.may_hit = detail::round_ray(asset, ray, rounded, reach) ? 1 : 0;
+    if (data.may_hit == 0) return result;
     for (int k = 0; k < 3; ++k) {
         data.origin[k] = rounded.origin[k];
         data.direction[k] = rounded.direction[k];
@@ -144,10 +182,10 @@ RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
 QueryStatus raycast(const Blob& blob, const RoundedRay& ray, RayHit& hit) noexcept {
     const RoundedRayData& data = ray.data();
     RayOnLattice moved;
-    QueryStatus status = data.status;
+    QueryStatus status = check(data);
     if (status == QueryStatus::ok && blob.triangle_count() != 0) status = move_to(blob.data(), data, moved);
     if (status != QueryStatus::ok) return status;
-    if (!data.may_hit || blob.triangle_count() == 0 ||
+    if (data.may_hit == 0 || blob.triangle_count() == 0 ||
         !ESPALIER_DISPATCH_RAY(closest_hit_on_lattice, blob.data(), moved, hit))
         hit = {infinity, 0.0f, 0.0f, {}, no_triangle};
     return status;
@@ -156,10 +194,11 @@ QueryStatus raycast(const Blob& blob, const RoundedRay& ray, RayHit& hit) noexce
 QueryStatus occluded(const Blob& blob, const RoundedRay& ray, bool& hit) noexcept {
     const RoundedRayData& data = ray.data();
     RayOnLattice moved;
-    QueryStatus status = data.status;
+    QueryStatus status = check(data);
     if (status == QueryStatus::ok && blob.triangle_count() != 0) status = move_to(blob.data(), data, moved);
     if (status != QueryStatus::ok) return status;
-    hit = data.may_hit && blob.triangle_count() != 0 && ESPALIER_DISPATCH_RAY(any_hit_on_lattice, blob.data(), moved);
+    hit = data.may_hit != 0 && blob.triangle_count() != 0 &&
+          ESPALIER_DISPATCH_RAY(any_hit_on_lattice, blob.data(), moved);
     return status;
 }
 

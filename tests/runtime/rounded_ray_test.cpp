@@ -1,7 +1,10 @@
 // Claims about rays that are rounded once for a region: against the loop over all triangles, and what is refused.
 #include <doctest/doctest.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -45,7 +48,7 @@ Lattice region_around(const Lattice& lattice, Random& random, std::int32_t (&bef
 RayHit loop_over_triangles(const DecodedBlob& decoded, const std::int32_t (&before)[3], const RoundedRay& rounded) {
     const detail::RoundedRayData& data = rounded.data();
     RayHit best = {INFINITY, 0.0f, 0.0f, {}, no_triangle};
-    if (!data.may_hit) return best;
+    if (data.may_hit == 0) return best;
     detail::IntegerRay ray{};
     for (int k = 0; k < 3; ++k) {
         ray.origin[k] = data.origin[k];
@@ -125,7 +128,7 @@ TEST_SUITE("rounded ray") {
                 REQUIRE(any == (expected.triangle != no_triangle));
                 ++asked;
                 hits += any ? 1u : 0u;
-                if (!rounded.data().may_hit) continue;
+                if (rounded.data().may_hit == 0) continue;
                 const detail::RayOnLattice on_blob = moved(rounded, before);
                 for (const InstructionPath& path : instruction_paths()) {
                     RayHit path_hit;
@@ -296,5 +299,59 @@ TEST_SUITE("rounded ray") {
             taken += rounded ? 1u : 0u;
         }
         CHECK(taken > 0);
+    }
+
+    TEST_CASE("seams: any words are safe as a rounded ray and those that are taken are answered exactly") {
+        using Words = std::array<std::uint32_t, sizeof(RoundedRay) / 4>;
+        constexpr std::size_t region_word = offsetof(detail::RoundedRayData, region) / 4;
+        constexpr std::int32_t nothing_before[3] = {};
+        const std::uint64_t count = scaled_share(400);
+        std::uint64_t taken = 0, refused = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 26);
+            Random& random = maker.random();
+            const Lattice lattice = lattice_of(blob.opened.blob);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                Words words = std::bit_cast<Words>(round_ray(lattice, maker.any_ray()));
+                bool is_on_lattice = true;
+                for (std::uint32_t changes = random.below(4); changes > 0; --changes) {
+                    const std::uint32_t word = random.below(static_cast<std::uint32_t>(words.size()));
+                    const auto any = static_cast<std::uint32_t>(random.next());
+                    const auto small = static_cast<std::uint32_t>(static_cast<std::int32_t>(any) >> random.below(32));
+                    const std::uint32_t choices[] = {
+                        any, small, words[word] ^ 1u << random.below(32), words[word] + small % 3,
+                        std::bit_cast<std::uint32_t>(hostile_values[random.below(hostile_values.size())])};
+                    words[word] = choices[random.below(5)];
+                    is_on_lattice = is_on_lattice && (word < region_word || word > region_word + 6);
+                }
+                if (random.below(50) == 0)
+                    for (std::uint32_t& word : words) word = static_cast<std::uint32_t>(random.next());
+                const auto changed = std::bit_cast<RoundedRay>(words);
+                RayHit hit;
+                bool any = false;
+                const QueryStatus status = raycast(blob.opened.blob, changed, hit);
+                REQUIRE(occluded(blob.opened.blob, changed, any) == status);
+                if (status != QueryStatus::ok) {
+                    CHECK((status == QueryStatus::invalid_argument || status == QueryStatus::out_of_range));
+                    ++refused;
+                    continue;
+                }
+                REQUIRE(any == (hit.triangle != no_triangle));
+                if (!is_on_lattice || changed.data().may_hit == 0 || blob.opened.blob.triangle_count() == 0) continue;
+                ++taken;
+                const RayHit expected = loop_over_triangles(blob.decoded, nothing_before, changed);
+                REQUIRE(same_bits(hit, expected));
+                const detail::RayOnLattice on_blob = moved(changed, nothing_before);
+                for (const InstructionPath& path : instruction_paths()) {
+                    RayHit path_hit;
+                    REQUIRE(path.closest_hit_on_lattice(blob.opened.blob.data(), on_blob, path_hit) == any);
+                    if (any) REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
+                    REQUIRE(path.any_hit_on_lattice(blob.opened.blob.data(), on_blob) == any);
+                }
+            }
+        }
+        CHECK(taken > 0);
+        CHECK(refused > 0);
     }
 }
