@@ -14,7 +14,9 @@
 //
 // Range. A region is at most 2^24 - 1 steps long on each axis: 255 tiles of 16 bits in a row. The larger it is, the
 // coarser the rounding. While the far end of the region is less than 2^18 steps from the ray's origin, the origin moves
-// by at most 2^-7 of a step on each axis. Each doubling of that distance doubles it, up to half a step.
+// by at most 1.5 * 2^-7 of a step on each axis: the float32 subtraction rounds, then the grid. Each doubling of that
+// distance doubles the bound, to 3/8 of a step at 2^23 steps. From farther away the origin first moves along the ray to
+// the region: docs/numerics.md has that bound.
 #pragma once
 
 #include <cstdint>

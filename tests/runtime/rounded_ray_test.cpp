@@ -1,6 +1,7 @@
 // Claims about rays that are rounded once for a region: against the loop over all triangles, and what is refused.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -353,5 +354,26 @@ TEST_SUITE("rounded ray") {
         }
         CHECK(taken > 0);
         CHECK(refused > 0);
+    }
+
+    TEST_CASE("seams: below 2^18 steps the origin moves by at most 1.5 * 2^-7 of a step") {
+        Random random(27);
+        Lattice region;
+        region.step_exponent = -9;
+        for (std::int32_t& extent : region.extent) extent = 65535;
+        region.origin = {-150.0f, -150.0f, -150.0f};
+        double most = 0.0;
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            const Ray ray = {random.in_cube(199.7f), {0.5f, 0.25f, 1.0f}};
+            const RoundedRay rounded = round_ray(region, ray);
+            const detail::RoundedRayData& data = rounded.data();
+            REQUIRE(data.may_hit != 0);
+            REQUIRE(data.fraction_bits == 6);
+            const double exact[3] = {double(ray.origin.x) + 150.0, double(ray.origin.y) + 150.0,
+                                     double(ray.origin.z) + 150.0};
+            for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(data.origin[k] * 0x1p-6 - exact[k] * 0x1p9));
+        }
+        CHECK(most <= 1.5 * 0x1p-7);
+        CHECK(most > 0x1p-7);
     }
 }
