@@ -40,6 +40,12 @@ int parse_step_exponent(const std::string& input, const char* option) {
                                              "the blob."));
 }
 
-int step_exponent_of_blob(const std::string& path) { return lattice_of(open_blob_file(path).blob).step_exponent; }
+int step_exponent_of_blob(const std::string& path) {
+    const BlobFile file = open_blob_file(path);
+    if (file.blob.triangle_count() != 0) return lattice_of(file.blob).step_exponent;
+    throw CommandError(ExitCode::invalid_input, text('\'', printable(path),
+                                                     "' is a blob without triangles, which has no lattice: choose "
+                                                     "another blob, or write the step with --step."));
+}
 
 }  // namespace espalier::tools

@@ -30,7 +30,7 @@ struct Lattice {
     std::int32_t extent[3] = {};
 };
 
-/// Of a blob. All zeros when it is empty.
+/// Returns the lattice of a blob. That of a blob without triangles describes nothing, and its step may be any.
 [[nodiscard]] Lattice lattice_of(const Blob& blob) noexcept;
 
 /// A point of the lattice.

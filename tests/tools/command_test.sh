@@ -220,6 +220,11 @@ run 0 bake box.obj -o neighbour.espl --lattice-of step.espl --depfile neighbour.
 [ "$(jq .step out)" = 0.001953125 ] || fail "the step is $(jq .step out)"
 grep -q 'step\.espl' neighbour.d || fail "neighbour.d: $(cat neighbour.d)"
 run 3 bake box.obj -o x.espl --lattice-of box.obj
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
+run 0 bake line.obj -o none.espl
+run 3 bake box.obj -o from_none.espl --lattice-of none.espl
+err_has "'none.espl' is a blob without triangles"
+absent from_none.espl
 run 1 bake box.obj -o x.espl --lattice-of step.espl --bits 12
 run 1 bake box.obj -o step.espl --lattice-of step.espl
 run 5 bake sheet.obj -o x.espl --step 2^-9 --max-bytes 100
