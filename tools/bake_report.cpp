@@ -50,6 +50,7 @@ std::string lost_closed_text(const BakeReport& report) {
     const std::string lost = text("the source is closed, but at ", counted(report.bits, "bit"),
                                   " the baked surface is not: inside and signed-distance queries will refuse it. ");
     if (report.bits_that_keep_closed == 0) {
+        if (report.triangles == 0) return lost + "No number of bits keeps it closed: it is too thin for its length.";
         return lost +
                "No number of bits keeps it closed: remove repeated triangles and triangles without area from the mesh.";
     }

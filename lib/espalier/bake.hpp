@@ -128,9 +128,10 @@ struct BakeReport {
     double max_error = 0.0;  ///< what the header says; counts from the float32 positions that were given
     unsigned bits = 0;       ///< what the header says
     bool closed = false;     ///< what the header says
-    /// The source is closed and the baked triangles are not. The source is closed if each of its edges, from position
-    /// to position, runs as often one way as the other. Snapping keeps that. Only triangles that were dropped although
-    /// they have an area on the lattice can lose it: duplicates, and triangles that had no area in the source.
+    /// The source is closed and has a triangle with an area, but the baked triangles are not closed. The source is
+    /// closed if each of its edges, from position to position, runs as often one way as the other. Two things lose it:
+    /// dropping triangles that have an area on the lattice (duplicates, and triangles that had no area in the source),
+    /// and the collapse of all triangles.
     bool lost_closed = false;
     /// The fewest bits, above `bits`, with which the same source bakes closed; 0 if there are none. Tried one by one,
     /// and only if lost_closed.

@@ -33,6 +33,15 @@ Mesh make_mended_cube() {
     return mesh;
 }
 
+/// A triangle twice, and around it the same hole twice: every edge runs as often one way as the other.
+Mesh make_needed_twice() {
+    Mesh mesh = make_cube(0.0f, 1.0f);
+    const auto [a, b, c] = mesh.triangles[0];
+    mesh.positions.push_back({0.25f, 0.5f, 3.0f});
+    mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {b, a, 8}, {c, b, 8}, {a, c, 8}});
+    return mesh;
+}
+
 }  // namespace
 
 TEST_SUITE("closed") {
@@ -127,12 +136,7 @@ TEST_SUITE("closed") {
     }
 
     TEST_CASE("closed: duplicates that are dropped may lose it and no bits keep what is in the source") {
-        // A triangle twice, and around it the same hole twice: every edge runs as often one way as the other.
-        Mesh mesh = make_cube(0.0f, 1.0f);
-        const auto [a, b, c] = mesh.triangles[0];
-        mesh.positions.push_back({0.25f, 0.5f, 3.0f});
-        mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {b, a, 8}, {c, b, 8}, {a, c, 8}});
-        const auto baked = bake_mesh(mesh);
+        const auto baked = bake_mesh(make_needed_twice());
         REQUIRE(baked);
         CHECK(baked->report.duplicate.count == 1);
         CHECK(!baked->report.closed);
@@ -141,6 +145,37 @@ TEST_SUITE("closed") {
         const auto twice = bake_mesh(joined(make_cube(0.0f, 1.0f), make_cube(0.0f, 1.0f)));
         CHECK(twice->report.duplicate.count == 12);
         CHECK(twice->report.closed);
+    }
+
+    TEST_CASE("closed: a closed source that collapses as a whole is lost and the report names the bits that keep it") {
+        const auto needle = [](float width) {
+            Mesh mesh;
+            mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, width, 0}, {0, 0, width}};
+            mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+            return mesh;
+        };
+        const auto thin = bake_mesh(needle(1e-7f));
+        REQUIRE(thin);
+        CHECK(thin->report.triangles == 0);
+        CHECK(thin->report.lost_closed);
+        const unsigned keeping = thin->report.bits_that_keep_closed;
+        REQUIRE(keeping > thin->report.bits);
+        for (unsigned bits = thin->report.bits + 1; bits <= keeping; ++bits)
+            CHECK(bake_mesh(needle(1e-7f), with_bits(bits))->report.closed == (bits == keeping));
+        const auto too_thin = bake_mesh(needle(1e-9f));
+        CHECK(too_thin->report.lost_closed);
+        CHECK(too_thin->report.bits_that_keep_closed == 0);
+    }
+
+    TEST_CASE("closed: triangles without area alone lose nothing") {
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+        mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
+        const auto baked = bake_mesh(mesh);
+        REQUIRE(baked);
+        CHECK(baked->report.zero_area.count == 2);
+        CHECK(!baked->report.closed);
+        CHECK(!baked->report.lost_closed);
     }
 
     TEST_CASE("closed: a tube with open ends is open although its areas cancel") {
