@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <baker/bake_with.hpp>
+
 #include "exit_code.hpp"
 #include "numbers.hpp"
 
@@ -26,10 +28,7 @@ ExitCode exit_code_of(BakeError::Kind kind) {
     return ExitCode::internal;
 }
 
-}  // namespace
-
-Baked bake_or_throw(std::span<const MeshView> meshes, const BakeOptions& options) {
-    Result<Baked, BakeError> result = bake(meshes, options);
+Baked sound_or_throw(Result<Baked, BakeError> result) {
     if (!result) {
         std::string message = result.error().message;
         if (!message.ends_with('.')) message += '.';
@@ -40,6 +39,16 @@ Baked bake_or_throw(std::span<const MeshView> meshes, const BakeOptions& options
     }
     static_cast<void>(opened(*result));
     return std::move(*result);
+}
+
+}  // namespace
+
+Baked bake_or_throw(std::span<const MeshView> meshes, const BakeOptions& options) {
+    return sound_or_throw(bake(meshes, options));
+}
+
+Baked bake_trial_or_throw(std::span<const MeshView> meshes, const BakeOptions& options) {
+    return sound_or_throw(baker::bake_trial(meshes, options));
 }
 
 Blob opened(const Baked& baked) {

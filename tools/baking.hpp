@@ -13,6 +13,9 @@ namespace espalier::tools {
 /// refuses what was baked: what is written has been read by those who will read it.
 Baked bake_or_throw(std::span<const MeshView> meshes, const BakeOptions& options);
 
+/// The same for a trial, whose report leaves out BakeReport::lost_closed and bits_that_keep_closed.
+Baked bake_trial_or_throw(std::span<const MeshView> meshes, const BakeOptions& options);
+
 /// The view of what was just baked; the bytes must outlive it.
 Blob opened(const Baked& baked);
 

@@ -87,12 +87,12 @@ public:
         }
         if (!some_fit_) refuse();
         const Candidate chosen = best();
-        return {bake_with({chosen.profile, chosen.builder, chosen.leaf_size, chosen.byte_price}), chosen,
-                std::move(tried_)};
+        const BakeOptions options = options_for({chosen.profile, chosen.builder, chosen.leaf_size, chosen.byte_price});
+        return {bake_or_throw(meshes_, options), chosen, std::move(tried_)};
     }
 
 private:
-    Baked bake_with(const Configuration& configuration) const {
+    [[nodiscard]] BakeOptions options_for(const Configuration& configuration) const {
         BakeOptions options = options_;
         options.profile = configuration.profile;
         options.builder = configuration.builder;
@@ -103,11 +103,11 @@ private:
                 options_.progress(text("bake ", tried_.size() + 1, ", ", stage).c_str(), done);
             };
         }
-        return bake_or_throw(meshes_, options);
+        return options;
     }
 
     void try_one(const Configuration& configuration) {
-        const Baked baked = bake_with(configuration);
+        const Baked baked = bake_trial_or_throw(meshes_, options_for(configuration));
         const BakeReport& report = baked.report;
         // A lattice so coarse that no triangle is left fits everywhere and answers nothing.
         if (report.triangles == 0 && report.collapsed.count > 0 && !tried_.empty()) {

@@ -64,10 +64,11 @@ BakeError internal_error(const std::string& complaint) {
                                            ". Nothing was baked. Please report this with the input mesh"};
 }
 
-}  // namespace
+/// Whether the report answers if a closed source was lost.
+enum class LostClosed { left_out, reported };
 
-Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const MeshView> meshes,
-                                   const BakeOptions& options) {
+Result<Baked, BakeError> bake_in_stages(const TreeMaker& make_tree, std::span<const MeshView> meshes,
+                                        const BakeOptions& options, LostClosed lost_closed) {
     const auto start = std::chrono::steady_clock::now();
     const Progress progress(options.progress);
     Baked baked;
@@ -113,20 +114,36 @@ Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const M
     baked.blob = std::move(*blob);
     baked.remap = remap_of(*source, mesh, wide);
     fill_in(report, bounds, mesh, wide, properties, baked.blob.size());
-    report_lost_closed(*source, bounds, report);
+    if (lost_closed == LostClosed::reported) report_lost_closed(*source, bounds, report);
     report.volumes = volumes_of(sections, mesh);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return baked;
 }
 
-}  // namespace baker
-
-Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options) {
-    using namespace baker;
+/// Bakes with the tree that the options choose.
+Result<Baked, BakeError> bake_as_chosen(std::span<const MeshView> meshes, const BakeOptions& options,
+                                        LostClosed lost_closed) {
     const auto make_tree = [&](const LatticeMesh& mesh, const BuildSettings& settings) {
         return optimise(build(mesh, options.builder, settings), optimise_settings(options.effort));
     };
-    return bake_with(make_tree, meshes, options);
+    return bake_in_stages(make_tree, meshes, options, lost_closed);
+}
+
+}  // namespace
+
+Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const MeshView> meshes,
+                                   const BakeOptions& options) {
+    return bake_in_stages(make_tree, meshes, options, LostClosed::reported);
+}
+
+Result<Baked, BakeError> bake_trial(std::span<const MeshView> meshes, const BakeOptions& options) {
+    return bake_as_chosen(meshes, options, LostClosed::left_out);
+}
+
+}  // namespace baker
+
+Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options) {
+    return baker::bake_as_chosen(meshes, options, baker::LostClosed::reported);
 }
 
 }  // namespace espalier

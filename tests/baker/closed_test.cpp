@@ -1,6 +1,7 @@
 // Claims about the closed flag and what loses it; the judge is closed_check.hpp.
 #include <doctest/doctest.h>
 
+#include <baker/bake_with.hpp>
 #include <espalier/inside.hpp>
 
 #include "../support/baking.hpp"
@@ -176,6 +177,17 @@ TEST_SUITE("closed") {
         CHECK(baked->report.zero_area.count == 2);
         CHECK(!baked->report.closed);
         CHECK(!baked->report.lost_closed);
+    }
+
+    TEST_CASE("closed: a trial bakes the same blob and leaves out what became of a closed source") {
+        const Mesh mesh = make_needed_twice();
+        const MeshView view = mesh.view();
+        const auto trial = baker::bake_trial({&view, 1}, {});
+        const auto baked = bake_mesh(mesh);
+        REQUIRE(trial);
+        CHECK(trial->blob == baked->blob);
+        CHECK(baked->report.lost_closed);
+        CHECK(!trial->report.lost_closed);
     }
 
     TEST_CASE("closed: a tube with open ends is open although its areas cancel") {

@@ -150,6 +150,9 @@ err_has "the source is closed, but at 5 bits the baked surface is not"
 err_has "keeps it closed"
 out_has '"closed": false'
 json '.lost_closed and (.closed | not) and .bits_that_keep_closed > 5'
+run 0 bake mended.obj -o mended.espl --bits 5 --max-bytes 100000 --json
+err_has "the source is closed, but at 5 bits the baked surface is not"
+json '.lost_closed and .bits_that_keep_closed > 5'
 run 0 bake mended.obj -o mended.espl --bits 16 --json
 err_lacks "the source is closed"
 json '.closed and (.lost_closed | not) and .bits_that_keep_closed == null'
