@@ -102,6 +102,8 @@ bool are_numbers_sound(const BlobData& blob) {
         const std::uint32_t left = blob.triangle_count - first;
         const std::uint32_t bytes_left = step_bytes - begin;
         StepFields steps = {id_steps(blob, begin)};
+        // mutant(+ -> -, + -> right side dropped) equivalent: number_at is 0
+        // mutant(< -> <= 1, < -> <= 2) equivalent: both sides are equal then
         if (!are_steps_sound(blob, load_u32(block + number_at), left < block_triangles ? left : block_triangles,
                              8 * (bytes_left < max_bytes_of_a_block ? bytes_left : max_bytes_of_a_block), steps) ||
             !is_padded_with_zeros(steps.bytes, steps.bit))

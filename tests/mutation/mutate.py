@@ -43,7 +43,8 @@ SCALE = os.environ.get("ESPALIER_TEST_SCALE", "0.05")  # enough for most mutants
 
 # Claims by file. Those of files and query answers are asked too: tests/platform.
 CLAIMS = [f"{name}_test.cpp" for name in (
-    "runtime/open", "runtime/open_rules", "runtime/open_leaves", "runtime/trusted_image", "runtime/weird_blob",
+    "runtime/open", "runtime/open_rules", "runtime/open_ids", "runtime/open_leaves", "runtime/trusted_image",
+    "runtime/weird_blob",
     "runtime/statistics", "runtime/work", "runtime/node_boxes", "runtime/traversal", "runtime/lattice_ray",
     "runtime/lattice_point", "runtime/lattice_queries", "runtime/lattice_steps", "runtime/identity", "runtime/nearest",
     "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk", "runtime/rounding",

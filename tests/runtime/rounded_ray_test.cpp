@@ -356,7 +356,7 @@ TEST_SUITE("rounded ray") {
         CHECK(refused > 0);
     }
 
-    TEST_CASE("seams: below 2^18 steps the origin moves by at most 1.5 * 2^-7 of a step") {
+    TEST_CASE("seams: below 2^18 steps the origin moves by at most 3 parts in 256 of a step") {
         Random random(27);
         Lattice region;
         region.step_exponent = -9;

@@ -197,7 +197,7 @@ run 1 bake sheet.obj -o x.espl --tolerance inf
 
 claim "a step is a power of two, written either way, and is that of the blob"
 run 0 bake sheet.obj -o step.espl --step 2^-9 --json -q
-[ "$(jq .step out)" = 0.001953125 ] || fail "the step is $(jq .step out)"
+json '.step == 0.001953125'
 run 0 bake sheet.obj -o x.espl --step 0.001953125
 same step.espl x.espl
 for step in 0.3 2^ 2^x 2^-1.5 -0.5 0 nan inf 2^-9mm; do
@@ -220,7 +220,7 @@ run 0 bake sheet.obj -o x.espl --step "$finest"
 
 claim "the lattice of another blob fixes the step, and a depfile has that blob"
 run 0 bake box.obj -o neighbour.espl --lattice-of step.espl --depfile neighbour.d --json -q
-[ "$(jq .step out)" = 0.001953125 ] || fail "the step is $(jq .step out)"
+json '.step == 0.001953125'
 grep -q 'step\.espl' neighbour.d || fail "neighbour.d: $(cat neighbour.d)"
 run 3 bake box.obj -o x.espl --lattice-of box.obj
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
@@ -808,9 +808,11 @@ for corner in 2 3 4; do
     grep '^v ' order.obj | sed -n "${vertex}p" | cut -d ' ' -f 2-
 done >corners
 run 0 query lead.espl show 0 --json
-jq -r '[.a, .b, .c][] | join(" ")' out | paste -d ' ' - corners |
-    awk '{ for (i = 1; i < 4; ++i) if (($i - $(i + 3)) ^ 2 > 1e-6) exit 1 } END { if (NR != 3) exit 1 }' ||
-    fail "the first triangle of the reordered source is not the blob's"
+if command -v jq >/dev/null; then
+    jq -r '[.a, .b, .c][] | join(" ")' out | paste -d ' ' - corners |
+        awk '{ for (i = 1; i < 4; ++i) if (($i - $(i + 3)) ^ 2 > 1e-6) exit 1 } END { if (NR != 3) exit 1 }' ||
+        fail "the first triangle of the reordered source is not the blob's"
+fi
 run 1 bake sheet.obj -o lead.espl --reorder order.stl
 run 1 bake sheet.obj -o lead.espl --remap same.bin --reorder same.bin
 
