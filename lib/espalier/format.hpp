@@ -262,6 +262,7 @@ constexpr unsigned mark_bits(unsigned entries, unsigned vertex_count) {
 /// Width of the offsets on an axis along which the leaf's box reaches over so many steps.
 constexpr unsigned coordinate_width(std::uint32_t side, unsigned bits) {
     const auto width = static_cast<unsigned>(std::bit_width(side));
+    // mutant(< -> <=) equivalent: both sides are equal then
     return width < bits ? width : bits;
 }
 }  // namespace strip_leaf

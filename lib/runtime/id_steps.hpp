@@ -40,6 +40,7 @@ struct StepFields {
         std::uint32_t field = 0;
         for (unsigned done = 0; done < width;) {
             const unsigned first = bit % 8, left = width - done;
+            // mutant(< -> <=) equivalent: both sides are equal then
             const unsigned count = left < 8 - first ? left : 8 - first;
             field |= ((load_u8(bytes + bit / 8) >> first) & ((1u << count) - 1u)) << done;
             done += count;
@@ -52,12 +53,14 @@ struct StepFields {
 /// The number after `number`, by a step of this kind and its field. `number_mask` is 2^number_bits - 1.
 inline std::uint32_t after_step(std::uint32_t number, const std::byte* kind, std::uint32_t field,
                                 std::uint32_t number_mask) {
+    // mutant(+ -> - 2, + -> right side dropped 2) equivalent: offset_at is 0
     return (number + load_u32(kind + format::ids::offset_at) + field) & number_mask;
 }
 
 /// 2^number_bits - 1: the smallest mask that holds every number.
 inline std::uint32_t number_mask(const BlobData& blob) {
     const std::uint32_t limit = number_limit(blob);
+    // mutant(<= -> <) sanitizer: shifts by the width of the type, and every number is 0 then
     return limit <= 1 ? 0 : ~std::uint32_t{0} >> std::countl_zero(limit - 1);
 }
 
@@ -65,6 +68,7 @@ inline std::uint32_t number_mask(const BlobData& blob) {
 inline std::uint32_t number_of(const BlobData& blob, std::uint32_t triangle) {
     const std::byte* const block = id_block(blob, triangle / format::ids::block_triangles);
     const std::uint32_t mask = number_mask(blob);
+    // mutant(+ -> -, + -> right side dropped) equivalent: number_at is 0
     std::uint32_t number = load_u32(block + format::ids::number_at);
     StepFields steps = {id_steps(blob, load_u32(block + format::ids::steps_at))};
     for (std::uint32_t left = triangle % format::ids::block_triangles; left != 0; --left) {
