@@ -18,7 +18,7 @@
 #include <espalier/espalier.hpp>
 
 #include "exit_code.hpp"
-#include "import_assimp.hpp"
+#include "import/import_files.hpp"
 #include "importer_crash.hpp"
 #include "judge.hpp"
 #include "shared_coverage.hpp"

@@ -8,7 +8,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "import_assimp.hpp"
+#include "import/imported.hpp"
 #include "json_output.hpp"
 
 namespace espalier::tools {

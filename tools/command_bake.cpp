@@ -12,7 +12,7 @@
 #include "console.hpp"
 #include "cost_model_file.hpp"
 #include "depfile.hpp"
-#include "import_assimp.hpp"
+#include "import/import_files.hpp"
 #include "lattice_step.hpp"
 #include "lengths.hpp"
 #include "numbers.hpp"

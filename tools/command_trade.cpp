@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "cost_model_file.hpp"
-#include "import_assimp.hpp"
+#include "import/import_files.hpp"
 #include "json_output.hpp"
 #include "lists.hpp"
 #include "numbers.hpp"

@@ -9,7 +9,7 @@
 #include "blob_file.hpp"
 #include "commands.hpp"
 #include "console.hpp"
-#include "import_assimp.hpp"
+#include "import/import_files.hpp"
 #include "json_output.hpp"
 #include "numbers.hpp"
 #include "source_options.hpp"

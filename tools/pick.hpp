@@ -10,7 +10,7 @@
 #include <espalier/bake.hpp>
 
 #include "counted_cost.hpp"
-#include "import_assimp.hpp"
+#include "import/imported.hpp"
 
 namespace espalier::tools {
 

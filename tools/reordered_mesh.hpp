@@ -8,7 +8,7 @@
 
 #include <espalier/types.hpp>
 
-#include "import_assimp.hpp"
+#include "import/imported.hpp"
 
 namespace espalier::tools {
 

@@ -7,7 +7,7 @@
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
 
-#include "import_assimp.hpp"
+#include "import/imported.hpp"
 
 namespace espalier::tools {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands.hpp"
-#include "import_assimp.hpp"
+#include "import/imported.hpp"
 
 namespace espalier::tools {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "import_assimp.hpp"
+#include "import/imported.hpp"
 #include "trade_point.hpp"
 
 namespace espalier::tools {

@@ -6,7 +6,7 @@
 
 #include <espalier/blob.hpp>
 
-#include "import_assimp.hpp"
+#include "import/imported.hpp"
 
 namespace espalier::tools {
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include <import_assimp.hpp>
+#include <import/import_files.hpp>
 
 #include "../baker/closed_check.hpp"
 

@@ -1,16 +1,16 @@
-// Mesh files to triangles in the asset's units and axes. Only import_assimp.cpp sees assimp.
+// What an importer returns: triangles in the asset's units and axes, and a record of each file.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include <espalier/bake.hpp>
 
 #include "placement.hpp"
+#include "warning.hpp"
 
 namespace espalier::tools {
 
@@ -46,6 +46,7 @@ struct ImportedFile {
     double metres_per_unit = 1.0;
     std::string unit_origin;        ///< who says so: "--unit", "FBX unit scale factor 1", "not stated"
     std::optional<Axis> stated_up;  ///< stated by the file and not carried out by its importer
+    std::vector<Warning> warnings;  ///< where the triangles may differ from what the file contains
 };
 
 struct Imported {
@@ -54,9 +55,5 @@ struct Imported {
 
     [[nodiscard]] std::vector<MeshView> views() const;
 };
-
-/// Reads the files in this order. Throws CommandError: (file_access) when one cannot be read, (invalid_input) when it
-/// is broken or no known format, (unsupported) beyond the format's limits.
-Imported import_files(std::span<const std::string> paths, const ImportOptions& options);
 
 }  // namespace espalier::tools

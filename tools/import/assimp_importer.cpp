@@ -1,4 +1,4 @@
-#include "import_assimp.hpp"
+#include "assimp_importer.hpp"
 
 #include <assimp/commonMetaData.h>
 #include <assimp/config.h>
@@ -11,11 +11,7 @@
 #include <assimp/ProgressHandler.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include <espalier/format.hpp>
 
@@ -26,24 +22,6 @@
 namespace espalier::tools {
 
 namespace {
-
-void require_readable(const std::string& path) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    const char* reason = nullptr;
-    if (!std::filesystem::exists(status)) {
-        reason = std::strerror(error ? error.value() : ENOENT);
-    } else if (std::filesystem::is_directory(status)) {
-        reason = "it is a folder";
-    } else if (!std::filesystem::is_regular_file(status)) {
-        reason = "importers read files only, no pipes or devices";
-    } else if (errno = 0; !std::ifstream(path, std::ios::binary).is_open()) {
-        reason = std::strerror(errno);
-    }
-    if (reason == nullptr) return;
-    throw CommandError(ExitCode::file_access,
-                       text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."));
-}
 
 /// assimp's reasons end with a full stop or without, or are missing.
 std::string sentence(const char* reason) {
@@ -248,8 +226,9 @@ private:
     std::uint64_t triangles_before_ = 0;
 };
 
-void import_file(const std::string& path, const ImportOptions& options, Imported& imported) {
-    require_readable(path);
+}  // namespace
+
+void import_with_assimp(const std::string& path, const ImportOptions& options, Imported& imported) {
     const CrashGuard guard(path);
     Assimp::Importer importer;
     // A skeleton without a skin would come as an invented mesh; it has no surface.
@@ -267,23 +246,6 @@ void import_file(const std::string& path, const ImportOptions& options, Imported
     }
     SceneReader(*scene, options, file, imported).read();
     imported.files.push_back(std::move(file));
-}
-
-}  // namespace
-
-std::vector<MeshView> Imported::views() const {
-    std::vector<MeshView> result;
-    result.reserve(meshes.size());
-    for (const ImportedMesh& mesh : meshes) {
-        result.push_back({mesh.positions, mesh.triangles, mesh.materials, mesh.file, mesh.mesh, mesh.name});
-    }
-    return result;
-}
-
-Imported import_files(std::span<const std::string> paths, const ImportOptions& options) {
-    Imported imported;
-    for (const std::string& path : paths) import_file(path, options, imported);
-    return imported;
 }
 
 }  // namespace espalier::tools
