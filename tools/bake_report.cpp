@@ -45,16 +45,26 @@ std::vector<NamedVolume> volumes_of(const BakeReport& report) {
     return asked;
 }
 
-/// What became of a closed source, and with which bits nothing does.
+/// Why the baked surface is not closed, though the source is, and what keeps it closed.
 std::string lost_closed_text(const BakeReport& report) {
-    const std::string lost = text("the source is closed, but at ", counted(report.bits, "bit"),
-                                  " the baked surface is not: inside and signed-distance queries will refuse it. ");
-    if (report.bits_that_keep_closed == 0) {
-        if (report.triangles == 0) return lost + "No number of bits keeps it closed: it is too thin for its length.";
-        return lost +
-               "No number of bits keeps it closed: remove repeated triangles and triangles without area from the mesh.";
+    std::string dropped, advice;
+    const auto add = [&](const Finding& finding, const char* what, const char* remedy) {
+        if (finding.count == 0) return;
+        dropped += text(dropped.empty() ? "" : " and ", counted(finding.count, "triangle"), ' ', what,
+                        " (first: ", finding.first, ")");
+        advice += text(advice.empty() ? ": " : "; ", remedy);
+    };
+    if (report.triangles != 0) {
+        add(report.duplicate, "with the corners of another one", "bake parts that share triangles into separate blobs");
+        add(report.zero_area, "without area", "split the long edge beside a triangle without area, and remove that one");
     }
-    return text(lost, "--bits ", report.bits_that_keep_closed, " keeps it closed.");
+    const std::string reason = dropped.empty() ? "no triangle is left" : "it lacks " + dropped;
+    if (advice.empty()) advice = ": it is too thin for its length";
+    const std::string keeping = report.bits_that_keep_closed == 0
+                                    ? "No number of bits keeps it closed" + advice
+                                    : text("--bits ", report.bits_that_keep_closed, " keeps it closed");
+    return text("the source is closed, but at ", counted(report.bits, "bit"), " the baked surface is not, because ",
+                reason, ": inside and signed-distance queries will refuse it. ", keeping, ".");
 }
 
 double bytes_per_triangle(const BakeReport& report) {

@@ -130,7 +130,7 @@ for key in '"schema": 1' '"triangles": 12' '"vertices": 8' '"source_triangles": 
     out_has "$key"
 done
 
-claim "a bake that opens a closed mesh says so and names the bits that keep it"
+claim "a bake that opens a closed mesh warns of the reason and of the bits that keep it"
 # A corner on the edge from 0 0 0 to 35 -3 0, in a triangle without area that rounding would give one.
 cat >mended.obj <<'END'
 v 0 0 0
@@ -147,7 +147,8 @@ f 3 1 4
 END
 run 0 bake mended.obj -o mended.espl --bits 5 --json
 err_has "the source is closed, but at 5 bits the baked surface is not"
-err_has "keeps it closed"
+err_has "because it lacks 1 triangle without area (first: mended.obj, mesh 0"
+err_has " keeps it closed."
 out_has '"closed": false'
 json '.lost_closed and (.closed | not) and .bits_that_keep_closed > 5'
 run 0 bake mended.obj -o mended.espl --bits 5 --max-bytes 100000 --json
@@ -156,6 +157,31 @@ json '.lost_closed and .bits_that_keep_closed > 5'
 run 0 bake mended.obj -o mended.espl --bits 16 --json
 err_lacks "the source is closed"
 json '.closed and (.lost_closed | not) and .bits_that_keep_closed == null'
+# Two tetrahedra on the same side of a common face, which both need and a blob holds once.
+cat >shared.obj <<'END'
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+v 0 0 2
+f 1 3 2
+f 1 2 4
+f 2 3 4
+f 3 1 4
+f 1 3 2
+f 1 2 5
+f 2 3 5
+f 3 1 5
+END
+run 0 bake shared.obj -o shared.espl --json
+err_has "because it lacks 1 triangle with the corners of another one (first: shared.obj, mesh 0"
+err_has "No number of bits keeps it closed: bake parts that share triangles into separate blobs."
+json '.lost_closed and .bits_that_keep_closed == null'
+# Thinner than the finest lattice.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1e-9 0\nv 0 0 1e-9\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >needle.obj
+run 0 bake needle.obj -o needle.espl --json
+err_has "because no triangle is left"
+err_has "No number of bits keeps it closed: it is too thin for its length."
 
 claim "a bake at 23 bits warns that rays from outside are rounded coarsely and one at 22 does not"
 run 0 bake box.obj -o x.espl --bits 23 --json
