@@ -2,13 +2,18 @@
 
 namespace espalier::tools {
 
-Vec3 Placement::operator()(Vec3 point) const {
-    std::array<double, 3> result{};
+Vec3 Placement::operator()(const std::array<double, 3>& point) const {
+    std::array<float, 3> result{};
     for (std::size_t row = 0; row < 3; ++row) {
-        result[row] = linear[row][0] * static_cast<double>(point.x) + linear[row][1] * static_cast<double>(point.y) +
-                      linear[row][2] * static_cast<double>(point.z) + offset[row];
+        result[row] = static_cast<float>(linear[row][0] * point[0] + linear[row][1] * point[1] +
+                                         linear[row][2] * point[2] + offset[row]);
     }
-    return {static_cast<float>(result[0]), static_cast<float>(result[1]), static_cast<float>(result[2])};
+    return {result[0], result[1], result[2]};
+}
+
+Vec3 Placement::operator()(Vec3 point) const {
+    return (*this)(
+        std::array{static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)});
 }
 
 double Placement::determinant() const {

@@ -16,6 +16,8 @@ struct Placement {
     std::array<std::array<double, 3>, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     std::array<double, 3> offset{};
 
+    /// Rounds the result once.
+    [[nodiscard]] Vec3 operator()(const std::array<double, 3>& point) const;
     [[nodiscard]] Vec3 operator()(Vec3 point) const;
     /// Turns the inside out, so that the corners of a triangle must be taken the other way round.
     [[nodiscard]] bool mirrors() const;

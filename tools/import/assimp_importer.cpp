@@ -12,11 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <espalier/format.hpp>
+#include <utility>
 
 #include "crash_guard.hpp"
 #include "exit_code.hpp"
+#include "mesh_collector.hpp"
 #include "numbers.hpp"
 
 namespace espalier::tools {
@@ -74,16 +74,7 @@ private:
 class SceneReader {
 public:
     SceneReader(const aiScene& scene, const ImportOptions& options, ImportedFile& file, Imported& imported)
-        : scene_(scene),
-          options_(options),
-          file_(file),
-          imported_(imported),
-          file_number_(static_cast<std::uint32_t>(imported.files.size())) {
-        for (const ImportedFile& earlier : imported.files) {
-            first_material_ += earlier.materials;
-            triangles_before_ += earlier.triangles;
-        }
-    }
+        : scene_(scene), options_(options), file_(file), meshes_(options, file, imported) {}
 
     void read() {
         if (scene_.mMetaData != nullptr) {
@@ -93,9 +84,7 @@ public:
         file_.materials = std::max(1u, scene_.mNumMaterials);
         find_unit();
         find_stated_up();
-        Placement asset = scaled_by(options_.scale * file_.metres_per_unit);
-        if (options_.up) asset = combine(turned_to_y_up(*options_.up), asset);
-        if (scene_.mRootNode != nullptr) walk(*scene_.mRootNode, asset);
+        if (scene_.mRootNode != nullptr) walk(*scene_.mRootNode, meshes_.asset_placement());
     }
 
 private:
@@ -128,25 +117,17 @@ private:
     }
 
     void add_mesh(const aiMesh& source, const Placement& placement) {
-        ImportedMesh mesh;
-        mesh.file = file_number_;
-        mesh.mesh = file_.meshes++;
-        mesh.name = text(printable(file_.path), ", mesh ", mesh.mesh);
-        if (source.mName.length > 0) mesh.name += text(" (", printable(source.mName.C_Str()), ")");
-        require_within_limits(source, mesh.name);
+        ImportedMesh mesh = meshes_.begin(source.mName.C_Str(), source.mNumFaces);
         if (source.mVertices != nullptr) {
             mesh.positions.reserve(source.mNumVertices);
             for (unsigned i = 0; i < source.mNumVertices; ++i) {
                 const aiVector3D& position = source.mVertices[i];
-                mesh.positions.push_back(placement({position.x, position.y, position.z}));
+                mesh.positions.push_back(placement(Vec3{position.x, position.y, position.z}));
             }
         }
         // A mirrored mesh must keep its front outside: its corners run the other way.
         add_triangles(source, placement.mirrors(), mesh);
-        mesh.materials.assign(mesh.triangles.size(),
-                              static_cast<std::uint32_t>(first_material_ + source.mMaterialIndex));
-        file_.triangles += mesh.triangles.size();
-        imported_.meshes.push_back(std::move(mesh));
+        meshes_.add(std::move(mesh), source.mMaterialIndex);
     }
 
     // Indices are not checked against the vertices here: the baker does that, and knows whether to repair.
@@ -168,14 +149,6 @@ private:
             const unsigned second = mirrored ? 2 : 1;
             mesh.triangles.push_back({face.mIndices[0], face.mIndices[second], face.mIndices[3 - second]});
         }
-    }
-
-    /// Before anything is allocated: a small file can place one mesh a million times.
-    void require_within_limits(const aiMesh& source, const std::string& name) const {
-        if (triangles_before_ + file_.triangles + source.mNumFaces <= format::max_triangles) return;
-        throw CommandError(ExitCode::unsupported,
-                           text(name, ": with it the files have more than ", format::max_triangles,
-                                " triangles, the most a blob can hold. Bake them in parts."));
     }
 
     void find_unit() {
@@ -220,10 +193,7 @@ private:
     const aiScene& scene_;
     const ImportOptions& options_;
     ImportedFile& file_;
-    Imported& imported_;
-    std::uint32_t file_number_;
-    std::uint64_t first_material_ = 0;
-    std::uint64_t triangles_before_ = 0;
+    MeshCollector meshes_;
 };
 
 }  // namespace
