@@ -19,9 +19,10 @@ bool is_within_importer() {
     const int count = ::backtrace(frames.data(), static_cast<int>(frames.size()));
     for (int i = 0; i < count; ++i) {
         Dl_info info{};
-        if (::dladdr(frames[static_cast<std::size_t>(i)], &info) != 0 && info.dli_fname != nullptr &&
-            std::strstr(info.dli_fname, "libassimp") != nullptr)
-            return true;
+        if (::dladdr(frames[static_cast<std::size_t>(i)], &info) == 0 || info.dli_fname == nullptr) continue;
+        for (const char* library : {"libassimp", "libdraco"}) {
+            if (std::strstr(info.dli_fname, library) != nullptr) return true;
+        }
     }
     return false;
 }

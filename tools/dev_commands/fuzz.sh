@@ -11,13 +11,13 @@ fuzz() {
     seconds=${1-60}
     [[ $seconds =~ ^[0-9]+$ ]] || fail "fuzz [--afl | --small-code | --minimise] [SECONDS [TARGET...]]: '$seconds' is no number"
     [[ $# -le 1 ]] || fuzz_targets=("${@:2}")
-    install_missing "${build_packages[@]}" libassimp-dev clang llvm libclang-rt-dev doctest-dev libeigen3-dev
+    install_missing "${build_packages[@]}" "${tool_packages[@]}" clang llvm libclang-rt-dev doctest-dev libeigen3-dev
     [[ $engine != afl ]] || install_missing afl++
     check_cmake
     local folder=build/fuzz/libfuzzer${small_code:+_small} compiler=clang++
     [[ $engine != afl ]] || { folder=build/fuzz/afl compiler=afl-clang-fast++; }
     build "$folder" espalier_fuzz_targets -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O2 -g" \
-        -DCMAKE_CXX_COMPILER="$compiler" -DESPALIER_SANITIZE=ON -DESPALIER_FUZZ=ON -DESPALIER_TOOLS=OFF -DESPALIER_BENCH=OFF \
+        -DCMAKE_CXX_COMPILER="$compiler" -DESPALIER_SANITIZE=ON -DESPALIER_FUZZ=ON -DESPALIER_BENCH=OFF \
         -DESPALIER_SMALL_CODE="$small_code"
     for target in "${fuzz_targets[@]}"; do
         [[ -x $folder/fuzz/espalier_fuzz_$target ]] || fail "there is no fuzz target '$target'"

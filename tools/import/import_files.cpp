@@ -7,6 +7,7 @@
 
 #include "assimp_importer.hpp"
 #include "exit_code.hpp"
+#include "gltf_importer.hpp"
 #include "numbers.hpp"
 
 namespace espalier::tools {
@@ -46,7 +47,7 @@ Imported import_files(std::span<const std::string> paths, const ImportOptions& o
     Imported imported;
     for (const std::string& path : paths) {
         require_readable(path);
-        import_with_assimp(path, options, imported);
+        if (!import_gltf(path, options, imported)) import_with_assimp(path, options, imported);
     }
     return imported;
 }

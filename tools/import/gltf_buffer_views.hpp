@@ -1,0 +1,36 @@
+// The parts of buffers that accessors read, decompressed where EXT_meshopt_compression packs them.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gltf_buffers.hpp"
+#include "gltf_json.hpp"
+
+namespace espalier::tools {
+
+struct GltfBufferView {
+    std::span<const std::byte> bytes;
+    std::size_t stride = 0;  ///< 0: elements follow each other without a gap
+};
+
+class GltfBufferViews {
+public:
+    GltfBufferViews(const GltfObject& root, GltfBuffers& buffers) : root_(root), buffers_(buffers) {}
+
+    [[nodiscard]] std::size_t count() const { return root_.size_of("bufferViews"); }
+    /// Returns bytes that live as long as this. Throws CommandError when the view is not inside of its buffer.
+    GltfBufferView view(std::size_t number);
+
+private:
+    std::span<const std::byte> part_of_buffer(const GltfObject& part);
+
+    const GltfObject& root_;
+    GltfBuffers& buffers_;
+    std::map<std::size_t, std::vector<std::byte>> decompressed_;
+};
+
+}  // namespace espalier::tools

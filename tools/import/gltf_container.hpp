@@ -1,0 +1,25 @@
+// The outer form of a glTF file: JSON text (.gltf), or JSON and a chunk of bytes (.glb).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace espalier::tools {
+
+struct GltfContainer {
+    std::string format;  ///< "glTF 2.0" or "glTF 2.0 binary"
+    nlohmann::json json;
+    std::vector<std::byte> file;        ///< what `binary` points into; empty for .gltf
+    std::span<const std::byte> binary;  ///< the binary chunk of a .glb
+};
+
+/// Reads a readable file. Returns nothing for what is no glTF by ending and content, and for glTF 1.0: assimp reads
+/// that. Throws CommandError: (invalid_input) for a broken file, (unsupported) for a later version.
+std::optional<GltfContainer> read_gltf_container(const std::string& path);
+
+}  // namespace espalier::tools

@@ -1,0 +1,53 @@
+#include "gltf_topology.hpp"
+
+#include "numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+enum Mode : std::uint64_t { points, lines, line_loop, line_strip, triangles = gltf_triangles, strip, fan };
+
+std::uint64_t lines_of(std::uint64_t mode, std::uint64_t corners) {
+    if (mode == points) return corners;
+    if (mode == lines) return corners / 2;
+    if (corners < 2) return 0;
+    return mode == line_loop ? corners : corners - 1;
+}
+
+}  // namespace
+
+void read_gltf_topology(const GltfObject& object, std::uint64_t mode, const std::optional<GltfAccessor>& indices,
+                        GltfPrimitive& primitive) {
+    const std::size_t corners = indices ? indices->count : primitive.positions.count;
+    if (mode > fan) object.fail(text("its mode ", mode, " is none"));
+    if (mode < triangles) {
+        primitive.points_and_lines = lines_of(mode, corners);
+        return;
+    }
+    const auto vertex = [&](std::size_t corner) {
+        return indices ? indices->whole(corner, 0) : static_cast<std::uint32_t>(corner);
+    };
+    if (mode == triangles) {
+        primitive.left_over_corners = corners % 3;
+        primitive.triangles.reserve(corners / 3);
+        for (std::size_t i = 0; i + 2 < corners; i += 3) {
+            primitive.triangles.push_back({vertex(i), vertex(i + 1), vertex(i + 2)});
+        }
+        return;
+    }
+    if (corners < 3) {
+        primitive.left_over_corners = corners;
+        return;
+    }
+    primitive.triangles.reserve(corners - 2);
+    for (std::size_t i = 0; i + 2 < corners; ++i) {
+        if (mode == strip) {
+            primitive.triangles.push_back({vertex(i), vertex(i + 1 + i % 2), vertex(i + 2 - i % 2)});
+        } else {
+            primitive.triangles.push_back({vertex(i + 1), vertex(i + 2), vertex(0)});
+        }
+    }
+}
+
+}  // namespace espalier::tools
