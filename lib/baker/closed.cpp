@@ -40,8 +40,10 @@ std::vector<UnpairedEdge> unpaired_edges(const Triangles& triangles, std::size_t
     for_each_edge(triangles, [&](std::uint32_t from, std::uint32_t to) { ++first[std::min(from, to) + 1]; });
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<std::uint64_t> edges(triangles.size() * 3);
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    std::vector<std::uint32_t> next = first;
     for_each_edge(triangles, [&](std::uint32_t from, std::uint32_t to) {
+        // mutant(< -> <=) equivalent: an edge from a vertex to itself is left out below
+        // mutant(< -> >=) equivalent: every count changes its sign, and each sum of them
         edges[next[std::min(from, to)]++] = std::uint64_t{std::max(from, to)} << 1 | (from < to ? 1 : 0);
     });
     std::vector<UnpairedEdge> unpaired;
@@ -52,6 +54,7 @@ std::vector<UnpairedEdge> unpaired_edges(const Triangles& triangles, std::size_t
         for (auto edge = begin; edge != end;) {
             const auto high = static_cast<std::uint32_t>(*edge >> 1);
             std::int64_t count = 0;
+            // mutant(!= -> == 2) equivalent: every count changes its sign, and each sum of them
             for (; edge != end && *edge >> 1 == high; ++edge) count += (*edge & 1) != 0 ? 1 : -1;
             if (count != 0 && high != low) unpaired.push_back({low, high, count});
         }
@@ -89,6 +92,8 @@ struct EdgeEnd {
 LatticePoint line_direction(const LatticePoint& from, const LatticePoint& to) {
     const LatticePoint along = {to.x - from.x, to.y - from.y, to.z - from.z};
     const std::int32_t first = along.x != 0 ? along.x : along.y != 0 ? along.y : along.z;
+    // mutant(< -> <=) equivalent: an edge has a length, so that its first coordinate is not 0
+    // mutant(< -> >=) equivalent: every line gets the opposite direction
     const std::int32_t divisor = std::gcd(std::gcd(along.x, along.y), along.z) * (first < 0 ? -1 : 1);
     return {along.x / divisor, along.y / divisor, along.z / divisor};
 }
@@ -103,7 +108,7 @@ bool cancel_along_lines(const std::vector<UnpairedEdge>& edges, const std::vecto
         ends.push_back({from, direction, count});
         ends.push_back({to, direction, -count});
     }
-    std::sort(ends.begin(), ends.end(), [](const EdgeEnd& a, const EdgeEnd& b) { return a.place() < b.place(); });
+    std::ranges::sort(ends, {}, &EdgeEnd::place);
     for (std::size_t i = 0; i < ends.size();) {
         std::int64_t sum = 0;
         const auto place = ends[i].place();
@@ -130,6 +135,7 @@ WeldedSource weld(const Source& source) {
     InsertionTable table(source.positions.size());
     const auto vertex_of = [&](std::uint32_t position) {
         const Vec3& point = source.positions[position];
+        // mutant(<< -> one more, << -> one less) equivalent: another hash of the same position
         const std::uint64_t xy = std::uint64_t{bits(point.x)} << 32 | bits(point.y);
         return table.find_or_insert(mix_bits(xy ^ mix_bits(bits(point.z))), position,
                                     [&](std::uint32_t other) { return is_same(source.positions[other], point); });

@@ -104,7 +104,6 @@ int step_exponent_for_tolerance(double tolerance) {
 }
 
 Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent) {
-    if (bounds.largest_side == 0.0) return Lattice{{}, step_exponent, 1};
     const unsigned bits = bits_needed(bounds, step_exponent);
     if (bits <= unsigned{format::max_bits}) return lattice_at(bounds, step_exponent, bits);
     std::string message = "a step of 2^" + std::to_string(step_exponent) + " is too fine for meshes that are " +

@@ -48,6 +48,7 @@ struct SourceBounds {
 /// or the coordinate itself, since float32 numbers from 2^24 on are whole. It is never minus zero.
 [[nodiscard]] inline double snap_to_step(float coordinate, double reciprocal_step) {
     const double steps = double(coordinate) * reciprocal_step;  // exact: by a power of two, within binary64
+    // mutant(< -> <=) equivalent: 2^24 is whole and rounds to itself
     return std::abs(steps) < 0x1p24 ? round_half_even(steps) : steps;
 }
 

@@ -1,7 +1,11 @@
 // Claims about the closed flag and what loses it; the judge is closed_check.hpp.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <baker/bake_with.hpp>
+#include <baker/closed.hpp>
 #include <espalier/inside.hpp>
 
 #include "../support/baking.hpp"
@@ -116,6 +120,57 @@ TEST_SUITE("closed") {
         Mesh beside = folded(4.0f);
         beside.positions[6].y = 1.0f;
         CHECK(!bake_mesh(beside)->report.closed);
+    }
+
+    TEST_CASE("closed: edges cancel along lines of every direction") {
+        const Vec3 directions[] = {{1, 0, 0},  {0, 1, 0}, {0, 0, 1},  {0, 1, 1},  {0, 1, -1}, {1, 0, -1},
+                                   {1, -1, 0}, {1, 2, 3}, {-2, 3, 4}, {0, -2, 3}, {0, 0, -1}, {-1, 0, 0}};
+        for (const Vec3& along : directions) {
+            const Vec3 up = along.x != 0.0f ? Vec3{0, 1, 2} : Vec3{1, 0, 0};
+            const auto place = [&](float x, float y) {
+                return Vec3{x * along.x + y * up.x, x * along.y + y * up.y, x * along.z + y * up.z};
+            };
+            Mesh mesh;
+            mesh.positions = {place(0, 0), place(6, 0), place(6, 4), place(0, 4), place(2, 0), place(3, 0)};
+            mesh.triangles = {{0, 5, 3}, {5, 1, 2}, {5, 2, 3}, {4, 0, 3}, {1, 4, 2}, {2, 4, 3}};
+            CHECK(bake_mesh(mesh)->report.closed);
+            mesh.positions[5] = place(3, 1);
+            CHECK(!bake_mesh(mesh)->report.closed);
+        }
+    }
+
+    TEST_CASE("closed: corners of the source are one vertex exactly where their positions are equal") {
+        Random random(2430);
+        const auto is_closed = [](const Mesh& mesh) {
+            baker::Source source;
+            source.positions = mesh.positions;
+            for (const TriangleVertices& corners : mesh.triangles)
+                source.triangles.push_back({{corners[0], corners[1], corners[2]}, 0});
+            return baker::is_closed(source);
+        };
+        for (int i = 0; i < 300; ++i) {
+            Mesh mesh;
+            mesh.positions = {{0.0f, random.signed_unit(), random.signed_unit()},
+                              {random.signed_unit(), 0.0f, random.signed_unit()},
+                              {random.signed_unit(), random.signed_unit(), 0.0f},
+                              random.in_cube(1.0f)};
+            mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+            REQUIRE(is_closed(mesh));
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                Mesh apart = mesh;
+                apart.positions.push_back(mesh.positions[k]);
+                apart.triangles[0][static_cast<std::size_t>(std::ranges::find(mesh.triangles[0], k) -
+                                                            mesh.triangles[0].begin())] = 4;
+                Vec3& corner = apart.positions[4];
+                float* const coordinates[3] = {&corner.x, &corner.y, &corner.z};
+                REQUIRE(is_closed(apart));
+                *coordinates[k] = -0.0f;
+                REQUIRE(is_closed(apart));
+                float& moved = *coordinates[random.below(3)];
+                moved = std::nextafter(moved, 2.0f);
+                REQUIRE(!is_closed(apart));
+            }
+        }
     }
 
     TEST_CASE("closed: a triangle without area in the source that gets one by rounding is a loss with bits that keep") {
