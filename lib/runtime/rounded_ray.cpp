@@ -44,6 +44,7 @@ BlobData asset_of(const Lattice& region) {
     asset.origin[0] = region.origin.x;
     asset.origin[1] = region.origin.y;
     asset.origin[2] = region.origin.z;
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (int k = 0; k < 3; ++k) asset.extent[k] = region.extent[k];
     asset.derive();
     return asset;
@@ -74,6 +75,7 @@ bool is_ray_of_region(const RoundedRayData& ray) {
     const auto is_within = [](std::int32_t number, std::int32_t most) { return number >= -most && number <= most; };
     const std::int32_t along = ray.direction[ray.longest_axis];
     if (!is_within(along, most_units - 1) || is_within(along, most_units / 2 - 1)) return false;
+    // mutant(< -> <=) equivalent: 0 is refused above
     const std::int32_t longest = along < 0 ? -along : along;
     for (const std::int32_t way : ray.direction)
         if (!is_within(way, longest)) return false;
@@ -97,16 +99,18 @@ QueryStatus check(const RoundedRayData& ray) {
 QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattice& moved) {
     if (blob.step_exponent != ray.region.step_exponent) return QueryStatus::invalid_argument;
     const float region[3] = {ray.region.origin.x, ray.region.origin.y, ray.region.origin.z};
-    for (int k = 0; k < 3; ++k) {
-        std::int32_t steps = 0;
-        if (!whole_steps(region[k], blob.origin[k], blob.steps_per_unit, steps) ||
-            steps + blob.extent[k] > ray.region.extent[k])
+    std::int32_t steps[3] = {};
+    for (int k = 0; k < 3; ++k)
+        if (!whole_steps(region[k], blob.origin[k], blob.steps_per_unit, steps[k]) ||
+            steps[k] + blob.extent[k] > ray.region.extent[k])
             return QueryStatus::out_of_range;
-        if (ray.may_hit == 0) continue;
-        moved.ray.origin[k] = ray.origin[k] - (steps << ray.fraction_bits);
+    // mutant(never) sanitizer: shifts by words of a handle that nothing has tested
+    if (ray.may_hit == 0) return QueryStatus::ok;
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
+    for (int k = 0; k < 3; ++k) {
+        moved.ray.origin[k] = ray.origin[k] - (steps[k] << ray.fraction_bits);
         moved.ray.direction[k] = ray.direction[k];
     }
-    if (ray.may_hit == 0) return QueryStatus::ok;
     moved.ray.fraction_bits = ray.fraction_bits;
     moved.ray.t_exponent = ray.t_exponent;
     moved.ray.tau_min = ray.tau_min;
@@ -144,6 +148,7 @@ QueryStatus lattice_of(std::span<const Blob> blobs, Lattice& region) noexcept {
             if (!whole_steps(from[k], data.origin[k], data.steps_per_unit, steps) ||
                 steps + data.extent[k] > most_steps)
                 return QueryStatus::out_of_range;
+            // mutant(> -> >=) equivalent: both sides are equal then
             if (steps + data.extent[k] > found.extent[k]) found.extent[k] = steps + data.extent[k];
         }
     }
@@ -166,6 +171,7 @@ RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
     float reach = 0.0f;
     data.may_hit = detail::round_ray(asset, ray, rounded, reach) ? 1 : 0;
     if (data.may_hit == 0) return result;
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (int k = 0; k < 3; ++k) {
         data.origin[k] = rounded.origin[k];
         data.direction[k] = rounded.direction[k];

@@ -48,7 +48,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/statistics", "runtime/work", "runtime/node_boxes", "runtime/traversal", "runtime/lattice_ray",
     "runtime/lattice_point", "runtime/lattice_queries", "runtime/lattice_steps", "runtime/identity", "runtime/nearest",
     "runtime/overlap", "runtime/volume", "runtime/approximate", "runtime/walk", "runtime/rounding",
-    "runtime/rounding_error", "runtime/rounded_ray", "runtime/seam_rays", "runtime/seen_ray",
+    "runtime/rounding_error", "runtime/rounded_ray", "runtime/rounded_ray_borders", "runtime/seam_rays", "runtime/seen_ray",
     "runtime/small_boxes", "runtime/ray_filter", "runtime/ray", "runtime/ray_batch", "runtime/closest_hits",
     "runtime/far_query", "runtime/collide", "runtime/pair_work", "runtime/copies", "runtime/packed_walk",
     "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds",
