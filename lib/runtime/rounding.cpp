@@ -40,6 +40,7 @@ struct Coordinates {
     /// Bits of a grid on which whole numbers up to 2^bits hold all that is asked about.
     [[nodiscard]] int fraction_bits(int bits) const {
         const int spare = bits - exponent_of(reach);
+        // mutant(> -> >=, < -> <=) equivalent: both sides are equal then
         return spare > finest_grid ? finest_grid : spare < 0 ? 0 : spare;
     }
 };
@@ -106,10 +107,12 @@ Result<float> rounding_error(const Blob& blob, const Box& box) noexcept {
 
 Result<float> rounding_error(const Blob& blob, const OrientedBox& box) noexcept {
     float spread = 0.0f;  // along any axis, of the half axes together
+    // mutant(< -> <=) equivalent: z once more
     for (int k = 0; k < 3; ++k) {
         float along = 0.0f;
         for (const Vec3& half : box.half_axes) {
             if (!is_finite(half)) return {0.0f, QueryStatus::invalid_argument};
+            // mutant(== -> != 2) equivalent: z and y change places, and the largest of the three is the same
             along += absolute(flush_subnormal(k == 0 ? half.x : k == 1 ? half.y : half.z) * blob.data().steps_per_unit);
         }
         spread = maximum(along, spread);
