@@ -97,7 +97,7 @@ void check_spheres(const std::vector<TestBlob>& blobs, std::uint64_t count) {
             check_sphere(blob.opened.blob, loop, maker.sphere(), overlaps);
             check_sphere(blob.opened.blob, loop, maker.random_sphere(), overlaps);
         }
-        CHECK(overlaps > count / 10);
+        if (asks_enough()) CHECK(overlaps > count / 10);
     }
     MESSAGE(calls_made(sphere_queries, generated_meshes, count * blobs.size(), count * blobs.size()));
 }
