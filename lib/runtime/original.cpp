@@ -22,8 +22,9 @@ OriginalTriangle original_of(const BlobData& data, std::uint32_t triangle) {
         (load_u32(data.sources + std::size_t{middle} * format::source::bytes) <= id ? low : high) = middle;
     }
     const std::byte* source = data.sources + std::size_t{low} * format::source::bytes;
+    static_assert(format::source::first_at == 0);
     return {load_u32(source + format::source::file_at), load_u32(source + format::source::mesh_at),
-            id - load_u32(source + format::source::first_at), number % factor};
+            id - load_u32(source), number % factor};
 }
 
 /// Whether a blob leads back at all.

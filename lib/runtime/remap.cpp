@@ -8,8 +8,8 @@ namespace espalier {
 Status read_remap(std::span<const std::byte> file, const Blob& blob, std::span<OriginalTriangle> remap) noexcept {
     using namespace detail;
     using namespace format::remap;
-    if (file.size() < triangles_at || load_u32(file.data() + magic_at) != magic ||
-        load_u32(file.data() + version_at) != version ||
+    static_assert(magic_at == 0);
+    if (file.size() < triangles_at || load_u32(file.data()) != magic || load_u32(file.data() + version_at) != version ||
         load_u32(file.data() + checksum_at) != checksum_of_blob(file) || file.size() % triangle_bytes != 0)
         return Status::not_a_remap;
     const std::byte* at = file.data() + triangles_at;

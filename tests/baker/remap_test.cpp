@@ -109,16 +109,57 @@ TEST_SUITE("remap") {
             changed[bit / 8] ^= static_cast<std::byte>(1u << (bit % 8));
             REQUIRE(read_remap(changed, opened.blob, remap) == Status::not_a_remap);
         }
-        std::vector<std::byte> turned = file;  // a first corner that there is not, under a good checksum
-        put(turned, 16 + 12, 3, 4);
-        repair_checksum(turned);
-        CHECK(read_remap(turned, opened.blob, remap) == Status::not_a_remap);
-        turned = file;
-        put(turned, 8, get(file, 8, 4) ^ 1, 4);
-        repair_checksum(turned);
-        CHECK(read_remap(turned, opened.blob, remap) == Status::other_blob);
         CHECK(remap == before);
         REQUIRE(read_remap(file, opened.blob, remap) == Status::ok);
         CHECK(remap == baked->remap);
+    }
+
+    TEST_CASE("remap: a file with a good checksum is refused for each other fault that it has") {
+        const Mesh mesh = make_cube(0.0f, 1.0f);
+        const MeshView view = mesh.view();
+        const auto baked = bake({&view, 1}, {});
+        REQUIRE(baked.has_value());
+        const OpenedBlob opened(baked->blob);
+        const std::vector<std::byte> file = remap_file(*baked);
+        std::vector<OriginalTriangle> remap = table_for(opened.blob);
+        const std::vector<OriginalTriangle> before = remap;
+        const auto status_of = [&](auto change, std::size_t places) {
+            std::vector<std::byte> changed = file;
+            change(changed);
+            repair_checksum(changed);
+            return read_remap(changed, opened.blob, std::span(remap).first(places));
+        };
+        const auto with_field = [&](std::size_t at, std::uint64_t value) {
+            return status_of([&](std::vector<std::byte>& bytes) { put(bytes, at, value, 4); }, remap.size());
+        };
+        CHECK(with_field(0, get(file, 0, 4) ^ 1) == Status::not_a_remap);
+        CHECK(with_field(4, get(file, 4, 4) ^ 1) == Status::not_a_remap);
+        CHECK(with_field(4, get(file, 4, 4) + 1) == Status::not_a_remap);
+        CHECK(with_field(8, get(file, 8, 4) ^ 1) == Status::other_blob);
+        for (std::size_t i = 0; i < remap.size(); ++i) CHECK(with_field(16 + 16 * i + 12, 3) == Status::not_a_remap);
+        for (std::size_t size = 16; size < file.size() + 20; ++size) {
+            if (size == file.size()) continue;
+            const auto resize = [&](std::vector<std::byte>& bytes) { bytes.resize(size); };
+            const Status expected = size % 16 == 0 ? Status::other_blob : Status::not_a_remap;
+            CHECK(status_of(resize, remap.size()) == expected);
+            if (size < file.size()) CHECK(status_of(resize, (size - 16) / 16) == expected);
+        }
+        CHECK(remap == before);
+    }
+
+    TEST_CASE("remap: what lies behind the file does not matter and a blob without triangles has one") {
+        const Baked baked = bake_two_files({});
+        const OpenedBlob opened(baked.blob);
+        std::vector<std::byte> bytes = remap_file(baked);
+        const std::size_t size = bytes.size();
+        bytes.resize(size + 64, std::byte{0xFF});
+        std::vector<OriginalTriangle> remap = table_for(opened.blob);
+        REQUIRE(read_remap(std::span(bytes).first(size), opened.blob, remap) == Status::ok);
+        CHECK(remap == baked.remap);
+        const auto nothing = bake({}, {});
+        REQUIRE(nothing.has_value());
+        const OpenedBlob empty(nothing->blob);
+        CHECK(remap_file(*nothing).size() == 16);
+        CHECK(read_remap(remap_file(*nothing), empty.blob, {}) == Status::ok);
     }
 }

@@ -206,7 +206,8 @@ TEST_SUITE("c hostile") {
         }
     }
 
-    TEST_CASE("c api: every byte is safe as an enumerator and every number as a count of planes or a page's first") {
+    TEST_CASE(
+        "c api: every byte is safe as an enumerator and every number as a count of planes or the start of a page") {
         const OpenedBlob opened = blob_with_everything(format::Profile::fast);
         const espalier_blob blob = open_from_c(opened.bytes);
         Random random(9);

@@ -74,7 +74,7 @@ TEST_SUITE("rounded ray borders") {
         CHECK(refused > 0);
     }
 
-    TEST_CASE("seams: a rounded ray is taken up to each border of the kernels' domain and refused beyond") {
+    TEST_CASE("seams: a rounded ray is taken up to each border of what kernels rely on and refused beyond") {
         using Data = detail::RoundedRayData;
         constexpr std::int32_t most_units = 1 << 24;
         constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
