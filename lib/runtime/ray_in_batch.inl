@@ -19,7 +19,7 @@ struct BatchAnswers {
 /// The closest hit, or the first that is found: one visitor for both, since twice as much code would be slower than a
 /// branch that is always the same.
 template <class Leaf>
-struct BatchHit : ClosestHit<Leaf, const NoCounters> {
+struct BatchHit : ClosestHit<Leaf, Ray, const NoCounters> {
     bool any_will_do = false;
 
     Visit visit_leaf(const Leaf& leaf) {
@@ -30,7 +30,7 @@ struct BatchHit : ClosestHit<Leaf, const NoCounters> {
         return keep_going;
     }
     void decide(const Leaf& leaf, unsigned slot) {
-        ClosestHit<Leaf, const NoCounters>::decide(leaf, slot);
+        ClosestHit<Leaf, Ray, const NoCounters>::decide(leaf, slot);
         if (is_over()) this->limit_ = -1.0f;  // no key is as small
     }
     [[nodiscard]] bool is_over() const { return any_will_do && this->found(); }

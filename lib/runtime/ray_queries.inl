@@ -8,7 +8,7 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool closest_hit_in(const BlobData& blob, c
                                                          const TriangleFilter* filter, Counters& counters) {
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
-    ClosestHit<Leaf, Counters> visitor = {prepared.ray, prepared.lanes(), filter, counters, hit};
+    ClosestHit<Leaf, Caller, Counters> visitor = {prepared.ray, prepared.lanes(), filter, counters, hit};
     traverse_nearest_first<Leaf>(blob, visitor);
     if (!visitor.found()) return false;
     visitor.finish(world);

@@ -1,8 +1,9 @@
 // Rays: what the queries do at nodes and leaves. Included once per instruction set, inside its namespace, after
 // ray_filter.inl.
 
-/// The closest hit; of equal ones the lowest index.
-template <class Leaf, class Counters>
+/// The closest hit; of equal ones the lowest index. One type for each type of ray that callers give: each is then used
+/// by one query, and a program that never calls that query does not pay for it.
+template <class Leaf, class Caller, class Counters>
 struct ClosestHit {
     const LatticeRay& ray;
     const RayLanes& lanes_;
@@ -44,7 +45,6 @@ struct ClosestHit {
         limit_ = hit_limit(ray, hit.whole_tau);
     }
     /// Once all of them are found.
-    template <class Caller>
     void finish(const Caller& world) const {
         divide_hit(best, std::bit_cast<float>(volume_bits));
         best.t = to_t(ray, best.t, world);

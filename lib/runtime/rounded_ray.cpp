@@ -95,7 +95,7 @@ QueryStatus check(const RoundedRayData& ray) {
     return is_sound ? QueryStatus::ok : QueryStatus::invalid_argument;
 }
 
-/// The ray from lattice point 0 0 0 of the blob.
+/// Makes the ray one from lattice point 0 0 0 of the blob. Writes its integers only if it may hit the region.
 QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattice& moved) {
     if (blob.step_exponent != ray.region.step_exponent) return QueryStatus::invalid_argument;
     const float region[3] = {ray.region.origin.x, ray.region.origin.y, ray.region.origin.z};
@@ -121,6 +121,14 @@ QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattic
     moved.t_min = ray.t_min;
     moved.t_max = ray.t_max;
     return QueryStatus::ok;
+}
+
+/// Tests the arguments of a query and readies the ray. Sets `may_hit` if the blob must be walked.
+QueryStatus begin(const Blob& blob, const RoundedRayData& ray, RayOnLattice& moved, bool& may_hit) {
+    QueryStatus status = check(ray);
+    if (status == QueryStatus::ok && blob.triangle_count() != 0) status = move_to(blob.data(), ray, moved);
+    may_hit = status == QueryStatus::ok && blob.triangle_count() != 0 && ray.may_hit != 0;
+    return status;
 }
 
 }  // namespace
@@ -186,25 +194,20 @@ RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
 }
 
 QueryStatus raycast(const Blob& blob, const RoundedRay& ray, RayHit& hit) noexcept {
-    const RoundedRayData& data = ray.data();
     RayOnLattice moved;
-    QueryStatus status = check(data);
-    if (status == QueryStatus::ok && blob.triangle_count() != 0) status = move_to(blob.data(), data, moved);
+    bool may_hit = false;
+    const QueryStatus status = begin(blob, ray.data(), moved, may_hit);
     if (status != QueryStatus::ok) return status;
-    if (data.may_hit == 0 || blob.triangle_count() == 0 ||
-        !ESPALIER_DISPATCH_RAY(closest_hit_on_lattice, blob.data(), moved, hit))
+    if (!may_hit || !ESPALIER_DISPATCH_RAY(closest_hit_on_lattice, blob.data(), moved, hit))
         hit = {infinity, 0.0f, 0.0f, {}, no_triangle};
     return status;
 }
 
 QueryStatus occluded(const Blob& blob, const RoundedRay& ray, bool& hit) noexcept {
-    const RoundedRayData& data = ray.data();
     RayOnLattice moved;
-    QueryStatus status = check(data);
-    if (status == QueryStatus::ok && blob.triangle_count() != 0) status = move_to(blob.data(), data, moved);
-    if (status != QueryStatus::ok) return status;
-    hit = data.may_hit != 0 && blob.triangle_count() != 0 &&
-          ESPALIER_DISPATCH_RAY(any_hit_on_lattice, blob.data(), moved);
+    bool may_hit = false;
+    const QueryStatus status = begin(blob, ray.data(), moved, may_hit);
+    if (status == QueryStatus::ok) hit = may_hit && ESPALIER_DISPATCH_RAY(any_hit_on_lattice, blob.data(), moved);
     return status;
 }
 
