@@ -6,7 +6,7 @@ A bar spans the slowest and the fastest mesh of a system; a dot on it is one mes
 import dataclasses
 import math
 
-from report_plot import text
+from report_picture import Layout, text
 
 
 @dataclasses.dataclass
@@ -33,9 +33,7 @@ class Style:
 
 WIDTH, HEIGHT = 430, 320  # of a panel
 LEFT, RIGHT, TOP, BOTTOM = 48, 22, 34, 48
-COLUMNS = 2
-HEADER = 34
-FONT = 12
+LAYOUT = Layout(WIDTH, HEIGHT, header=34, font=12, corner=8)
 LOW, HIGH = 3.0, 128.0  # bytes per triangle
 OWN, EMBREE, BULLET, ODE = "#D55E00", "#0072B2", "#007A59", "#8A5A83"
 # Systems in the chart; others would repeat these or have no query for rays.
@@ -173,17 +171,7 @@ def draw_panel(panel, scale):
 
 
 def draw(panels):
-    """The whole picture, as text. The same rows give the same bytes. White ground: it is read on dark pages too."""
     scale = Scale(panels)
-    rows = (len(panels) + COLUMNS - 1) // COLUMNS
-    width, height = WIDTH * min(COLUMNS, max(1, len(panels))), HEADER + HEIGHT * rows
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-             f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="{FONT}" fill="#222">',
-             f'<rect width="{width}" height="{height}" rx="8" fill="#fff"/>',
-             text(LEFT, 24, "Closest hits, one ray at a time. Left is smaller, up is faster; each dot is one mesh.",
-                  extra=' font-size="14" font-weight="bold"')]
-    for i, panel in enumerate(panels):
-        parts.append(f'<g transform="translate({WIDTH * (i % COLUMNS)} {HEADER + HEIGHT * (i // COLUMNS)})">')
-        parts += draw_panel(panel, scale)
-        parts.append("</g>")
-    return "\n".join(parts + ["</svg>", ""])
+    header = text(LEFT, 24, "Closest hits, one ray at a time. Left is smaller, up is faster; each dot is one mesh.",
+                  extra=' font-size="14" font-weight="bold"')
+    return LAYOUT.draw([header], panels, lambda panel: draw_panel(panel, scale))

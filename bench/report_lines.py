@@ -3,7 +3,8 @@
 import dataclasses
 import math
 
-from report_plot import BOTTOM, COLUMNS, FONT, HEADER, HEIGHT, LEFT, RIGHT, TOP, WIDTH, shape, text
+from report_picture import legend, shape, text
+from report_plot import BOTTOM, HEIGHT, LAYOUT, LEFT, RIGHT, TOP, WIDTH
 
 # As report_plot's: Okabe and Ito (2008), and shapes that say the same again.
 STYLES = (("#D55E00", "diamond"), ("#0072B2", "circle"), ("#009E73", "square"), ("#8A5A83", "triangle"))
@@ -99,22 +100,7 @@ def draw_panel(panel, styles):
 
 
 def draw(title, panels):
-    """The whole picture, as text. The same rows give the same bytes."""
     names = list(dict.fromkeys(line.name for panel in panels for line in panel.lines))
     styles = {name: STYLES[i % len(STYLES)] for i, name in enumerate(names)}
-    rows = (len(panels) + COLUMNS - 1) // COLUMNS
-    width, height = WIDTH * min(COLUMNS, len(panels)), HEADER + HEIGHT * rows
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-             f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="{FONT}" fill="#222">',
-             f'<rect width="{width}" height="{height}" fill="#fff"/>',
-             text(LEFT, 21, title, extra=' font-size="15" font-weight="bold"')]
-    x = LEFT
-    for name in names:
-        colour, kind = styles[name]
-        parts += [shape(kind, x + 6, 38, colour), text(x + 17, 42, name)]
-        x += 30 + 7 * len(name)
-    for i, panel in enumerate(panels):
-        parts.append(f'<g transform="translate({WIDTH * (i % COLUMNS)} {HEADER + HEIGHT * (i // COLUMNS)})">')
-        parts += draw_panel(panel, styles)
-        parts.append("</g>")
-    return "\n".join(parts + ["</svg>", ""])
+    header = [text(LEFT, 21, title, extra=' font-size="15" font-weight="bold"'), *legend(styles, LEFT)]
+    return LAYOUT.draw(header, panels, lambda panel: draw_panel(panel, styles))

@@ -2,7 +2,8 @@
 
 import dataclasses
 import math
-from xml.sax.saxutils import escape
+
+from report_picture import Layout, legend, shape, text
 
 
 @dataclasses.dataclass
@@ -23,27 +24,11 @@ class Panel:
 
 WIDTH, HEIGHT = 430, 330  # of a panel
 LEFT, RIGHT, TOP, BOTTOM = 46, 14, 30, 40
-COLUMNS = 2
-HEADER = 52  # title and legend
-FONT = 11
+LAYOUT = Layout(WIDTH, HEIGHT, header=52, font=11)  # the header is title and legend
 # Okabe and Ito (2008): told apart by colour-blind readers; shapes say the same again.
 STYLES = {"espalier": ("#D55E00", "diamond"), "embree": ("#0072B2", "circle"), "bullet": ("#009E73", "square"),
           "ode": ("#8A5A83", "triangle")}
 OTHER = ("#444444", "circle")
-
-
-def shape(kind, x, y, colour, size=5.0):
-    if kind == "circle":
-        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{size:.1f}" fill="{colour}"/>'
-    corners = {"diamond": [(0, -1.4), (1.4, 0), (0, 1.4), (-1.4, 0)],
-               "square": [(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)],
-               "triangle": [(0, -1.2), (1.1, 0.8), (-1.1, 0.8)]}[kind]
-    points = " ".join(f"{x + size * dx:.1f},{y + size * dy:.1f}" for dx, dy in corners)
-    return f'<polygon points="{points}" fill="{colour}"/>'
-
-
-def text(x, y, words, anchor="start", extra=""):
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{extra}>{escape(words)}</text>'
 
 
 class Scale:
@@ -69,7 +54,7 @@ def overlap(a, b):
 
 def place(words, x, y, taken):
     """The first free place for a label around its mark; to the right when there is none."""
-    width = 0.56 * FONT * len(words)
+    width = 0.56 * LAYOUT.font * len(words)
     places = []
     for dy in (0, -11, 11, -20, 20, -29, 29, -38, 38, -47, 47, -56, 56):
         places.append((x + 10, y + dy, "start", (x + 10, y + dy - 5, x + 10 + width, y + dy + 5)))
@@ -120,27 +105,9 @@ def draw_panel(panel, scale):
     return parts
 
 
-def draw_legend(panels):
-    parts, x = [], LEFT
-    for system in dict.fromkeys(mark.system for panel in panels for mark in panel.marks):
-        colour, kind = STYLES.get(system, OTHER)
-        parts.append(shape(kind, x + 6, 38, colour))
-        parts.append(text(x + 17, 42, system))
-        x += 30 + 7 * len(system)
-    return parts
-
-
 def draw(title, panels):
-    """The whole picture, as text. The same rows give the same bytes."""
     scale = Scale(panels)
-    rows = (len(panels) + COLUMNS - 1) // COLUMNS
-    width, height = WIDTH * min(COLUMNS, max(1, len(panels))), HEADER + HEIGHT * rows
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-             f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="{FONT}" fill="#222">',
-             f'<rect width="{width}" height="{height}" fill="#fff"/>',
-             text(LEFT, 21, title, extra=' font-size="15" font-weight="bold"'), *draw_legend(panels)]
-    for i, panel in enumerate(panels):
-        parts.append(f'<g transform="translate({WIDTH * (i % COLUMNS)} {HEADER + HEIGHT * (i // COLUMNS)})">')
-        parts += draw_panel(panel, scale)
-        parts.append("</g>")
-    return "\n".join(parts + ["</svg>", ""])
+    systems = dict.fromkeys(mark.system for panel in panels for mark in panel.marks)
+    styles = {system: STYLES.get(system, OTHER) for system in systems}
+    header = [text(LEFT, 21, title, extra=' font-size="15" font-weight="bold"'), *legend(styles, LEFT)]
+    return LAYOUT.draw(header, panels, lambda panel: draw_panel(panel, scale))
