@@ -82,7 +82,7 @@ def machine_line(machine, file):
     noise = (f" **The machine was busy with other work (load {min(loads):.1f} to {max(loads):.1f} on {row['processors']} "
              "processors): take these figures as noisy.**" if loads and max(loads) > BUSY else "")
     return (f"* {machine.name}, {' and '.join(sorted({r['date'] for r in machine.rows}))}: {row['compiler']}; "
-            f"{', '.join(versions) or 'no peers'}. Rows: {links([file])}.{noise}")
+            f"{', '.join(versions) or 'no peers'}.\n  Rows: {links([file])}.{noise}")
 
 
 def conditions(machines, files):
