@@ -100,6 +100,10 @@ GltfObject GltfAccessors::object(std::size_t number, std::string_view words) con
     return root_.object_in("accessors", number, text(words, ", accessor ", number));
 }
 
+std::uint64_t GltfAccessors::claimed_count(std::size_t number) {
+    return object(number, root_.words()).required_whole("count");
+}
+
 GltfAccessor GltfAccessors::described(std::size_t number, GltfUse use, std::string_view words) {
     const GltfObject json = object(number, words);
     GltfAccessor result;

@@ -59,6 +59,8 @@ public:
     /// Returns an accessor whose elements are all inside of their bytes. Throws CommandError, with `words` for who
     /// uses it: when they are not, or when it has another type than its use allows.
     GltfAccessor accessor(std::size_t number, GltfUse use, std::string_view words);
+    /// Returns the accessor's "count", which need not be true.
+    std::uint64_t claimed_count(std::size_t number);
     /// Returns the accessor's description alone, as Draco uses it: without bytes.
     GltfAccessor described(std::size_t number, GltfUse use, std::string_view words);
 

@@ -58,6 +58,7 @@ public:
         for (const std::size_t number : nodes_.in_scene) {
             if (const auto mesh = gltf_node(root_, number).index("mesh", root_.size_of("meshes"))) ++uses_left_[*mesh];
         }
+        require_room();
         std::size_t done = 0;
         for (const std::size_t number : nodes_.in_scene) {
             add_node(number);
@@ -69,6 +70,34 @@ public:
     }
 
 private:
+    /// All that the accessors claim, before the first of it is read.
+    void require_room() {
+        std::uint64_t triangles = 0;
+        std::map<std::size_t, std::uint64_t> of_mesh;
+        for (const std::size_t number : nodes_.in_scene) {
+            const GltfObject node = gltf_node(root_, number);
+            const auto mesh = node.index("mesh", root_.size_of("meshes"));
+            if (!mesh) continue;
+            if (of_mesh.count(*mesh) == 0) of_mesh[*mesh] = claimed_triangles(mesh_object(*mesh));
+            const std::uint64_t instances = count_gltf_instances(node, accessors_);
+            // Each factor and each sum is refused long before 64 bits overflow.
+            meshes_.require_room(instances, node.words());
+            meshes_.require_room(instances * of_mesh[*mesh], node.words());
+            triangles += instances * of_mesh[*mesh];
+            meshes_.require_room(triangles, node.words());
+        }
+    }
+
+    std::uint64_t claimed_triangles(const GltfObject& mesh) {
+        std::uint64_t triangles = 0;
+        for (std::size_t i = 0; i < mesh.size_of("primitives"); ++i) {
+            const GltfObject primitive = mesh.object_in("primitives", i, text(mesh.words(), ", primitive ", i));
+            triangles += count_gltf_triangles(primitive, accessors_);
+            meshes_.require_room(triangles, primitive.words());
+        }
+        return triangles;
+    }
+
     void add_node(std::size_t number) {
         const GltfObject node = gltf_node(root_, number);
         const auto mesh_number = node.index("mesh", root_.size_of("meshes"));

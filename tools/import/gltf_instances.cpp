@@ -62,4 +62,15 @@ std::vector<Placement> gltf_instances(const GltfObject& node, GltfAccessors& acc
     return result;
 }
 
+std::uint64_t count_gltf_instances(const GltfObject& node, GltfAccessors& accessors) {
+    const auto extension = node.extension("EXT_mesh_gpu_instancing");
+    const auto attributes = extension ? extension->object("attributes") : std::nullopt;
+    if (!attributes) return 1;
+    std::uint64_t count = 1;
+    for (const char* name : {"TRANSLATION", "ROTATION", "SCALE"}) {
+        if (const auto number = attributes->index(name, accessors.count())) count = accessors.claimed_count(*number);
+    }
+    return count;
+}
+
 }  // namespace espalier::tools

@@ -146,6 +146,16 @@ GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& acces
     return result;
 }
 
+std::uint64_t count_gltf_triangles(const GltfObject& object, GltfAccessors& accessors) {
+    const std::uint64_t mode = object.whole("mode").value_or(gltf_triangles);
+    const auto attributes = object.object("attributes");
+    auto corners = object.index("indices", accessors.count());
+    if (!corners && attributes) corners = attributes->index("POSITION", accessors.count());
+    if (mode < gltf_triangles || !corners) return 0;
+    const std::uint64_t count = accessors.claimed_count(*corners);
+    return mode == gltf_triangles ? count / 3 : count - std::min<std::uint64_t>(count, 2);
+}
+
 void require_stored(const GltfAccessor& accessor, const GltfObject& user) {
     if (accessor.count > not_used) user.refuse("an accessor of it has more than 2^32 elements. Split the mesh.");
     if (accessor.is_stored() || accessor.count <= most_elements_without_bytes) return;

@@ -35,6 +35,9 @@ struct GltfPrimitive {
 /// Throws CommandError when it is broken.
 GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views);
 
+/// Returns how many triangles it will have, by what the accessors claim.
+std::uint64_t count_gltf_triangles(const GltfObject& object, GltfAccessors& accessors);
+
 /// The most elements that an accessor without stored bytes may have where it decides how much is allocated.
 inline constexpr std::size_t most_elements_without_bytes = std::size_t{1} << 20;
 /// Throws CommandError when the accessor has more.

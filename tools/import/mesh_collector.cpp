@@ -22,17 +22,21 @@ Placement MeshCollector::asset_placement() const {
     return options_.up ? combine(turned_to_y_up(*options_.up), asset) : asset;
 }
 
+void MeshCollector::require_room(std::uint64_t triangles, std::string_view words) const {
+    const std::uint64_t earlier = triangles_before_ + file_.triangles;
+    if (triangles <= format::max_triangles && earlier + triangles <= format::max_triangles) return;
+    throw CommandError(ExitCode::unsupported, text(words, ": with it the files have more than ", format::max_triangles,
+                                                   " triangles, the most a blob can hold. Bake them in parts."));
+}
+
 ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles) {
     ImportedMesh mesh;
     mesh.file = static_cast<std::uint32_t>(imported_.files.size());
     mesh.mesh = file_.meshes++;
     mesh.name = text(printable(file_.path), ", mesh ", mesh.mesh);
     if (!name.empty()) mesh.name += text(" (", printable(name), ")");
-    const std::uint64_t earlier = triangles_before_ + file_.triangles;
-    if (triangles <= format::max_triangles && earlier + triangles <= format::max_triangles) return mesh;
-    throw CommandError(ExitCode::unsupported,
-                       text(mesh.name, ": with it the files have more than ", format::max_triangles,
-                            " triangles, the most a blob can hold. Bake them in parts."));
+    require_room(triangles, mesh.name);
+    return mesh;
 }
 
 void MeshCollector::add(ImportedMesh mesh, std::uint64_t material) {

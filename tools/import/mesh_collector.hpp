@@ -17,9 +17,11 @@ public:
 
     /// Returns the transform from the file's units and axes to the asset's. `file.metres_per_unit` is final before.
     [[nodiscard]] Placement asset_placement() const;
-    /// Returns a mesh without triangles that has the file's next number. `name` comes from the file, or is empty.
     /// Throws CommandError (unsupported) when `triangles` more of them exceed what a blob can hold: called before
-    /// anything is allocated, since a small file can place one mesh a million times.
+    /// anything is allocated, since a small file can place one mesh a million times. `words` name their origin.
+    void require_room(std::uint64_t triangles, std::string_view words) const;
+    /// Returns a mesh without triangles that has the file's next number. `name` comes from the file, or is empty.
+    /// Throws CommandError (unsupported) without room for `triangles`.
     [[nodiscard]] ImportedMesh begin(std::string_view name, std::uint64_t triangles);
     /// Appends the mesh that begin() returned. `material` is the number within the file.
     void add(ImportedMesh mesh, std::uint64_t material);
