@@ -180,14 +180,14 @@ TEST_SUITE("rounded ray borders") {
                 float Data::*tau;
                 float most;
             };
-            for (const auto& [tau, largest] : {Tau{&Data::tau_min, std::numeric_limits<float>::max()},
-                                               Tau{&Data::tau_max, INFINITY}, Tau{&Data::tau_offset, 0x1p121f}}) {
-                const auto with = [&](float value) { return is_taken([&](Data& d) { d.*tau = value; }); };
-                for (const float value : {0.0f, -0.0f, 0x1p-100f, 1.0f, largest}) CHECK(with(value));
+            for (const Tau& border : {Tau{&Data::tau_min, std::numeric_limits<float>::max()},
+                                      Tau{&Data::tau_max, INFINITY}, Tau{&Data::tau_offset, 0x1p121f}}) {
+                const auto with = [&](float value) { return is_taken([&](Data& d) { d.*border.tau = value; }); };
+                for (const float value : {0.0f, -0.0f, 0x1p-100f, 1.0f, border.most}) CHECK(with(value));
                 for (const float value : {below(0x1p-100f), std::numeric_limits<float>::denorm_min(), -0x1p-100f, -1.0f,
                                           -INFINITY, nan, -nan})
                     CHECK_FALSE(with(value));
-                CHECK_FALSE(with(std::bit_cast<float>(std::bit_cast<std::uint32_t>(largest) + 1)));
+                CHECK_FALSE(with(std::bit_cast<float>(std::bit_cast<std::uint32_t>(border.most) + 1)));
             }
             CHECK_FALSE(is_taken([&](Data& d) { d.tau_min = INFINITY; }));
             CHECK_FALSE(is_taken([&](Data& d) { d.tau_offset = above(0x1p121f); }));
