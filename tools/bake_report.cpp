@@ -2,15 +2,11 @@
 
 #include "blob_layout.hpp"
 #include "numbers.hpp"
+#include "warnings.hpp"
 
 namespace espalier::tools {
 
 namespace {
-
-constexpr double largest_expected_extent = 1000.0;  // metres
-constexpr double smallest_expected_extent = 0.001;
-
-const char* axis_name(Axis axis) { return axis == Axis::x ? "+X" : axis == Axis::y ? "+Y" : "+Z"; }
 
 struct NamedFinding {
     const char* key;
@@ -45,28 +41,6 @@ std::vector<NamedVolume> volumes_of(const BakeReport& report) {
     return asked;
 }
 
-/// Why the baked surface is not closed, though the source is, and what keeps it closed.
-std::string lost_closed_text(const BakeReport& report) {
-    std::string dropped, advice;
-    const auto add = [&](const Finding& finding, const char* what, const char* remedy) {
-        if (finding.count == 0) return;
-        dropped += text(dropped.empty() ? "" : " and ", counted(finding.count, "triangle"), ' ', what,
-                        " (first: ", finding.first, ")");
-        advice += text(advice.empty() ? ": " : "; ", remedy);
-    };
-    if (report.triangles != 0) {
-        add(report.duplicate, "with the corners of another one", "bake parts that share triangles into separate blobs");
-        add(report.zero_area, "without area", "split the long edge beside a triangle without area, and remove that one");
-    }
-    const std::string reason = dropped.empty() ? "no triangle is left" : "it lacks " + dropped;
-    if (advice.empty()) advice = ": it is too thin for its length";
-    const std::string keeping = report.bits_that_keep_closed == 0
-                                    ? "No number of bits keeps it closed" + advice
-                                    : text("--bits ", report.bits_that_keep_closed, " keeps it closed");
-    return text("the source is closed, but at ", counted(report.bits, "bit"), " the baked surface is not, because ",
-                reason, ": inside and signed-distance queries will refuse it. ", keeping, ".");
-}
-
 double bytes_per_triangle(const BakeReport& report) {
     return report.triangles == 0 ? 0.0 : static_cast<double>(report.bytes) / report.triangles;
 }
@@ -83,11 +57,6 @@ void say_import(const Console& console, const BakeArguments& arguments, const Im
         if (file.points_and_lines > 0) {
             console.say(text("  skipped ", file.points_and_lines, " points and lines: no surface"));
         }
-        if (file.stated_up && !arguments.source.up) {
-            const std::string axis = axis_name(*file.stated_up);
-            console.warn(text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
-                              axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."));
-        }
     }
     console.say(arguments.source.up ? text("axes: ", axis_name(*arguments.source.up), " of the input is +Y in the blob")
                                     : std::string("axes: as imported (--up turns another axis to +Y)"));
@@ -98,11 +67,6 @@ void say_findings(const Console& console, const BakeReport& report) {
         if (found.finding.count == 0) continue;
         console.say(text("dropped ", counted(found.finding.count, "triangle"), ' ', found.what,
                          "; first: ", found.finding.first));
-    }
-    if (report.source_triangles == 0) {
-        console.warn("the input has no triangles; the blob is valid and empty, and every query of it finds nothing.");
-    } else if (report.triangles == 0) {
-        console.warn("no triangle is left; the blob is valid and empty, and every query of it finds nothing.");
     }
 }
 
@@ -124,28 +88,10 @@ void say_result(const Console& console, const BakeReport& report) {
         }
         console.say(volumes);
     }
-    if (report.step_below_float_spacing) {
-        console.warn(
-            text("the lattice step ", rounded(report.step),
-                 " is finer than the spacing of the source's own floats at its coordinates: fewer bits or a "
-                 "coarser tolerance loses nothing, and moving the asset closer to the origin gains accuracy."));
-    }
-    if (report.lost_closed) console.warn(lost_closed_text(report));
-    if (report.triangles == 0) return;
-    if (report.rays_rounded_coarsely) {
-        console.warn(
-            text("at ", counted(report.bits, "bit"),
-                 " rays that start outside of the asset are rounded to whole lattice steps, coarser than "
-                 "float32: one that is aimed exactly at a corner may miss it. 22 bits or fewer leave room for a "
-                 "finer grid."));
-    }
-    if (report.extent > largest_expected_extent || report.extent < smallest_expected_extent) {
-        console.warn(text("the asset is ", rounded(report.extent),
-                          " m across. If that is not what it is, give the unit of its file with --unit, or --scale."));
-    }
 }
 
-Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob) {
+Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
+               std::span<const Warning> warnings) {
     Json document = json_document();
     document["output"] = arguments.output;
     Json inputs = Json::array();
@@ -193,6 +139,7 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
     document["rays_rounded_coarsely"] = report.rays_rounded_coarsely;
     document["profile"] = name_of(blob.profile());
     document["checksum"] = checksum_text(blob.checksum());
+    document["warnings"] = warnings_json(warnings);
     return document;
 }
 

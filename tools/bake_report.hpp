@@ -1,7 +1,7 @@
 // What a bake tells: as lines for people, as JSON for scripts.
 #pragma once
 
-#include <string>
+#include <span>
 
 #include <espalier/bake.hpp>
 #include <espalier/blob.hpp>
@@ -10,16 +10,18 @@
 #include "console.hpp"
 #include "import/imported.hpp"
 #include "json_output.hpp"
+#include "warning.hpp"
 
 namespace espalier::tools {
 
 /// Where the coordinates come from and what was done to them: unit, axes, skipped elements, for each file.
 void say_import(const Console& console, const BakeArguments& arguments, const Imported& imported);
-/// What was wrong with the input, and what became of it. Warnings are not silenced by quiet.
+/// What was wrong with the input, and what became of it.
 void say_findings(const Console& console, const BakeReport& report);
-/// The result in numbers, and doubts about the asset's size.
+/// The result in numbers.
 void say_result(const Console& console, const BakeReport& report);
 
-Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob);
+Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
+               std::span<const Warning> warnings);
 
 }  // namespace espalier::tools

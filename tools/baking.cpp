@@ -28,14 +28,23 @@ ExitCode exit_code_of(BakeError::Kind kind) {
     return ExitCode::internal;
 }
 
-Baked sound_or_throw(Result<Baked, BakeError> result) {
+ErrorDetails details_of(const BakeError& error, const Imported& imported) {
+    ErrorDetails details;
+    if (!error.place) return details;
+    details.file = imported.files.at(error.place->file).path;
+    details.mesh = error.place->mesh;
+    details.triangle = error.place->triangle;
+    return details;
+}
+
+Baked sound_or_throw(Result<Baked, BakeError> result, const Imported& imported) {
     if (!result) {
         std::string message = result.error().message;
         if (!message.ends_with('.')) message += '.';
         if (result.error().kind == BakeError::Kind::invalid_mesh) {
             message += " --repair drops such triangles and counts them.";
         }
-        throw CommandError(exit_code_of(result.error().kind), message);
+        throw CommandError(exit_code_of(result.error().kind), message, details_of(result.error(), imported));
     }
     static_cast<void>(opened(*result));
     return std::move(*result);
@@ -43,12 +52,12 @@ Baked sound_or_throw(Result<Baked, BakeError> result) {
 
 }  // namespace
 
-Baked bake_or_throw(std::span<const MeshView> meshes, const BakeOptions& options) {
-    return sound_or_throw(bake(meshes, options));
+Baked bake_or_throw(const Imported& imported, const BakeOptions& options) {
+    return sound_or_throw(bake(imported.views(), options), imported);
 }
 
-Baked bake_trial_or_throw(std::span<const MeshView> meshes, const BakeOptions& options) {
-    return sound_or_throw(baker::bake_trial(meshes, options));
+Baked bake_trial_or_throw(const Imported& imported, const BakeOptions& options) {
+    return sound_or_throw(baker::bake_trial(imported.views(), options), imported);
 }
 
 Blob opened(const Baked& baked) {

@@ -18,8 +18,10 @@ constexpr std::size_t largest_blob = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t chunk = std::size_t{1} << 20;
 
 [[noreturn]] void fail_to_read(const std::string& path, int error) {
-    throw CommandError(ExitCode::file_access, text("cannot read '", printable(path), "': ", std::strerror(error),
-                                                   ". Check the path and the rights on it."));
+    throw CommandError(
+        ExitCode::file_access,
+        text("cannot read '", printable(path), "': ", std::strerror(error), ". Check the path and the rights on it."),
+        {.file = path});
 }
 
 class Descriptor {
@@ -47,7 +49,7 @@ std::vector<std::byte> read_file(const std::string& path) {
         const std::size_t have = bytes.size();
         if (have > largest_blob) {
             throw CommandError(ExitCode::unsupported,
-                               text("'", printable(path), "' is larger than 4 GiB, which no blob is."));
+                               text("'", printable(path), "' is larger than 4 GiB, which no blob is."), {.file = path});
         }
         bytes.resize(have + chunk);
         const ssize_t count = ::read(file.value(), bytes.data() + have, chunk);
@@ -84,7 +86,7 @@ BlobFile open_blob_file(const std::string& path) {
     BlobFile file;
     file.bytes = read_file(path);
     const Status status = open(file.bytes, file.blob);
-    if (status != Status::ok) throw CommandError(exit_code_of(status), refusal_text(path, status));
+    if (status != Status::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});
     return file;
 }
 

@@ -5,6 +5,7 @@
 
 #include "blob_layout.hpp"
 #include "console.hpp"
+#include "failure.hpp"
 #include "numbers.hpp"
 
 namespace espalier::tools {
@@ -67,20 +68,22 @@ void ByteListing::line(std::size_t count, const std::string& meaning) {
     at_ += count;
 }
 
-void ByteListing::finish() {
+ExitCode ByteListing::finish(const CommandError* refusal) {
     const std::size_t left_out = bytes_.size() - at_;
     if (json_) {
         Json document = json_document();
         document["lines"] = std::move(collected_);
         document["bytes_left_out"] = left_out;
+        if (refusal != nullptr) return report_failure(*refusal, &document);
         print_json(document);
-        return;
+        return ExitCode::ok;
     }
     if (left_out > 0) {
         std::cout << "-- left out: " << counted(left_out, "byte") << " from "
                   << checksum_text(static_cast<std::uint32_t>(at_)) << " on\n";
     }
     finish_standard_output();
+    return refusal == nullptr ? ExitCode::ok : report_failure(*refusal, nullptr);
 }
 
 }  // namespace espalier::tools

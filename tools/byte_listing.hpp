@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "exit_code.hpp"
 #include "json_output.hpp"
 
 namespace espalier::tools {
@@ -24,8 +25,9 @@ public:
     /// Whether the rest would be left out anyway, so that its text need not be made.
     [[nodiscard]] bool full() const { return limit_ != 0 && lines_ >= limit_; }
 
-    /// Says what was left out and ends the listing.
-    void finish();
+    /// Prints what was left out, ends the listing, and reports the refusal of the blob, if any. Returns its exit
+    /// status.
+    ExitCode finish(const CommandError* refusal = nullptr);
 
 private:
     void line(std::size_t count, const std::string& meaning);

@@ -21,6 +21,7 @@
 #include "pick_report.hpp"
 #include "reordered_mesh.hpp"
 #include "source_options.hpp"
+#include "warnings.hpp"
 
 namespace espalier::tools {
 
@@ -109,7 +110,7 @@ Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, con
     const std::optional<PickGoal> goal = pick_goal(arguments);
     Progress progress(arguments.quiet);
     options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
-    if (!goal) return bake_or_throw(imported.views(), options);
+    if (!goal) return bake_or_throw(imported, options);
     Picked picked = pick(imported, options, *goal);
     say_pick(console, picked, options);
     picked_json = pick_json(picked);
@@ -137,10 +138,13 @@ ExitCode run_bake(const BakeArguments& arguments) {
     for (const ImportedFile& file : imported.files)
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
+    std::vector<Warning> warnings = import_warnings(arguments.source, imported);
     Json picked_json;
     const Baked baked = bake_or_pick(imported, arguments, console, picked_json);
     say_findings(console, baked.report);
     say_result(console, baked.report);
+    for (Warning& warning : bake_warnings(baked.report)) warnings.push_back(std::move(warning));
+    print(warnings);
     write_depfile(arguments, imported);
     if (!arguments.remap.empty()) write_output_file(arguments.remap, remap_file(baked));
     if (!arguments.reorder.empty())
@@ -149,7 +153,7 @@ ExitCode run_bake(const BakeArguments& arguments) {
     for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
         if (!written.empty()) console.say(text("wrote ", printable(written)));
     if (arguments.json) {
-        Json document = bake_json(arguments, imported, baked.report, opened(baked));
+        Json document = bake_json(arguments, imported, baked.report, opened(baked), warnings);
         if (!picked_json.is_null()) document["picked"] = std::move(picked_json);
         print_json(document);
     }

@@ -287,16 +287,17 @@ ExitCode run_dump(const DumpArguments& arguments) {
         const std::size_t shown = std::min(bytes.size(), format::header::bytes);
         ByteListing listing(Bytes(bytes).first(shown), arguments.limit, arguments.json);
         list_header(Bytes(bytes).first(shown), listing);
-        listing.finish();
-        throw CommandError(exit_code_of(status), refusal_text(arguments.blob, status) + " Only its header was listed.");
+        const CommandError refusal(exit_code_of(status),
+                                   refusal_text(arguments.blob, status) + " Only its header was listed.",
+                                   {.file = arguments.blob});
+        return listing.finish(&refusal);
     }
     ByteListing listing(bytes, arguments.limit, arguments.json);
     const std::vector<Section> sections = sections_of(blob);
     for (const Section& section : sections) {
         if (section.bytes > 0 && !listing.full()) list_section(bytes, blob, sections, section, listing);
     }
-    listing.finish();
-    return ExitCode::ok;
+    return listing.finish();
 }
 
 }  // namespace espalier::tools

@@ -33,8 +33,7 @@ const QueryKinds& query_kinds() {
 
 ExitCode run_query(const QueryKind& kind, const QueryArguments& arguments) {
     QueryCall call(kind, arguments);
-    print_answer(kind.name, kind.ask(call));
-    return ExitCode::ok;
+    return print_answer(kind.name, kind.ask(call));
 }
 
 }  // namespace espalier::tools

@@ -17,6 +17,7 @@
 #include "output_file.hpp"
 #include "parallel_rows.hpp"
 #include "shading.hpp"
+#include "warnings.hpp"
 
 namespace espalier::tools {
 
@@ -130,7 +131,17 @@ ExitCode run_render(const RenderArguments& arguments) {
     document["output"] = arguments.output;
     document["width"] = size.width;
     document["height"] = size.height;
-    if (blob.triangle_count() == 0) console.warn("the blob has no triangles; the picture shows the background only.");
+    std::vector<Warning> warnings;
+    if (blob.triangle_count() == 0) {
+        warnings.push_back(
+            {"empty",
+             text("'", printable(arguments.blob), "' has no triangles; the picture shows the background only."),
+             arguments.blob,
+             {},
+             {}});
+    }
+    print(warnings);
+    document["warnings"] = warnings_json(warnings);
     {
         Progress progress(arguments.quiet);
         if (arguments.heatmap) {

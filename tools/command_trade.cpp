@@ -18,6 +18,7 @@
 #include "trade_chart.hpp"
 #include "trade_measure.hpp"
 #include "trade_table.hpp"
+#include "warnings.hpp"
 
 namespace espalier::tools {
 
@@ -87,6 +88,7 @@ ExitCode run_trade(const TradeArguments& arguments) {
     ImportOptions source = import_options(arguments.source);
 
     std::vector<TradePoint> points;
+    std::vector<Warning> warnings;
     std::uint64_t triangles = 0;
     {
         Progress progress(arguments.quiet);
@@ -94,11 +96,13 @@ ExitCode run_trade(const TradeArguments& arguments) {
         source.progress = show;
         const Imported imported = import_files(arguments.inputs, source);
         for (const ImportedFile& file : imported.files) triangles += file.triangles;
+        warnings = import_warnings(arguments.source, imported);
         points = measure_trade(imported, options, space, show);
     }
     const std::string names = names_of(arguments);
     const std::string how = conditions(arguments, triangles);
     const std::vector<bool> front = pareto_front(points, timed_queries[0]);
+    print(warnings);
     console.say(text(names, ": ", how));
     console.say(text(counted(points.size(), "bake"), ", of which ", std::count(front.begin(), front.end(), true),
                      " are on the front of bytes, time of closest hits, and error"));
@@ -118,6 +122,7 @@ ExitCode run_trade(const TradeArguments& arguments) {
         document["effort"] = arguments.effort;
         document["instruction_set"] = instruction_set_name();
         document["points"] = trade_json(points);
+        document["warnings"] = warnings_json(warnings);
         print_json(document);
     } else if (arguments.csv.empty()) {
         std::cout << trade_csv(names, points);

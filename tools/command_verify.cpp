@@ -9,11 +9,13 @@
 #include "blob_file.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "failure.hpp"
 #include "import/import_files.hpp"
 #include "json_output.hpp"
 #include "numbers.hpp"
 #include "source_options.hpp"
 #include "verify_source.hpp"
+#include "warnings.hpp"
 
 namespace espalier::tools {
 
@@ -24,6 +26,7 @@ struct Verification {
     Status status = Status::ok;
     bool deep = false;
     std::optional<SourceCheck> source;
+    std::vector<Warning> warnings;  ///< of the import of the source
     std::string failure;
 };
 
@@ -39,7 +42,7 @@ std::string source_failure(const Blob& blob, const SourceCheck& check) {
                 ". Is it this source, with the --unit, --scale and --up that it was baked with?");
 }
 
-void print_result_json(const VerifyArguments& arguments, const Verification& result) {
+Json result_json(const VerifyArguments& arguments, const Verification& result) {
     Json document = json_document();
     document["file"] = arguments.blob;
     document["ok"] = result.failure.empty();
@@ -52,12 +55,12 @@ void print_result_json(const VerifyArguments& arguments, const Verification& res
                               {"too_far", check.too_far},   {"worst_distance", check.worst_distance},
                               {"worst", check.worst},       {"measuring_error", check.measuring_error}};
     }
+    document["warnings"] = warnings_json(result.warnings);
     document["failure"] = result.failure.empty() ? Json() : Json(result.failure);
-    print_json(document);
+    return document;
 }
 
 void print_result(const VerifyArguments& arguments, const BlobFile& file, const Verification& result) {
-    if (!result.failure.empty()) return;  // said on stderr
     std::cout << printable(arguments.blob) << ": ok, " << counted(file.blob.triangle_count(), "triangle") << '\n';
     std::cout << "  opened: every query on it is safe\n";
     if (result.deep) std::cout << "  deep: every box contains what is below it, and the header's counts are true\n";
@@ -88,18 +91,23 @@ ExitCode run_verify(const VerifyArguments& arguments) {
     }
     if (result.failure.empty() && !arguments.sources.empty()) {
         const Imported source = import_files(arguments.sources, options);
+        result.warnings = import_warnings(arguments.source, source);
+        print(result.warnings);
         result.source = check_source(file.blob, source);
         const std::string failure = source_failure(file.blob, *result.source);
         if (!failure.empty()) result.failure = text("'", printable(arguments.blob), "': ", failure);
     }
     if (!result.failure.empty() && code == ExitCode::ok) code = ExitCode::invalid_input;
-    if (!result.failure.empty()) std::cerr << "espalier: " << result.failure << '\n';
+    Json document = arguments.json ? result_json(arguments, result) : Json();
+    if (!result.failure.empty()) {
+        return report_failure({code, result.failure, {.file = arguments.blob}}, arguments.json ? &document : nullptr);
+    }
     if (arguments.json) {
-        print_result_json(arguments, result);
+        print_json(document);
     } else {
         print_result(arguments, file, result);
     }
-    return code;
+    return ExitCode::ok;
 }
 
 }  // namespace espalier::tools

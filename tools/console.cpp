@@ -15,7 +15,7 @@ void Console::say(const std::string& line) const {
     if (!quiet_) std::cerr << line << '\n';
 }
 
-void Console::warn(const std::string& line) const { std::cerr << "warning: " << line << '\n'; }
+void Console::warn(const Warning& warning) { std::cerr << "warning: " << warning.message << '\n'; }
 
 Progress::Progress(bool quiet)
     : enabled_(!quiet && isatty(STDERR_FILENO) == 1), next_(Clock::now() + std::chrono::seconds(1)) {}

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <string>
 
+#include "warning.hpp"
+
 namespace espalier::tools {
 
 class Console {
@@ -12,7 +14,7 @@ public:
     /// A line for whoever watches; dropped when quiet.
     void say(const std::string& line) const;
     /// A line that quiet does not silence.
-    void warn(const std::string& line) const;
+    static void warn(const Warning& warning);
 
 private:
     bool quiet_;

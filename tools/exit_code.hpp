@@ -1,8 +1,14 @@
 // How the command ends. The numbers are part of its interface: scripts branch on them.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "warning.hpp"
 
 namespace espalier::tools {
 
@@ -20,14 +26,49 @@ inline constexpr const char* exit_code_help =
     "Exit status: 0 ok, 1 usage, 2 file cannot be read or written, 3 invalid input, 4 internal, 5 unsupported, "
     "6 query refused or answered in part.";
 
-/// Ends a verb. The message says what went wrong, where, and what to do about it.
+/// The name of an exit status other than ok: "invalid_input".
+constexpr const char* name_of(ExitCode code) {
+    switch (code) {
+        case ExitCode::ok:
+            return "ok";
+        case ExitCode::usage:
+            return "usage";
+        case ExitCode::file_access:
+            return "file_access";
+        case ExitCode::invalid_input:
+            return "invalid_input";
+        case ExitCode::internal:
+            return "internal";
+        case ExitCode::unsupported:
+            return "unsupported";
+        case ExitCode::no_answer:
+            return "no_answer";
+    }
+    return "internal";
+}
+
+/// What scripts read of an error besides its exit status and message. All of it may be empty.
+struct ErrorDetails {
+    std::string file = {};
+    std::optional<std::uint32_t> mesh = {};
+    std::optional<std::uint64_t> triangle = {};
+    std::string kind = {};               ///< narrower than the exit status; empty: that one's name
+    std::vector<Warning> warnings = {};  ///< that led to the error
+};
+
+/// Ends a verb. The message states what went wrong, where, and what to do about it.
 class CommandError : public std::runtime_error {
 public:
-    CommandError(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    CommandError(ExitCode code, const std::string& message, ErrorDetails details = {})
+        : std::runtime_error(message), code_(code), details_(std::move(details)) {
+        if (details_.kind.empty()) details_.kind = name_of(code);
+    }
     [[nodiscard]] ExitCode code() const { return code_; }
+    [[nodiscard]] const ErrorDetails& details() const { return details_; }
 
 private:
     ExitCode code_;
+    ErrorDetails details_;
 };
 
 }  // namespace espalier::tools

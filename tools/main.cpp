@@ -10,6 +10,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "choices.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "failure.hpp"
 #include "numbers.hpp"
 
 namespace espalier::tools {
@@ -148,10 +150,35 @@ ExitCode run(int count, char** values) {
         finish_standard_output();
         return ExitCode::ok;
     } catch (const CLI::ParseError& error) {
-        std::cerr << "espalier: " << printable(error.what()) << "\nRun 'espalier --help' or 'espalier VERB --help'.\n";
-        return ExitCode::usage;
+        throw CommandError(ExitCode::usage,
+                           text(printable(error.what()), "\nRun 'espalier --help' or 'espalier VERB --help'."));
     }
     return chosen();
+}
+
+/// Whether a document is due on stdout, also where the command line cannot be parsed.
+bool wants_json(int count, char** values) {
+    for (int i = 1; i < count && std::string_view(values[i]) != "--"; ++i) {
+        if (std::string_view(values[i]) == "--json") return true;
+    }
+    return false;
+}
+
+ExitCode run_and_report(int count, char** values) {
+    const auto report = [&](const CommandError& error) {
+        Json document = json_document();
+        return report_failure(error, wants_json(count, values) ? &document : nullptr);
+    };
+    try {
+        return run(count, values);
+    } catch (const CommandError& error) {
+        return report(error);
+    } catch (const std::bad_alloc&) {
+        return report({ExitCode::internal, "the machine has not enough memory for this. Bake the asset in parts."});
+    } catch (const std::exception& error) {
+        return report(
+            {ExitCode::internal, text("internal error: ", error.what(), ". Please report how it came about.")});
+    }
 }
 
 }  // namespace
@@ -159,16 +186,11 @@ ExitCode run(int count, char** values) {
 }  // namespace espalier::tools
 
 int main(int count, char** values) {
-    using espalier::tools::ExitCode;
+    using namespace espalier::tools;
     try {
-        return static_cast<int>(espalier::tools::run(count, values));
-    } catch (const espalier::tools::CommandError& error) {
+        return static_cast<int>(run_and_report(count, values));
+    } catch (const CommandError& error) {  // the report itself cannot be written
         std::cerr << "espalier: " << error.what() << '\n';
         return static_cast<int>(error.code());
-    } catch (const std::bad_alloc&) {
-        std::cerr << "espalier: the machine has not enough memory for this. Bake the asset in parts.\n";
-    } catch (const std::exception& error) {
-        std::cerr << "espalier: internal error: " << error.what() << ". Please report how it came about.\n";
     }
-    return static_cast<int>(ExitCode::internal);
 }

@@ -24,7 +24,8 @@ namespace {
 [[noreturn]] void fail(const std::string& path, int error) {
     throw CommandError(ExitCode::file_access,
                        text("cannot write '", printable(path), "': ", std::strerror(error),
-                            ". This file was not written; check the folder, its rights and the space on the disk."));
+                            ". This file was not written; check the folder, its rights and the space on the disk."),
+                       {.file = path});
 }
 
 /// Holds back the signals that end a program, so that an interrupt leaves no temporary behind.
@@ -128,7 +129,8 @@ void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::
         if (!std::filesystem::is_regular_file(output.path, error)) continue;
         throw CommandError(ExitCode::usage,
                            text("the output '", printable(output.path), "' is the input '", printable(input),
-                                "' itself, which it would replace. Give another name to ", output.option, "."));
+                                "' itself, which it would replace. Give another name to ", output.option, "."),
+                           {.file = output.path});
     }
 }
 

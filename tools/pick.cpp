@@ -70,7 +70,7 @@ std::vector<Configuration> other_configurations(const PickGoal& goal, const Cost
 class Search {
 public:
     Search(const Imported& imported, const BakeOptions& options, const PickGoal& goal)
-        : meshes_(imported.views()),
+        : imported_(imported),
           rays_(make_sample_queries(imported, counted_rays).rays),
           options_(options),
           goal_(goal) {}
@@ -88,7 +88,7 @@ public:
         if (!some_fit_) refuse();
         const Candidate chosen = best();
         const BakeOptions options = options_for({chosen.profile, chosen.builder, chosen.leaf_size, chosen.byte_price});
-        return {bake_or_throw(meshes_, options), chosen, std::move(tried_)};
+        return {bake_or_throw(imported_, options), chosen, std::move(tried_)};
     }
 
 private:
@@ -107,7 +107,7 @@ private:
     }
 
     void try_one(const Configuration& configuration) {
-        const Baked baked = bake_trial_or_throw(meshes_, options_for(configuration));
+        const Baked baked = bake_trial_or_throw(imported_, options_for(configuration));
         const BakeReport& report = baked.report;
         // A lattice so coarse that no triangle is left fits everywhere and answers nothing.
         if (report.triangles == 0 && report.collapsed.count > 0 && !tried_.empty()) {
@@ -155,7 +155,7 @@ private:
                        "without --tolerance, --step and --lattice-of gives up bits until it fits."));
     }
 
-    std::vector<MeshView> meshes_;
+    const Imported& imported_;
     std::vector<Ray> rays_;
     BakeOptions options_;
     const PickGoal& goal_;

@@ -2,6 +2,8 @@
 
 namespace espalier::tools {
 
+const char* axis_name(Axis axis) { return axis == Axis::x ? "+X" : axis == Axis::y ? "+Y" : "+Z"; }
+
 Vec3 Placement::operator()(const std::array<double, 3>& point) const {
     std::array<float, 3> result{};
     for (std::size_t row = 0; row < 3; ++row) {

@@ -11,6 +11,9 @@ namespace espalier::tools {
 
 enum class Axis : std::uint8_t { x, y, z };
 
+/// "+X"
+const char* axis_name(Axis axis);
+
 /// point -> linear * point + offset
 struct Placement {
     std::array<std::array<double, 3>, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "console.hpp"
+#include "failure.hpp"
 #include "numbers.hpp"
 #include "query_call.hpp"
 
@@ -156,9 +157,10 @@ const char* name_of(QueryStatus status) {
     return "unknown";
 }
 
-void print_answer(const char* kind, const Answer& answer) {
+ExitCode print_answer(const char* kind, const Answer& answer) {
     const bool is_whole = answer.status == QueryStatus::ok || answer.status == QueryStatus::output_full;
     const bool is_answer = is_whole || answer.status == QueryStatus::work_limit;
+    const CommandError refusal(ExitCode::no_answer, text("query ", kind, ": ", describe(answer.status), '.'));
     if (answer.record.as_json()) {
         Json document = json_document();
         document["query"] = kind;
@@ -168,15 +170,14 @@ void print_answer(const char* kind, const Answer& answer) {
             Json& list = document[answer.list_name] = Json::array();
             for (const Record& record : answer.list) list.push_back(record.json());
         }
+        if (!is_whole) return report_failure(refusal, &document);
         print_json(document);
     } else if (is_answer) {
         for (const Record& record : answer.list) std::cout << record.text() << '\n';
         if (const std::string last = answer.record.text(); !last.empty()) std::cout << last << '\n';
         finish_standard_output();
     }
-    if (!is_whole) {
-        throw CommandError(ExitCode::no_answer, text("query ", kind, ": ", describe(answer.status), '.'));
-    }
+    return is_whole ? ExitCode::ok : report_failure(refusal, nullptr);
 }
 
 }  // namespace espalier::tools

@@ -133,14 +133,13 @@ std::vector<TradePoint> combinations(const TradeSpace& space) {
     return points;
 }
 
-Contestant bake_point(std::span<const MeshView> meshes, BakeOptions options, const SampleQueries& queries,
-                      TradePoint& point) {
+Contestant bake_point(const Imported& imported, BakeOptions options, const SampleQueries& queries, TradePoint& point) {
     options.profile = point.profile;
     options.builder = point.builder;
     options.bits = point.bits;
     options.max_leaf_triangles = point.leaf_size;
     options.cost_model.byte_price = point.byte_price;
-    Contestant contestant{bake_or_throw(meshes, options), {}};
+    Contestant contestant{bake_or_throw(imported, options), {}};
     contestant.blob = opened(contestant.baked);
     const BakeReport& report = contestant.baked.report;
     point.bytes = report.bytes;
@@ -204,11 +203,10 @@ std::vector<TradePoint> measure_trade(const Imported& imported, const BakeOption
     if (queries.rays.empty()) {
         throw CommandError(ExitCode::invalid_input, "the input has no triangle with an area: nothing can be measured.");
     }
-    const std::vector<MeshView> meshes = imported.views();
     std::vector<TradePoint> points = combinations(space);
     std::vector<Contestant> contestants;
     for (TradePoint& point : points) {
-        contestants.push_back(bake_point(meshes, options, queries, point));
+        contestants.push_back(bake_point(imported, options, queries, point));
         done("bake", static_cast<double>(contestants.size()) / static_cast<double>(points.size()));
     }
     const auto rounds = time_all(contestants, queries, space.repetitions, done);

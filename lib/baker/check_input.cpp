@@ -18,8 +18,9 @@ constexpr float most_expensive = 1e6f;  // sums over all nodes stay far from inf
 constexpr const char* corner_names[3] = {"first", "second", "third"};
 
 BakeError invalid_options(std::string message) { return {BakeError::Kind::invalid_options, std::move(message)}; }
-BakeError invalid_mesh(std::string message) { return {BakeError::Kind::invalid_mesh, std::move(message)}; }
-BakeError too_large(std::string message) { return {BakeError::Kind::too_large, std::move(message)}; }
+BakeError too_large(std::string message, BakeError::Place place) {
+    return {BakeError::Kind::too_large, std::move(message), place};
+}
 
 bool is_finite(const Vec3& point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
@@ -56,20 +57,25 @@ std::optional<BakeError> check_sizes(std::span<const MeshView> meshes) {
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const MeshView& mesh = meshes[i];
         if (!mesh.materials.empty() && mesh.materials.size() != mesh.triangles.size()) {
-            return invalid_mesh(mesh_name(meshes, i) + ": " + std::to_string(mesh.materials.size()) +
-                                " materials for " + std::to_string(mesh.triangles.size()) +
-                                " triangles; give one for each triangle, or none at all");
+            return BakeError{BakeError::Kind::invalid_mesh,
+                             mesh_name(meshes, i) + ": " + std::to_string(mesh.materials.size()) + " materials for " +
+                                 std::to_string(mesh.triangles.size()) +
+                                 " triangles; give one for each triangle, or none at all",
+                             place_of(mesh)};
         }
         triangles += mesh.triangles.size();
         vertices += mesh.positions.size();
         if (triangles > format::max_triangles) {
             return too_large(mesh_name(meshes, i) + ": with this mesh there are " + std::to_string(triangles) +
-                             " triangles; a blob holds at most " + std::to_string(format::max_triangles) +
-                             "; split the input into several blobs");
+                                 " triangles; a blob holds at most " + std::to_string(format::max_triangles) +
+                                 "; split the input into several blobs",
+                             place_of(mesh));
         }
         if (vertices > std::numeric_limits<std::uint32_t>::max()) {
-            return too_large(mesh_name(meshes, i) + ": with this mesh there are " + std::to_string(vertices) +
-                             " vertices; at most 4294967295 can be baked at once; split the input into several blobs");
+            return too_large(
+                mesh_name(meshes, i) + ": with this mesh there are " + std::to_string(vertices) +
+                    " vertices; at most 4294967295 can be baked at once; split the input into several blobs",
+                place_of(mesh));
         }
     }
     return std::nullopt;
@@ -82,10 +88,13 @@ std::optional<BakeError> check_materials(std::span<const MeshView> meshes, Mater
         for (std::size_t triangle = 0; triangle < meshes[i].materials.size(); ++triangle) {
             const std::uint32_t material = meshes[i].materials[triangle];
             if (material <= largest) continue;
+            BakeError::Place place = place_of(meshes[i]);
+            place.triangle = static_cast<std::uint32_t>(triangle);
             return too_large(mesh_name(meshes, i) + ", triangle " + std::to_string(triangle) + ": material " +
-                             std::to_string(material) + " does not fit into " +
-                             (width == Materials::bits_8 ? "8 bits (at most 255); bake with 16-bit materials"
-                                                         : "16 bits (at most 65535); number the materials anew"));
+                                 std::to_string(material) + " does not fit into " +
+                                 (width == Materials::bits_8 ? "8 bits (at most 255); bake with 16-bit materials"
+                                                             : "16 bits (at most 65535); number the materials anew"),
+                             place);
         }
     }
     return std::nullopt;
@@ -95,9 +104,15 @@ void count(Finding& finding, const Source& source, std::uint32_t original_id) {
     if (finding.count++ == 0) finding.first = triangle_name(source, original_id);
 }
 
-/// Takes over one mesh. `complaint` is what is wrong with the first broken triangle of all, if any.
+/// The first broken triangle of all meshes.
+struct Complaint {
+    std::uint32_t original_id;
+    std::string message;
+};
+
+/// Takes over one mesh. Sets `complaint` at the first broken triangle, if it is empty.
 void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t first_triangle, Source& source,
-                 BakeReport& report, std::string& complaint) {
+                 BakeReport& report, std::optional<Complaint>& complaint) {
     const std::size_t vertex_count = mesh.positions.size();
     source.positions.insert(source.positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -105,7 +120,7 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
         const std::uint32_t id = first_triangle + static_cast<std::uint32_t>(i);
         if (triangle[0] >= vertex_count || triangle[1] >= vertex_count || triangle[2] >= vertex_count) {
             count(report.index_out_of_range, source, id);
-            if (complaint.empty()) complaint = triangle_name(source, id) + ": " + describe_out_of_range(mesh, triangle);
+            if (!complaint) complaint = {id, triangle_name(source, id) + ": " + describe_out_of_range(mesh, triangle)};
             continue;
         }
         const Vec3& a = mesh.positions[triangle[0]];
@@ -113,7 +128,7 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
         const Vec3& c = mesh.positions[triangle[2]];
         if (!is_finite(a) || !is_finite(b) || !is_finite(c)) {
             count(report.not_finite, source, id);
-            if (complaint.empty()) complaint = triangle_name(source, id) + ": " + describe_not_finite(mesh, triangle);
+            if (!complaint) complaint = {id, triangle_name(source, id) + ": " + describe_not_finite(mesh, triangle)};
             continue;
         }
         const SourceTriangle sound{{first_vertex + triangle[0], first_vertex + triangle[1], first_vertex + triangle[2]},
@@ -216,15 +231,17 @@ Result<Source, BakeError> check_input(std::span<const MeshView> meshes, const Ba
     report.source_triangles = source.triangle_count;
     report.source_vertices = vertex_count;
 
-    std::string complaint;
+    std::optional<Complaint> complaint;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const auto first_vertex = static_cast<std::uint32_t>(source.positions.size());
         append_mesh(meshes[i], first_vertex, source.first_triangle[i], source, report, complaint);
     }
     const std::uint64_t broken = report.not_finite.count + report.index_out_of_range.count;
-    if (broken != 0 && !options.repair) {
-        return invalid_mesh(complaint + ". Broken triangles: " + std::to_string(broken) +
-                            ". Mend the mesh, or bake with repair to drop them");
+    if (complaint && !options.repair) {
+        return BakeError{BakeError::Kind::invalid_mesh,
+                         complaint->message + ". Broken triangles: " + std::to_string(broken) +
+                             ". Mend the mesh, or bake with repair to drop them",
+                         place_of(source, complaint->original_id)};
     }
     return source;
 }

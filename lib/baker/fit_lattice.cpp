@@ -20,7 +20,8 @@ BakeError too_far_away(const Source& source, const FittedMesh& fitted) {
     return {BakeError::Kind::too_large,
             triangle_name(source, fitted.error.dropped_triangle) +
                 ": it has no area and lies so far from all others that the distance cannot be "
-                "written; remove it from the mesh"};
+                "written; remove it from the mesh",
+            place_of(source, fitted.error.dropped_triangle)};
 }
 
 BakeError tolerance_error(const Source& source, const FittedMesh& last, double tolerance, const BakeError& too_fine) {
@@ -29,7 +30,8 @@ BakeError tolerance_error(const Source& source, const FittedMesh& last, double t
             triangle_name(source, last.error.dropped_triangle) + ": it has no area on the lattice and lies " +
                 number_text(double(last.error.largest)) +
                 " from the rest, so that dropping it exceeds the tolerance of " + number_text(tolerance) +
-                "; remove it from the mesh, or choose a coarser tolerance"};
+                "; remove it from the mesh, or choose a coarser tolerance",
+            place_of(source, last.error.dropped_triangle)};
 }
 
 /// The coarsest exponent worth a try: at least the one that keeps any vertex within the tolerance, coarser while these

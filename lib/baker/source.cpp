@@ -24,6 +24,13 @@ std::string triangle_name(const Source& source, std::uint32_t original_id) {
     return mesh_name(source.meshes, mesh) + ", triangle " + std::to_string(original_id - source.first_triangle[mesh]);
 }
 
+BakeError::Place place_of(const MeshView& mesh) { return {mesh.file, mesh.mesh}; }
+
+BakeError::Place place_of(const Source& source, std::uint32_t original_id) {
+    const OriginalTriangle original = original_triangle(source, original_id);
+    return {original.file, original.mesh, original.triangle};
+}
+
 OriginalTriangle original_triangle(const Source& source, std::uint32_t original_id) {
     const std::size_t mesh = mesh_of(source, original_id);
     return {source.meshes[mesh].file, source.meshes[mesh].mesh, original_id - source.first_triangle[mesh], 0};

@@ -164,8 +164,15 @@ struct BakeError {
         too_large,     ///< a limit of the format
         internal,      ///< the baker's own check of its result failed
     };
+    /// One mesh of the input, or one triangle of it.
+    struct Place {
+        std::uint32_t file = 0;  ///< MeshView::file
+        std::uint32_t mesh = 0;  ///< MeshView::mesh
+        std::optional<std::uint32_t> triangle = std::nullopt;
+    };
     Kind kind = Kind::internal;
     std::string message;
+    std::optional<Place> place = std::nullopt;  ///< the first place with this fault; none for a fault of the whole
 };
 
 /// A value or the reason why there is none.

@@ -1,6 +1,7 @@
 # What the claims about the command share: sourced with the path of espalier as $1. Leaves the script in a new folder.
 # shellcheck shell=bash
 set -u
+tests_folder=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
 espalier=$(realpath "${1:?the path of espalier}")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -9,13 +10,21 @@ claims=0
 broken=0
 claim=
 
-# run EXIT_CODE ARGUMENTS...: runs the command; its output is left in ./out and ./err.
+# run EXIT_CODE ARGUMENTS...: runs the command; its output is left in ./out and ./err. With --json, the output is one
+# document, which the schema of the verb describes, and which contains an error exactly if the verb fails.
 run() {
     local expected=$1
     shift
     "$espalier" "$@" >out 2>err
     local code=$?
     [ $code = "$expected" ] || fail "'espalier $*' ended with $code, not $expected: $(head -c 400 err)"
+    case " $* " in *" --json "*) follows_schema "$1" "$code" ;; esac
+}
+follows_schema() { # VERB EXIT_CODE
+    local schema=$tests_folder/../../docs/schema/$1.json wrong
+    [ -e "$schema" ] || schema=$tests_folder/../../docs/schema/bake.json # a verb that does not exist: any verb's failure
+    wrong=$(python3 "$tests_folder/schema.py" "$schema" out) || fail "the JSON is not what $1.json describes: $wrong"
+    if [ "$2" = 0 ]; then json 'has("error") | not'; else json 'has("error")'; fi
 }
 fail() {
     broken=$((broken + 1))

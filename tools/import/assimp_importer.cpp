@@ -106,7 +106,8 @@ private:
                     throw CommandError(
                         ExitCode::invalid_input,
                         text("'", printable(file_.path), "', node '", printable(node.mName.C_Str()), "': names mesh ",
-                             node.mMeshes[i], " of ", scene_.mNumMeshes, ". The file is broken; export it again."));
+                             node.mMeshes[i], " of ", scene_.mNumMeshes, ". The file is broken; export it again."),
+                        {.file = file_.path});
                 }
                 add_mesh(*scene_.mMeshes[node.mMeshes[i]], placement);
             }
@@ -144,7 +145,8 @@ private:
                 throw CommandError(
                     ExitCode::invalid_input,
                     text(mesh.name, ", face ", i, ": its ", face.mNumIndices,
-                         " corners could not be made into triangles. Triangulate it and export it again."));
+                         " corners could not be made into triangles. Triangulate it and export it again."),
+                    {.file = file_.path, .mesh = mesh.mesh, .triangle = mesh.triangles.size()});
             }
             const unsigned second = mirrored ? 2 : 1;
             mesh.triangles.push_back({face.mIndices[0], face.mIndices[second], face.mIndices[3 - second]});
@@ -212,7 +214,8 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     if (scene == nullptr) {
         throw CommandError(ExitCode::invalid_input,
                            text("'", printable(path), "' cannot be imported: ", sentence(importer.GetErrorString()),
-                                " Is it a mesh file, whole, and named with its format's ending?"));
+                                " Is it a mesh file, whole, and named with its format's ending?"),
+                           {.file = path});
     }
     SceneReader(*scene, options, file, imported).read();
     imported.files.push_back(std::move(file));

@@ -29,7 +29,8 @@ void require_readable(const std::string& path) {
     }
     if (reason == nullptr) return;
     throw CommandError(ExitCode::file_access,
-                       text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."));
+                       text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."),
+                       {.file = path});
 }
 
 }  // namespace

@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# Claims about what the command reports to scripts: warnings and errors in JSON.
+# Usage: report_test.sh PATH_TO_ESPALIER
+# shellcheck source=claims.sh
+. "$(dirname "$0")/claims.sh"
+
+# warns_of KINDS...: the JSON has exactly these warnings, and stderr has a line for each.
+warns_of() {
+    json "[.warnings[].kind] == [$([ $# = 0 ] || printf '"%s",' "$@" | sed 's/,$//')]"
+    [ "$(grep -c '^warning: ' err)" = $# ] || fail "not $# warnings on stderr: $(head -c 400 err)"
+    jq -r '.warnings[].message' out 2>/dev/null | while IFS= read -r message; do
+        grep -qF -- "warning: $message" err || echo "$message"
+    done >unprinted
+    [ ! -s unprinted ] || fail "not on stderr: $(cat unprinted)"
+}
+# fails_with KIND FILE MESH TRIANGLE, each of the last three as JSON
+fails_with() {
+    json ".error.kind == \"$1\" and .error.file == $2 and .error.mesh == $3 and .error.triangle == $4"
+    jq -r '.error.message' out 2>/dev/null | while IFS= read -r line; do
+        grep -qF -- "$line" err || echo "$line"
+    done >unprinted
+    [ ! -s unprinted ] || fail "not on stderr: $(cat unprinted)"
+}
+
+write_box_obj 0 >box.obj
+write_box_obj 1000 >far_box.obj
+head -n 19 box.obj >open.obj
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
+"$espalier" bake box.obj -o box.espl -q || fail "the box cannot be baked"
+
+claim "every warning of a bake is on stderr and in the JSON with its kind and quiet silences none"
+run 0 bake box.obj -o x.espl --json -q
+warns_of
+run 0 bake line.obj -o x.espl --json -q
+warns_of empty
+run 0 bake far_box.obj -o x.espl --json -q --bits 24
+warns_of step_below_float_spacing rays_rounded_coarsely
+run 0 bake box.obj -o x.espl --json -q --unit km
+warns_of unexpected_size
+run 0 bake box.obj -o x.espl --json -q --unit km --bits 23
+warns_of rays_rounded_coarsely unexpected_size
+"$espalier" bake line.obj -o none.espl -q 2>/dev/null
+run 0 render none.espl -o x.png --size 8x8 --json -q
+warns_of empty
+
+claim "each verb that fails prints one document with the kind and the message and the place of the error"
+run 1 --json
+fails_with usage null null null
+run 1 fold --json
+run 1 bake --json
+run 1 bake box.obj -o x.espl --bits 25 --json
+run 2 bake missing.obj -o x.espl --json
+fails_with file_access '"missing.obj"' null null
+echo nonsense >nonsense.obj.txt
+run 3 bake nonsense.obj.txt -o x.espl --json
+fails_with invalid_input '"nonsense.obj.txt"' null null
+printf 'o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\no b\nf 1 2 3\nf 1 3 2\nf 1 2 4\n' >nan.obj
+run 3 bake box.obj nan.obj -o x.espl --json
+fails_with invalid_input '"nan.obj"' 1 2
+run 5 bake box.obj -o x.espl --step 2^-60 --json
+fails_with unsupported null null null
+run 2 bake box.obj -o missing/x.espl --json
+fails_with file_access '"missing/x.espl"' null null
+for verb in info verify dump; do
+    run 3 $verb box.obj --json
+    fails_with invalid_input '"box.obj"' null null
+done
+run 3 query box.obj bounds --json
+fails_with invalid_input '"box.obj"' null null
+run 3 render box.obj -o x.png --json
+run 3 embed box.obj -o x.c --json
+run 3 verify box.espl --source far_box.obj --json
+fails_with invalid_input '"box.espl"' null null
+run 3 trade line.obj --json
+fails_with invalid_input null null null
+"$espalier" bake open.obj -o open.espl -q
+run 6 query open.espl inside 0 0 0 --json
+fails_with no_answer null null null
+json '.query == "inside" and .status == "not_closed"'
+
+finish

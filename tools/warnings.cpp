@@ -1,0 +1,115 @@
+#include "warnings.hpp"
+
+#include "console.hpp"
+#include "numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr double largest_expected_extent = 1000.0;  // metres
+constexpr double smallest_expected_extent = 0.001;
+
+/// A warning about the whole bake.
+Warning of_bake(const char* kind, const std::string& message) { return {kind, message, {}, {}, {}}; }
+
+/// Why the baked surface is not closed, though the source is, and what keeps it closed.
+std::string lost_closed_text(const BakeReport& report) {
+    std::string dropped, advice;
+    const auto add = [&](const Finding& finding, const char* what, const char* remedy) {
+        if (finding.count == 0) return;
+        dropped += text(dropped.empty() ? "" : " and ", counted(finding.count, "triangle"), ' ', what,
+                        " (first: ", finding.first, ")");
+        advice += text(advice.empty() ? ": " : "; ", remedy);
+    };
+    if (report.triangles != 0) {
+        add(report.duplicate, "with the corners of another one", "bake parts that share triangles into separate blobs");
+        add(report.zero_area, "without area",
+            "split the long edge beside a triangle without area, and remove that one");
+    }
+    const std::string reason = dropped.empty() ? "no triangle is left" : "it lacks " + dropped;
+    if (advice.empty()) advice = ": it is too thin for its length";
+    const std::string keeping = report.bits_that_keep_closed == 0
+                                    ? "No number of bits keeps it closed" + advice
+                                    : text("--bits ", report.bits_that_keep_closed, " keeps it closed");
+    return text("the source is closed, but at ", counted(report.bits, "bit"), " the baked surface is not, because ",
+                reason, ": inside and signed-distance queries will refuse it. ", keeping, ".");
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+}  // namespace
+
+std::vector<Warning> import_warnings(const SourceArguments& arguments, const Imported& imported) {
+    std::vector<Warning> warnings;
+    for (const ImportedFile& file : imported.files) {
+        warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
+        if (!file.stated_up || arguments.up) continue;
+        const std::string axis = axis_name(*file.stated_up);
+        warnings.push_back({"up_axis_kept",
+                            text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
+                                 axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."),
+                            file.path,
+                            {},
+                            {}});
+    }
+    return warnings;
+}
+
+std::vector<Warning> bake_warnings(const BakeReport& report) {
+    std::vector<Warning> warnings;
+    if (report.source_triangles == 0) {
+        warnings.push_back(of_bake(
+            "empty", "the input has no triangles; the blob is valid and empty, and every query of it finds nothing."));
+    } else if (report.triangles == 0) {
+        warnings.push_back(
+            of_bake("empty", "no triangle is left; the blob is valid and empty, and every query of it finds nothing."));
+    }
+    if (report.step_below_float_spacing) {
+        warnings.push_back(of_bake(
+            "step_below_float_spacing",
+            text("the lattice step ", rounded(report.step),
+                 " is finer than the spacing of the source's own floats at its coordinates: fewer bits or a "
+                 "coarser tolerance loses nothing, and moving the asset closer to the origin gains accuracy.")));
+    }
+    if (report.lost_closed) warnings.push_back(of_bake("lost_closed", lost_closed_text(report)));
+    if (report.triangles == 0) return warnings;
+    if (report.rays_rounded_coarsely) {
+        warnings.push_back(
+            of_bake("rays_rounded_coarsely",
+                    text("at ", counted(report.bits, "bit"),
+                         " rays that start outside of the asset are rounded to whole lattice steps, coarser than "
+                         "float32: one that is aimed exactly at a corner may miss it. 22 bits or fewer leave room for "
+                         "a finer grid.")));
+    }
+    if (report.extent > largest_expected_extent || report.extent < smallest_expected_extent) {
+        warnings.push_back(
+            of_bake("unexpected_size",
+                    text("the asset is ", rounded(report.extent),
+                         " m across. If that is not what it is, give the unit of its file with --unit, or --scale.")));
+    }
+    return warnings;
+}
+
+void print(std::span<const Warning> warnings) {
+    for (const Warning& warning : warnings) Console::warn(warning);
+}
+
+Json diagnostic_json(const Warning& warning) {
+    return {{"kind", warning.kind},
+            {"message", warning.message},
+            {"file", warning.file.empty() ? Json(nullptr) : Json(warning.file)},
+            {"mesh", or_null(warning.mesh)},
+            {"triangle", or_null(warning.triangle)}};
+}
+
+Json warnings_json(std::span<const Warning> warnings) {
+    Json list = Json::array();
+    for (const Warning& warning : warnings) list.push_back(diagnostic_json(warning));
+    return list;
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,28 @@
+// The warnings of one bake: made once, for people and for scripts.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "commands.hpp"
+#include "import/imported.hpp"
+#include "json_output.hpp"
+#include "warning.hpp"
+
+namespace espalier::tools {
+
+/// Returns what the importers found, and a stated up axis that was kept.
+std::vector<Warning> import_warnings(const SourceArguments& arguments, const Imported& imported);
+
+/// Returns where the blob may not be what its user expects.
+std::vector<Warning> bake_warnings(const BakeReport& report);
+
+void print(std::span<const Warning> warnings);
+
+/// An object with kind, message, file, mesh and triangle; what is unknown is null. Errors have the same keys.
+Json diagnostic_json(const Warning& warning);
+Json warnings_json(std::span<const Warning> warnings);
+
+}  // namespace espalier::tools
