@@ -509,12 +509,12 @@ def extensions():
 
 def hostile():
     claim("a count, an offset or a length beyond the bytes is refused with the accessor")
-    for key, value in (("count", 10**9), ("byteOffset", 13), ("byteOffset", 2**63), ("bufferView", 99), ("count", -1), ("count", "4"),
+    for key, value in (("count", 10**9), ("byteOffset", 13), ("byteOffset", 2**63), ("byteOffset", 2**64 - 8), ("bufferView", 99), ("count", -1), ("count", "4"),
                        ("componentType", 5124), ("componentType", 5125), ("type", "VEC4"), ("type", 7)):
         gltf = solid_file()
         gltf.json["accessors"][0][key] = value
         refused(gltf, 5 if value == 5124 else 3, "glTF mesh 0", "primitive 0", "POSITION", "accessor 0")
-    for key, value in (("byteLength", 10**12), ("byteOffset", 2**63), ("buffer", 1), ("byteStride", 4)):
+    for key, value in (("byteLength", 10**12), ("byteOffset", 2**63), ("byteOffset", 2**64 - 8), ("buffer", 1), ("byteStride", 4)):
         gltf = solid_file()
         gltf.json["bufferViews"][0][key] = value
         refused(gltf, 3, "case.gltf", "bufferView 0" if key != "byteStride" else "byteStride")
@@ -588,4 +588,5 @@ def main():
     return 1 if broken else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())
