@@ -123,7 +123,9 @@ def refused(gltf, code, *words, name="case.gltf"):
         gltf = name
     if os.path.exists("refused.espl"):
         os.remove("refused.espl")
-    done = run("bake", gltf, "-o", "refused.espl", code=code)
+    done = run("bake", gltf, "-o", "refused.espl", "--json", code=code)
+    if json.loads(done.stdout)["error"]["file"] != gltf:
+        fail("the error in JSON names another file: %s" % done.stdout)
     for word in words:
         if word not in done.stderr:
             fail("'%s' is not in: %s" % (word, done.stderr[:600]))
@@ -323,9 +325,7 @@ def scenes():
 
 def warned(done, kind, expected=True):
     """The bake has a warning of this kind, by its JSON."""
-    warnings = json.loads(done.stdout).get("warnings")
-    if warnings is None:
-        return  # the report has no warnings yet
+    warnings = json.loads(done.stdout)["warnings"] if done.returncode == 0 else []
     if any(w["kind"] == kind for w in warnings) != expected:
         fail("warnings are %s" % warnings)
 

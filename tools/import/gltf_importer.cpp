@@ -229,7 +229,7 @@ private:
 
 }  // namespace
 
-bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported) {
+bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported) try {
     const CrashGuard guard(path);
     const std::optional<GltfContainer> container = read_gltf_container(path);
     if (!container) return false;
@@ -240,6 +240,10 @@ bool import_gltf(const std::string& path, const ImportOptions& options, Imported
     GltfReader(*container, options, file, imported).read();
     imported.files.push_back(std::move(file));
     return true;
+} catch (const CommandError& error) {
+    ErrorDetails details = error.details();
+    details.file = path;
+    throw CommandError(error.code(), error.what(), details);
 }
 
 }  // namespace espalier::tools
