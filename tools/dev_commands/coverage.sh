@@ -5,7 +5,7 @@
 # tests proper are those of `tools/dev test`.
 coverage() {
     local build=build/coverage set program runtime='lib/runtime/.*' verifier='lib/runtime/open.*'
-    install_missing "${build_packages[@]}" "${test_packages[@]}" gcovr
+    install_missing "${build_packages[@]}" "${test_packages[@]}" "${late_test_packages[@]}" gcovr
     check_cmake
     local options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=g++ -DESPALIER_COVERAGE=ON -DESPALIER_TOOLS=OFF
         -DESPALIER_BENCH=OFF)

@@ -34,8 +34,8 @@ run_all_tests() {
     esac
     install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}"
     check_cmake
-    # What other machines need is installed while this machine compiles: only the tests use it.
-    install_missing "${machine_packages[@]}" $(wasm_packages) $(formatter_packages) &
+    # What only the tests use is installed while this machine compiles.
+    install_missing "${late_test_packages[@]}" "${machine_packages[@]}" $(wasm_packages) $(formatter_packages) &
     local installation=$!
     local built=no
     if build build/release all --preset release -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors"; then built=yes; fi

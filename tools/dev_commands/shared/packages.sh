@@ -3,7 +3,9 @@
 build_packages=(g++ cmake ninja-build)
 tool_packages=(libassimp-dev libcli11-dev libdraco-dev libmeshoptimizer-dev libpng-dev nlohmann-json3-dev)
 test_packages=(clang libclang-rt-dev doctest-dev libeigen3-dev python3 make pkgconf dpkg-dev file gzip
-    qemu-system-arm gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib jq assimp-testmodels gltfpack)
+    gcc-arm-none-eabi gltfpack)
+# Tests run these or compile with them; configuring and building do not need them.
+late_test_packages=(qemu-system-arm libstdc++-arm-none-eabi-newlib jq assimp-testmodels)
 machine_packages=(qemu-user g++-i686-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu g++-riscv64-linux-gnu
     g++-s390x-linux-gnu clang lld llvm nodejs wasi-libc)
 
