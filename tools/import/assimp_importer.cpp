@@ -6,18 +6,24 @@
 #include <assimp/metadata.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
+#include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include "crash_guard.hpp"
 #include "exit_code.hpp"
 #include "mesh_collector.hpp"
 #include "numbers.hpp"
+#include "text_file.hpp"
 
 namespace espalier::tools {
 
@@ -54,21 +60,87 @@ private:
     const ImportOptions& options_;
 };
 
-/// The files as they are, and a list of those that an importer opened: the mesh and what it refers to.
+/// A text that was stored as UTF-16, as UTF-8: not all importers convert it.
+class ConvertedStream : public Assimp::IOStream {
+public:
+    explicit ConvertedStream(std::string text) : text_(std::move(text)) {}
+    std::size_t Read(void* target, std::size_t size, std::size_t count) override {
+        if (size == 0) return 0;
+        count = std::min(count, (text_.size() - at_) / size);
+        std::memcpy(target, text_.data() + at_, count * size);
+        at_ += count * size;
+        return count;
+    }
+    std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+    aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+        const std::size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : text_.size();
+        if (from + offset > text_.size()) return aiReturn_FAILURE;
+        at_ = from + offset;
+        return aiReturn_SUCCESS;
+    }
+    std::size_t Tell() const override { return at_; }
+    std::size_t FileSize() const override { return text_.size(); }
+    void Flush() override {}
+
+private:
+    std::string text_;
+    std::size_t at_ = 0;
+};
+
+/// Reads files, and lists those that an importer opened, which are the mesh and what it refers to, and those that it
+/// did not find.
 class ListedFiles : public Assimp::DefaultIOSystem {
 public:
-    explicit ListedFiles(std::vector<std::string>& opened) : opened_(opened) {}
+    ListedFiles(std::vector<std::string>& opened, std::vector<std::string>& missing)
+        : opened_(opened), missing_(missing) {}
+
+    bool Exists(const char* path) const override {
+        const bool exists = DefaultIOSystem::Exists(path);
+        if (!exists) list(path, missing_);
+        return exists;
+    }
     Assimp::IOStream* Open(const char* path, const char* mode) override {
         Assimp::IOStream* stream = DefaultIOSystem::Open(path, mode);
-        if (stream != nullptr && std::find(opened_.begin(), opened_.end(), path) == opened_.end()) {
-            opened_.emplace_back(path);
-        }
-        return stream;
+        list(path, stream != nullptr ? opened_ : missing_);
+        if (stream == nullptr || !is_utf16(*stream)) return stream;
+        Close(stream);
+        return new ConvertedStream(utf8_text(read_bytes(path)));
     }
 
 private:
+    static void list(const char* path, std::vector<std::string>& paths) {
+        if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.emplace_back(path);
+    }
+    /// A byte order mark and a letter of ASCII.
+    static bool is_utf16(Assimp::IOStream& stream) {
+        unsigned char begin[4] = {};
+        const bool is_long = stream.Read(begin, 1, sizeof(begin)) == sizeof(begin);
+        stream.Seek(0, aiOrigin_SET);
+        return is_long && ((begin[0] == 0xFF && begin[1] == 0xFE && begin[2] != 0 && begin[3] == 0) ||
+                           (begin[0] == 0xFE && begin[1] == 0xFF && begin[2] == 0 && begin[3] != 0));
+    }
+
     std::vector<std::string>& opened_;
+    std::vector<std::string>& missing_;
 };
+
+/// Formats with readers of their own are never left to assimp, which would find Wavefront OBJ in any file with the
+/// letter v.
+void remove_replaced_importers(Assimp::Importer& importer) {
+    for (const char* ending : {"obj", "ply", "stl", "gltf"}) {
+        while (Assimp::BaseImporter* replaced = importer.GetImporter(ending)) {
+            importer.UnregisterLoader(replaced);
+            delete replaced;
+        }
+    }
+}
+
+/// With the dot, in lower case; empty without one.
+std::string ending_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return ending;
+}
 
 /// Reads one file's scene into `imported`.
 class SceneReader {
@@ -198,26 +270,62 @@ private:
     MeshCollector meshes_;
 };
 
+/// Importers look for a file in several folders, and for files named like the mesh, such as its animation.
+bool is_referred_to(const std::string& missing, const ImportedFile& file) {
+    const std::filesystem::path name = std::filesystem::path(missing).filename();
+    if (name.stem() == std::filesystem::path(file.path).stem()) return false;
+    return std::none_of(file.opened.begin(), file.opened.end(), [&name](const std::string& opened) {
+        return std::filesystem::path(opened).filename() == name;
+    });
+}
+
 }  // namespace
 
 void import_with_assimp(const std::string& path, const ImportOptions& options, Imported& imported) {
     const CrashGuard guard(path);
     Assimp::Importer importer;
+    remove_replaced_importers(importer);
     // A skeleton without a skin would come as an invented mesh; it has no surface.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     ImportedFile file;
     file.path = path;
+    std::vector<std::string> missing;
     importer.SetProgressHandler(new ImportProgress(options));  // which the importer deletes, like the next
-    importer.SetIOHandler(new ListedFiles(file.opened));
+    importer.SetIOHandler(new ListedFiles(file.opened, missing));
+    const std::string ending = ending_of(path);
+    const bool is_known_ending = !ending.empty() && importer.IsExtensionSupported(ending);
     // Nothing but triangles is asked for: welding and dropping is the baker's work, which counts what it does.
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
-    if (scene == nullptr) {
+    if (scene == nullptr && !is_known_ending) {
         throw CommandError(ExitCode::invalid_input,
-                           text("'", printable(path), "' cannot be imported: ", sentence(importer.GetErrorString()),
-                                " Is it a mesh file, whole, and named with its format's ending?"),
+                           text("'", printable(path), "' cannot be imported: ",
+                                ending.empty() ? std::string("its name has no ending")
+                                               : text("there is no importer for '", printable(ending), "' files"),
+                                ", and its content is of no format that is known. Convert it, for example to glTF."),
                            {.file = path});
     }
+    if (scene == nullptr) {
+        throw CommandError(
+            ExitCode::invalid_input,
+            text("'", printable(path), "' cannot be imported: ", sentence(importer.GetErrorString()),
+                 missing.empty() ? std::string(" If the file is whole, try another format, such as glTF.")
+                                 : text(" The importer looked for '", printable(missing[0]), "', which is missing.")),
+            {.file = path});
+    }
     SceneReader(*scene, options, file, imported).read();
+    if (!is_known_ending && !ending.empty()) {
+        file.warnings.push_back({"unknown_ending",
+                                 text("'", printable(path), "': there is no importer for '", printable(ending),
+                                      "' files; by its content it was read by the ", file.format, '.'),
+                                 path, std::nullopt, std::nullopt});
+    }
+    for (const std::string& name : missing) {
+        if (!importer.IsExtensionSupported(ending_of(name)) || !is_referred_to(name, file)) continue;
+        file.warnings.push_back({"missing_file",
+                                 text("'", printable(path), "' refers to '", printable(name),
+                                      "', which is missing: what it contains was left out."),
+                                 path, std::nullopt, std::nullopt});
+    }
     imported.files.push_back(std::move(file));
 }
 

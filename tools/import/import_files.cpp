@@ -1,14 +1,19 @@
 #include "import_files.hpp"
 
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "assimp_importer.hpp"
 #include "exit_code.hpp"
 #include "gltf_importer.hpp"
 #include "numbers.hpp"
+#include "obj_reader.hpp"
+#include "ply_reader.hpp"
+#include "stl_reader.hpp"
 
 namespace espalier::tools {
 
@@ -27,10 +32,39 @@ void require_readable(const std::string& path) {
     } else if (errno = 0; !std::ifstream(path, std::ios::binary).is_open()) {
         reason = std::strerror(errno);
     }
+    if (reason == nullptr && std::filesystem::file_size(path, error) == 0) {
+        throw CommandError(ExitCode::invalid_input, text("'", printable(path), "' is empty. Export it again."),
+                           {.file = path});
+    }
     if (reason == nullptr) return;
     throw CommandError(ExitCode::file_access,
                        text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."),
                        {.file = path});
+}
+
+using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);
+
+/// assimp misplaces nodes of glTF 1.0 that are rotated.
+void refuse_gltf_1(const std::string& path, const ImportOptions&, Imported&) {
+    throw CommandError(
+        ExitCode::unsupported,
+        text("'", printable(path), "' cannot be imported: it is glTF 1.0, and 2.0 is read. Convert it to glTF 2.0."),
+        {.file = path});
+}
+
+/// By the content where it names its format, else by the name's ending.
+Import* importer_of(const std::string& path) {
+    char begin[5] = {};
+    std::ifstream(path, std::ios::binary).read(begin, sizeof(begin));
+    const std::string_view content(begin, sizeof(begin));
+    if (content.starts_with("ply\n") || content.starts_with("ply\r")) return import_ply;
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    if (ending == ".obj") return import_obj;
+    if (ending == ".ply") return import_ply;
+    if (ending == ".stl" || (ending.empty() && content == "solid")) return import_stl;
+    if (ending == ".gltf" || ending == ".glb") return refuse_gltf_1;
+    return import_with_assimp;
 }
 
 }  // namespace
@@ -48,7 +82,7 @@ Imported import_files(std::span<const std::string> paths, const ImportOptions& o
     Imported imported;
     for (const std::string& path : paths) {
         require_readable(path);
-        if (!import_gltf(path, options, imported)) import_with_assimp(path, options, imported);
+        if (!import_gltf(path, options, imported)) importer_of(path)(path, options, imported);
     }
     return imported;
 }

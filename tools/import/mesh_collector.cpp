@@ -40,7 +40,12 @@ ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles
 }
 
 void MeshCollector::add(ImportedMesh mesh, std::uint64_t material) {
-    mesh.materials.assign(mesh.triangles.size(), static_cast<std::uint32_t>(first_material_ + material));
+    mesh.materials.assign(mesh.triangles.size(), static_cast<std::uint32_t>(material));
+    add(std::move(mesh));
+}
+
+void MeshCollector::add(ImportedMesh mesh) {
+    for (std::uint32_t& material : mesh.materials) material += static_cast<std::uint32_t>(first_material_);
     file_.triangles += mesh.triangles.size();
     imported_.meshes.push_back(std::move(mesh));
 }

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] ImportedMesh begin(std::string_view name, std::uint64_t triangles);
     /// Appends the mesh that begin() returned. `material` is the number within the file.
     void add(ImportedMesh mesh, std::uint64_t material);
+    /// Appends the mesh that begin() returned, with a material within the file for each triangle.
+    void add(ImportedMesh mesh);
 
 private:
     const ImportOptions& options_;
