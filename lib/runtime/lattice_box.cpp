@@ -38,8 +38,9 @@ QueryStatus round_volume(const BlobData& blob, const Box& world, LatticeBox& box
         const float low_steps = to_steps(blob, k, min[k]);
         const float high_steps = to_steps(blob, k, max[k]);
         if (low_steps > last || high_steps < -1.0f) return QueryStatus::ok;
-        set_sides(box, k, to_grid(low_steps < -1.0f ? -1.0f : low_steps, fine),
-                  to_grid(high_steps > last ? last : high_steps, fine));
+        // Infinity times the step of an empty blob, which may be 0, is not a number, and must not become an integer.
+        set_sides(box, k, to_grid(low_steps > -1.0f ? low_steps : -1.0f, fine),
+                  to_grid(high_steps < last ? high_steps : last, fine));
     }
     complete(box);
     return QueryStatus::ok;

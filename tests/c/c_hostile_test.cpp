@@ -206,6 +206,35 @@ TEST_SUITE("c hostile") {
         }
     }
 
+    TEST_CASE("c api: hostile shapes and an empty handle give an empty page or are refused") {
+        const espalier_blob empty = {};
+        const Blob in_cpp;
+        Random random(10);
+        espalier_triangle page[2] = {};
+        for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+            const auto box = any_bits<espalier_box>(random);
+            const auto oriented = any_bits<espalier_oriented_box>(random);
+            const auto capsule = any_bits<espalier_capsule>(random);
+            const auto sphere = any_bits<espalier_sphere>(random);
+            const auto triangle = any_bits<espalier_corners>(random);
+            const auto plane = any_bits<espalier_plane>(random);
+            const auto steps = any_bits<espalier_box_in_steps>(random);
+            for (const espalier_overlap_page& found :
+                 {espalier_collect_overlaps_box(&empty, &box, page, 2, 0),
+                  espalier_collect_overlaps_oriented_box(&empty, &oriented, page, 2, 0),
+                  espalier_collect_overlaps_capsule(&empty, &capsule, page, 2, 0),
+                  espalier_collect_overlaps_sphere(&empty, &sphere, page, 2, 0),
+                  espalier_collect_overlaps_triangle(&empty, &triangle, page, 2, 0),
+                  espalier_collect_overlaps_planes(&empty, &plane, 1, page, 2, 0),
+                  espalier_collect_overlaps_box_in_steps(&empty, &steps, page, 2, 0)}) {
+                REQUIRE(found.status <= ESPALIER_QUERY_OUT_OF_RANGE);
+                REQUIRE(found.count == 0);
+                REQUIRE(found.next == 0);
+            }
+            compare_all(empty, empty, in_cpp, in_cpp, any_bits<question>(random));
+        }
+    }
+
     TEST_CASE("c api: any byte as an enumerator and any number of planes or start of a page is safe") {
         const OpenedBlob opened = blob_with_everything(format::Profile::fast);
         const espalier_blob blob = open_from_c(opened.bytes);
