@@ -99,6 +99,7 @@ inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRay& pre
 inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
     static_cast<IntegerRay&>(prepared.ray) = given.ray;
     float origin[3];
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (unsigned k = 0; k < 3; ++k) origin[k] = origin_steps(given.ray, k);
     RaySlope slope;
     set_slope(prepared.ray, std::bit_cast<float>(lattice_ray::reach_bits(origin, blob)), slope);
