@@ -44,6 +44,7 @@ OriginalHit refusal(QueryStatus status) { return {0, 0, 0, 0.0f, 0.0f, status}; 
 /// The corner that comes first in the source has the weight that is left over, or one of those of the blob's b and c.
 OriginalHit turned(const OriginalTriangle& original, const RayHit& hit) {
     const float rest = (1.0f - hit.u) - hit.v;
+    // mutant(> -> >=) equivalent: both sides are equal then
     const float a = rest > 0.0f ? rest : 0.0f;
     OriginalHit result = {original.file, original.mesh, original.triangle, hit.u, hit.v, QueryStatus::ok};
     if (original.first_corner == 1) {

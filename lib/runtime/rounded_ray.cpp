@@ -170,6 +170,7 @@ RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
     if (!is_region(region)) return result;
     const BlobData asset = asset_of(region);
     data.status = check(asset, ray);
+    // mutant(never) equivalent: queries return the status of a refused ray and read nothing else of it
     if (data.status != QueryStatus::ok) return result;
     data.region = region;
     data.t_min = ray.t_min;
@@ -178,6 +179,7 @@ RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
     IntegerRay rounded{};
     float reach = 0.0f;
     data.may_hit = detail::round_ray(asset, ray, rounded, reach) ? 1 : 0;
+    // mutant(never) equivalent: queries read no more of a ray that hits nothing
     if (data.may_hit == 0) return result;
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (int k = 0; k < 3; ++k) {
