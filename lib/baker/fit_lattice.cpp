@@ -34,16 +34,28 @@ BakeError tolerance_error(const Source& source, const FittedMesh& last, double t
             place_of(source, last.error.dropped_triangle)};
 }
 
+/// Queries near the asset are rounded to 2^-6 of a step (docs/numerics.md, 2). So on a lattice up to this many bits
+/// coarser than one that keeps any vertex within the tolerance, queries move by no more than the tolerance either.
+constexpr int query_fraction_bits = 6;
+
+/// Whether a blob or float32 queries have no use for a lattice as fine.
+bool is_finer_than_useful(const SourceBounds& bounds, int exponent, double tolerance) {
+    const auto lattice = lattice_for_tolerance(bounds, exponent, tolerance);
+    return !lattice || is_below_float_spacing(*lattice, bounds);
+}
+
 /// The coarsest exponent worth a try: at least the one that keeps any vertex within the tolerance, coarser while these
-/// vertices happen to stay within it, and not so coarse that the whole mesh becomes a point.
+/// vertices happen to stay within it and queries do too, and not so coarse that the whole mesh becomes a point.
 int first_exponent(const Source& source, const SourceBounds& bounds, double tolerance) {
     int coarsest = 0;
     std::frexp(bounds.largest_side, &coarsest);
     coarsest = std::min(coarsest, format::max_step_exponent);
     int exponent = std::min(step_exponent_for_tolerance(tolerance), coarsest);
+    const int coarsest_for_queries = exponent + query_fraction_bits;
     // mutant(without 4, + -> -, + -> right side dropped) work: tries coarser lattices in vain: their points are points
     // of all finer ones
     while (exponent < coarsest && exponent >= format::min_step_exponent &&
+           (exponent < coarsest_for_queries || is_finer_than_useful(bounds, exponent, tolerance)) &&
            vertices_are_within(source, exponent + 1, tolerance)) {
         ++exponent;
     }

@@ -1,4 +1,4 @@
-// Which lattice: the one that the user's bits or step give, or the coarsest one that keeps the user's tolerance.
+// Which lattice: the one that the user's bits or step give, or a coarse one that keeps the user's tolerance.
 #pragma once
 
 #include "lattice_mesh.hpp"

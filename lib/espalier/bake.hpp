@@ -63,8 +63,8 @@ struct StoredBounds {
 };
 
 struct BakeOptions {
-    /// Largest allowed distance between source and baked surface, in world units. Without it `bits` decides the
-    /// lattice.
+    /// Largest allowed distance between source and baked surface, in world units. At 22 bits or fewer queries near the
+    /// asset move by no more than that either. Without it `bits` decides the lattice.
     std::optional<double> tolerance = std::nullopt;
     /// The lattice step is 2^step_exponent, -100 .. 100, and not what `bits` or a tolerance give. Excludes `tolerance`.
     /// Blobs with one step lie on one lattice: a vertex that two sources have in common is one lattice point in both,

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <baker/lattice.hpp>
+#include <espalier/rounding.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"
@@ -215,11 +216,31 @@ TEST_SUITE("lattice") {
         }
     }
 
-    TEST_CASE("lattice: a mesh on a coarse grid keeps any tolerance on that grid") {
-        const auto result = bake_mesh(make_cube(-64.0f, 64.0f), with_tolerance(0.001));
-        REQUIRE(result);
-        CHECK(result->report.max_error == 0.0);
-        CHECK(result->report.step >= 64.0);
+    TEST_CASE("lattice: a mesh on a coarse grid has a step coarse enough for it and fine enough for queries") {
+        for (const double tolerance : {0.001, 0.03, 1.0}) {
+            const auto result = bake_mesh(make_cube(-64.0f, 64.0f), with_tolerance(tolerance));
+            REQUIRE(result);
+            CHECK(result->report.max_error == 0.0);
+            CHECK(result->report.step ==
+                  std::min(64.0, std::ldexp(64.0, baker::step_exponent_for_tolerance(tolerance))));
+            const OpenedBlob opened(result->blob);
+            const auto moved = rounding_error(opened.blob, Vec3{70.0f, 1.0f, 2.0f});
+            REQUIRE(moved);
+            CHECK(double(moved.value) <= tolerance);
+        }
+    }
+
+    TEST_CASE("lattice: a mesh on a coarse grid keeps a tolerance that no blob or query has a use for") {
+        // 2^20 steps of the grid: a step of 2^-4 would be the 25th bit.
+        const auto large = bake_mesh(make_cube(0.0f, 0x1p20f), with_tolerance(0x1p-12));
+        REQUIRE(large);
+        CHECK(large->report.step == 0x1p-3);
+        CHECK(large->report.max_error == 0.0);
+        // float32 numbers are a quarter apart here.
+        const auto far = bake_mesh(make_cube(0x1p21f, 0x1p21f + 64.0f), with_tolerance(0x1p-12));
+        REQUIRE(far);
+        CHECK(far->report.step == 0x1p-2);
+        CHECK(!far->report.step_below_float_spacing);
     }
 
     TEST_CASE("lattice: no coarse tolerance makes a whole mesh vanish") {
