@@ -52,7 +52,7 @@ int first_exponent(const Source& source, const SourceBounds& bounds, double tole
     coarsest = std::min(coarsest, format::max_step_exponent);
     int exponent = std::min(step_exponent_for_tolerance(tolerance), coarsest);
     const int coarsest_for_queries = exponent + query_fraction_bits;
-    // mutant(without 4, + -> -, + -> right side dropped) work: tries coarser lattices in vain: their points are points
+    // mutant(without 8, + -> -, + -> right side dropped) work: tries coarser lattices in vain: their points are points
     // of all finer ones
     while (exponent < coarsest && exponent >= format::min_step_exponent &&
            (exponent < coarsest_for_queries || is_finer_than_useful(bounds, exponent, tolerance)) &&
