@@ -1,0 +1,327 @@
+#!/usr/bin/env python3
+"""Claims about OBJ, PLY and STL, and about files with a wrong name, on small files that are written here.
+
+Usage: generated_test.py PATH_TO_ESPALIER
+"""
+
+import json
+import os
+import resource
+import struct
+import subprocess
+import sys
+import tempfile
+
+BYTES = 4 << 30  # of memory, so that a claim of a file is not taken at its word
+BOX = [(x, y, z) for x in (0, 1) for y in (0, 2) for z in (0, 4)]
+QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+TRIANGLES = [(q[0], q[i], q[i + 1]) for q in QUADS for i in (1, 2)]
+BOX_BOUNDS = ([0, 0, 0], [1, 2, 4])
+SQUARE = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n"
+SQUARE_BOUNDS = ([0, 0, 0], [2, 2, 0])
+
+
+class Claims:
+    def __init__(self, espalier, folder):
+        self.espalier = espalier
+        self.folder = folder
+        self.blob = os.path.join(folder, "blob.espl")
+        self.failures = 0
+
+    def write(self, name, content):
+        path = os.path.join(self.folder, name)
+        with open(path, "wb") as file:
+            file.write(content.encode("latin-1") if isinstance(content, str) else content)
+        return path
+
+    def run(self, name, *options):
+        path = os.path.join(self.folder, name)
+        if os.path.exists(self.blob):
+            os.remove(self.blob)
+        command = [self.espalier, "bake", path, "-o", self.blob, "--json", *options]
+        process = subprocess.run(command, capture_output=True, timeout=300, check=False)
+        return process.returncode, json.loads(process.stdout or b"{}"), process.stderr.decode("utf-8", "replace")
+
+    def check(self, claim, is_right, found):
+        if not is_right:
+            self.failures += 1
+            print(f"FAILED: {claim}: {found}")
+
+    def bakes(self, claim, name, content, triangles, bounds, warnings=(), options=(), closed=None, **expected):
+        """The file bakes to that many triangles and exactly those bounds, with warnings of these kinds."""
+        self.write(name, content)
+        code, document, stderr = self.run(name, *options)
+        self.check(claim, code == 0, stderr)
+        if code != 0:
+            return {}
+        self.check(claim, document["triangles"] == triangles, f"{document['triangles']} triangles, not {triangles}")
+        found = (document["bounds"]["min"], document["bounds"]["max"])
+        self.check(claim, found == bounds, f"bounds {found}, not {bounds}")
+        kinds = [warning["kind"] for warning in document["warnings"]]
+        self.check(claim, kinds == list(warnings), f"warnings {document['warnings']}, not {warnings}")
+        if closed is not None:
+            self.check(claim, document["closed"] == closed, f"closed: {document['closed']}")
+        for key, value in expected.items():
+            self.check(claim, document["inputs"][0][key] == value, f"{key} is {document['inputs'][0][key]}, not {value}")
+        return document
+
+    def refuses(self, claim, name, content, *words):
+        """The file is refused with its name and these words, and no blob is left."""
+        path = self.write(name, content)
+        code, document, stderr = self.run(name)
+        message = document.get("error", {}).get("message", "")
+        self.check(claim, code in (3, 5), f"exit status {code}: {stderr}")
+        for word in (path, *words):
+            self.check(claim, word in message, f"'{word}' is not in: {message}")
+        self.check(claim, not os.path.exists(self.blob), "a blob is left")
+
+
+def obj_box(number=str, newline="\n", first="", separator=" "):
+    lines = [first] if first else []
+    lines += [separator.join(["v", *map(number, corner)]) for corner in BOX]
+    lines += [separator.join(["f", *(str(i + 1) for i in quad)]) for quad in QUADS]
+    return newline.join(lines) + newline
+
+
+def obj(claims):
+    def box(claim, content, **options):
+        claims.bakes("OBJ: " + claim, "box.obj", content, 12, BOX_BOUNDS, closed=True, **options)
+
+    halves = {0: "-.0", 1: "+1.", 2: "2e0", 4: ".4E+1"}
+    box("numbers may lack digits before or after the point, and have a sign or an exponent", obj_box(halves.get))
+    claims.bakes("OBJ: .5 is a half", "half.obj", "v .5 0 0\nv 1.5 +.5 0\nv -.5 1 .25\nf 1 2 3\n", 1,
+                 ([-0.5, 0, 0], [1.5, 1, 0.25]))
+    box("lines may end with CR LF", obj_box(newline="\r\n"))
+    box("lines may end with CR", obj_box(newline="\r"))
+    box("words may be separated by tabs and several spaces", obj_box(separator=" \t "))
+    box("the last line needs no end", obj_box().rstrip("\n"))
+    box("a backslash continues a line", obj_box(separator=" \\\n"))
+    box("a backslash at the end of a comment continues nothing", obj_box(first="# C:\\box\\"))
+    box("a comment may follow numbers", obj_box().replace("\n", " # note 7\n"))
+    box("UTF-8 may begin with a byte order mark", b"\xef\xbb\xbf" + obj_box().encode())
+    for encoding, mark in (("utf-16-le", b"\xff\xfe"), ("utf-16-be", b"\xfe\xff")):
+        box(encoding + " with a byte order mark is read", mark + obj_box().encode(encoding))
+    box("a long line is read", obj_box(first="# " + "long " * 100000))
+    box("colours may follow coordinates", obj_box().replace("\nf", "\nvt 0 0\nf").replace("4\nv", "4 0.5 0.5 1\nv"))
+    box("a fourth number of 1 changes nothing", "".join(f"v {x} {y} {z} 1.0\n" for x, y, z in BOX) +
+        "".join(f"f {' '.join(str(i + 1) for i in quad)}\n" for quad in QUADS))
+    box("negative numbers count back from the last vertex",
+        "".join(f"v {x} {y} {z}\n" for x, y, z in BOX) +
+        "".join(f"f {' '.join(str(i - 8) for i in quad)}\n" for quad in QUADS))
+    box("faces may precede their vertices",
+        "".join(f"f {' '.join(str(i + 1) for i in quad)}\n" for quad in QUADS) +
+        "".join(f"v {x} {y} {z}\n" for x, y, z in BOX))
+    box("texture coordinates and normals of corners are skipped",
+        "".join(f"v {x} {y} {z}\n" for x, y, z in BOX) + "vt 0 0\nvn 1 0 0\n" +
+        "".join(f"f {' '.join(f'{i + 1}/1/1' if i % 2 else f'{i + 1}//1' for i in quad)}\n" for quad in QUADS))
+
+    claims.bakes("OBJ: a concave quad is cut inside", "arrow.obj", "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 2 3 4 1\n", 2,
+                 ([0, 0, 0], [4, 4, 0]))
+    comb = [(0, 0)] + [(x, 3 if x % 2 else 1) for x in range(1, 10)] + [(10, 0)]
+    polygon = "".join(f"v {x} {y} 0\n" for x, y in reversed(comb)) + "f " + " ".join(str(i + 1) for i in range(len(comb))) + "\n"
+    document = claims.bakes("OBJ: a concave polygon is cut into corners - 2 triangles", "comb.obj", polygon,
+                            len(comb) - 2, ([0, 0, 0], [10, 3, 0]))
+    check_area(claims, "OBJ: the triangles of a concave polygon cover it once", document, comb)
+    sides = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nv 0 2 0\nv 0 1 0\nf 1 2 3 4 5 6 7 8\n"
+    claims.bakes("OBJ: corners on straight sides take part in triangles with an area", "sides.obj", sides, 6, SQUARE_BOUNDS)
+    claims.bakes("OBJ: a polygon that crosses itself is warned of", "crossing.obj",
+                 "v 0 0 0\nv 4 0 0\nv 1 3 0\nv 2 -2 0\nv 3 3 0\nf 1 2 3 4 5\n", 3, ([0, -2, 0], [4, 3, 0]), ["crossing_polygon"])
+
+    groups = SQUARE + "f 1 2 3\no roof\nf 1 3 4\ng a b\nf 1 2 4\no roof\nf 2 3 4\no empty\n"
+    claims.bakes("OBJ: objects and groups with faces are meshes", "groups.obj", groups, 4, SQUARE_BOUNDS, meshes=3)
+    claims.bakes("OBJ: points, lines and unused vertices are counted", "loose.obj",
+                 SQUARE + "v 9 9 9\nf 1 2 3 4\np 1 2\nl 1 2 3\nf 1 2\n", 2, SQUARE_BOUNDS, points_and_lines=5)
+    claims.bakes("OBJ: free-form surfaces are warned of", "surface.obj",
+                 SQUARE + "f 1 2 3 4\ncstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nend\n", 2, SQUARE_BOUNDS, ["free_form"])
+    claims.bakes("OBJ: unknown statements are warned of", "unknown.obj", SQUARE + "f 1 2 3 4\nfaces 7\n", 2, SQUARE_BOUNDS,
+                 ["unknown_statement"])
+    claims.bakes("OBJ: a weight of a vertex is warned of", "weight.obj", SQUARE.replace("2 2 0", "2 2 0 0.5") + "f 1 2 3 4\n",
+                 2, SQUARE_BOUNDS, ["vertex_weight"])
+    claims.bakes("OBJ: --repair drops faces whose vertices are missing, with a warning", "missing.obj",
+                 SQUARE + "f 1 2 3\nf 1 2 9\nf 1 -7 3\n", 1, SQUARE_BOUNDS, ["missing_vertex"], options=["--repair"])
+
+    claims.refuses("OBJ: a vertex that is missing is refused with its number", "missing.obj", SQUARE + "f 1 2 9\n", "vertex 8")
+    claims.refuses("OBJ: a word that is no number is refused with its line", "word.obj", "v 0 0 0\nv 1,5 0 0\n", "line 2", "'1,5'")
+    claims.refuses("OBJ: a corner that is no number is refused with its line", "corner.obj", SQUARE + "f 1 2 x\n", "line 5", "'x'")
+    claims.refuses("OBJ: two coordinates are refused", "short.obj", "v 0 0\n", "line 1", "2 coordinates")
+    claims.refuses("OBJ: a binary file is refused", "binary.obj", b"v 0 0 0\n\0\0", "no Wavefront OBJ")
+    claims.refuses("OBJ: a call of another file is refused", "call.obj", "call other.obj\n", "line 1", "'call'")
+    claims.refuses("OBJ: an infinite coordinate is refused", "infinite.obj", "v 1e39 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "infinity")
+
+    claims.write("library.mtl", "newmtl red\nnewmtl green paint\n")
+    faces = ["f 1 2 3", "usemtl green paint", "f 1 3 4", "usemtl unknown", "f 1 2 4", "usemtl red", "f 2 3 4"]
+    claims.bakes("OBJ: materials are baked", "materials.obj", "mtllib library.mtl\n" + SQUARE + "\n".join(faces) + "\n", 4,
+                 SQUARE_BOUNDS)
+    check_materials(claims, "OBJ: materials are numbered by their library, then by use", "materials.obj", [0, 2, 3, 1])
+
+
+def check_area(claims, claim, document, comb):
+    expected = abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(comb, comb[1:] + comb[:1]))) / 2
+    if not document:
+        return
+    total = 0.0
+    mesh = os.path.join(claims.folder, "area.obj")
+    path = os.path.join(claims.folder, "comb.obj")
+    subprocess.run([claims.espalier, "bake", path, "-o", claims.blob, "--reorder", mesh, "-q"], check=True)
+    vertices = []
+    with open(mesh, encoding="utf-8") as file:
+        for line in file:
+            words = line.split()
+            if words[:1] == ["v"]:
+                vertices.append([float(word) for word in words[1:4]])
+            elif words[:1] == ["f"]:
+                a, b, c = (vertices[int(word.split("/")[0]) - 1] for word in words[1:4])
+                total += abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2
+    claims.check(claim, total == expected, f"area {total}, not {expected}")
+
+
+def check_materials(claims, claim, name, expected):
+    """The material of the source's triangles, in their order."""
+    path = os.path.join(claims.folder, name)
+    subprocess.run([claims.espalier, "bake", path, "-o", claims.blob, "--materials", "8", "--ids", "-q"], check=True)
+    answer = subprocess.run([claims.espalier, "query", claims.blob, "triangles", "--json"], capture_output=True, check=False)
+    triangles = json.loads(answer.stdout or b"{}").get("triangles", [])
+    found = {triangle["original"]["triangle"]: triangle["material"] for triangle in triangles}
+    claims.check(claim, [found.get(i) for i in range(len(expected))] == expected, answer.stdout[:2000])
+
+
+def ply_header(form, *lines):
+    return "\n".join(["ply", f"format {form} 1.0", "comment a box", *lines, "end_header"]) + "\n"
+
+
+def ply_bytes(order, coordinate, count, index, before=False):
+    types = {"b": "char", "B": "uchar", "h": "short", "H": "ushort", "i": "int", "I": "uint", "f": "float", "d": "double"}
+    vertex = [f"element vertex {len(BOX)}", "property uchar red", f"property {types[coordinate]} x",
+              f"property {types[coordinate]} y", "property list uchar short tags", f"property {types[coordinate]} z"]
+    face = [f"element face {len(QUADS)}", "property float quality",
+            f"property list {types[count]} {types[index]} vertex_indices", "property uchar flags"]
+    extra = ["element camera 2", "property list int double values", "property float f"]
+    cameras = b"".join(struct.pack(order + "i3df", 3, 1, 2, 3, 4) for _ in range(2))
+    vertices = b"".join(struct.pack(order + "B2" + coordinate + "B2h" + coordinate, 7, x, y, 2, 5, 6, z) for x, y, z in BOX)
+    faces = b"".join(struct.pack(order + "f" + count + "4" + index + "B", 0.5, 4, *quad, 1) for quad in QUADS)
+    form = "binary_little_endian" if order == "<" else "binary_big_endian"
+    if before:
+        return ply_header(form, *face, *extra, *vertex).encode() + faces + cameras + vertices
+    return ply_header(form, *extra, *vertex, *face).encode() + cameras + vertices + faces
+
+
+def ply(claims):
+    def box(claim, content):
+        claims.bakes("PLY: " + claim, "box.ply", content, 12, BOX_BOUNDS, closed=True, format="PLY")
+
+    for order, name in (("<", "little endian"), (">", "big endian")):
+        for coordinate in "fdhi":
+            box(f"{name} with coordinates of type {coordinate}", ply_bytes(order, coordinate, "B", "i"))
+        for count in "bBhHiI":
+            for index in "bBhHiI":
+                box(f"{name} with lists of {count} {index}", ply_bytes(order, "f", count, index))
+        box(f"{name} with faces before vertices", ply_bytes(order, "f", "B", "i", before=True))
+
+    vertex = ["element vertex 8", "property float x", "property float y", "property float z"]
+    face = ["element face 6", "property list uchar int vertex_index"]
+    corners = [f"{x} {y} {z}" for x, y, z in BOX]
+    faces = ["4 " + " ".join(map(str, quad)) for quad in QUADS]
+    text = ply_header("ascii", *vertex, *face) + "\n".join(corners + faces) + "\n"
+    box("text", text)
+    box("text with CR LF", text.replace("\n", "\r\n"))
+    box("text with empty lines and no last line end", text.replace("4\n", "4\n\n").rstrip("\n"))
+    box("text with numbers such as .0 and +2.", text.replace("\n0 ", "\n.0 ").replace(" 2 4\n", " +2. 4E0\n"))
+    box("a PLY with another ending is read by its content", text)
+    claims.bakes("PLY: one named .obj is read as PLY", "ply.obj", text, 12, BOX_BOUNDS, format="PLY")
+
+    strips = ply_header("binary_little_endian", *vertex, "element tristrips 1", "property list int int vertex_indices")
+    ring = [0, 4, 1, 5, 3, 7, 2, 6, 0, 4]
+    numbers = ring + [-1] + [0, 1, 2, 3] + [-1] + [4, 6, 5, 7]
+    data = b"".join(struct.pack("<3f", *corner) for corner in BOX) + struct.pack(f"<i{len(numbers)}i", len(numbers), *numbers)
+    box("tristrips turn every second triangle, and begin anew after -1", strips.encode() + data)
+
+    points = ply_header("ascii", *vertex) + "\n".join(corners) + "\n"
+    path = claims.write("points.ply", points)
+    _, document, _ = claims.run("box.ply", path)
+    counts = [file["points_and_lines"] for file in document.get("inputs", [])]
+    claims.check("PLY: points are counted", counts == [0, 8], counts)
+    loose = text.replace("element vertex 8", "element vertex 9").replace("\n4 0 1", "\n7 7 7\n4 0 1", 1)
+    claims.bakes("PLY: vertices that no face uses are counted", "loose.ply", loose, 12, BOX_BOUNDS, points_and_lines=1)
+    claims.bakes("PLY: data after the last element is warned of", "more.ply", text + "4 0 1 2 3\n", 12, BOX_BOUNDS, ["trailing_bytes"])
+    patches = text.replace("end_header", "element patch 1\nproperty list uchar int vertex_indices\nend_header") + "3 0 1 2\n"
+    claims.bakes("PLY: elements of other names with vertices are warned of", "patch.ply", patches, 12, BOX_BOUNDS, ["unknown_element"])
+    claims.bakes("PLY: --repair drops faces whose vertices are missing, with a warning", "missing.ply",
+                 text.replace("4 0 1 3 2", "3 0 1 9"), 10, BOX_BOUNDS, ["missing_vertex"], options=["--repair"])
+
+    box_bytes = ply_bytes("<", "f", "B", "i")
+    claims.refuses("PLY: a file that is cut off is refused", "cut.ply", box_bytes[:-3], "ends before")
+    claims.refuses("PLY: a text that is cut off is refused", "cut.ply", text[:-20], "line")
+    claims.refuses("PLY: more vertices than bytes are refused before memory is taken", "huge.ply",
+                   ply_header("binary_little_endian", "element vertex 4000000000", *vertex[1:], *face).encode() + b"\0" * 100, "ends before")
+    claims.refuses("PLY: more vertices than lines are refused before memory is taken", "huge.ply",
+                   ply_header("ascii", "element vertex 4000000000", *vertex[1:], *face) + "0 0 0\n", "ends before")
+    claims.refuses("PLY: a list longer than the file is refused", "list.ply",
+                   ply_header("binary_little_endian", *vertex, "element face 1", "property list uint int vertex_indices").encode() +
+                   b"\0" * 96 + b"\xff\xff\xff\xff" + b"\0" * 100, "ends before")
+    claims.refuses("PLY: a negative length is refused", "negative.ply", text.replace("4 0 1 3 2", "-4 0 1 3 2"), "negative")
+    claims.refuses("PLY: a line with too few values is refused", "few.ply", text.replace("1 2 4\n", "1 2\n"), "line")
+    claims.refuses("PLY: a line with too many values is refused", "many.ply", text.replace("1 2 4\n", "1 2 4 8\n"), "line")
+    claims.refuses("PLY: missing coordinates are refused", "flat.ply", text.replace("property float z\n", ""), "'z'")
+    claims.refuses("PLY: faces without vertices are refused", "faces.ply", text.replace("vertex_index", "corners"), "vertex_indices")
+    claims.refuses("PLY: vertices as fractions are refused", "float.ply", text.replace("uchar int", "uchar float"), "integers")
+    claims.refuses("PLY: an unknown type is refused", "type.ply", text.replace("property float z", "property real z"), "'real'")
+    claims.refuses("PLY: an unknown format is refused", "format.ply", text.replace("ascii", "utf8"), "'utf8'")
+    claims.refuses("PLY: a header without an end is refused", "header.ply", text[:text.index("end_header")], "no end")
+    claims.refuses("PLY: another format with this ending is refused", "obj.ply", obj_box(), "no PLY")
+
+
+def stl_bytes(header=b"box", count=None):
+    return (header.ljust(80, b" ") + struct.pack("<I", len(TRIANGLES) if count is None else count) +
+            b"".join(struct.pack("<12fH", 0, 0, 0, *BOX[a], *BOX[b], *BOX[c], 0) for a, b, c in TRIANGLES))
+
+
+def stl_text(triangles=TRIANGLES, name="box"):
+    lines = [f"solid {name}"]
+    for triangle in triangles:
+        lines += ["facet normal 0 0 0", "outer loop", *("vertex {} {} {}".format(*BOX[i]) for i in triangle), "endloop", "endfacet"]
+    return "\n".join(lines + [f"endsolid {name}"]) + "\n"
+
+
+def stl(claims):
+    def box(claim, content, **options):
+        claims.bakes("STL: " + claim, "box.stl", content, 12, BOX_BOUNDS, closed=True, format="STL", **options)
+
+    box("binary", stl_bytes())
+    box("binary with a header that begins with 'solid'", stl_bytes(b"solid box\nfacet normal"))
+    box("text", stl_text())
+    box("text in capitals with CR LF and tabs", stl_text().upper().replace("\n", "\r\n").replace(" ", "\t"))
+    box("text in UTF-16", b"\xff\xfe" + stl_text().encode("utf-16-le"))
+    box("several solids are several meshes", stl_text(TRIANGLES[:5], "a facet") + stl_text([], "none") + stl_text(TRIANGLES[5:]), meshes=2)
+    box("bytes after the triangles are warned of", stl_bytes() + b"\0" * 50, warnings=["trailing_bytes"])
+    box("a missing 'endsolid' is warned of", stl_text().replace("endsolid box\n", ""), warnings=["missing_end"])
+    claims.bakes("STL: one without an ending is read by its content", "text_without_ending", stl_text(), 12, BOX_BOUNDS)
+    claims.refuses("STL: a binary file that is cut off is refused", "cut.stl", stl_bytes()[:-1], "room for 11")
+    claims.refuses("STL: a binary file that states more triangles is refused", "more.stl", stl_bytes(count=4000000000), "4000000000")
+    claims.refuses("STL: a text that is cut off is refused", "cut.stl", stl_text()[:-60].rsplit("\n", 1)[0], "facet")
+    claims.refuses("STL: a facet with four corners is refused", "four.stl", stl_text().replace("endloop", "vertex 0 0 0\nendloop", 1), "4 corners")
+    claims.refuses("STL: a word that is no number is refused with its line", "word.stl", stl_text().replace("vertex 0 0 0", "vertex 0 a 0", 1), "line 4", "'a'")
+    claims.refuses("STL: another format with this ending is refused", "obj.stl", obj_box(), "STL")
+
+
+def names(claims):
+    claims.refuses("names: an ending without an importer is named", "scene.wrl", "#VRML V2.0 utf8\nShape { v f }\n", "no importer for '.wrl' files")
+    claims.refuses("names: a file without an ending or a known content is refused", "readme", "vertex v f usemtl\n", "no ending")
+    claims.refuses("names: a binary format without an importer is not taken for OBJ", "model.m3d", b"3DMO\x10\0\0\0v f \n\0v 1 2 3\n", "no importer for '.m3d'")
+    claims.refuses("names: an empty file is refused", "empty.3ds", "", "is empty")
+    collada = "<?xml version=\"1.0\" encoding=\"utf-16\"?><COLLADA version=\"1.4.1\"><asset/></COLLADA>"
+    claims.refuses("names: a broken file is refused without a guess about its name", "broken.dae", collada[:40], "cannot be imported")
+
+
+def main():
+    resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
+    with tempfile.TemporaryDirectory() as folder:
+        claims = Claims(sys.argv[1], folder)
+        for family in (obj, ply, stl, names):
+            family(claims)
+        if claims.failures:
+            print(f"{claims.failures} claims failed")
+        return 1 if claims.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
