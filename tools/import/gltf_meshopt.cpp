@@ -10,8 +10,8 @@ namespace espalier::tools {
 
 namespace {
 
-/// Compressed bytes decode to 64 times as many with the first version of the codec; later ones store more.
-constexpr std::uint64_t largest_ratio = 1024;
+/// Attributes take at least one byte for 64 of theirs, which are then all like those before; indices take more.
+constexpr std::uint64_t largest_ratio = 64;
 
 /// The library asserts these.
 bool fits(const std::string& mode, const std::string& filter, std::uint64_t count, std::uint64_t stride) {
