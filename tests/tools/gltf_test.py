@@ -167,6 +167,9 @@ def containers():
     gltf = solid_file()
     gltf.json["asset"]["version"] = "3.0"
     refused(gltf, 5, "glTF 3.0")
+    gltf.json["asset"] = {}
+    gltf.json["meshes"] = {"walls": {}}
+    refused(gltf, 5, "glTF 1.0", "Convert it")
     claim("a missing or short file beside it is refused by name")
     solid_file().write("beside.gltf", ("short.bin", "absent.bin"))
     refused("beside.gltf", 3, "absent.bin", "No such file")

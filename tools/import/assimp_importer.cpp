@@ -238,8 +238,6 @@ private:
             const bool applied = std::abs(root_scale - centimetres) < 1e-4 * centimetres;
             file_.metres_per_unit = applied ? 0.01 : centimetres / 100.0;
             file_.unit_origin = text("FBX unit scale factor ", centimetres);
-        } else if (file_.format.find("glTF") != std::string::npos) {
-            file_.unit_origin = "glTF is in metres";
         } else if (file_.format.find("Collada") != std::string::npos || file_.format.find("IFC") != std::string::npos) {
             file_.unit_origin = "converted to metres on import";
         } else {

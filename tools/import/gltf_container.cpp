@@ -25,6 +25,12 @@ constexpr std::size_t longest_reason = 160;
     throw CommandError(ExitCode::invalid_input, text("'", printable(path), "' cannot be imported: ", problem));
 }
 
+/// Among others 1.0: assimp reads that, and misplaces nodes that are rotated.
+[[noreturn]] void refuse_version(const std::string& path, const std::string& version) {
+    throw CommandError(ExitCode::unsupported, text("'", printable(path), "' cannot be imported: it is glTF ",
+                                                   printable(version), ", and 2.0 is read. Convert it to glTF 2.0."));
+}
+
 bool ends_as_gltf(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -126,8 +132,7 @@ std::optional<GltfContainer> read_gltf_container(const std::string& path) {
     if (content == Content::binary) {
         if (json.size() < header_bytes) fail(path, "it is cut off; copy or export it again.");
         const std::uint32_t version = word_at(json, 4);
-        if (version == 1) return std::nullopt;
-        if (version != 2) fail(path, text("binary glTF of version ", version, " is unknown. Export it as glTF 2.0."));
+        if (version != 2) refuse_version(path, version == 1 ? "1.0" : text(version));
         const Chunks chunks = chunks_of(path, container.file);
         json = chunks.json;
         container.binary = chunks.binary;
@@ -142,13 +147,10 @@ std::optional<GltfContainer> read_gltf_container(const std::string& path) {
     const std::string version = version_of(container.json, "version");
     const std::string least = version_of(container.json, "minVersion");
     if (version.empty() && !named_so && content == Content::json) return std::nullopt;
-    if (version.starts_with("1.") || (version.empty() && has_lists_of_version_1(container.json))) return std::nullopt;
+    if (version.empty() && has_lists_of_version_1(container.json)) refuse_version(path, "1.0");
     if (version.empty()) fail(path, "its JSON has no asset.version, which glTF requires. Export it again.");
-    if (!version.starts_with("2.") || (!least.empty() && least != "2.0")) {
-        throw CommandError(ExitCode::unsupported,
-                           text("'", printable(path), "' is glTF ", printable(least.empty() ? version : least),
-                                "; this version reads 2.0 and, as far as assimp does, 1.0. Export it as glTF 2.0."));
-    }
+    if (!version.starts_with("2.")) refuse_version(path, version);
+    if (!least.empty() && least != "2.0") refuse_version(path, least);
     if (content == Content::json) container.file = {};
     return container;
 }

@@ -18,8 +18,8 @@ struct GltfContainer {
     std::span<const std::byte> binary;  ///< the binary chunk of a .glb
 };
 
-/// Reads a readable file. Returns nothing for what is no glTF by ending and content, and for glTF 1.0: assimp reads
-/// that. Throws CommandError: (invalid_input) for a broken file, (unsupported) for a later version.
+/// Reads a readable file. Returns nothing for what is no glTF by ending and content. Throws CommandError:
+/// (invalid_input) for a broken file, (unsupported) for another version than 2.0.
 std::optional<GltfContainer> read_gltf_container(const std::string& path);
 
 }  // namespace espalier::tools

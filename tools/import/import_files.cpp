@@ -44,14 +44,6 @@ void require_readable(const std::string& path) {
 
 using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);
 
-/// assimp misplaces nodes of glTF 1.0 that are rotated.
-void refuse_gltf_1(const std::string& path, const ImportOptions&, Imported&) {
-    throw CommandError(
-        ExitCode::unsupported,
-        text("'", printable(path), "' cannot be imported: it is glTF 1.0, and 2.0 is read. Convert it to glTF 2.0."),
-        {.file = path});
-}
-
 /// By the content where it names its format, else by the name's ending.
 Import* importer_of(const std::string& path) {
     char begin[5] = {};
@@ -63,7 +55,6 @@ Import* importer_of(const std::string& path) {
     if (ending == ".obj") return import_obj;
     if (ending == ".ply") return import_ply;
     if (ending == ".stl" || (ending.empty() && content == "solid")) return import_stl;
-    if (ending == ".gltf" || ending == ".glb") return refuse_gltf_1;
     return import_with_assimp;
 }
 
