@@ -146,7 +146,10 @@ TEST_SUITE("closed") {
             source.positions = mesh.positions;
             for (const TriangleVertices& corners : mesh.triangles)
                 source.triangles.push_back({{corners[0], corners[1], corners[2]}, 0});
-            return baker::is_closed(source);
+            const bool result = baker::is_closed(source);
+            source.without_area = {{{1, 1, 2}, 0}};  // there and back, and an edge from a vertex to itself
+            REQUIRE(baker::is_closed(source) == result);
+            return result;
         };
         for (int i = 0; i < 300; ++i) {
             Mesh mesh;
