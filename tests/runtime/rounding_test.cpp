@@ -44,7 +44,7 @@ TEST_SUITE("rounding") {
             for (int i = 0; i < 200; ++i) {
                 const Ray world = some_ray(asset, random);
                 detail::LatticeRay ray;
-                detail::RaySlope slope;
+                detail::RaySlope slope{};
                 std::feclearexcept(FE_ALL_EXCEPT);
                 const bool good = detail::round_ray(asset, world, ray, slope);
                 divided_by_zero += std::fetestexcept(FE_DIVBYZERO) != 0 ? 1u : 0u;  // a program may have it trap
