@@ -316,6 +316,11 @@ def scenes():
     gltf.json["scenes"] = [{"nodes": [0]}]
     refused(gltf, 3, "node 0")
     gltf = solid_file()
+    gltf.node(mesh=0, children=[2])
+    gltf.node(children=[1])
+    gltf.json["scenes"] = []  # and so all nodes that are below no other one
+    refused(gltf, 3, "node 1", "circle")
+    gltf = solid_file()
     gltf.node(children=[0])
     gltf.node(children=[0])
     refused(gltf, 3, "node 0", "child of node 1 and of node 2")
