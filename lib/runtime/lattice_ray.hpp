@@ -160,7 +160,7 @@ inline void set_shear(LatticeRay& ray, RaySlope& slope, float reach) {
 
 /// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by. `reach` is how far
 /// the asset is from the origin at most, along any axis, in lattice steps.
-ESPALIER_PART_OF_CALLER inline bool round_ray(const BlobData& blob, const Ray& world, IntegerRay& ray, float& reach) {
+ESPALIER_SHARED_CODE inline bool round_ray(const BlobData& blob, const Ray& world, IntegerRay& ray, float& reach) {
     // The window, by its bits. A number that is none is above infinity; t_min may be below 0, and t_max -0.
     const auto t_min_bits = std::bit_cast<std::uint32_t>(world.t_min);
     const std::uint32_t from = t_min_bits & ((t_min_bits >> 31) - 1u);
