@@ -581,6 +581,21 @@ def gltfpack():
         tolerance = 0.0 if "-noq" in options else 13.0 / (1 << (10 if "-vp" in options else 14))
         tolerance += 15.0 / (1 << 11) if "-mi" in options else 0.0
         bakes("packed.glb", expected, tolerance=tolerance)
+    claim("what gltfpack writes of skins and morph targets bakes to the same surface")
+    weights = [[1, 0, 0, 0], [0.25, 0.75, 0, 0], [0, 1, 0, 0], [0.5, 0.5, 0, 0]]
+    bound = [times(moved(0, 5, 0), scaled(2, 2, 2)),
+             times(times(moved(2, 5, 0), turned_about_z(90)), moved(0, 0, 1))]
+    skin_file(weights).write("skin.glb")
+    gltf = Gltf()
+    target = gltf.accessor([(0.0, 1.0, 0.0)] * 3 + [(0.0, 0.0, 2.0)])
+    gltf.node(mesh=gltf.mesh(solid_primitive(gltf, targets=[{"POSITION": target}]), weights=[0.5]))
+    gltf.write("morph.glb")
+    morphed = [tuple(x + 0.5 * d for x, d in zip(p, m)) for p, m in zip(POINTS, [(0, 1, 0)] * 3 + [(0, 0, 2)])]
+    for options in ([], ["-noq"], ["-c"], ["-cc"]):
+        for name, points, kind in (("skin.glb", blended(weights, bound), "skinned_mesh"), ("morph.glb", morphed, "morphed_mesh")):
+            subprocess.run([program, "-i", name, "-o", "packed.glb", "-ke", *options], check=True, capture_output=True)
+            # Weights of 8 bits on joints that are up to 10 apart, positions of 14 bits.
+            warned(bakes("packed.glb", solid(points=points), tolerance=10 / 255 + 16 / (1 << 14)), kind)
 
 
 def main():
