@@ -45,9 +45,8 @@ std::vector<Section> sections_of(const Blob& blob) {
     add("guard", format::guard_bytes);
     if ((data.features & format::feature::original_ids) != 0) {
         add("sources", std::size_t{data.source_count} * format::source::bytes);
-        const auto before_steps = static_cast<std::size_t>(detail::id_steps(data, 0) - data.ids);
         add("original_ids",
-            padded_to_4(before_steps + detail::load_u32(data.bytes + format::header::id_step_bytes_at)));
+            static_cast<std::size_t>(detail::id_block(data, format::ids::block_count(data.triangle_count)) - data.ids));
     }
     if ((data.features & format::feature::materials_8) != 0) add("materials", padded_to_4(data.triangle_count));
     if ((data.features & format::feature::materials_16) != 0) {

@@ -146,22 +146,21 @@ void list_numbers(const Section& section, std::uint32_t count, unsigned width, c
     listing.field_up_to(section.at + section.bytes, "padding");
 }
 
-void list_ids(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
+void list_ids(Bytes bytes, const detail::BlobData& data, ByteListing& listing) {
     using namespace format::ids;
     for (unsigned kind = 0; kind >> data.id_kind_bits == 0 && !listing.full(); ++kind) {
         const std::size_t at = listing.at();
-        listing.field(kind_bytes, text("steps of kind ", kind, ": offset ", read_u32(bytes, at + offset_at),
-                                       " and a field of ", read_u32(bytes, at + width_at), " bits"));
+        listing.field(kind_bytes, text("kind ", kind, ": prefix ", read_u8(bytes, at + prefix_at), " bits, field ",
+                                       read_u8(bytes, at + width_at), " bits, offset ", read_u32(bytes, at + offset_at),
+                                       " from recent number ", read_u8(bytes, at + from_at), ", replaces ",
+                                       read_u8(bytes, at + replaced_at)));
     }
-    const auto steps_begin = static_cast<std::size_t>(detail::id_steps(data, 0) - data.bytes);
-    std::vector<std::size_t> begins;
-    for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles) {
-        const std::size_t at = listing.at();
-        begins.push_back(steps_begin + read_u32(bytes, at + steps_at));
-        listing.field(block_bytes, text("block of triangles from ", first, ": number ", read_u32(bytes, at + number_at),
-                                        ", steps at byte ", read_u32(bytes, at + steps_at)));
-    }
-    begins.push_back(steps_begin + read_u32(bytes, format::header::id_step_bytes_at));
+    const std::size_t steps_begin = listing.at();
+    const auto end_of_block = [&](std::uint32_t block) {
+        const bool is_last = block + 1 == block_count(data.triangle_count);
+        const auto next = static_cast<std::size_t>(detail::id_block(data, block + 1) - data.bytes);
+        return steps_begin + read_u32(bytes, is_last ? format::header::id_step_bytes_at : next);
+    };
     const std::uint32_t factor = corner_factor(data.profile);
     for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles) {
         std::string values;
@@ -169,10 +168,13 @@ void list_ids(Bytes bytes, const Section& section, const detail::BlobData& data,
             const std::uint32_t number = detail::number_of(data, i);
             values += text(' ', number / factor, factor == 1 ? "" : text('.', number % factor));
         }
-        listing.field_up_to(begins[first / block_triangles + 1],
+        listing.field_up_to(end_of_block(first / block_triangles),
                             text(factor == 1 ? "ids" : "ids.first corners", " of triangles from ", first, ':', values));
     }
-    listing.field_up_to(section.at + section.bytes, "padding");
+    listing.field_up_to(static_cast<std::size_t>(detail::id_block(data, 0) - data.bytes), "padding");
+    for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles)
+        listing.field(block_bytes,
+                      text("block of triangles from ", first, ": at byte ", read_u32(bytes, listing.at())));
 }
 
 void list_materials(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
@@ -261,7 +263,7 @@ void list_section(Bytes bytes, const Blob& blob, const std::vector<Section>& sec
     } else if (name == "sources") {
         list_sources(bytes, data.source_count, listing);
     } else if (name == "original_ids") {
-        list_ids(bytes, section, data, listing);
+        list_ids(bytes, data, listing);
     } else if (name == "materials") {
         list_materials(bytes, section, data, listing);
     } else if (name == "copies") {

@@ -1,4 +1,4 @@
-// The section of original ids: numbers by steps from one triangle to the next, each of the kind that takes fewest bits.
+// The section of original ids: numbers by steps from recent ones, each of the kind that takes fewest bits.
 #pragma once
 
 #include <cstddef>

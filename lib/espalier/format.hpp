@@ -43,7 +43,7 @@ inline constexpr std::size_t origin_at = 40;            // 3 x f32, of lattice p
 inline constexpr std::size_t extent_at = 52;            // 3 x u32, largest coordinate per axis (the smallest is 0)
 inline constexpr std::size_t max_error_at = 64;         // f32, world units
 inline constexpr std::size_t depth_at = 68;             // u8
-inline constexpr std::size_t id_kind_bits_at = 69;      // u8, 0..4, see `ids`
+inline constexpr std::size_t id_kind_bits_at = 69;      // u8, 0..7, see `ids`
 inline constexpr std::size_t source_count_at = 72;      // u32, entries of the source table
 inline constexpr std::size_t source_triangles_at = 76;  // u32, triangles in the sources, dropped ones included
 inline constexpr std::size_t id_step_bytes_at = 80;     // u32, see `ids`
@@ -88,18 +88,23 @@ inline constexpr std::size_t bytes = 12;
 
 // The section of original ids. The number of a triangle is corner_factor * its original id + its first corner: which of
 // the original triangle's corners is stored first (0, 1 or 2; the others follow in its order). Numbers stand in blocks
-// of consecutive storage indices, and count from one triangle to the next: number + the offset of a kind + a field,
-// modulo 2^number_bits. 2^id_kind_bits kinds; blocks; then the steps of each block, in id_step_bytes together, low bits
-// first, padded with zero bits to a byte: the kind, in id_kind_bits, then its field.
+// of consecutive storage indices: the first in number_bits, then a step to each of the others. A step is the prefix of
+// a kind and a field; it leads to the recent number `from` + offset + field, modulo 2^number_bits. Recent numbers are
+// all the block's first one at its begin; then each new one is put in front, and the one at `replaced` is lost.
+// 2^id_kind_bits kinds: the next id_kind_bits bits are the number of the kind, its prefix is as many of them as the
+// kind has. Then the blocks' bits, in id_step_bytes together, low bits first, each block padded with zero bits to a
+// byte; then where each begins.
 namespace ids {
-inline constexpr unsigned max_kind_bits = 4;
-inline constexpr std::size_t offset_at = 0;  // u32, in a kind
-inline constexpr std::size_t width_at = 4;   // u32, at most number_bits
+inline constexpr unsigned max_kind_bits = 7;
+inline constexpr std::size_t offset_at = 0;    // u32, in a kind
+inline constexpr std::size_t width_at = 4;     // u8, at most number_bits
+inline constexpr std::size_t prefix_at = 5;    // u8, at most id_kind_bits
+inline constexpr std::size_t from_at = 6;      // u8, below recent_numbers
+inline constexpr std::size_t replaced_at = 7;  // u8, below recent_numbers
 inline constexpr std::size_t kind_bytes = 8;
+inline constexpr unsigned recent_numbers = 8;
 inline constexpr std::uint32_t block_triangles = 128;
-inline constexpr std::size_t number_at = 0;  // u32, in a block: the number of its first triangle
-inline constexpr std::size_t steps_at = 4;   // u32, where its steps begin, counted in bytes from the first block's
-inline constexpr std::size_t block_bytes = 8;
+inline constexpr std::size_t block_bytes = 4;  // u32, where its bits begin, counted in bytes from the first block's
 constexpr std::uint32_t block_count(std::uint32_t triangle_count) {
     return (triangle_count + block_triangles - 1) / block_triangles;
 }

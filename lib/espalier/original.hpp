@@ -22,7 +22,8 @@
 
 namespace espalier {
 
-/// False, and `original` untouched, when the blob carries no ids or has no such triangle. O(log(number of meshes)).
+/// False, and `original` untouched, when the blob carries no ids or has no such triangle. At most 127 steps from id to
+/// id, then O(log(number of meshes)).
 bool original_triangle(const Blob& blob, Triangle triangle, OriginalTriangle& original) noexcept;
 
 /// Writes where each of `triangles` came from to the same place of `originals`. Any status but ok means that nothing
@@ -45,7 +46,7 @@ struct [[nodiscard]] OriginalHit {
 
 /// Returns the source's triangle of a hit that a query of `blob` returned. Status: not_found for a miss (a batch of
 /// rays writes no_triangle), no_data for a blob without ids, not_open, or invalid_argument for a triangle that the blob
-/// does not have. O(log(number of meshes)).
+/// does not have. At most 127 steps from id to id, then O(log(number of meshes)).
 OriginalHit original_hit(const Blob& blob, const RayHit& hit) noexcept;
 
 /// Writes the source's triangle of each of `hits` to the same place of `originals`, where each has its own status.

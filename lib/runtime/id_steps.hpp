@@ -23,11 +23,12 @@ inline std::uint32_t number_limit(const BlobData& blob) { return corner_factor(b
 inline const std::byte* id_kind(const BlobData& blob, std::uint32_t kind) {
     return blob.ids + format::ids::kind_bytes * std::size_t{kind};
 }
-inline const std::byte* id_block(const BlobData& blob, std::uint32_t block) {
-    return id_kind(blob, 1u << blob.id_kind_bits) + format::ids::block_bytes * std::size_t{block};
-}
 inline const std::byte* id_steps(const BlobData& blob, std::uint32_t first_byte) {
-    return id_block(blob, format::ids::block_count(blob.triangle_count)) + first_byte;
+    return id_kind(blob, 1u << blob.id_kind_bits) + first_byte;
+}
+inline const std::byte* id_block(const BlobData& blob, std::uint32_t block) {
+    const std::size_t step_bytes = load_u32(blob.bytes + format::header::id_step_bytes_at);
+    return id_steps(blob, 0) + (step_bytes + 3) / 4 * 4 + format::ids::block_bytes * std::size_t{block};
 }
 
 /// Reads the fields of a block's steps one after the other.
@@ -50,13 +51,6 @@ struct StepFields {
     }
 };
 
-/// The number after `number`, by a step of this kind and its field. `number_mask` is 2^number_bits - 1.
-inline std::uint32_t after_step(std::uint32_t number, const std::byte* kind, std::uint32_t field,
-                                std::uint32_t number_mask) {
-    // mutant(+ -> - 2, + -> right side dropped 2) equivalent: offset_at is 0
-    return (number + load_u32(kind + format::ids::offset_at) + field) & number_mask;
-}
-
 /// 2^number_bits - 1: the smallest mask that holds every number.
 inline std::uint32_t number_mask(const BlobData& blob) {
     const std::uint32_t limit = number_limit(blob);
@@ -64,18 +58,52 @@ inline std::uint32_t number_mask(const BlobData& blob) {
     return limit <= 1 ? 0 : ~std::uint32_t{0} >> std::countl_zero(limit - 1);
 }
 
+/// Goes through the numbers of a block.
+struct IdWalk {
+    const BlobData& blob;
+    StepFields fields;
+    std::uint32_t mask = number_mask(blob);
+    std::uint32_t recent[format::ids::recent_numbers];  ///< the newest first
+    const std::byte* kind = nullptr;                    ///< of the next step, once it is found
+
+    IdWalk(const BlobData& of, std::uint32_t first_byte) : blob(of), fields{id_steps(of, first_byte)} {}
+
+    /// Begins with the block's first number.
+    void begin() {
+        const std::uint32_t first = fields.take(static_cast<unsigned>(std::bit_width(mask)));
+        for (std::uint32_t& number : recent) number = first;
+    }
+
+    /// Finds the kind of the next step by the bits that it begins with; returns the bits of the whole step. Its prefix
+    /// may be shorter than what is read, so this reads up to id_kind_bits behind the step, where blocks follow.
+    unsigned find_kind() {
+        StepFields ahead = fields;
+        kind = id_kind(blob, ahead.take(blob.id_kind_bits));
+        return load_u8(kind + format::ids::prefix_at) + load_u8(kind + format::ids::width_at);
+    }
+
+    /// Takes the step of the kind that was found.
+    void take_step() {
+        fields.bit += load_u8(kind + format::ids::prefix_at);
+        const std::uint32_t number = recent[load_u8(kind + format::ids::from_at)] +
+                                     load_u32(kind + format::ids::offset_at) +
+                                     fields.take(load_u8(kind + format::ids::width_at));
+        for (unsigned place = load_u8(kind + format::ids::replaced_at); place != 0; --place)
+            recent[place] = recent[place - 1];
+        recent[0] = number & mask;
+    }
+};
+
 /// The number of a triangle that there is. At most 127 steps.
 inline std::uint32_t number_of(const BlobData& blob, std::uint32_t triangle) {
     const std::byte* const block = id_block(blob, triangle / format::ids::block_triangles);
-    const std::uint32_t mask = number_mask(blob);
-    // mutant(+ -> -, + -> right side dropped) equivalent: number_at is 0
-    std::uint32_t number = load_u32(block + format::ids::number_at);
-    StepFields steps = {id_steps(blob, load_u32(block + format::ids::steps_at))};
+    IdWalk walk(blob, load_u32(block));
+    walk.begin();
     for (std::uint32_t left = triangle % format::ids::block_triangles; left != 0; --left) {
-        const std::byte* const kind = id_kind(blob, steps.take(blob.id_kind_bits));
-        number = after_step(number, kind, steps.take(load_u32(kind + format::ids::width_at)), mask);
+        walk.find_kind();
+        walk.take_step();
     }
-    return number;
+    return walk.recent[0];
 }
 
 }  // namespace espalier::detail

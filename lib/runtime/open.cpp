@@ -70,45 +70,47 @@ Status check_tree(const BlobData& blob) {
     return Status::ok;
 }
 
-/// A block's steps, which must end before `bit_count`: whether every number that they lead to is one that the sources
-/// can have. `steps` is then behind them.
-bool are_steps_sound(const BlobData& blob, std::uint32_t number, std::uint32_t triangles, std::uint32_t bit_count,
-                     StepFields& steps) {
-    const std::uint32_t limit = number_limit(blob);
-    const std::uint32_t mask = number_mask(blob);
+/// Whether a block's bits end before `bit_count`, and every number that they lead to is one that the sources can have.
+/// `walk` is then behind them.
+bool are_steps_sound(IdWalk& walk, std::uint32_t triangles, std::uint32_t bit_count) {
+    const std::uint32_t limit = number_limit(walk.blob);
+    if (static_cast<std::uint32_t>(std::bit_width(walk.mask)) > bit_count) return false;
+    walk.begin();
     for (;;) {
-        if (number >= limit) return false;
+        if (walk.recent[0] >= limit) return false;
         if (--triangles == 0) return true;
-        if (steps.bit + blob.id_kind_bits > bit_count) return false;
-        const std::byte* const kind = id_kind(blob, steps.take(blob.id_kind_bits));
-        const std::uint32_t width = load_u32(kind + format::ids::width_at);
-        if (steps.bit + width > bit_count) return false;
-        number = after_step(number, kind, steps.take(width), mask);
+        if (walk.find_kind() > bit_count - walk.fields.bit) return false;
+        walk.take_step();
     }
 }
 
-/// The steps of each block begin where those of the block before it end.
+bool is_kind_sound(const BlobData& blob, const std::byte* kind) {
+    using namespace format::ids;
+    const std::uint32_t places = load_u8(kind + from_at) | load_u8(kind + replaced_at);
+    static_assert(std::has_single_bit(recent_numbers));
+    return load_u8(kind + width_at) <= static_cast<std::uint32_t>(std::bit_width(number_mask(blob))) &&
+           load_u8(kind + prefix_at) <= blob.id_kind_bits && places < recent_numbers;
+}
+
+/// The bits of each block begin where those of the block before it end.
 bool are_numbers_sound(const BlobData& blob) {
     using namespace format::ids;
     constexpr std::uint32_t max_bytes_of_a_block = block_triangles * (max_kind_bits + 32) / 8;
     const std::uint32_t step_bytes = load_u32(blob.bytes + format::header::id_step_bytes_at);
     for (std::uint32_t kind = 0; kind >> blob.id_kind_bits == 0; ++kind)
-        if (load_u32(id_kind(blob, kind) + width_at) > static_cast<std::uint32_t>(std::popcount(number_mask(blob))))
-            return false;
+        if (!is_kind_sound(blob, id_kind(blob, kind))) return false;
     std::uint32_t begin = 0;
     for (std::uint32_t first = 0; first < blob.triangle_count; first += block_triangles) {
-        const std::byte* const block = id_block(blob, first / block_triangles);
-        if (load_u32(block + steps_at) != begin) return false;
+        if (load_u32(id_block(blob, first / block_triangles)) != begin) return false;
         const std::uint32_t left = blob.triangle_count - first;
         const std::uint32_t bytes_left = step_bytes - begin;
-        StepFields steps = {id_steps(blob, begin)};
-        // mutant(+ -> -, + -> right side dropped) equivalent: number_at is 0
+        IdWalk walk(blob, begin);
         // mutant(< -> <= 1, < -> <= 2) equivalent: both sides are equal then
-        if (!are_steps_sound(blob, load_u32(block + number_at), left < block_triangles ? left : block_triangles,
-                             8 * (bytes_left < max_bytes_of_a_block ? bytes_left : max_bytes_of_a_block), steps) ||
-            !is_padded_with_zeros(steps.bytes, steps.bit))
+        if (!are_steps_sound(walk, left < block_triangles ? left : block_triangles,
+                             8 * (bytes_left < max_bytes_of_a_block ? bytes_left : max_bytes_of_a_block)) ||
+            !is_padded_with_zeros(walk.fields.bytes, walk.fields.bit))
             return false;
-        begin += (steps.bit + 7) / 8;
+        begin += (walk.fields.bit + 7) / 8;
     }
     return begin == step_bytes;
 }

@@ -130,8 +130,8 @@ Status locate_sections(BlobData& blob, bool looks_at_padding) {
     if ((blob.features & format::feature::original_ids) != 0) {
         blob.sources = rest.take(blob.source_count, 8 * format::source::bytes);
         blob.ids = rest.take(std::size_t{1} << blob.id_kind_bits, 8 * format::ids::kind_bytes);
-        rest.take(format::ids::block_count(blob.triangle_count), 8 * format::ids::block_bytes);
         rest.take(load_u32(blob.bytes + format::header::id_step_bytes_at), 8);
+        rest.take(format::ids::block_count(blob.triangle_count), 8 * format::ids::block_bytes);
     }
     if ((blob.features & (materials_8 | materials_16)) != 0)
         blob.materials = rest.take(blob.triangle_count, (blob.features & materials_16) != 0 ? 16 : 8);

@@ -1,11 +1,15 @@
 // Claims about the optional sections and the closed flag.
 #include <doctest/doctest.h>
 
+#include <bit>
+#include <utility>
+
 #include <espalier/original.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
+#include "../support/random.hpp"
 #include "baking_support.hpp"
 
 using namespace espalier;
@@ -68,6 +72,25 @@ TEST_SUITE("sections") {
             CHECK(with->blob.size() > tree_end);
             CHECK(std::equal(without->blob.begin() + format::header::bytes, without->blob.end(),
                              with->blob.begin() + format::header::bytes));
+        });
+    }
+
+    TEST_CASE("source triangle: ids take half of one width in scan order and 5 % more than it in random order") {
+        for_each_profile([](format::Profile profile) {
+            BakeOptions with = with_profile(profile), without = with;
+            with.original_ids = true;
+            const auto share = [&](const Mesh& mesh) {
+                const std::size_t bytes = bake_or_throw(mesh, with).size() - bake_or_throw(mesh, without).size();
+                const unsigned width = static_cast<unsigned>(std::bit_width(mesh.triangles.size() - 1)) +
+                                       (profile == format::Profile::fast ? 0 : 2);
+                return 8.0 * static_cast<double>(bytes) / (width * static_cast<double>(mesh.triangles.size()));
+            };
+            Mesh mesh = make_terrain(100, 1);
+            CHECK(share(mesh) < 0.5);
+            Random random(1);
+            for (std::size_t i = mesh.triangles.size(); i > 1; --i)
+                std::swap(mesh.triangles[i - 1], mesh.triangles[random.below(static_cast<std::uint32_t>(i))]);
+            CHECK(share(mesh) < 1.05);
         });
     }
 

@@ -25,12 +25,7 @@ namespace ids = format::ids;
 using Bytes = std::vector<std::byte>;
 
 struct Kind {
-    std::uint32_t offset, width;
-};
-
-/// The first number of a block, and where its steps begin.
-struct Block {
-    std::uint32_t number, steps;
+    std::uint32_t offset = 0, width = 0, prefix = 0, from = 0, replaced = 0;
 };
 
 /// Bits, low ones first.
@@ -62,9 +57,9 @@ struct Section {
     format::Profile profile;
     unsigned side;
     std::vector<Kind> kinds;  // a power of two of them
-    std::vector<Block> blocks;
     Bytes steps;
-    std::uint64_t source_triangles = 0;  // 0: as baked
+    std::vector<std::uint32_t> blocks = {0};  // where the bits of each begin
+    std::uint64_t source_triangles = 0;       // 0: as baked
 
     [[nodiscard]] Bytes blob() const {
         BakeOptions options = with_profile(profile);
@@ -81,14 +76,11 @@ struct Section {
         while (std::size_t{1} << kind_bits < kinds.size()) ++kind_bits;
         for (const Kind& kind : kinds) {
             append(kind.offset);
-            append(kind.width);
-        }
-        for (const Block& block : blocks) {
-            append(block.number);
-            append(block.steps);
+            append(kind.width | kind.prefix << 8 | kind.from << 16 | kind.replaced << 24);
         }
         bytes.insert(bytes.end(), steps.begin(), steps.end());
         while (bytes.size() % 4 != 0) bytes.push_back(std::byte{0});
+        for (const std::uint32_t block : blocks) append(block);
         put(bytes, at::id_kind_bits_at, kind_bits, 1);
         put(bytes, at::id_step_bytes_at, steps.size(), 4);
         if (source_triangles != 0) put(bytes, at::source_triangles_at, source_triangles, 4);
@@ -108,61 +100,83 @@ struct Section {
 TEST_SUITE("open ids") {
     TEST_CASE("open: steps of ids end where the header says and no byte behind them is read") {
         for_each_profile([](format::Profile profile) {
-            // 49 steps of 4 bits: 24 bytes and a half.
-            const auto in_fields = [&](Bytes steps) {
-                return Section{profile, 5, {{0, 4}}, {{0, 0}}, std::move(steps)}.status();
+            const std::size_t number_bits = profile == format::Profile::fast ? 6 : 8;
+            const auto status = [&](std::vector<Kind> kinds, Bytes steps) {
+                return Section{profile, 5, std::move(kinds), std::move(steps)}.status();
             };
-            CHECK(in_fields(zeros(25)) == Status::ok);
-            CHECK(in_fields(zeros(24)) == Status::bad_section);
-            CHECK(in_fields(zeros(26)) == Status::bad_section);
-            CHECK(in_fields(zeros(0)) == Status::bad_section);
-            Bytes padded = zeros(25);
-            padded.back() = std::byte{0x10};
-            CHECK(in_fields(padded) == Status::bad_section);
-            // 49 steps of a kind alone: 6 bytes and a bit.
-            const auto in_kinds = [&](Bytes steps) {
-                return Section{profile, 5, {{0, 0}, {0, 0}}, {{0, 0}}, std::move(steps)}.status();
-            };
-            CHECK(in_kinds(zeros(7)) == Status::ok);
-            CHECK(in_kinds(zeros(4)) == Status::bad_section);
-            CHECK(in_kinds(zeros(8)) == Status::bad_section);
+            // 49 steps, after the first number.
+            for (const std::size_t width : {0u, 4u}) {
+                for (const unsigned kind_bits : {0u, 1u, 7u}) {
+                    CAPTURE(width);
+                    CAPTURE(kind_bits);
+                    const std::vector<Kind> kinds(std::size_t{1} << kind_bits,
+                                                  {0, static_cast<std::uint32_t>(width), kind_bits});
+                    const std::size_t bits = number_bits + 49 * (width + kind_bits);
+                    const std::size_t bytes = (bits + 7) / 8;
+                    CHECK(status(kinds, zeros(bytes)) == Status::ok);
+                    // Of nothing, of the first number alone, a byte less, a byte more.
+                    for (const std::size_t other : {std::size_t{0}, std::size_t{1}, bytes - 1, bytes + 1})
+                        if (other != bytes) CHECK(status(kinds, zeros(other)) == Status::bad_section);
+                    Bytes padded = zeros(bytes);
+                    padded.back() = static_cast<std::byte>(1u << (bits - 1) % 8 << 1);
+                    if (bits % 8 != 0) CHECK(status(kinds, padded) == Status::bad_section);
+                }
+            }
         });
+    }
+
+    TEST_CASE("open: a first number of ids that does not fit into the steps is refused") {
+        for (const std::size_t bytes : {0u, 1u, 2u}) {
+            // 10 bits, and no step takes any.
+            CHECK(Section{format::Profile::balanced, 7, {{}}, zeros(bytes), {0}, 1024 / 3}.status() ==
+                  (bytes == 2 ? Status::ok : Status::bad_section));
+        }
     }
 
     TEST_CASE("open: each block of ids has the steps that are left for it") {
         for_each_profile([](format::Profile profile) {
-            // 127 and 71 steps of 4 bits: 64 and 36 bytes.
+            // 8 or 10 bits of a first number, then 127 and 71 steps of 4 bits: 65 and 37 bytes.
             const auto status = [&](std::uint32_t second, std::size_t bytes) {
-                return Section{profile, 10, {{0, 4}}, {{0, 0}, {0, second}}, zeros(bytes)}.status();
+                return Section{profile, 10, {{0, 4}}, zeros(bytes), {0, second}}.status();
             };
-            CHECK(status(64, 100) == Status::ok);
-            CHECK(status(64, 96) == Status::bad_section);
-            CHECK(status(64, 104) == Status::bad_section);
-            CHECK(status(63, 100) == Status::bad_section);
+            CHECK(status(65, 102) == Status::ok);
             CHECK(status(65, 101) == Status::bad_section);
+            CHECK(status(65, 98) == Status::bad_section);
+            CHECK(status(65, 103) == Status::bad_section);
+            CHECK(status(65, 106) == Status::bad_section);
+            CHECK(status(64, 102) == Status::bad_section);
+            CHECK(status(66, 103) == Status::bad_section);
+            CHECK(status(~0u, 102) == Status::bad_section);
         });
     }
 
     TEST_CASE("open: a kind of step that is not used obeys the rules too") {
         for_each_profile([](format::Profile profile) {
             const std::uint32_t number_bits = profile == format::Profile::fast ? 6 : 8;
-            const auto status = [&](std::uint32_t width) {
-                return Section{profile, 5, {{0, 0}, {0, width}}, {{0, 0}}, zeros(7)}.status();
+            const auto status = [&](const Kind& unused) {
+                return Section{profile, 5, {{0, 0, 1}, unused}, zeros((number_bits + 49 + 7) / 8)}.status();
             };
-            CHECK(status(number_bits) == Status::ok);
-            CHECK(status(number_bits + 1) == Status::bad_section);
-            CHECK(status(33) == Status::bad_section);
-            CHECK(status(~0u) == Status::bad_section);
+            CHECK(status({~0u, number_bits, 1, 7, 7}) == Status::ok);
+            CHECK(status({0, 0, 0, 0, 0}) == Status::ok);
+            for (const std::uint32_t more : {1u, 255u - number_bits})
+                CHECK(status({0, number_bits + more, 1}) == Status::bad_section);
+            for (const std::uint32_t prefix : {2u, 255u}) CHECK(status({0, 0, prefix}) == Status::bad_section);
+            for (const std::uint32_t place : {8u, 255u}) {
+                CHECK(status({0, 0, 1, place, 0}) == Status::bad_section);
+                CHECK(status({0, 0, 1, 0, place}) == Status::bad_section);
+            }
         });
     }
 
     TEST_CASE("open: numbers of ids fill 32 bits and no more") {
         for_each_profile([](format::Profile profile) {
             const std::uint32_t corners = profile == format::Profile::fast ? 1 : 3;
-            // 49 steps of 4 and 32 bits: 220 bytes and a half.
+            // A first number and 49 steps of 7 and 32 bits: 242 bytes and seven bits.
             const auto status = [&](std::uint64_t source_triangles, std::uint32_t number) {
-                return Section{profile,       5,          std::vector<Kind>(16, Kind{0, 32}),
-                               {{number, 0}}, zeros(221), source_triangles}
+                BitWriter steps;
+                steps.add(number, 32);
+                for (int i = 0; i < 49; ++i) steps.add(0, 32).add(0, 7);
+                return Section{profile, 5, std::vector<Kind>(128, Kind{0, 32, 7}), steps.bytes(), {0}, source_triangles}
                     .status();
             };
             const std::uint32_t most = ~0u / corners;
@@ -173,29 +187,37 @@ TEST_SUITE("open ids") {
     }
 
     TEST_CASE("source triangle: steps of several kinds lead through two blocks") {
+        // Codes 0, 01 and 11: on by one in the newest row; -1 .. 6 on from the oldest number of three, whose row goes
+        // on; and by 9 to a new row.
+        const std::vector<Kind> kinds = {{1, 0, 1}, {~0u, 3, 2, 2, 2}, {1, 0, 1}, {9, 0, 2, 0, 7}};
         BitWriter steps;
-        std::vector<std::uint32_t> expected;
-        for (const auto& [first, count] : {std::pair{0u, 128u}, std::pair{7u, 72u}}) {
-            std::uint32_t number = first;
+        std::vector<std::uint32_t> expected, begins;
+        for (const auto& [first, count] : {std::pair{5u, 128u}, std::pair{7u, 72u}}) {
+            begins.push_back(static_cast<std::uint32_t>(steps.bytes().size()));
+            steps.add(first, 8);
+            std::vector<std::uint32_t> recent(8, first);
             for (std::uint32_t i = 0; i < count; ++i) {
-                expected.push_back(number);
+                expected.push_back(recent[0]);
                 if (i + 1 == count) break;
-                if (i % 2 == 0) {
-                    steps.add(0, 1);
-                    number += 1;
+                std::uint32_t number = recent[0] + 1;
+                std::size_t lost = 0;
+                if (i % 16 == 5) {
+                    steps.add(3, 2);
+                    number = recent[0] + 9;
+                    lost = 7;
+                } else if (i % 3 == 1) {
+                    steps.add(1, 2).add(i % 8, 3);
+                    number = recent[2] + i % 8 - 1;
+                    lost = 2;
                 } else {
-                    steps.add(1, 1).add(i % 4, 3);
-                    number = number + i % 4 - 1;
+                    steps.add(0, 1);
                 }
+                recent.erase(recent.begin() + static_cast<std::ptrdiff_t>(lost));
+                recent.insert(recent.begin(), number);
             }
             steps.end_block();
         }
-        const std::size_t first_bytes = (63u * 4 + 64 + 7) / 8;
-        const Section section{format::Profile::fast,
-                              10,
-                              {{1, 0}, {~0u, 3}},
-                              {{0, 0}, {7, static_cast<std::uint32_t>(first_bytes)}},
-                              steps.bytes()};
+        const Section section{format::Profile::fast, 10, kinds, steps.bytes(), begins};
         const GuardedPages pages(section.blob(), true);
         Blob blob;
         REQUIRE(open(pages.bytes(), blob) == Status::ok);

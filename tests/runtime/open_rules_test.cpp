@@ -108,7 +108,7 @@ TEST_SUITE("open rules") {
             put(at_zero, at::origin_at, 0, 4);
             put(at_zero, at::origin_at + 4, 0, 4);
             put(at_zero, at::origin_at + 8, 0, 4);
-            CHECK(status_with(three_sources(profile), at::id_kind_bits_at, 5, 1) == Status::bad_header);
+            CHECK(status_with(three_sources(profile), at::id_kind_bits_at, 8, 1) == Status::bad_header);
             const auto with_step = [&](int exponent) {
                 return status_with(at_zero, at::step_exponent_at, static_cast<std::uint16_t>(exponent), 2);
             };
@@ -389,28 +389,34 @@ TEST_SUITE("open rules") {
             const std::size_t kinds = sections_of(bytes) + format::source::bytes;
             const std::uint64_t kind_bits = get(bytes, at::id_kind_bits_at, 1);
             REQUIRE(kind_bits > 0);
-            const std::size_t blocks = kinds + (ids::kind_bytes << kind_bits);
-            const std::size_t steps = blocks + 2 * ids::block_bytes;
+            const std::size_t steps = kinds + (ids::kind_bytes << kind_bits);
             const std::uint64_t step_bytes = get(bytes, at::id_step_bytes_at, 4);
-            REQUIRE(bytes.size() == (steps + step_bytes + 3) / 4 * 4);
+            const std::size_t blocks = (steps + step_bytes + 3) / 4 * 4;
+            REQUIRE(bytes.size() == blocks + 2 * ids::block_bytes);
             const std::uint64_t numbers = profile == format::Profile::fast ? 200 : 600;
             const unsigned number_bits = profile == format::Profile::fast ? 8 : 10;
-            REQUIRE(get(bytes, kinds + ids::width_at, 4) == number_bits);
             const auto status = [&](std::size_t place, std::uint64_t value, unsigned size = 4) {
                 return status_with(bytes, place, value, size);
             };
 
-            // A field is at most as wide as a number.
-            for (std::size_t kind = 0; kind >> kind_bits == 0; ++kind)
-                CHECK(status(kinds + kind * ids::kind_bytes + ids::width_at, number_bits + 1) == Status::bad_section);
+            // Fields, prefixes and places of recent numbers are in range.
+            for (std::size_t kind = 0; kind >> kind_bits == 0; ++kind) {
+                const std::size_t place = kinds + kind * ids::kind_bytes;
+                CHECK(status(place + ids::width_at, number_bits + 1, 1) == Status::bad_section);
+                CHECK(status(place + ids::prefix_at, kind_bits + 1, 1) == Status::bad_section);
+                CHECK(status(place + ids::from_at, ids::recent_numbers, 1) == Status::bad_section);
+                CHECK(status(place + ids::replaced_at, ids::recent_numbers, 1) == Status::bad_section);
+            }
             // A block begins with a number that a source can have, and where the one before it ends.
-            CHECK(status(blocks + ids::number_at, numbers) == Status::bad_section);
-            CHECK(status(blocks + ids::number_at, ~0u) == Status::bad_section);
-            CHECK(status(blocks + ids::steps_at, 1) == Status::bad_section);
-            const std::uint64_t second = get(bytes, blocks + ids::block_bytes + ids::steps_at, 4);
-            CHECK(status(blocks + ids::block_bytes + ids::steps_at, second - 1) == Status::bad_section);
-            CHECK(status(blocks + ids::block_bytes + ids::steps_at, second + 1) == Status::bad_section);
-            CHECK(status(blocks + ids::block_bytes + ids::steps_at, ~0u) == Status::bad_section);
+            const std::uint64_t first_bits = get(bytes, steps, 2);
+            const std::uint64_t number_mask = (1u << number_bits) - 1;
+            CHECK(status(steps, (first_bits & ~number_mask) | numbers, 2) == Status::bad_section);
+            CHECK(status(steps, first_bits | number_mask, 2) == Status::bad_section);
+            CHECK(status(blocks, 1) == Status::bad_section);
+            const std::uint64_t second = get(bytes, blocks + ids::block_bytes, 4);
+            CHECK(status(blocks + ids::block_bytes, second - 1) == Status::bad_section);
+            CHECK(status(blocks + ids::block_bytes, second + 1) == Status::bad_section);
+            CHECK(status(blocks + ids::block_bytes, ~0u) == Status::bad_section);
             // Steps end where the header says, and bits that fill them up are zero.
             CHECK(status(at::id_step_bytes_at, step_bytes - 4) == Status::bad_section);
             CHECK(status(at::id_step_bytes_at, step_bytes + 4) == Status::bad_section);
@@ -419,7 +425,7 @@ TEST_SUITE("open rules") {
                 if ((step_bytes - 1) / 4 == (step_bytes - fewer - 1) / 4)
                     CHECK(status(at::id_step_bytes_at, step_bytes - fewer) == Status::bad_section);
             }
-            for (std::size_t end = steps + step_bytes; end < bytes.size(); ++end)
+            for (std::size_t end = steps + step_bytes; end < blocks; ++end)
                 CHECK(status(end, 1, 1) == Status::bad_section);
 
             // Any other steps are refused, or lead to triangles that the source has.
@@ -457,16 +463,16 @@ TEST_SUITE("open rules") {
             for (const std::uint32_t count : {most, most + 1}) {
                 Bytes widest(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(kinds));
                 const auto last = static_cast<std::uint32_t>(factor * most - 1);
-                for (const std::uint32_t word : {0u, 32u, last, 0u}) {
+                const auto append = [&](std::uint32_t word) {
                     widest.resize(widest.size() + 4);
                     put(widest, widest.size() - 4, word, 4);
-                }
-                for (unsigned step = 1; step < 12; ++step) {  // from the last number to the first and back
-                    widest.resize(widest.size() + 4);
-                    put(widest, widest.size() - 4, step % 2 != 0 ? 0u - last : last, 4);
-                }
+                };
+                for (const std::uint32_t word : {0u, 32u, last}) append(word);
+                for (unsigned step = 1; step < 12; ++step)  // from the last number to the first and back
+                    append(step % 2 != 0 ? 0u - last : last);
+                append(0);
                 put(widest, at::source_triangles_at, count, 4);
-                put(widest, at::id_step_bytes_at, 44, 4);
+                put(widest, at::id_step_bytes_at, 48, 4);
                 if (count != most) {  // of profile fast, 0: numbers of no bits
                     CHECK(status_resized(widest) == (factor == 1 ? Status::bad_section : Status::bad_header));
                     continue;

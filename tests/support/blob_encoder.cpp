@@ -186,38 +186,41 @@ private:
     void put_ids(Writer& out) {
         const std::uint64_t factor = head_.profile == format::Profile::fast ? 1 : 3;
         const std::uint64_t limit = factor * head_.source_triangles;
-        const std::uint64_t modulus = std::uint64_t{1}
-                                      << (limit == 0 ? 0 : bits_for(static_cast<std::uint32_t>(limit - 1)));
-        const unsigned kind_bits = bits_for(static_cast<std::uint32_t>(blob_.id_kinds.size()) - 1);
+        const unsigned number_bits = limit == 0 ? 0 : bits_for(static_cast<std::uint32_t>(limit - 1));
+        const std::uint64_t modulus = std::uint64_t{1} << number_bits;
         Writer blocks, steps;
-        std::uint64_t before = 0;
+        std::vector<std::uint64_t> recent;
         std::size_t last = 0;
         for (std::size_t i = 0; i < triangles_; ++i) {
             const std::uint64_t corner = factor == 1 ? 0 : head_.first_corners[i];
             const std::uint64_t number = factor * head_.original_ids[i] + corner;
             if (i % 128 == 0) {
                 steps.end_stream();
-                blocks.put(number, 4);
                 blocks.put(steps.bytes.size(), 4);
+                steps.put_bits(number, number_bits);
+                recent.assign(8, number);
             } else {
                 std::uint64_t field = modulus;
+                PlainIdKind kind;
                 do {
                     last = (last + 1) % blob_.id_kinds.size();
-                    field = (number + 2 * modulus - before - blob_.id_kinds[last][0] % modulus) % modulus;
-                } while (field >> blob_.id_kinds[last][1] != 0);
-                steps.put_bits(last, kind_bits);
-                steps.put_bits(field, blob_.id_kinds[last][1]);
+                    kind = blob_.id_kinds[last];
+                    field = (number + 2 * modulus - recent[kind.from] - kind.offset % modulus) % modulus;
+                } while (field >> kind.width != 0);
+                steps.put_bits(last % (std::size_t{1} << kind.prefix), kind.prefix);
+                steps.put_bits(field, kind.width);
+                recent.erase(recent.begin() + kind.replaced);
+                recent.insert(recent.begin(), number);
             }
-            before = number;
         }
         id_step_bytes_ = steps.bytes.size();
-        for (const auto& [offset, width] : blob_.id_kinds) {
-            out.put(offset, 4);
-            out.put(width, 4);
+        for (const PlainIdKind& kind : blob_.id_kinds) {
+            out.put(kind.offset, 4);
+            for (const unsigned field : {kind.width, kind.prefix, kind.from, kind.replaced}) out.put(field, 1);
         }
-        out.append(blocks);
         out.append(steps);
         out.pad_to(4);
+        out.append(blocks);
     }
 
     void put_copies(Writer& out) const {

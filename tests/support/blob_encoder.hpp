@@ -46,12 +46,22 @@ struct PlainNode {
     [[nodiscard]] GridBox box_of(const PlainChild& child, unsigned bits) const;
 };
 
+/// How a step from id to id may be written.
+struct PlainIdKind {
+    std::uint32_t offset = 0;
+    unsigned width = 0;
+    unsigned prefix = 0;
+    unsigned from = 0;
+    unsigned replaced = 0;
+};
+
 /// What a blob holds. `decoded` gives the header and the optional sections; its nodes and triangles are not looked at.
 struct PlainBlob {
     DecodedBlob decoded;
-    /// As offset and width; 1, 2, 4, 8 or 16, of which the first takes every step. Each step is written by the kind
-    /// that follows the last one's, of those that take it.
-    std::vector<std::array<std::uint32_t, 2>> id_kinds = {{0, 0}};
+    /// A row for each value of the bits that a step begins with: 1, 2, 4 .. 128. Rows that agree in the low `prefix`
+    /// bits are the same kind, and the first takes every step. Each step is written by the row that follows the last
+    /// one's, of those that take it.
+    std::vector<PlainIdKind> id_kinds = {{}};
     std::vector<PlainNode> nodes;  ///< the root first; each is the child of one other
 };
 

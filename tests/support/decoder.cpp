@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <deque>
 #include <stdexcept>
 #include <string>
 
@@ -260,24 +261,31 @@ private:
                                          ? 0
                                          : bits_of(static_cast<std::uint32_t>(factor * decoded_.source_triangles - 1));
         const std::size_t kinds_at = at;
-        const std::size_t blocks_at = kinds_at + (std::size_t{8} << id_kind_bits_);
-        const std::size_t steps_at = blocks_at + 8 * ((std::size_t{decoded_.triangle_count} + 127) / 128);
+        const std::size_t steps_at = kinds_at + (std::size_t{8} << id_kind_bits_);
+        const std::size_t blocks_at = steps_at + padded(bytes_.u32(80));
         std::size_t byte = steps_at, bit = 0;
         std::uint64_t number = 0;
+        std::deque<std::uint64_t> recent;
         for (std::uint32_t i = 0; i < decoded_.triangle_count; ++i) {
             if (i % 128 == 0) {
                 byte += (bit + 7) / 8;
                 bit = 0;
-                number = bytes_.u32(blocks_at + i / 16);
-                if (bytes_.u32(blocks_at + i / 16 + 4) != byte - steps_at)
+                if (bytes_.u32(blocks_at + i / 32) != byte - steps_at)
                     throw std::runtime_error("decoder: a block of ids begins elsewhere than the one before it ends");
+                number = bytes_.field(byte, bit, number_bits);
+                bit += number_bits;
+                recent.assign(8, number);
             } else {
                 const std::size_t kind = kinds_at + std::size_t{8} * bytes_.field(byte, bit, id_kind_bits_);
-                bit += id_kind_bits_;
-                const unsigned width = bytes_.u32(kind + 4);
-                number += std::uint64_t{bytes_.u32(kind)} + bytes_.field(byte, bit, width);
+                const unsigned width = bytes_.u8(kind + 4), prefix = bytes_.u8(kind + 5);
+                const unsigned from = bytes_.u8(kind + 6), replaced = bytes_.u8(kind + 7);
+                if (prefix > id_kind_bits_ || from > 7 || replaced > 7)
+                    throw std::runtime_error("decoder: a kind of step between ids is out of range");
+                number = recent[from] + bytes_.u32(kind) + bytes_.field(byte, bit + prefix, width);
                 number %= std::uint64_t{1} << number_bits;
-                bit += width;
+                bit += prefix + width;
+                recent.erase(recent.begin() + replaced);
+                recent.push_front(number);
             }
             decoded_.original_ids.push_back(static_cast<std::uint32_t>(number / factor));
             decoded_.first_corners.push_back(static_cast<std::uint8_t>(number % factor));
@@ -286,7 +294,7 @@ private:
         }
         byte += (bit + 7) / 8;
         if (byte - steps_at != bytes_.u32(80)) throw std::runtime_error("decoder: ids do not fill their section");
-        return at + padded(byte - at);
+        return blocks_at + 4 * ((std::size_t{decoded_.triangle_count} + 127) / 128);
     }
 
     void read_optional_sections() {

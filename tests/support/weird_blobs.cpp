@@ -222,6 +222,27 @@ private:
         return kind == 0 ? most : kind == 1 ? -most : between(-most, most);
     }
 
+    /// A random tree of codes; the first takes every step.
+    void make_id_kinds(unsigned number_bits) {
+        const unsigned most = random_.below(8);
+        blob_.id_kinds.resize(std::size_t{1} << most);
+        std::vector<std::pair<std::size_t, unsigned>> codes = {{0, 0}};
+        while (!codes.empty()) {
+            const auto [code, prefix] = codes.back();
+            codes.pop_back();
+            if (prefix < most && random_.below(4) != 0) {
+                codes.emplace_back(code, prefix + 1);
+                codes.emplace_back(code + (std::size_t{1} << prefix), prefix + 1);
+                continue;
+            }
+            PlainIdKind kind = {static_cast<std::uint32_t>(random_.next()), random_.below(number_bits + 1), prefix,
+                                random_.below(8), random_.below(8)};
+            if (code == 0) kind.width = number_bits;
+            for (std::size_t row = code; row < blob_.id_kinds.size(); row += std::size_t{1} << prefix)
+                blob_.id_kinds[row] = kind;
+        }
+    }
+
     void make_sections() {
         if (triangles_ == 0) head_.features &= 7u;
         if (has(0)) {
@@ -231,9 +252,7 @@ private:
             const std::uint32_t numbers = factor * head_.source_triangles;
             const std::uint32_t number_bits =
                 numbers <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(numbers - 1));
-            blob_.id_kinds = {{0, number_bits}};
-            for (std::uint32_t i = 1u << random_.below(5); i != 1; --i)
-                blob_.id_kinds.push_back({static_cast<std::uint32_t>(random_.next()), random_.below(number_bits + 1)});
+            make_id_kinds(number_bits);
             std::uint32_t first = 0;
             for (std::uint32_t i = random_.below(5) + (triangles_ == 0 ? 0 : 1); i != 0; --i) {
                 head_.sources.push_back({first, random_.below(9), static_cast<std::uint32_t>(random_.next())});
