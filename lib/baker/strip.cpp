@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <span>
+#include <utility>
 
 namespace espalier::baker {
 
@@ -15,15 +16,23 @@ static_assert(most <= 64);
 /// The triangles of a leaf by number, and who is whose neighbour.
 struct Cluster {
     std::array<Set, most> neighbours{};
+    std::array<std::uint32_t, most> of_mesh{};  ///< numbers in the mesh, which ascend with original ids
     unsigned count;
 
-    Cluster(const Neighbours& all, const BinaryNode& node) : count(node.count) {
+    Cluster(const Neighbours& all, const BinaryTree& tree, const BinaryNode& node) : count(node.count) {
         for (unsigned i = 0; i < count; ++i) {
+            of_mesh[i] = tree.triangles[node.first + i];
             for (const std::uint32_t place : all.of(node.first + i)) {
                 const std::uint32_t other = place - node.first;
                 if (other < count && other != i) neighbours[i] |= Set{1} << other;
             }
         }
+    }
+
+    /// Bits of the step between their numbers in the mesh: what their original ids take, one after the other.
+    [[nodiscard]] unsigned step_bits(unsigned a, unsigned b) const {
+        return static_cast<unsigned>(
+            std::bit_width(of_mesh[a] < of_mesh[b] ? of_mesh[b] - of_mesh[a] : of_mesh[a] - of_mesh[b]));
     }
 };
 
@@ -32,20 +41,22 @@ struct Cover {
     std::array<std::uint8_t, most> triangles{};  ///< path after path
     Set starts = 0;                              ///< a bit for each place in `triangles` where a path begins
     unsigned paths = 0;
+    unsigned step_bits = 0;  ///< of all steps from triangle to triangle
 };
 
 unsigned lowest(Set set) { return static_cast<unsigned>(std::countr_zero(set)); }
 
-/// Of `from`, the one with the fewest neighbours that are still free; of equal ones the lowest. Warnsdorff's rule: what
-/// is hard to reach is taken first.
-unsigned loneliest(const Cluster& cluster, Set from, Set free) {
+/// Of `from`, the one with the fewest neighbours that are still free; of equal ones the nearest to `last` in the
+/// source; of equal ones the lowest. Warnsdorff's rule: what is hard to reach is taken first.
+unsigned loneliest(const Cluster& cluster, Set from, Set free, unsigned last) {
     unsigned best = lowest(from);
-    int fewest = 64;
+    std::pair<int, unsigned> least = {most, 0};
     for (; from != 0; from &= from - 1) {
-        const int degree = std::popcount(cluster.neighbours[lowest(from)] & free);
-        if (degree < fewest) {
-            fewest = degree;
-            best = lowest(from);
+        const unsigned each = lowest(from);
+        const std::pair rank = {std::popcount(cluster.neighbours[each] & free), cluster.step_bits(last, each)};
+        if (rank < least) {
+            least = rank;
+            best = each;
         }
     }
     return best;
@@ -54,7 +65,7 @@ unsigned loneliest(const Cluster& cluster, Set from, Set free) {
 /// Takes free triangles from neighbour to neighbour as long as there are any; returns the end of what it wrote.
 std::uint8_t* walk(const Cluster& cluster, unsigned from, Set& free, std::uint8_t* to) {
     for (Set next = cluster.neighbours[from] & free; next != 0; next = cluster.neighbours[from] & free) {
-        from = loneliest(cluster, next, free);
+        from = loneliest(cluster, next, free, from);
         free &= ~(Set{1} << from);
         *to++ = static_cast<std::uint8_t>(from);
     }
@@ -65,7 +76,7 @@ Cover cover_from(const Cluster& cluster, unsigned start) {
     Cover cover;
     std::uint8_t* end = cover.triangles.data();
     Set free = ~Set{0} >> (64 - cluster.count);
-    for (unsigned first = start;; first = loneliest(cluster, free, free)) {
+    for (unsigned first = start;; first = loneliest(cluster, free, free, end[-1])) {
         std::uint8_t* const path = end;
         cover.starts |= Set{1} << (path - cover.triangles.data());
         ++cover.paths;
@@ -75,16 +86,19 @@ Cover cover_from(const Cluster& cluster, unsigned start) {
         std::reverse(path, end);
         *end++ = static_cast<std::uint8_t>(first);
         end = walk(cluster, first, free, end);
-        if (free == 0) return cover;
+        if (free == 0) break;
     }
+    for (unsigned i = 1; i < cluster.count; ++i)
+        cover.step_bits += cluster.step_bits(cover.triangles[i - 1], cover.triangles[i]);
+    return cover;
 }
 
 Cover best_cover(const Cluster& cluster, unsigned attempts) {
     const Set all = ~Set{0} >> (64 - cluster.count);
-    Cover best = cover_from(cluster, loneliest(cluster, all, all));
-    for (unsigned start = 0; start < std::min(attempts - 1, cluster.count) && best.paths > 1; ++start) {
+    Cover best = cover_from(cluster, loneliest(cluster, all, all, 0));
+    for (unsigned start = 0; start < std::min(attempts - 1, cluster.count); ++start) {
         const Cover other = cover_from(cluster, start);
-        if (other.paths < best.paths) best = other;
+        if (std::pair(other.paths, other.step_bits) < std::pair(best.paths, best.step_bits)) best = other;
     }
     return best;
 }
@@ -156,12 +170,12 @@ private:
 }  // namespace
 
 unsigned StripMaker::entries_of(const BinaryNode& node, unsigned attempts) const {
-    const Cluster cluster(neighbours_, node);
+    const Cluster cluster(neighbours_, tree_, node);
     return entry_count(cluster, best_cover(cluster, attempts));
 }
 
 Strip StripMaker::make(const BinaryNode& node, unsigned attempts) const {
-    const Cluster cluster(neighbours_, node);
+    const Cluster cluster(neighbours_, tree_, node);
     const Cover cover = best_cover(cluster, attempts);
     Strip strip;
     StripWriter writer(mesh_, tree_, neighbours_, strip);

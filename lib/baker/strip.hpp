@@ -34,7 +34,8 @@ public:
     /// for each path. Requires at most format::max_leaf_triangles of them.
     [[nodiscard]] unsigned entries_of(const BinaryNode& node, unsigned attempts) const;
 
-    /// The strip of a node's triangles with the fewest entries of several attempts; requires that they fit.
+    /// The strip of a node's triangles with the fewest entries of several attempts, of equal ones the one whose
+    /// triangles follow each other most closely in the source; requires that they fit.
     [[nodiscard]] Strip make(const BinaryNode& node, unsigned attempts) const;
 
 private:

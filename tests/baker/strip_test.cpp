@@ -206,6 +206,24 @@ TEST_SUITE("strip") {
         CHECK(pivots <= 2);
     }
 
+    TEST_CASE("strip: of strips with equally many entries it is the one in the order of the source") {
+        // Around its center a closed fan can be cut anywhere.
+        for (std::size_t cut = 0; cut < 7; ++cut) {
+            CAPTURE(cut);
+            Mesh mesh = make_fan(7, true);
+            std::rotate(mesh.triangles.begin(), mesh.triangles.begin() + static_cast<std::ptrdiff_t>(cut),
+                        mesh.triangles.end());
+            BakeOptions options = with_large_leaves(format::Profile::small, 16);
+            options.original_ids = true;
+            const auto result = bake_mesh(mesh, options);
+            REQUIRE(result);
+            std::vector<std::uint32_t> ids = decode(result->blob).original_ids;
+            REQUIRE(ids.size() == 7);
+            if (ids[0] != 0) std::reverse(ids.begin(), ids.end());
+            CHECK(ids == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6});
+        }
+    }
+
     TEST_CASE("strip: leaves reach the largest size of each profile and never exceed it") {
         const Mesh mesh = make_terrain(60, 3);
         for_each_profile([&](format::Profile profile) {
