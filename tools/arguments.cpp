@@ -26,6 +26,18 @@ void add_source(CLI::App* verb, SourceArguments& source) {
     add_choice(verb, "--up", source.up, axes,
                "The axis that points up in the files; the asset is turned so that it is +Y in the blob. Without it the "
                "axes stay as the importer gives them (Collada and IFC come with +Y up)");
+    verb->add_flag("--strict", source.strict, "Warnings are errors: exit status 3, and nothing is written");
+    verb->add_option("--import-memory", source.import_memory,
+                     "Most address space (512M, 4G) that reading one file may add; without it half of the machine's "
+                     "memory. Beyond it the file is refused")
+        ->check(not_empty())
+        ->type_name("BYTES");
+    verb->add_option("--import-seconds", source.import_seconds,
+                     "Most processor time that reading one file may take. Beyond it the file is refused")
+        ->capture_default_str()
+        ->check(between(0.001, 1e6))
+        ->type_name("SECONDS");
+    verb->add_flag("--verbose", source.verbose, "Also print what the importers report");
 }
 
 }  // namespace espalier::tools

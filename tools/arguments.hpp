@@ -8,6 +8,7 @@
 
 #include "choices.hpp"
 #include "commands.hpp"
+#include "numbers.hpp"
 
 namespace espalier::tools {
 
@@ -39,9 +40,25 @@ inline CLI::Validator not_empty() {
                           "");
 }
 
+/// Takes the sign off "10%".
+inline CLI::Validator percentage() {
+    return CLI::Validator(
+        [](std::string& value) {
+            if (value.size() > 1 && value.back() == '%') value.pop_back();
+            return std::string();
+        },
+        "");
+}
+
 template <class Number>
 CLI::Validator between(Number least, Number most) {
-    return CLI::Range(least, most).description("");
+    const auto check = [least, most](const std::string& value) {
+        Number number{};
+        const bool is_between =
+            CLI::detail::lexical_cast(value, number) && number >= least && number <= most;  // no NaN
+        return is_between ? std::string() : text("'", value, "' is not between ", least, " and ", most);
+    };
+    return CLI::Validator(check, "");
 }
 
 /// A verb whose help ends with the exit codes.

@@ -126,6 +126,20 @@ void add_bake(CLI::App& app, Chosen& chosen) {
         ->type_name("NAMES");
     verb->add_flag("--repair", arguments->repair,
                    "Drop triangles with NaN, infinite or missing corners instead of refusing the mesh");
+    verb->add_flag("--allow-empty", arguments->allow_empty,
+                   "Bake a blob without triangles, too; without it an empty result is an error and nothing is written");
+    verb->add_option(
+            "--max-dropped", arguments->max_dropped,
+            "Most triangles of the source, in percent, that may be dropped for having no area, in the source or "
+            "on the lattice, or under --repair; duplicates do not count. Beyond it nothing is written")
+        ->capture_default_str()
+        ->transform(percentage())
+        ->check(between(0.0, 100.0))
+        ->type_name("PERCENT");
+    verb->add_option("--expect-size", arguments->expected_size,
+                     "Refuse an asset whose largest side is not between these two lengths: 0.1m..10m")
+        ->check(not_empty())
+        ->type_name("LENGTH..LENGTH");
     verb->add_option("--effort", arguments->effort,
                      "0 bakes fastest, 9 bakes best: more candidate splits throughout; subtrees are moved to better "
                      "places once from 4 on, twice at 6, three times from 7 on, down to 16, 8, 4 or 2 triangles")

@@ -68,6 +68,10 @@ void say_findings(const Console& console, const BakeReport& report) {
         console.say(text("dropped ", counted(found.finding.count, "triangle"), ' ', found.what,
                          "; first: ", found.finding.first));
     }
+    if (report.triangles == 0) {
+        console.say(text(report.source_triangles == 0 ? "the input has no triangles" : "no triangle is left",
+                         "; the blob is valid and empty, and every query of it finds nothing"));
+    }
 }
 
 void say_result(const Console& console, const BakeReport& report) {

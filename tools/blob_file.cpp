@@ -26,7 +26,8 @@ constexpr std::size_t chunk = std::size_t{1} << 20;
 
 class Descriptor {
 public:
-    explicit Descriptor(const std::string& path) : value_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    explicit Descriptor(const std::string& path)
+        : value_(path == "-" ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
     ~Descriptor() {
         if (value_ >= 0) ::close(value_);
     }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "bake_policy.hpp"
 #include "bake_report.hpp"
 #include "baking.hpp"
 #include "byte_sizes.hpp"
@@ -17,6 +18,7 @@
 #include "lengths.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "output_names.hpp"
 #include "pick.hpp"
 #include "pick_report.hpp"
 #include "reordered_mesh.hpp"
@@ -90,17 +92,29 @@ Imported import_with_progress(const BakeArguments& arguments, ImportOptions opti
     return import_files(arguments.inputs, options);
 }
 
-/// Before the blob: were it written and this not, a change of a file that is new to the list would go unnoticed.
-void write_depfile(const BakeArguments& arguments, const Imported& imported) {
-    if (arguments.depfile.empty()) return;
+std::string depfile_of(const BakeArguments& arguments, const Imported& imported) {
     std::vector<std::string> sources;
     for (const ImportedFile& file : imported.files) {
         sources.insert(sources.end(), file.opened.begin(), file.opened.end());
     }
     if (!arguments.cost_model.empty()) sources.push_back(arguments.cost_model);
     if (!arguments.lattice_of.empty()) sources.push_back(arguments.lattice_of);
-    const std::string rule = depfile_text(arguments.output, sources);
-    write_output_file(arguments.depfile, std::as_bytes(std::span(rule)));
+    return depfile_text(arguments.output, sources);
+}
+
+/// The depfile is renamed before the blob: were it the other way round and the second failed, a change of a file that
+/// is new to the list would go unnoticed.
+void write_outputs(const BakeArguments& arguments, const Imported& imported, const Baked& baked) {
+    const std::string rule = arguments.depfile.empty() ? std::string() : depfile_of(arguments, imported);
+    const std::vector<std::byte> remap = arguments.remap.empty() ? std::vector<std::byte>() : remap_file(baked);
+    const std::vector<std::byte> reordered =
+        arguments.reorder.empty() ? std::vector<std::byte>() : reordered_mesh(arguments.reorder, imported, baked.remap);
+    OutputFiles files;
+    if (!arguments.depfile.empty()) files.add(arguments.depfile, std::as_bytes(std::span(rule)));
+    if (!arguments.remap.empty()) files.add(arguments.remap, remap);
+    if (!arguments.reorder.empty()) files.add(arguments.reorder, reordered);
+    files.add(arguments.output, baked.blob);
+    files.commit();
 }
 
 /// What was picked is said here; the rest of the verb sees a bake like any other.
@@ -130,7 +144,9 @@ ExitCode run_bake(const BakeArguments& arguments) {
     for (const std::string& input : {arguments.lattice_of, arguments.cost_model})
         refuse_to_overwrite_input(outputs, input);
     require_writable_mesh(arguments.reorder);
-    const ImportOptions source = import_options(arguments.source);
+    require_writable(outputs);
+    const BakePolicy policy = bake_policy(arguments);
+    const ImportOptions source = import_options(arguments.source, arguments.json);
     static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import
     static_cast<void>(pick_goal(arguments));
 
@@ -139,17 +155,16 @@ ExitCode run_bake(const BakeArguments& arguments) {
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
     std::vector<Warning> warnings = import_warnings(arguments.source, imported);
+    print(warnings);
     Json picked_json;
     const Baked baked = bake_or_pick(imported, arguments, console, picked_json);
     say_findings(console, baked.report);
     say_result(console, baked.report);
-    for (Warning& warning : bake_warnings(baked.report)) warnings.push_back(std::move(warning));
-    print(warnings);
-    write_depfile(arguments, imported);
-    if (!arguments.remap.empty()) write_output_file(arguments.remap, remap_file(baked));
-    if (!arguments.reorder.empty())
-        write_output_file(arguments.reorder, reordered_mesh(arguments.reorder, imported, baked.remap));
-    write_output_file(arguments.output, baked.blob);
+    const std::vector<Warning> found = bake_warnings(baked.report, policy);
+    print(found);
+    warnings.insert(warnings.end(), found.begin(), found.end());
+    enforce(policy, imported, baked.report, warnings);
+    write_outputs(arguments, imported, baked);
     for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
         if (!written.empty()) console.say(text("wrote ", printable(written)));
     if (arguments.json) {

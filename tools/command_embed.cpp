@@ -12,6 +12,7 @@
 #include "json_output.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "output_names.hpp"
 
 namespace espalier::tools {
 
@@ -69,6 +70,7 @@ void refuse_to_meet(const EmbedArguments& arguments) {
     const NamedOutput outputs[] = {{"-o", arguments.output}, {"--header", arguments.header}};
     refuse_to_overwrite_input(outputs, arguments.blob);
     refuse_one_file_for_two(outputs);
+    require_writable(outputs);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "json_output.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "output_names.hpp"
 #include "parallel_rows.hpp"
 #include "shading.hpp"
 #include "warnings.hpp"
@@ -123,6 +124,8 @@ ExitCode run_render(const RenderArguments& arguments) {
     const PictureSize size = picture_size(arguments.size);
     const NamedOutput outputs[] = {{"-o", arguments.output}};
     refuse_to_overwrite_input(outputs, arguments.blob);
+    require_ending(outputs[0], ".png", "the picture is a PNG");
+    require_writable(outputs);
     const BlobFile file = open_blob_file(arguments.blob);
     const Blob& blob = file.blob;
     const Camera camera(blob, view_from(arguments.up, arguments.azimuth, arguments.elevation), size.width, size.height);

@@ -6,6 +6,7 @@
 
 #include <runtime/simd/select.hpp>
 
+#include "bake_policy.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "cost_model_file.hpp"
@@ -14,6 +15,7 @@
 #include "lists.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "output_names.hpp"
 #include "source_options.hpp"
 #include "trade_chart.hpp"
 #include "trade_measure.hpp"
@@ -79,13 +81,15 @@ ExitCode run_trade(const TradeArguments& arguments) {
     const Console console(arguments.quiet);
     const NamedOutput outputs[] = {{"-o", arguments.output}, {"--csv", arguments.csv}};
     for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
+    require_ending(outputs[0], ".svg", "the picture is an SVG");
+    require_writable(outputs);
     const TradeSpace space = trade_space(arguments);
     BakeOptions options;
     options.effort = arguments.effort;
     options.threads = arguments.threads;
     options.repair = arguments.repair;
     if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
-    ImportOptions source = import_options(arguments.source);
+    ImportOptions source = import_options(arguments.source, arguments.json);
 
     std::vector<TradePoint> points;
     std::vector<Warning> warnings;
@@ -97,12 +101,13 @@ ExitCode run_trade(const TradeArguments& arguments) {
         const Imported imported = import_files(arguments.inputs, source);
         for (const ImportedFile& file : imported.files) triangles += file.triangles;
         warnings = import_warnings(arguments.source, imported);
+        print(warnings);
+        if (arguments.source.strict) refuse_warnings(warnings);
         points = measure_trade(imported, options, space, show);
     }
     const std::string names = names_of(arguments);
     const std::string how = conditions(arguments, triangles);
     const std::vector<bool> front = pareto_front(points, timed_queries[0]);
-    print(warnings);
     console.say(text(names, ": ", how));
     console.say(text(counted(points.size(), "bake"), ", of which ", std::count(front.begin(), front.end(), true),
                      " are on the front of bytes, time of closest hits, and error"));

@@ -6,6 +6,7 @@
 
 #include <baker/verify.hpp>
 
+#include "bake_policy.hpp"
 #include "blob_file.hpp"
 #include "commands.hpp"
 #include "console.hpp"
@@ -76,7 +77,7 @@ void print_result(const VerifyArguments& arguments, const BlobFile& file, const 
 }  // namespace
 
 ExitCode run_verify(const VerifyArguments& arguments) {
-    const ImportOptions options = import_options(arguments.source);
+    const ImportOptions options = import_options(arguments.source, arguments.json);
     Verification result;
     BlobFile file;
     file.bytes = read_file(arguments.blob);
@@ -93,6 +94,7 @@ ExitCode run_verify(const VerifyArguments& arguments) {
         const Imported source = import_files(arguments.sources, options);
         result.warnings = import_warnings(arguments.source, source);
         print(result.warnings);
+        if (arguments.source.strict) refuse_warnings(result.warnings);
         result.source = check_source(file.blob, source);
         const std::string failure = source_failure(file.blob, *result.source);
         if (!failure.empty()) result.failure = text("'", printable(arguments.blob), "': ", failure);

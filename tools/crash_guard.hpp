@@ -5,6 +5,7 @@
 #include <string>
 
 #include "crash_signals.hpp"
+#include "import/imported.hpp"
 
 namespace espalier::tools {
 
@@ -12,7 +13,7 @@ namespace espalier::tools {
 /// ExitCode::invalid_input and a message that names `path`. Nothing has been written by then. One at a time.
 class CrashGuard {
 public:
-    explicit CrashGuard(const std::string& path);
+    CrashGuard(const std::string& path, const ImportOptions& options);
 
 private:
     CrashSignals signals_;

@@ -20,6 +20,7 @@
 #include "console.hpp"
 #include "failure.hpp"
 #include "numbers.hpp"
+#include "usage_error.hpp"
 
 namespace espalier::tools {
 
@@ -150,8 +151,7 @@ ExitCode run(int count, char** values) {
         finish_standard_output();
         return ExitCode::ok;
     } catch (const CLI::ParseError& error) {
-        throw CommandError(ExitCode::usage,
-                           text(printable(error.what()), "\nRun 'espalier --help' or 'espalier VERB --help'."));
+        throw usage_error(app, error);
     }
     return chosen();
 }

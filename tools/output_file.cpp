@@ -1,49 +1,24 @@
 #include "output_file.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
-#include "exit_code.hpp"
 #include "numbers.hpp"
+#include "output_names.hpp"
 
 namespace espalier::tools {
 
 namespace {
-
-[[noreturn]] void fail(const std::string& path, int error) {
-    throw CommandError(ExitCode::file_access,
-                       text("cannot write '", printable(path), "': ", std::strerror(error),
-                            ". This file was not written; check the folder, its rights and the space on the disk."),
-                       {.file = path});
-}
-
-/// Holds back the signals that end a program, so that an interrupt leaves no temporary behind.
-class SignalsHeldBack {
-public:
-    SignalsHeldBack() {
-        sigset_t held;
-        sigemptyset(&held);
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&held, signal);
-        pthread_sigmask(SIG_BLOCK, &held, &before_);
-    }
-    ~SignalsHeldBack() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    SignalsHeldBack(const SignalsHeldBack&) = delete;
-    SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
-
-private:
-    sigset_t before_;
-};
 
 int write_all(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
@@ -62,6 +37,10 @@ int write_directly(const std::string& path, std::span<const std::byte> bytes) {
     return ::close(descriptor) != 0 && error == 0 ? errno : error;
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& target) {
+    return target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+}
+
 mode_t rights_for_new_files() {
     const mode_t mask = ::umask(0);
     ::umask(mask);
@@ -76,39 +55,73 @@ void flush_folder(const std::filesystem::path& folder) {
     ::close(descriptor);
 }
 
-int replace_file(const std::filesystem::path& target, std::span<const std::byte> bytes) {
-    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    std::string temporary = (folder / text('.', target.filename().string(), ".XXXXXX")).string();
+/// Writes a temporary file in the folder of `target` and flushes it to the disk. Leaves none behind on failure.
+int write_temporary(const std::filesystem::path& target, std::span<const std::byte> bytes, std::string& temporary) {
+    temporary = (folder_of(target) / text('.', target.filename().string(), ".XXXXXX")).string();
     const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
-    if (descriptor < 0) return errno;
+    if (descriptor < 0) {
+        temporary.clear();
+        return errno;
+    }
     int error = write_all(descriptor, bytes);
     if (error == 0 && ::fchmod(descriptor, rights_for_new_files()) != 0) error = errno;
     if (error == 0 && ::fsync(descriptor) != 0) error = errno;
     if (::close(descriptor) != 0 && error == 0) error = errno;
-    if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-    if (error != 0) {
-        ::unlink(temporary.c_str());
-        return error;
-    }
-    flush_folder(folder);
-    return 0;
+    if (error == 0) return 0;
+    ::unlink(temporary.c_str());
+    temporary.clear();
+    return error;
 }
 
 }  // namespace
 
-void write_output_file(const std::string& path, std::span<const std::byte> bytes) {
-    const SignalsHeldBack held_back;
+OutputFiles::OutputFiles() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&held, signal);
+    pthread_sigmask(SIG_BLOCK, &held, &signals_before_);
+}
+
+OutputFiles::~OutputFiles() {
+    for (const Staged& file : staged_)
+        if (!file.temporary.empty()) ::unlink(file.temporary.c_str());
+    pthread_sigmask(SIG_SETMASK, &signals_before_, nullptr);
+}
+
+void OutputFiles::add(const std::string& path, std::span<const std::byte> bytes) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
-    if (std::filesystem::is_directory(status)) fail(path, EISDIR);
+    if (std::filesystem::is_directory(status)) fail_to_write(path, EISDIR);
+    Staged file{path, path, {}, {}};
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-        if (const int failure = write_directly(path, bytes); failure != 0) fail(path, failure);
-        return;
+        file.bytes = bytes;
+    } else {
+        if (std::filesystem::exists(status)) file.target = std::filesystem::canonical(path, error);
+        if (error && std::filesystem::exists(status)) fail_to_write(path, error.value());
+        if (const int failure = write_temporary(file.target, bytes, file.temporary); failure != 0)
+            fail_to_write(path, failure);
     }
-    const std::filesystem::path target =
-        std::filesystem::exists(status) ? std::filesystem::canonical(path, error) : std::filesystem::path(path);
-    if (error && std::filesystem::exists(status)) fail(path, error.value());
-    if (const int failure = replace_file(target, bytes); failure != 0) fail(path, failure);
+    staged_.push_back(std::move(file));
+}
+
+void OutputFiles::commit() {
+    for (Staged& file : staged_) {
+        if (file.temporary.empty()) {
+            if (const int failure = write_directly(file.path, file.bytes); failure != 0)
+                fail_to_write(file.path, failure);
+            continue;
+        }
+        if (::rename(file.temporary.c_str(), file.target.c_str()) != 0) fail_to_write(file.path, errno);
+        file.temporary.clear();
+        flush_folder(folder_of(file.target));
+    }
+    staged_.clear();
+}
+
+void write_output_file(const std::string& path, std::span<const std::byte> bytes) {
+    OutputFiles files;
+    files.add(path, bytes);
+    files.commit();
 }
 
 void write_output_file_if_changed(const std::string& path, std::span<const std::byte> bytes) {
@@ -120,37 +133,6 @@ void write_output_file_if_changed(const std::string& path, std::span<const std::
         if (file && std::equal(bytes.begin(), bytes.end(), old_bytes.begin(), old_bytes.end())) return;
     }
     write_output_file(path, bytes);
-}
-
-void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::string& input) {
-    for (const NamedOutput& output : outputs) {
-        std::error_code error;
-        if (!std::filesystem::equivalent(output.path, input, error) || error) continue;
-        if (!std::filesystem::is_regular_file(output.path, error)) continue;
-        throw CommandError(ExitCode::usage,
-                           text("the output '", printable(output.path), "' is the input '", printable(input),
-                                "' itself, which it would replace. Give another name to ", output.option, "."),
-                           {.file = output.path});
-    }
-}
-
-void refuse_one_file_for_two(std::span<const NamedOutput> outputs) {
-    std::error_code error;
-    const auto place = [&error](const std::string& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
-    };
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (const NamedOutput& other : outputs.first(i)) {
-            const NamedOutput& output = outputs[i];
-            if (output.path.empty() || other.path.empty()) continue;
-            if (place(output.path) != place(other.path) && !std::filesystem::equivalent(output.path, other.path, error))
-                continue;
-            if (std::filesystem::exists(output.path, error) && !std::filesystem::is_regular_file(output.path, error))
-                continue;
-            throw CommandError(ExitCode::usage,
-                               text(output.option, " and ", other.option, " name the same file. Give each its own."));
-        }
-    }
 }
 
 }  // namespace espalier::tools

@@ -1,30 +1,47 @@
 // Writing results so that a file is either the whole new one or untouched.
 #pragma once
 
+#include <signal.h>
+
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace espalier::tools {
 
-/// Writes a temporary beside `path`, flushes it to the disk, and renames it over `path`; on failure nothing is left
-/// behind. A link is followed; what is no regular file (a pipe, /dev/null) is written to directly. Throws CommandError
-/// (file_access).
+/// The results of one verb. All are written under temporary names before the first is renamed, so that a full disk or
+/// an interrupt leaves no new file beside old ones.
+class OutputFiles {
+public:
+    OutputFiles();
+    /// Removes what was not renamed.
+    ~OutputFiles();
+    OutputFiles(const OutputFiles&) = delete;
+    OutputFiles& operator=(const OutputFiles&) = delete;
+
+    /// Writes a temporary beside `path` and flushes it to the disk. A link is followed. What is no regular file (a
+    /// pipe, /dev/null) is written to by commit(), up to which the bytes must live. Throws CommandError (file_access).
+    void add(const std::string& path, std::span<const std::byte> bytes);
+    /// Renames the temporaries in the order of add(). Throws CommandError (file_access).
+    void commit();
+
+private:
+    struct Staged {
+        std::string path;
+        std::filesystem::path target;
+        std::string temporary;             ///< empty: written directly
+        std::span<const std::byte> bytes;  ///< of a direct one
+    };
+    std::vector<Staged> staged_;
+    sigset_t signals_before_;  ///< an interrupt waits, so that it leaves no temporary behind
+};
+
+/// Writes one file as OutputFiles does.
 void write_output_file(const std::string& path, std::span<const std::byte> bytes);
 
 /// As write_output_file, but a file that has these bytes already keeps its time: nobody who reads it is built again.
 void write_output_file_if_changed(const std::string& path, std::span<const std::byte> bytes);
-
-/// A file to be written and the option that names it; an empty path is none.
-struct NamedOutput {
-    const char* option;
-    const std::string& path;
-};
-
-/// Throws CommandError (usage) when an output is the file `input`, which it would replace. An empty `input` is none.
-void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::string& input);
-
-/// Throws CommandError (usage) when two of the outputs are one file, of which the last would stay.
-void refuse_one_file_for_two(std::span<const NamedOutput> outputs);
 
 }  // namespace espalier::tools

@@ -1,13 +1,18 @@
 #include "source_options.hpp"
 
 #include <cmath>
+#include <iostream>
+#include <string>
 
+#include "byte_sizes.hpp"
+#include "failure.hpp"
+#include "import/limit_guard.hpp"
 #include "lengths.hpp"
 #include "numbers.hpp"
 
 namespace espalier::tools {
 
-ImportOptions import_options(const SourceArguments& arguments) {
+ImportOptions import_options(const SourceArguments& arguments, bool json) {
     ImportOptions options;
     if (!std::isfinite(arguments.scale) || arguments.scale <= 0.0) {
         throw CommandError(ExitCode::usage,
@@ -22,6 +27,12 @@ ImportOptions import_options(const SourceArguments& arguments) {
         }
     }
     options.up = arguments.up;
+    options.limits.memory = arguments.import_memory.empty()
+                                ? default_import_memory()
+                                : parse_byte_size(arguments.import_memory, "--import-memory");
+    options.limits.seconds = arguments.import_seconds;
+    if (arguments.verbose) options.log = [](const std::string& line) { std::cerr << "importer: " << line << '\n'; };
+    if (json) options.failure_document = failure_document;
     return options;
 }
 

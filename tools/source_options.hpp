@@ -1,4 +1,5 @@
-// From arguments to import options: one reading of --unit, --scale and --up for every verb that reads meshes.
+// From arguments to import options: one reading of --unit, --scale, --up and the limits for every verb that reads
+// meshes.
 #pragma once
 
 #include "commands.hpp"
@@ -6,7 +7,8 @@
 
 namespace espalier::tools {
 
-/// Throws CommandError (usage) on a scale that is not positive or a unit that does not exist.
-ImportOptions import_options(const SourceArguments& arguments);
+/// With `json`, a file that ends the process leaves a document on stdout. Throws CommandError (usage) on a scale that
+/// is not positive or a unit that does not exist.
+ImportOptions import_options(const SourceArguments& arguments, bool json);
 
 }  // namespace espalier::tools

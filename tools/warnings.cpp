@@ -59,15 +59,8 @@ std::vector<Warning> import_warnings(const SourceArguments& arguments, const Imp
     return warnings;
 }
 
-std::vector<Warning> bake_warnings(const BakeReport& report) {
+std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy) {
     std::vector<Warning> warnings;
-    if (report.source_triangles == 0) {
-        warnings.push_back(of_bake(
-            "empty", "the input has no triangles; the blob is valid and empty, and every query of it finds nothing."));
-    } else if (report.triangles == 0) {
-        warnings.push_back(
-            of_bake("empty", "no triangle is left; the blob is valid and empty, and every query of it finds nothing."));
-    }
     if (report.step_below_float_spacing) {
         warnings.push_back(of_bake(
             "step_below_float_spacing",
@@ -85,6 +78,7 @@ std::vector<Warning> bake_warnings(const BakeReport& report) {
                          "float32: one that is aimed exactly at a corner may miss it. 22 bits or fewer leave room for "
                          "a finer grid.")));
     }
+    if (policy.expected_size) return warnings;
     if (report.extent > largest_expected_extent || report.extent < smallest_expected_extent) {
         warnings.push_back(
             of_bake("unexpected_size",

@@ -6,6 +6,7 @@
 
 #include <espalier/bake.hpp>
 
+#include "bake_policy.hpp"
 #include "commands.hpp"
 #include "import/imported.hpp"
 #include "json_output.hpp"
@@ -16,8 +17,8 @@ namespace espalier::tools {
 /// Returns what the importers found, and a stated up axis that was kept.
 std::vector<Warning> import_warnings(const SourceArguments& arguments, const Imported& imported);
 
-/// Returns where the blob may not be what its user expects.
-std::vector<Warning> bake_warnings(const BakeReport& report);
+/// Returns where the blob may not be what its user expects. A size that the policy states is expected.
+std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy);
 
 void print(std::span<const Warning> warnings);
 

@@ -54,6 +54,7 @@ endif()
 
 if(TARGET espalier_command)
   install_part(tools espalier_command)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/espalier COMPONENT tools)
 endif()
 
 if(PROJECT_IS_TOP_LEVEL AND TARGET espalier_baker AND TARGET espalier_command)

@@ -21,7 +21,7 @@ version=$("$espalier" --version | sed 's/^espalier \([0-9.]*\).*/\1/')
 
 claim "every option of bake that shapes the blob is an option of the function, and the other way round"
 run 0 bake --help
-sed -n 's/^ *\(-[a-z],\)\{0,1\}--\([a-z-]*\).*/\2/p' out | grep -vxE 'help|output|depfile|remap|reorder|json|quiet' | tr 'a-z-' 'A-Z_' | sort >of_bake
+sed -n 's/^ *\(-[a-z],\)\{0,1\}--\([a-z-]*\).*/\2/p' out | grep -vxE 'help|output|depfile|remap|reorder|json|quiet|verbose' | tr 'a-z-' 'A-Z_' | sort >of_bake
 sed -n '/ESPALIER_BAKE_\(FLAGS\|VALUES\)/,/)/p' "$espalier_sources/lib/cmake/espalier_add_blob.cmake" | sed '/get_property/d' |
     grep -oE '\b[A-Z_]+\b' | grep -vxE 'GLOBAL|PROPERTY|ESPALIER_BAKE_(FLAGS|VALUES)' | sort >of_function
 [ "$(wc -l <of_bake)" -gt 15 ] || fail "the help has only $(wc -l <of_bake) options"

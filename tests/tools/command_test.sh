@@ -145,16 +145,16 @@ f 1 2 5
 f 2 3 4
 f 3 1 4
 END
-run 0 bake mended.obj -o mended.espl --bits 5 --json
+run 0 bake mended.obj -o mended.espl --max-dropped 20% --bits 5 --json
 err_has "the source is closed, but at 5 bits the baked surface is not"
 err_has "because it lacks 1 triangle without area (first: mended.obj, mesh 0"
 err_has " keeps it closed."
 out_has '"closed": false'
 json '.lost_closed and (.closed | not) and .bits_that_keep_closed > 5'
-run 0 bake mended.obj -o mended.espl --bits 5 --max-bytes 100000 --json
+run 0 bake mended.obj -o mended.espl --max-dropped 20% --bits 5 --max-bytes 100000 --json
 err_has "the source is closed, but at 5 bits the baked surface is not"
 json '.lost_closed and .bits_that_keep_closed > 5'
-run 0 bake mended.obj -o mended.espl --bits 16 --json
+run 0 bake mended.obj -o mended.espl --max-dropped 20% --bits 16 --json
 err_lacks "the source is closed"
 json '.closed and (.lost_closed | not) and .bits_that_keep_closed == null'
 # Two tetrahedra on the same side of a common face, which both need and a blob holds once.
@@ -179,7 +179,7 @@ err_has "No number of bits keeps it closed: bake parts that share triangles into
 json '.lost_closed and .bits_that_keep_closed == null'
 # Thinner than the finest lattice.
 printf 'v 0 0 0\nv 1 0 0\nv 0 1e-9 0\nv 0 0 1e-9\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >needle.obj
-run 0 bake needle.obj -o needle.espl --json
+run 0 bake needle.obj -o needle.espl --json --allow-empty --max-dropped 100%
 err_has "because no triangle is left"
 err_has "No number of bits keeps it closed: it is too thin for its length."
 
@@ -250,7 +250,7 @@ json '.step == 0.001953125'
 grep -q 'step\.espl' neighbour.d || fail "neighbour.d: $(cat neighbour.d)"
 run 3 bake box.obj -o x.espl --lattice-of box.obj
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
-run 0 bake line.obj -o none.espl
+run 0 bake line.obj -o none.espl --allow-empty --max-dropped 100%
 run 3 bake box.obj -o from_none.espl --lattice-of none.espl
 err_has "'none.espl' is a blob without triangles"
 absent from_none.espl
@@ -266,7 +266,7 @@ absent fine.espl
 # ---- picks ----------------------------------------------------------------------------------------------------------
 claim "a pick keeps to its bytes, and says what it took and what it gave up"
 for bytes in 1K 4K 10K 0.02M 65536; do
-    run 0 bake sheet.obj -o picked.espl --max-bytes $bytes
+    run 0 bake sheet.obj -o picked.espl --max-bytes $bytes --max-dropped 100%
     err_has "picked: profile "
     err_has "  error: "
     err_has "  bytes: "
@@ -350,7 +350,7 @@ claim "a pick leaves alone what the user chose, and an empty mesh is no trouble"
 run 0 bake sheet.obj -o x.espl --fastest-under 1M --leaf-size 5 --profile fast
 err_has "leaves of up to 5 triangles"
 printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >line.obj
-run 0 bake line.obj -o x.espl --max-bytes 1K
+run 0 bake line.obj -o x.espl --max-bytes 1K --allow-empty
 run 0 verify x.espl --deep
 
 claim "leaves are as large as --leaf-size allows"
@@ -451,7 +451,7 @@ err_has "not_finite.obj, mesh 0"
 err_has "triangle 1"
 err_has "--repair"
 absent broken.espl
-run 0 bake not_finite.obj -o x.espl --repair
+run 0 bake not_finite.obj -o x.espl --repair --max-dropped 50%
 err_has "dropped 1 triangle with a corner that is NaN or infinite; first: not_finite.obj, mesh 0"
 write_box_ply | sed 's/^3 0 2 3$/3 0 2 300/' >out_of_range.ply
 run 3 bake out_of_range.ply -o broken.espl
@@ -471,7 +471,7 @@ out_has '"triangles": 12'
 
 claim "points and lines are skipped and counted; a scene without triangles is an empty blob, and says so"
 printf 'v 0 0 0\nv 1 0 0\np 1\nl 1 2\n' >points.obj
-run 0 bake points.obj -o empty.espl
+run 0 bake points.obj -o empty.espl --allow-empty
 err_has "skipped 2 points and lines"
 err_has "the input has no triangles; the blob is valid and empty"
 run 0 verify empty.espl --deep
@@ -862,7 +862,7 @@ for option in --step --lattice-of --remap --reorder; do
 done
 absent new.espl
 printf 'v 0 0 0\nv nan 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\nf 1 4 3\n' >half.obj
-run 0 bake half.obj -o half.espl -q --repair --reorder whole.obj
+run 0 bake half.obj -o half.espl -q --repair --max-dropped 50% --reorder whole.obj
 ! grep -qi nan whole.obj || fail "the reordered source has a vertex that no triangle uses"
 run 1 bake sheet.obj -o lead.espl --remap sheet.obj
 

@@ -8,8 +8,10 @@
 #include <assimp/scene.h>
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <assimp/ProgressHandler.hpp>
 
 #include <algorithm>
@@ -58,6 +60,34 @@ public:
 
 private:
     const ImportOptions& options_;
+};
+
+/// Passes on what assimp reports, one line each.
+class ReportStream : public Assimp::LogStream {
+public:
+    explicit ReportStream(const ImportOptions& options) : options_(options) {}
+    void write(const char* message) override {
+        std::string line = message;
+        while (line.ends_with('\n') || line.ends_with(' ')) line.pop_back();
+        options_.log(printable(line));
+    }
+
+private:
+    const ImportOptions& options_;
+};
+
+/// While it lives, assimp's reports are passed on, if anybody listens.
+class ImporterLog {
+public:
+    explicit ImporterLog(const ImportOptions& options) {
+        if (!options.log) return;
+        Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+        constexpr unsigned severities = Assimp::Logger::Info | Assimp::Logger::Warn | Assimp::Logger::Err;
+        Assimp::DefaultLogger::get()->attachStream(new ReportStream(options), severities);  // which the logger deletes
+    }
+    ~ImporterLog() { Assimp::DefaultLogger::kill(); }
+    ImporterLog(const ImporterLog&) = delete;
+    ImporterLog& operator=(const ImporterLog&) = delete;
 };
 
 /// A text that was stored as UTF-16, as UTF-8: not all importers convert it.
@@ -280,7 +310,8 @@ bool is_referred_to(const std::string& missing, const ImportedFile& file) {
 }  // namespace
 
 void import_with_assimp(const std::string& path, const ImportOptions& options, Imported& imported) {
-    const CrashGuard guard(path);
+    const CrashGuard guard(path, options);
+    const ImporterLog log(options);
     Assimp::Importer importer;
     remove_replaced_importers(importer);
     // A skeleton without a skin would come as an invented mesh; it has no surface.

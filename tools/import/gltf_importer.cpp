@@ -230,7 +230,7 @@ private:
 }  // namespace
 
 bool import_gltf(const std::string& path, const ImportOptions& options, Imported& imported) try {
-    const CrashGuard guard(path);
+    const CrashGuard guard(path, options);
     const std::optional<GltfContainer> container = read_gltf_container(path);
     if (!container) return false;
     ImportedFile file;

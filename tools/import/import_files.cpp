@@ -5,11 +5,14 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <string_view>
+#include <utility>
 
 #include "assimp_importer.hpp"
 #include "exit_code.hpp"
 #include "gltf_importer.hpp"
+#include "limit_guard.hpp"
 #include "numbers.hpp"
 #include "obj_reader.hpp"
 #include "ply_reader.hpp"
@@ -20,6 +23,9 @@ namespace espalier::tools {
 namespace {
 
 void require_readable(const std::string& path) {
+    if (path == "-") {
+        throw CommandError(ExitCode::usage, "-: a mesh needs the name of a file, by whose ending it is read.");
+    }
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     const char* reason = nullptr;
@@ -58,6 +64,26 @@ Import* importer_of(const std::string& path) {
     return import_with_assimp;
 }
 
+/// The error as one about this file, for scripts.
+[[noreturn]] void rethrow_with_file(const CommandError& error, const std::string& path) {
+    ErrorDetails details = error.details();
+    if (details.file.empty()) details.file = path;
+    throw CommandError(error.code(), error.what(), std::move(details));
+}
+
+void import_within_limits(const std::string& path, const ImportOptions& options, Imported& imported) {
+    const LimitGuard guard(path, options);
+    try {
+        if (!import_gltf(path, options, imported)) importer_of(path)(path, options, imported);
+    } catch (const CommandError& error) {
+        if (guard.memory_ran_out()) guard.refuse_memory();
+        rethrow_with_file(error, path);
+    } catch (const std::bad_alloc&) {
+        guard.refuse_memory();
+    }
+    if (guard.memory_ran_out()) guard.refuse_memory();
+}
+
 }  // namespace
 
 std::vector<MeshView> Imported::views() const {
@@ -73,7 +99,7 @@ Imported import_files(std::span<const std::string> paths, const ImportOptions& o
     Imported imported;
     for (const std::string& path : paths) {
         require_readable(path);
-        if (!import_gltf(path, options, imported)) importer_of(path)(path, options, imported);
+        import_within_limits(path, options, imported);
     }
     return imported;
 }

@@ -9,10 +9,17 @@
 
 #include <espalier/bake.hpp>
 
+#include "exit_code.hpp"
 #include "placement.hpp"
 #include "warning.hpp"
 
 namespace espalier::tools {
+
+/// What reading one file may take: a broken file makes importers reserve memory and read on without bound.
+struct ImportLimits {
+    std::uint64_t memory = 0;  ///< bytes of address space that are added; 0: unlimited
+    double seconds = 0.0;      ///< of processor time; 0: unlimited
+};
 
 struct ImportOptions {
     /// What one unit of the files is in metres. Without it: what a file says of itself, else a metre.
@@ -22,6 +29,11 @@ struct ImportOptions {
     std::optional<Axis> up;
     /// Called now and then with what is read and how much of it is done, 0..1.
     std::function<void(const char* stage, double done)> progress;
+    /// Called with what an importer reports for people who look for a fault; not called when empty.
+    std::function<void(const std::string& line)> log;
+    ImportLimits limits;
+    /// Returns what stdout gets when a crash or a limit ends the process while a file is read. Empty: nothing.
+    std::function<std::string(const CommandError& error)> failure_document;
 };
 
 /// One mesh at one place of the scene: a mesh that is placed twice is there twice.

@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# Claims about what a bake refuses: too much dropped, nothing left, an unexpected size, warnings, files without bound.
+# Usage: policy_test.sh PATH_TO_ESPALIER
+# shellcheck source=claims.sh
+. "$(dirname "$0")/claims.sh"
+
+absent() { [ ! -e "$1" ] || fail "$1 is there"; }
+# refused KIND ARGUMENTS...: exit status 3, the error's kind, and no output
+refused() {
+    local kind=$1
+    shift
+    rm -f x.espl x.d x.remap x.ply
+    run 3 bake "$@" -o x.espl --depfile x.d --remap x.remap --reorder x.ply --json
+    json ".error.kind == \"$kind\""
+    for file in x.espl x.d x.remap x.ply; do absent $file; done
+}
+
+write_box_obj 0 >box.obj
+# 12 triangles with area and 4 without: 25 percent.
+{ write_box_obj 0; printf 'f 1 1 2\nf 2 2 3\nf 3 3 4\nf 4 4 5\n'; } >quarter.obj
+printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >points.obj
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
+
+claim "more dropped triangles than --max-dropped are an error with their number and kind and duplicates do not count"
+refused dropped quarter.obj
+err_has "dropped 4 of 16 triangles: 4 without area (first: quarter.obj, mesh 0"
+err_has "--max-dropped"
+refused dropped quarter.obj --max-dropped 24.9%
+run 0 bake quarter.obj -o x.espl --max-dropped 25%
+run 0 bake quarter.obj -o x.espl --max-dropped 25
+{ write_box_obj 0; printf 'f 1 1 2\n'; } >thirteenth.obj
+run 0 bake thirteenth.obj -o x.espl
+refused dropped thirteenth.obj --max-dropped 0
+{ write_box_obj 0; write_box_obj 0 | grep '^f'; } >twice.obj
+run 0 bake twice.obj -o x.espl --max-dropped 0 --json
+json '.findings.duplicate.count == 12'
+# Of a box that is long in one direction, the lattice leaves little.
+sed 's/^v 1 \(.*\)/v 1e6 \1/' box.obj >long.obj
+refused dropped long.obj --bits 4
+err_has "without area on the lattice"
+err_has "a finer lattice"
+refused dropped quarter.obj --max-bytes 10K
+for percent in -1 101 nan ten ""; do run 1 bake box.obj -o x.espl --max-dropped "$percent"; done
+
+claim "an empty result is an error unless it is allowed"
+refused empty points.obj
+err_has "the input has no triangles"
+err_has "--allow-empty"
+refused dropped line.obj
+err_has "and give --allow-empty"
+refused dropped line.obj --allow-empty
+refused empty line.obj --max-dropped 100
+run 0 bake points.obj -o x.espl --allow-empty --strict --json
+json '.triangles == 0 and .warnings == []'
+run 0 bake line.obj -o x.espl --allow-empty --max-dropped 100 --strict
+
+claim "--strict refuses a bake with warnings and lists them and takes one without"
+refused strict box.obj --strict --unit km
+err_has "warning: the asset is 3000 m across"
+err_has "--strict refuses 1 warning: unexpected_size"
+json '[.warnings[].kind] == ["unexpected_size"]'
+refused strict box.obj --strict --unit km --bits 23
+json '[.warnings[].kind] == ["rays_rounded_coarsely", "unexpected_size"]'
+run 0 bake box.obj -o x.espl --strict
+
+claim "--expect-size refuses a size outside of it with the units that would fit and a size within it is no doubt"
+refused size box.obj --expect-size 0.1m..2.9m
+err_has "the asset is 3 m across, outside of --expect-size 0.1m..2.9m"
+err_has "--unit ft makes it 0.9144 m"
+refused size box.obj --expect-size 3.1m..10m
+err_has "--unit"
+refused size box.obj --unit mm --expect-size 0.1m..10m
+err_has "--unit m makes it 3 m"
+run 0 bake box.obj -o x.espl --expect-size 3..3
+run 0 bake box.obj -o x.espl --expect-size 0.1mm..10m
+run 0 bake box.obj -o x.espl --unit km --expect-size 1km..10km --strict
+for size in 1m 10m..1m ..1m 1m.. -1m..1m a..b 1m..nan ""; do run 1 bake box.obj -o x.espl --expect-size "$size"; done
+
+claim "verify and trade refuse warnings of the import under --strict and take it without any"
+"$espalier" bake box.obj -o box.espl -q
+run 0 verify box.espl --source box.obj --strict
+run 0 trade box.obj --strict --bits 12 --leaf-sizes 16 --byte-prices 1 --profiles small --rays 100 --repetitions 1
+
+# An OFF file that claims more vertices than there is memory for.
+# The address sanitizer needs more address space than any limit, and ends the process where an allocation fails.
+if ! grep -q __asan_init "$espalier"; then
+    claim "a file that needs more memory than --import-memory is refused by that name and leaves nothing"
+    printf 'OFF\n200000000 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >huge.off
+    refused import_memory huge.off --import-memory 512M
+    err_has "'huge.off': reading it takes more than 512 MiB of memory, the limit of --import-memory"
+    json '.error.file == "huge.off"'
+    run 0 bake box.obj -o x.espl --import-memory 512M
+    run 3 verify box.espl --source huge.off --import-memory 512M --json
+    run 3 trade huge.off --import-memory 512M --json
+    for amount in 0 -1 many ""; do run 1 bake box.obj -o x.espl --import-memory "$amount"; done
+fi
+
+claim "a file that takes longer than --import-seconds is refused by that name and leaves nothing"
+awk 'BEGIN { n = 300
+    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %d %d %d\n", i, i * j % 7, j
+    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
+        printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >slow.obj
+refused import_seconds slow.obj --import-seconds 0.002
+err_has "'slow.obj': reading it took more than 0.002 s of processor time, the limit of --import-seconds"
+run 0 bake slow.obj -o x.espl --effort 0 -q
+for seconds in 0 -1 nan long; do run 1 bake box.obj -o x.espl --import-seconds "$seconds"; done
+
+claim "--verbose prints what the importers report and quiet runs do not"
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
+run 0 bake one.off -o x.espl --verbose
+err_has "importer: "
+run 0 bake one.off -o x.espl
+err_lacks "importer: "
+
+finish

@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# Claims about command lines that cannot be carried out, and names that are no files.
+# Usage: usage_test.sh PATH_TO_ESPALIER
+# shellcheck source=claims.sh
+. "$(dirname "$0")/claims.sh"
+
+# is_explained WORDS ARGUMENTS...: usage, with these words in one line
+is_explained() {
+    local words=$1
+    shift
+    run 1 "$@"
+    err_has "$words"
+    [ "$(wc -l <err)" = 1 ] || fail "'espalier $*' is explained in several lines: $(cat err)"
+    ! grep -qiE 'subcommand|could not convert|required but received|is required|not expected' err || fail "the parser's words: $(cat err)"
+}
+
+write_box_obj 0 >box.obj
+"$espalier" bake box.obj -o box.espl -q || fail "the box cannot be baked"
+
+claim "a mistyped verb or kind or option is named with the one that was meant"
+is_explained "there is no verb 'bak'; did you mean 'bake'?" bak box.obj -o x.espl
+is_explained "there is no verb 'verfiy'; did you mean 'verify'?" verfiy box.espl
+is_explained "there is no verb 'xyzzy'. Run 'espalier --help'." xyzzy
+is_explained "there is no option '--tolerence' here; did you mean '--tolerance'?" bake box.obj -o x.espl --tolerence 1mm
+is_explained "there is no option '--outptu' here; did you mean '--output'?" bake box.obj --outptu x.espl
+is_explained "there is no option '--jsno' here; did you mean '--json'?" info box.espl --jsno
+is_explained "there is no option '--xyzzy' here. Run 'espalier bake --help'." bake box.obj -o x.espl --xyzzy
+is_explained "there is no kind of query 'contains'; did you mean 'inside'?" query box.espl contains 0 0 0
+is_explained "there is no kind of query 'spere'; did you mean 'sphere'?" query box.espl spere 0 0 0 1
+
+claim "what is missing or too much is named as the help names it"
+is_explained "the verb is missing. Run 'espalier --help'."
+is_explained "MESH is missing. Run 'espalier bake --help'." bake
+is_explained "BLOB is missing" bake box.obj
+is_explained "BLOB is missing" info
+is_explained "the kind of query is missing" query box.espl
+is_explained "origin x y z, direction x y z" query box.espl ray 0 0 0
+is_explained "Run 'espalier query BLOB ray --help'." query box.espl ray 0 0 0
+is_explained "'more' is one word too many" info box.espl more
+is_explained "'-1' is no value for --threads COUNT" bake box.obj -o x.espl --threads -1
+is_explained "'many' is no value for --threads COUNT" bake box.obj -o x.espl --threads many
+is_explained "exclude each other" bake box.obj -o x.espl --bits 12 --tolerance 1mm
+is_explained "--flat-angle needs --edge-flags" bake box.obj -o x.espl --flat-angle 5
+
+claim "a blob is read from standard input by the name - and no output or mesh has that name"
+for verb in info verify dump "query - bounds"; do
+    case $verb in query*) arguments=$verb ;; *) arguments="$verb -" ;; esac
+    # shellcheck disable=SC2086
+    "$espalier" $arguments <box.espl >out 2>err || fail "$arguments: $(cat err)"
+done
+"$espalier" query - bounds <box.espl >from_input
+"$espalier" query box.espl bounds >from_file
+same from_input from_file
+is_explained "-o -: an output needs the name of a file" bake box.obj -o -
+is_explained "--remap -: an output" bake box.obj -o x.espl --remap -
+is_explained "-o -: " render box.espl -o -
+is_explained "-o -: " embed box.espl -o -
+is_explained "-: a mesh needs the name of a file" bake - -o x.espl
+[ ! -e ./- ] || fail "there is a file -"
+
+claim "a picture is refused under the ending of another format before it is drawn"
+is_explained "-o x.jpg: the picture is a PNG; give it a name that ends in .png" render box.espl -o x.jpg
+is_explained "-o x.png: the picture is an SVG; give it a name that ends in .svg" trade box.obj -o x.png
+[ ! -e x.jpg ] && [ ! -e x.png ] || fail "a picture is there"
+
+claim "a folder that is not there or no folder is noticed before the bake"
+for option in "-o no/x.espl" "-o x.espl --remap no/x" "-o x.espl --reorder no/x.ply" "-o x.espl --depfile no/x.d" \
+    "-o box.obj/x.espl"; do
+    # shellcheck disable=SC2086
+    run 2 bake box.obj $option
+    err_has "cannot write '"
+    err_lacks "triangles in"
+    [ ! -e x.espl ] || fail "x.espl is there"
+done
+run 2 render box.espl -o no/x.png
+run 2 embed box.espl -o x.c --header no/x.h
+[ ! -e x.c ] || fail "x.c is there"
+
+claim "the outputs of a bake are all new or all old"
+mkdir kept
+for file in x.espl x.remap x.ply x.d; do echo old >kept/$file; done
+awk 'BEGIN { n = 30
+    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
+    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
+        printf "f %d %d %d\n", a, a + 1, a + n + 2 } }' >sheet.obj
+# The blob has less than 8 KiB and the reordered mesh more: the disk "fills up" after the depfile is written.
+(ulimit -f 8 && trap '' XFSZ &&
+    "$espalier" bake sheet.obj -o kept/x.espl --remap kept/x.remap --reorder kept/x.ply --depfile kept/x.d 2>err)
+[ $? = 2 ] || fail "a full disk is not exit status 2: $(cat err)"
+for file in x.espl x.remap x.ply x.d; do [ "$(cat kept/$file)" = old ] || fail "$file is new"; done
+[ "$(ls -A kept | wc -l)" = 4 ] || fail "kept holds $(ls -A kept | tr '\n' ' ')"
+
+finish

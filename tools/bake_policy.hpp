@@ -1,0 +1,40 @@
+// What a bake may lose before it is an error: the options by which a pipeline trusts an exit status.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "commands.hpp"
+#include "import/imported.hpp"
+#include "warning.hpp"
+
+namespace espalier::tools {
+
+struct BakePolicy {
+    struct SizeRange {
+        double least = 0.0;  ///< metres
+        double most = 0.0;
+        std::string words;  ///< as given
+    };
+    bool strict = false;
+    bool allow_empty = false;
+    double max_dropped = 10.0;  ///< percent of the source's triangles
+    std::optional<SizeRange> expected_size;
+};
+
+/// Throws CommandError (usage) for a range of sizes that is none.
+BakePolicy bake_policy(const BakeArguments& arguments);
+
+/// Throws CommandError (invalid_input) when the result is not what the policy allows: too much dropped, empty, of an
+/// unexpected size, with warnings under --strict. Called before anything is written.
+void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
+             std::span<const Warning> warnings);
+
+/// Throws CommandError (invalid_input) when there are warnings.
+void refuse_warnings(std::span<const Warning> warnings);
+
+}  // namespace espalier::tools
