@@ -189,12 +189,16 @@ private:
 
     void warn() {
         warn_about(skinned_, "skinned_mesh",
-                   "has a skin and is baked in the pose in which the file's nodes stand, without any animation");
+                   "has a skin and is baked in the pose in which the file's nodes stand. To bake another pose, apply "
+                   "it before the export.");
         warn_about(unweighted_, "unweighted_mesh",
-                   "is on a node with a skin and has no joints and weights, so it is baked where its node stands");
-        warn_about(morphed_, "morphed_mesh", "has morph targets and is baked with the file's default weights");
+                   "is on a node with a skin and has no joints and weights, so it is baked where its node stands. "
+                   "Export it with them if it follows the skin.");
+        warn_about(morphed_, "morphed_mesh",
+                   "has morph targets and is baked with the file's default weights. To bake others, apply them before "
+                   "the export.");
         warn_about(left_over_, "incomplete_triangle",
-                   "ends with one or two corners, too few for a triangle, which are left out");
+                   "ends with one or two corners, too few for a triangle, which are left out. Export it again.");
         if (nodes_.left_out.empty()) return;
         file_.warnings.push_back(
             {"scene_left_out",
@@ -207,10 +211,9 @@ private:
 
     void warn_about(const Found& found, const char* kind, const char* what) {
         if (found.count == 0) return;
-        const std::string others =
-            found.count > 1 ? text(", like ", counted(found.count - 1, "other mesh"), " of the file") : "";
+        const std::string all = found.count > 1 ? text(" The file has ", found.count, " such meshes.") : "";
         file_.warnings.push_back(
-            {kind, text(found.name, ": the mesh ", what, others, "."), file_.path, found.mesh, std::nullopt});
+            {kind, text(found.name, ": the mesh ", what, all), file_.path, found.mesh, std::nullopt});
     }
 
     const ImportOptions& options_;
