@@ -72,11 +72,17 @@ bool areas_cancel(const LatticeMesh& mesh) {
         const LatticePoint& c = mesh.vertices[triangle.corners[2]];
         const std::array<std::int64_t, 3> ab{b.x - a.x, b.y - a.y, b.z - a.z};
         const std::array<std::int64_t, 3> ac{c.x - a.x, c.y - a.y, c.z - a.z};
+        // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
+        // mutant(< -> >=) work: every mesh goes through the exact test
         for (std::size_t k = 0; k < 3; ++k) {
+            // mutant(+ -> - 1, + -> right side dropped 1) work: fewer coordinates of the sum are computed
+            // mutant(+ -> - 2, + -> right side dropped 2) work: fewer coordinates of the sum are computed
             const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+            // mutant(+= nothing) work: every mesh goes through the exact test
             sum[k] += static_cast<std::uint64_t>(ab[i] * ac[j] - ab[j] * ac[i]);
         }
     }
+    // mutant(== -> true) work: every mesh goes through the exact test
     return sum == std::array<std::uint64_t, 3>{};
 }
 
@@ -112,6 +118,7 @@ bool cancel_along_lines(const std::vector<UnpairedEdge>& edges, const std::vecto
     for (std::size_t i = 0; i < ends.size();) {
         std::int64_t sum = 0;
         const auto place = ends[i].place();
+        // mutant(< -> <=, without 1) sanitizer: reads behind the last end
         for (; i < ends.size() && ends[i].place() == place; ++i) sum += ends[i].count;
         if (sum != 0) return false;
     }
@@ -152,6 +159,7 @@ WeldedSource weld(const Source& source) {
 }  // namespace
 
 bool is_closed(const LatticeMesh& mesh) {
+    // mutant(without 2, without 3) work: every mesh goes through the exact test
     return !mesh.triangles.empty() && areas_cancel(mesh) &&
            cancel_along_lines(unpaired_edges(mesh.triangles, mesh.vertices.size()), mesh.vertices);
 }

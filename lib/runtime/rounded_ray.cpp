@@ -123,11 +123,11 @@ QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattic
     return QueryStatus::ok;
 }
 
-/// Tests the arguments of a query and readies the ray. Sets `may_hit` if the blob must be walked.
+/// Tests the arguments of a query and readies the ray. With ok, sets `may_hit` if the blob must be walked.
 QueryStatus begin(const Blob& blob, const RoundedRayData& ray, RayOnLattice& moved, bool& may_hit) {
     QueryStatus status = check(ray);
     if (status == QueryStatus::ok && blob.triangle_count() != 0) status = move_to(blob.data(), ray, moved);
-    may_hit = status == QueryStatus::ok && blob.triangle_count() != 0 && ray.may_hit != 0;
+    may_hit = blob.triangle_count() != 0 && ray.may_hit != 0;
     return status;
 }
 

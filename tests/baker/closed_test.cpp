@@ -151,6 +151,7 @@ TEST_SUITE("closed") {
             REQUIRE(baker::is_closed(source) == result);
             return result;
         };
+        REQUIRE(!baker::is_closed(baker::Source()));
         for (int i = 0; i < 300; ++i) {
             Mesh mesh;
             mesh.positions = {{0.0f, random.signed_unit(), random.signed_unit()},
