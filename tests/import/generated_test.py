@@ -115,13 +115,16 @@ def obj(claims):
         "".join(f"v {x} {y} {z}\n" for x, y, z in BOX) + "vt 0 0\nvn 1 0 0\n" +
         "".join(f"f {' '.join(f'{i + 1}/1/1' if i % 2 else f'{i + 1}//1' for i in quad)}\n" for quad in QUADS))
 
-    claims.bakes("OBJ: a concave quad is cut inside", "arrow.obj", "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 2 3 4 1\n", 2,
-                 ([0, 0, 0], [4, 4, 0]))
+    arrow = [(4, 0), (1, 1), (0, 4), (0, 0)]
+    for turn in range(4):
+        corners = arrow[turn:] + arrow[:turn]
+        claims.bakes("OBJ: a concave quad is cut into two triangles", "arrow.obj", polygon_obj(corners), 2, ([0, 0, 0], [4, 4, 0]))
+        check_area(claims, "OBJ: the triangles of a concave quad cover it once", "arrow.obj", corners)
     comb = [(0, 0)] + [(x, 3 if x % 2 else 1) for x in range(1, 10)] + [(10, 0)]
-    polygon = "".join(f"v {x} {y} 0\n" for x, y in reversed(comb)) + "f " + " ".join(str(i + 1) for i in range(len(comb))) + "\n"
-    document = claims.bakes("OBJ: a concave polygon is cut into corners - 2 triangles", "comb.obj", polygon,
-                            len(comb) - 2, ([0, 0, 0], [10, 3, 0]))
-    check_area(claims, "OBJ: the triangles of a concave polygon cover it once", document, comb)
+    comb.reverse()
+    claims.bakes("OBJ: a concave polygon is cut into corners - 2 triangles", "comb.obj", polygon_obj(comb), len(comb) - 2,
+                 ([0, 0, 0], [10, 3, 0]))
+    check_area(claims, "OBJ: the triangles of a concave polygon cover it once", "comb.obj", comb)
     sides = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nv 0 2 0\nv 0 1 0\nf 1 2 3 4 5 6 7 8\n"
     claims.bakes("OBJ: corners on straight sides take part in triangles with an area", "sides.obj", sides, 6, SQUARE_BOUNDS)
     claims.bakes("OBJ: a polygon that crosses itself is warned of", "crossing.obj",
@@ -138,9 +141,9 @@ def obj(claims):
     claims.bakes("OBJ: a weight of a vertex is warned of", "weight.obj", SQUARE.replace("2 2 0", "2 2 0 0.5") + "f 1 2 3 4\n",
                  2, SQUARE_BOUNDS, ["vertex_weight"])
     claims.bakes("OBJ: --repair drops faces whose vertices are missing, with a warning", "missing.obj",
-                 SQUARE + "f 1 2 3\nf 1 2 9\nf 1 -7 3\n", 1, SQUARE_BOUNDS, ["missing_vertex"], options=["--repair"])
+                 SQUARE + "f 1 2 3\nf 1 2 5\nf 1 -5 3\nf 0 1 2\n", 1, SQUARE_BOUNDS, ["missing_vertex"], options=["--repair", "--max-dropped", "100"])
 
-    claims.refuses("OBJ: a vertex that is missing is refused with its number", "missing.obj", SQUARE + "f 1 2 9\n", "vertex 8")
+    claims.refuses("OBJ: a vertex that is missing is refused with its number", "missing.obj", SQUARE + "f 1 2 5\n", "vertex 4")
     claims.refuses("OBJ: a word that is no number is refused with its line", "word.obj", "v 0 0 0\nv 1,5 0 0\n", "line 2", "'1,5'")
     claims.refuses("OBJ: a corner that is no number is refused with its line", "corner.obj", SQUARE + "f 1 2 x\n", "line 5", "'x'")
     claims.refuses("OBJ: two coordinates are refused", "short.obj", "v 0 0\n", "line 1", "2 coordinates")
@@ -155,13 +158,16 @@ def obj(claims):
     check_materials(claims, "OBJ: materials are numbered by their library, then by use", "materials.obj", [0, 2, 3, 1])
 
 
-def check_area(claims, claim, document, comb):
-    expected = abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(comb, comb[1:] + comb[:1]))) / 2
-    if not document:
-        return
+def polygon_obj(corners):
+    return "".join(f"v {x} {y} 0\n" for x, y in corners) + "f " + " ".join(str(i + 1) for i in range(len(corners))) + "\n"
+
+
+def check_area(claims, claim, name, corners):
+    """The triangles that were baked from the file have the polygon's area together."""
+    expected = abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(corners, corners[1:] + corners[:1]))) / 2
     total = 0.0
     mesh = os.path.join(claims.folder, "area.obj")
-    path = os.path.join(claims.folder, "comb.obj")
+    path = os.path.join(claims.folder, name)
     subprocess.run([claims.espalier, "bake", path, "-o", claims.blob, "--reorder", mesh, "-q"], check=True)
     vertices = []
     with open(mesh, encoding="utf-8") as file:
@@ -217,6 +223,14 @@ def ply(claims):
                 box(f"{name} with lists of {count} {index}", ply_bytes(order, "f", count, index))
         box(f"{name} with faces before vertices", ply_bytes(order, "f", "B", "i", before=True))
 
+    for name, index, count in (("uchar", "B", 200), ("ushort", "H", 40000)):
+        header = ply_header("binary_little_endian", f"element vertex {count}", "property float x", "property float y", "property float z",
+                            "element face 1", f"property list uchar {name} vertex_indices")
+        points = [(9, 9, 9)] * (count - 3) + [(0, 0, 0), (2, 0, 0), (2, 2, 0)]
+        data = b"".join(struct.pack("<3f", *point) for point in points) + struct.pack("<B3" + index, 3, *range(count - 3, count))
+        claims.bakes(f"PLY: numbers of type {name} have no sign", "sign.ply", header.encode() + data, 1, SQUARE_BOUNDS,
+                     points_and_lines=count - 3)
+
     vertex = ["element vertex 8", "property float x", "property float y", "property float z"]
     face = ["element face 6", "property list uchar int vertex_index"]
     corners = [f"{x} {y} {z}" for x, y, z in BOX]
@@ -246,7 +260,7 @@ def ply(claims):
     patches = text.replace("end_header", "element patch 1\nproperty list uchar int vertex_indices\nend_header") + "3 0 1 2\n"
     claims.bakes("PLY: elements of other names with vertices are warned of", "patch.ply", patches, 12, BOX_BOUNDS, ["unknown_element"])
     claims.bakes("PLY: --repair drops faces whose vertices are missing, with a warning", "missing.ply",
-                 text.replace("4 0 1 3 2", "3 0 1 9"), 10, BOX_BOUNDS, ["missing_vertex"], options=["--repair"])
+                 text.replace("4 0 1 3 2", "3 0 1 8"), 10, BOX_BOUNDS, ["missing_vertex"], options=["--repair", "--max-dropped", "100"])
 
     box_bytes = ply_bytes("<", "f", "B", "i")
     claims.refuses("PLY: a file that is cut off is refused", "cut.ply", box_bytes[:-3], "ends before")
@@ -307,6 +321,9 @@ def names(claims):
     claims.refuses("names: an ending without an importer is named", "scene.wrl", "#VRML V2.0 utf8\nShape { v f }\n", "no importer for '.wrl' files")
     claims.refuses("names: a file without an ending or a known content is refused", "readme", "vertex v f usemtl\n", "no ending")
     claims.refuses("names: a binary format without an importer is not taken for OBJ", "model.m3d", b"3DMO\x10\0\0\0v f \n\0v 1 2 3\n", "no importer for '.m3d'")
+    claims.bakes("names: what assimp reports as wrong is warned of", "report.off",
+                 "OFF\n4 3 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n3 0 1 2\n3 0 2 3\n3 0 1 9\n", 3, SQUARE_BOUNDS,
+                 ["importer_report"])
     claims.refuses("names: an empty file is refused", "empty.3ds", "", "is empty")
     collada = "<?xml version=\"1.0\" encoding=\"utf-16\"?><COLLADA version=\"1.4.1\"><asset/></COLLADA>"
     claims.refuses("names: a broken file is refused without a guess about its name", "broken.dae", collada[:40], "cannot be imported")

@@ -23,6 +23,7 @@
 
 #include "crash_guard.hpp"
 #include "exit_code.hpp"
+#include "importer_reports.hpp"
 #include "mesh_collector.hpp"
 #include "numbers.hpp"
 #include "text_file.hpp"
@@ -62,32 +63,40 @@ private:
     const ImportOptions& options_;
 };
 
-/// Passes on what assimp reports, one line each.
+/// Passes on what assimp reports, one line each, and keeps the warnings and errors about lost geometry.
 class ReportStream : public Assimp::LogStream {
 public:
-    explicit ReportStream(const ImportOptions& options) : options_(options) {}
+    ReportStream(const ImportOptions& options, std::vector<std::string>* losses) : options_(options), losses_(losses) {}
     void write(const char* message) override {
         std::string line = message;
         while (line.ends_with('\n') || line.ends_with(' ')) line.pop_back();
-        options_.log(printable(line));
+        line = printable(line);
+        if (losses_ != nullptr && reports_lost_geometry(line)) losses_->push_back(line);
+        if (options_.log) options_.log(line);
     }
 
 private:
     const ImportOptions& options_;
+    std::vector<std::string>* losses_;
 };
 
-/// While it lives, assimp's reports are passed on, if anybody listens.
+/// While it lives, assimp's reports are read.
 class ImporterLog {
 public:
     explicit ImporterLog(const ImportOptions& options) {
-        if (!options.log) return;
         Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
-        constexpr unsigned severities = Assimp::Logger::Info | Assimp::Logger::Warn | Assimp::Logger::Err;
-        Assimp::DefaultLogger::get()->attachStream(new ReportStream(options), severities);  // which the logger deletes
+        Assimp::Logger* logger = Assimp::DefaultLogger::get();  // which deletes the streams
+        logger->attachStream(new ReportStream(options, &losses_), Assimp::Logger::Warn | Assimp::Logger::Err);
+        if (options.log) logger->attachStream(new ReportStream(options, nullptr), Assimp::Logger::Info);
     }
     ~ImporterLog() { Assimp::DefaultLogger::kill(); }
     ImporterLog(const ImporterLog&) = delete;
     ImporterLog& operator=(const ImporterLog&) = delete;
+
+    [[nodiscard]] const std::vector<std::string>& losses() const { return losses_; }
+
+private:
+    std::vector<std::string> losses_;
 };
 
 /// A text that was stored as UTF-16, as UTF-8: not all importers convert it.
@@ -347,6 +356,13 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
                                  text("'", printable(path), "': there is no importer for '", printable(ending),
                                       "' files; by its content it was read by the ", file.format, '.'),
                                  path, std::nullopt, std::nullopt});
+    }
+    if (!log.losses().empty()) {
+        file.warnings.push_back(
+            {"importer_report",
+             text("'", printable(path), "': its importer reports ", log.losses().size() == 1 ? "" : "at first ", "'",
+                  log.losses()[0], "': triangles may be missing or wrong. --verbose prints all reports."),
+             path, std::nullopt, std::nullopt});
     }
     for (const std::string& name : missing) {
         if (!importer.IsExtensionSupported(ending_of(name)) || !is_referred_to(name, file)) continue;
