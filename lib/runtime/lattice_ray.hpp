@@ -57,8 +57,7 @@ struct RayOnLattice {
 /// What is known of a ray once it is rounded and only its test against boxes needs.
 struct RaySlope {
     alignas(16) float inverse[4];  ///< 1 / direction, rounded; see `still` for 0. The fourth means nothing
-    float
-        slack_steps;  ///< how far the slab test moves planes outward, in lattice steps: 16 roundings of the ray's reach
+    float slack_steps;             ///< slab_slack of the ray's reach
 };
 
 /// The inverse of a component that is zero: every plane that is not exactly at the origin is farther away than any hit,
@@ -149,14 +148,14 @@ inline void set_longest_axis(IntegerRay& ray, unsigned axis) {
     ray.axis[2] = static_cast<std::uint8_t>(axis);
 }
 
-/// Turns the ray into its longest axis.
-inline void set_shear(LatticeRay& ray, RaySlope& slope, float reach) {
+/// Turns the ray into its longest axis, given the inverse of the direction along it.
+inline void set_shear(LatticeRay& ray, float inverse, float reach) {
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
-    for (int i = 0; i < 2; ++i)
-        ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * slope.inverse[ray.axis[2]];
+    for (int i = 0; i < 2; ++i) ray.shear[i] = static_cast<float>(-ray.direction[ray.axis[i]]) * inverse;
     ray.shear_error = (reach + 1.0f) * (6.0f * 0x1p-24f);
-    slope.slack_steps = (reach + 1.0f) * 0x1p-20f;
 }
+/// How far the slab test moves planes outward, in lattice steps: 16 roundings of the reach.
+inline float slab_slack(float reach) { return (reach + 1.0f) * 0x1p-20f; }
 
 /// False when the ray can hit nothing: an argument out of the domain, or a ray that passes far by. `reach` is how far
 /// the asset is from the origin at most, along any axis, in lattice steps.
@@ -230,7 +229,8 @@ inline void set_slope(LatticeRay& ray, float reach, RaySlope& slope) {
     for (unsigned k = 0; k < 3; ++k)
         slope.inverse[k] = 1.0f / lattice_ray::or_if_zero(static_cast<float>(ray.direction[k]), 1.0f / still);
     slope.inverse[3] = 0.0f;
-    set_shear(ray, slope, reach);
+    set_shear(ray, slope.inverse[ray.axis[2]], reach);
+    slope.slack_steps = slab_slack(reach);
 }
 inline bool round_ray(const BlobData& blob, const Ray& world, LatticeRay& ray, RaySlope& slope) {
     float reach = 0.0f;
@@ -249,7 +249,7 @@ inline float origin_steps(const IntegerRay& ray, unsigned axis) {
 }
 
 /// A hit in the ray's window has its box's interval begin at or before what this answers, and
-inline float window_limit(const IntegerRay& ray) { return ray.tau_max * interval_slack; }
+inline float window_limit(const IntegerRay& ray) { return ray.tau_max * interval_slack + 0.0f; }
 /// one at least as good as one of this tau, counted from the caller's origin, has its box's interval begin at or
 /// before what this answers (docs/numerics.md, 5).
 inline float hit_limit(const IntegerRay& ray, float whole_tau) {

@@ -210,7 +210,7 @@ inline RayLanes spread_sweep(const BlobData& blob, const LatticeSweep& sweep) {
         reach = maximum(maximum(absolute(blob.extent_steps[k] - lows[k]), absolute(blob.extent_steps[k] - highs[k])),
                         reach);
     }
-    const float slack_steps = (reach + 1.0f) * 0x1p-20f;
+    const float slack_steps = slab_slack(reach);
     RayLanes lanes{};
     unsigned signs = 0;
     for (unsigned k = 0; k < 3; ++k) {

@@ -45,7 +45,7 @@ struct RayInBatch {
     /// Readies the ray for its walk. False when it can hit nothing.
     bool begin(const BlobData& blob, const Ray& world, bool any_will_do) {
         if (!prepare(blob, world, prepared)) return false;
-        visitor.limit_ = prepared.ray.tau_max * interval_slack;
+        visitor.limit_ = window_limit(prepared.ray);
         visitor.volume_bits = 0;
         visitor.any_will_do = any_will_do;
         return true;

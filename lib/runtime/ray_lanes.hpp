@@ -12,7 +12,7 @@ namespace espalier::detail {
 
 /// Which planes of a node a ray enters and leaves through, as offsets into the node: for each axis, by the direction's
 /// sign.
-struct PlaneOrder {
+struct alignas(8) PlaneOrder {
     std::uint8_t near_at[3];
     std::uint8_t far_at[3];
 };
@@ -42,8 +42,7 @@ struct RayLanes {
     const PlaneOrder* planes;
 };
 
-inline RayLanes spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope) {
-    RayLanes lanes{};
+inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope, RayLanes& lanes) {
     unsigned signs = 0;
     for (unsigned k = 0; k < 3; ++k) {
         const float middle = -origin_steps(ray, k) * slope.inverse[k];
@@ -56,7 +55,6 @@ inline RayLanes spread_ray(const BlobData& blob, const LatticeRay& ray, const Ra
     }
     lanes.tau_min = ray.tau_min;
     lanes.planes = &plane_orders[signs];
-    return lanes;
 }
 
 /// Whether the ray meets the asset's box, widened like the planes of a node.
@@ -71,13 +69,15 @@ inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const RayLa
     return enter <= leave;
 }
 
-/// All that the queries need of a ray.
-struct PreparedRay {
+/// All that the queries need of a ray; `Lanes` are what the slab test needs.
+template <class Lanes>
+struct PreparedRayIn {
     LatticeRay ray;
-    RayLanes in_lanes;
+    Lanes in_lanes;
 
-    [[nodiscard]] const RayLanes& lanes() const { return in_lanes; }
+    [[nodiscard]] const Lanes& lanes() const { return in_lanes; }
 };
+using PreparedRay = PreparedRayIn<RayLanes>;
 
 /// The same pointer or number, as if it could be another one each time: what it leads to is in the cache, and fetched
 /// ahead of a loop it would overflow the registers and be kept on the stack a second time.
@@ -88,22 +88,24 @@ template <class T>
 }
 
 /// False when the ray can hit nothing.
-inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+template <class Lanes>
+inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
     RaySlope slope;
     if (!round_ray(blob, world, prepared.ray, slope)) return false;
-    prepared.in_lanes = spread_ray(blob, prepared.ray, slope);
+    spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
     return meets_asset(blob, prepared.ray, prepared.in_lanes);
 }
 
 /// The same for a ray that was rounded before.
-inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
+template <class Lanes>
+inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
     static_cast<IntegerRay&>(prepared.ray) = given.ray;
     float origin[3];
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (unsigned k = 0; k < 3; ++k) origin[k] = origin_steps(given.ray, k);
     RaySlope slope;
     set_slope(prepared.ray, std::bit_cast<float>(lattice_ray::reach_bits(origin, blob)), slope);
-    prepared.in_lanes = spread_ray(blob, prepared.ray, slope);
+    spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
     return meets_asset(blob, prepared.ray, prepared.in_lanes);
 }
 

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include <espalier/ray.hpp>
+#include <espalier/rounded_ray.hpp>
 
+#include "../support/instruction_paths.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
@@ -163,6 +165,29 @@ TEST_SUITE("ray") {
         ray.origin.z = 1.0f;
         CHECK(raycast(cube.blob, ray, hit));
         CHECK(hit.t == 0.0f);
+    }
+
+    TEST_CASE("ray: a window that ends at -0 holds a hit at its origin") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        Ray ray{{0.25f, 0.5f, 1.0f}, {0.0f, 0.0f, -1.0f}};
+        for (const float begin : {0.0f, -0.0f}) {
+            ray.t_min = begin;
+            ray.t_max = -0.0f;
+            const RoundedRay rounded = round_ray(lattice_of(cube.blob), ray);
+            for (const InstructionPath& path : instruction_paths()) {
+                CAPTURE(path.name);
+                RayHit hit;
+                REQUIRE(path.closest_hit(cube.blob.data(), ray, hit, nullptr));
+                CHECK(hit.t == 0.0f);
+                CHECK(path.any_hit(cube.blob.data(), ray, nullptr));
+                std::uint8_t occluded = 0;
+                CHECK(path.any_hits(cube.blob.data(), &ray, &occluded, 1) == 1);
+                CHECK(path.closest_hits(cube.blob.data(), &ray, &hit, 1) == 1);
+            }
+            RayHit hit;
+            REQUIRE(raycast(cube.blob, rounded, hit) == QueryStatus::ok);
+            CHECK(hit.t == 0.0f);
+        }
     }
 
     TEST_CASE("ray: a reported t is inside the window after rounding") {

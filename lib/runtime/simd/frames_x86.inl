@@ -46,21 +46,3 @@ inline Frame load_frame(const Node& node, const BlobData& blob) {
     spread(_mm_mul_ps(load_bases(node), _mm_set1_ps(blob.base_unit)), frame.base);
     return frame;
 }
-
-/// The planes of a node as tau along a ray: plane * scale + offset.
-struct SlabFrame {
-    Floats scale[3];
-    Floats near_offset[3];
-    Floats far_offset[3];
-};
-inline SlabFrame load_slab_frame(const Node& node, const RayLanes& ray) {
-    // Adding a shift to the exponent multiplies by its power of two.
-    const __m128i inverse = _mm_load_si128(reinterpret_cast<const __m128i*>(ray.inverse));
-    const __m128 slope = _mm_load_ps(ray.base_inverse);
-    const __m128 bases = load_bases(node);
-    SlabFrame frame;
-    spread(_mm_castsi128_ps(_mm_add_epi32(load_shifts(node), inverse)), frame.scale);
-    spread(multiply_add(bases, slope, _mm_load_ps(ray.near_offset)), frame.near_offset);
-    spread(multiply_add(bases, slope, _mm_load_ps(ray.far_offset)), frame.far_offset);
-    return frame;
-}

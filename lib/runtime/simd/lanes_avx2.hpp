@@ -11,6 +11,7 @@
 #include <runtime/float_bits.hpp>
 #include <runtime/copies.hpp>
 #include <runtime/leaf_kinds.hpp>
+#include <runtime/placed_planes.hpp>
 #include <runtime/ray_lanes.hpp>
 #include <runtime/simd/pivot_table.hpp>
 #include <runtime/simd/target.hpp>
@@ -20,6 +21,9 @@
 
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace espalier::detail::avx2 {
+
+using RayLanes = PlacedLanes;
+using PreparedRay = PreparedRayIn<PlacedLanes>;
 
 inline constexpr unsigned lanes = 8;
 struct Floats {

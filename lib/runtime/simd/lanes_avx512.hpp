@@ -21,6 +21,8 @@ using avx2::Corner;
 using avx2::first_triangle_in_lanes;
 using avx2::load_low_corner;
 using avx2::prefetch;
+using avx2::PreparedRay;
+using avx2::RayLanes;
 
 inline constexpr unsigned lanes = 16;
 struct Floats {

@@ -11,6 +11,7 @@
 #include <runtime/float_bits.hpp>
 #include <runtime/copies.hpp>
 #include <runtime/leaf_kinds.hpp>
+#include <runtime/placed_planes.hpp>
 #include <runtime/ray_lanes.hpp>
 #include <runtime/simd/target.hpp>
 #include <runtime/simd/unpack_table.hpp>
@@ -171,6 +172,24 @@ inline __m128i shift_left_each(const std::byte* word) {
 #include <runtime/simd/strip_corners_portable.inl>
 #include <runtime/simd/leaf_corners.inl>
 #include <runtime/simd/frames_x86.inl>
+
+/// The planes of a node as tau along a ray: plane * scale + offset.
+struct SlabFrame {
+    Floats scale[3];
+    Floats near_offset[3];
+    Floats far_offset[3];
+};
+inline SlabFrame load_slab_frame(const Node& node, const RayLanes& ray) {
+    // Adding a shift to the exponent multiplies by its power of two.
+    const __m128i inverse = _mm_load_si128(reinterpret_cast<const __m128i*>(ray.inverse));
+    const __m128 slope = _mm_load_ps(ray.base_inverse);
+    const __m128 bases = load_bases(node);
+    SlabFrame frame;
+    spread(_mm_castsi128_ps(_mm_add_epi32(load_shifts(node), inverse)), frame.scale);
+    spread(multiply_add(bases, slope, _mm_load_ps(ray.near_offset)), frame.near_offset);
+    spread(multiply_add(bases, slope, _mm_load_ps(ray.far_offset)), frame.far_offset);
+    return frame;
+}
 
 }  // namespace espalier::detail::sse42
 ESPALIER_END_TARGET

@@ -11,7 +11,7 @@ ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace espalier::detail::avx2 {
 #include <runtime/simd/prepare_ray_x86.inl>
 #include <runtime/traverse.inl>
-#include <runtime/ray_nodes.inl>
+#include <runtime/simd/ray_nodes_avx2.inl>
 #include <runtime/float_vertices.inl>
 #include <runtime/pair_vertices.inl>
 #include <runtime/ray_filter.inl>

@@ -9,7 +9,7 @@
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace espalier::detail::avx2 {
 #include <runtime/simd/prepare_ray_x86.inl>
-#include <runtime/ray_nodes.inl>
+#include <runtime/simd/ray_nodes_avx2.inl>
 }  // namespace espalier::detail::avx2
 ESPALIER_END_TARGET
 

@@ -1,0 +1,315 @@
+// The slab test of every instruction set against exact arithmetic: no box that a ray meets is refused, no key is larger
+// than where the ray enters, and boxes that are passed at more than twice the slack are refused.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <runtime/ray_lanes.hpp>
+#include <runtime/simd/lanes_scalar.hpp>
+#include <runtime/simd/select.hpp>
+#if ESPALIER_X86
+#include <runtime/simd/lanes_avx2.hpp>
+#include <runtime/simd/lanes_sse42.hpp>
+#elif ESPALIER_NEON
+#include <runtime/simd/lanes_neon.hpp>
+#endif
+
+#include "../support/random.hpp"
+#include "../support/test_scale.hpp"
+#include "rational.hpp"
+
+namespace espalier::detail {
+namespace scalar {
+namespace {
+#include <runtime/ray_nodes.inl>
+/// Prepared as it is defined, tested by lanes.
+unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
+    PreparedRay prepared;
+    return prepare_ray(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
+}
+}  // namespace
+}  // namespace scalar
+#if ESPALIER_X86
+ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
+namespace sse42 {
+namespace {
+#include <runtime/simd/prepare_ray_x86.inl>
+#include <runtime/ray_nodes.inl>
+/// Prepared by the instruction set's own way, tested by its lanes.
+unsigned children(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
+    PreparedRay prepared;
+    return prepare(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
+}
+}  // namespace
+}  // namespace sse42
+ESPALIER_END_TARGET
+ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
+namespace avx2 {
+namespace {
+#include <runtime/simd/prepare_ray_x86.inl>
+#include <runtime/simd/ray_nodes_avx2.inl>
+/// Prepared by the instruction set's own way, tested by its lanes.
+unsigned children(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
+    PreparedRay prepared;
+    return prepare(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
+}
+/// Prepared as it is defined, tested by lanes.
+unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
+    PreparedRay prepared;
+    return prepare_ray(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
+}
+}  // namespace
+}  // namespace avx2
+ESPALIER_END_TARGET
+#elif ESPALIER_NEON
+namespace neon {
+namespace {
+#include <runtime/ray_nodes.inl>
+/// Prepared as it is defined, tested by lanes.
+unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
+    PreparedRay prepared;
+    return prepare_ray(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
+}
+}  // namespace
+}  // namespace neon
+#endif
+}  // namespace espalier::detail
+
+using namespace espalier;
+using namespace espalier::tests;
+using oracle::Rational;
+
+namespace {
+
+/// Which children an instruction set visits, and their keys; none where the ray is found to hit nothing before.
+struct Path {
+    const char* name;
+    unsigned (*children)(const detail::BlobData&, const Ray&, const detail::Node&, float limit, float* keys);
+};
+
+std::vector<Path> paths() {
+    std::vector<Path> result = {{"scalar", detail::scalar::children_as_defined}};
+#if ESPALIER_X86
+    const detail::InstructionSet best = detail::detect_instruction_set();
+    if (best >= detail::InstructionSet::sse42) result.push_back({"sse42", detail::sse42::children});
+    if (best >= detail::InstructionSet::avx2) {
+        result.push_back({"avx2", detail::avx2::children});
+        result.push_back({"avx2 as defined", detail::avx2::children_as_defined});
+    }
+#elif ESPALIER_NEON
+    result.push_back({"neon", detail::neon::children_as_defined});
+#endif
+    return result;
+}
+
+/// A node, and its boxes in lattice steps; no child's box begins outside of the asset.
+struct BoxedNode {
+    std::array<std::byte, format::node::bytes> bytes{};
+    unsigned children = 0;
+    std::int64_t low[8][3] = {}, high[8][3] = {};
+};
+
+BoxedNode make_node(Random& random, const detail::BlobData& blob) {
+    BoxedNode node;
+    const unsigned unit = blob.bits > 16 ? blob.bits - 16u : 0u;
+    node.children = 1 + random.below(8);
+    node.bytes[format::node::children_at + 3] = static_cast<std::byte>(node.children << 4);
+    unsigned shifts = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const auto extent = static_cast<std::uint32_t>(blob.extent[k]);
+        const std::uint32_t from = random.coin() ? 0 : random.below(extent + 1) >> unit;
+        const std::uint32_t reach = extent - (from << unit);
+        const std::uint32_t part = reach >> (random.coin() ? 0 : random.below(12));
+        unsigned shift = 0;
+        while (255u << shift < part) ++shift;
+        if (random.below(8) == 0) shift += random.below(format::node::max_shift + 1 - shift);  // larger than it needs
+        shifts |= shift << (5 * k);
+        node.bytes[format::node::base_at + 2 * k] = static_cast<std::byte>(from & 255);
+        node.bytes[format::node::base_at + 2 * k + 1] = static_cast<std::byte>(from >> 8);
+        for (unsigned child = 0; child < node.children; ++child) {
+            const std::uint32_t low = random.below(std::min(255u, reach >> shift) + 1);
+            const std::uint32_t high = random.below(4) == 0 ? low : low + random.below(256 - low);
+            node.bytes[format::node::lo_at + 8 * k + child] = static_cast<std::byte>(low);
+            node.bytes[format::node::hi_at + 8 * k + child] = static_cast<std::byte>(high);
+            node.low[child][k] = (from << unit) + (std::int64_t{low} << shift);
+            node.high[child][k] = (from << unit) + (std::int64_t{high} << shift);
+        }
+    }
+    node.bytes[format::node::shifts_at] = static_cast<std::byte>(shifts & 255);
+    node.bytes[format::node::shifts_at + 1] = static_cast<std::byte>(shifts >> 8);
+    return node;
+}
+
+/// With a step of 1 and its lowest corner at 0; often much smaller than its lattice, where the roundings that depend on
+/// the lattice alone are the largest.
+detail::BlobData make_asset(Random& random, unsigned bits) {
+    detail::BlobData blob;
+    blob.bits = static_cast<std::uint8_t>(bits);
+    const std::uint32_t most = (1u << (random.coin() ? bits : 1 + random.below(bits))) - 1;
+    for (int k = 0; k < 3; ++k)
+        blob.extent[k] = static_cast<std::int32_t>(random.coin() ? most : random.below(most + 1));
+    blob.derive();
+    return blob;
+}
+
+/// Its direction in [2^23, 2^24), so that t counts what tau counts: most often exactly through a corner of the box or a
+/// point of it, and with components that are zero.
+Ray make_ray(Random& random, const detail::BlobData& blob, const std::int64_t* low, const std::int64_t* high) {
+    const int length = 1 + static_cast<int>(random.below(random.coin() ? 8 : 4096));
+    int way[3];
+    int longest = 0;
+    while (longest == 0) {
+        for (int& component : way) {
+            component = random.below(4) == 0 ? 0 : random.between(-length, length);
+            longest = std::max(longest, std::abs(component));
+        }
+    }
+    int scale = 1;
+    while (longest * scale < 1 << 23) scale *= 2;
+    const double room = std::ldexp(1.0, static_cast<int>(random.below(random.below(8) == 0 ? 40 : 24)));
+    const double times = std::max(1.0, std::floor(room * double{random.unit()} / longest));
+    const double part = random.coin() ? 1.0 : 0.5;
+    Ray ray;
+    float* const origin[3] = {&ray.origin.x, &ray.origin.y, &ray.origin.z};
+    float* const direction[3] = {&ray.direction.x, &ray.direction.y, &ray.direction.z};
+    for (int k = 0; k < 3; ++k) {
+        const std::int64_t end = std::min<std::int64_t>(high[k], blob.extent[k]);
+        const std::int64_t inside = low[k] + random.below(static_cast<std::uint32_t>(end - low[k]) + 1);
+        const std::int64_t target = random.below(4) == 0 ? inside : random.coin() ? low[k] : end;
+        *origin[k] = static_cast<float>(static_cast<double>(target) - times * part * way[k]);
+        *direction[k] = static_cast<float>(way[k]) * static_cast<float>(scale);
+    }
+    return ray;
+}
+
+struct Interval {
+    Rational first = 0, last = 0;
+    bool is_empty = false;
+};
+
+/// Where the ray is in the box, widened by `more` steps; from 0 on.
+Interval interval(const detail::LatticeRay& ray, const std::int64_t* low, const std::int64_t* high,
+                  const Rational& more) {
+    Interval result;
+    bool has_end = false;
+    for (int k = 0; k < 3; ++k) {
+        const Rational origin = Rational::of(std::int64_t{ray.origin[k]}, -ray.fraction_bits);
+        const Rational from = Rational(low[k]) - more - origin, to = Rational(high[k]) + more - origin;
+        if (ray.direction[k] == 0) {
+            result.is_empty = result.is_empty || from.sign() > 0 || to.sign() < 0;
+            continue;
+        }
+        const Rational way(std::int64_t{ray.direction[k]});
+        const Rational a = from / way, b = to / way;
+        result.first = std::max(result.first, std::min(a, b));
+        result.last = has_end ? std::min(result.last, std::max(a, b)) : std::max(a, b);
+        has_end = true;
+    }
+    result.is_empty = result.is_empty || result.last < result.first;
+    return result;
+}
+
+/// The largest float that is not above a number that is not negative.
+float float_at_most(const Rational& number) {
+    if (number.sign() == 0) return 0.0f;
+    float result = std::ldexp(1.0f, number.exponent());
+    for (float step = result * 0.5f; step > result * 0x1p-25f; step *= 0.5f)
+        if (Rational::of(result + step) <= number) result += step;
+    return result;
+}
+
+/// How far the asset is from the ray's origin at most, along any axis.
+double reach(const detail::BlobData& blob, const detail::LatticeRay& ray) {
+    double result = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const double origin = detail::origin_steps(ray, k);
+        result = std::max({result, std::abs(origin), std::abs(blob.extent[k] - origin)});
+    }
+    return result;
+}
+
+struct Counts {
+    std::uint64_t met = 0, passed = 0;
+};
+
+void check(Random& random, unsigned bits, Counts& counts) {
+    const detail::BlobData blob = make_asset(random, bits);
+    const BoxedNode boxed = make_node(random, blob);
+    const detail::Node node = {boxed.bytes.data()};
+    const unsigned aim = random.below(boxed.children);
+    Ray world = make_ray(random, blob, boxed.low[aim], boxed.high[aim]);
+
+    detail::LatticeRay ray;
+    if (!detail::round_ray(blob, world, ray)) return;
+    std::int64_t met_high[8][3];
+    std::vector<Interval> exact;
+    for (unsigned child = 0; child < boxed.children; ++child) {
+        for (int k = 0; k < 3; ++k) met_high[child][k] = std::min<std::int64_t>(boxed.high[child][k], blob.extent[k]);
+        exact.push_back(interval(ray, boxed.low[child], met_high[child], 0));
+    }
+    // The window ends where the ray enters the box, or begins where it leaves it.
+    float limit = std::numeric_limits<float>::infinity();
+    if (!exact[aim].is_empty && random.coin()) {
+        if (random.coin()) limit = std::nextafter(float_at_most(exact[aim].first), limit);
+        else world.t_min = float_at_most(exact[aim].last);
+        if (!detail::round_ray(blob, world, ray)) return;
+    }
+    const Rational tau_min = Rational::of(ray.tau_min);
+    const auto meets = [&](const Interval& in) {
+        return !in.is_empty && tau_min <= in.last && (std::isinf(limit) || in.first <= Rational::of(limit)) &&
+               (std::isinf(limit) || tau_min <= Rational::of(limit));
+    };
+    const Rational slack = Rational::of(static_cast<std::int64_t>(std::ceil((reach(blob, ray) + 1) * 64)), -26) +
+                           Rational::of(3, static_cast<int>(bits) - 22);
+    for (const Path& path : paths()) {
+        CAPTURE(path.name);
+        CAPTURE(bits);
+        float keys[8];
+        const unsigned mask = path.children(blob, world, node, limit, keys);
+        REQUIRE((mask >> boxed.children) == 0);
+        for (unsigned child = 0; child < boxed.children; ++child) {
+            CAPTURE(child);
+            const bool is_met = meets(exact[child]);
+            if (is_met) {
+                REQUIRE((mask >> child & 1) != 0);
+                REQUIRE(Rational::of(keys[child]) <= std::max(exact[child].first, tau_min));
+            }
+            if ((mask >> child & 1) != 0) {
+                REQUIRE(!std::signbit(keys[child]));
+                REQUIRE(keys[child] <= limit);
+            }
+            counts.met += is_met ? 1 : 0;
+            // What is outside of the lattice may be moved outward by more.
+            const bool is_inside = std::equal(boxed.high[child], boxed.high[child] + 3, met_high[child]);
+            if (is_met || !is_inside) continue;
+            if (!meets(interval(ray, boxed.low[child], met_high[child], 2 * slack))) {
+                ++counts.passed;
+                REQUIRE((mask >> child & 1) == 0);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("slab test") {
+    TEST_CASE("slab test: no box that a ray meets is refused and none that it clearly passes is visited") {
+        for (unsigned bits = 1; bits <= format::max_bits; ++bits) {
+            Counts counts;
+            for (std::uint64_t i = 0; i < scaled(200); ++i) {
+                Random random(1000 * bits + i);
+                check(random, bits, counts);
+            }
+            CAPTURE(bits);
+            CHECK(counts.met > scaled(200));
+            if (bits > 6) CHECK(counts.passed > scaled(100));
+        }
+    }
+}
