@@ -84,9 +84,9 @@ struct IdWalk {
 
     /// Takes the step of the kind that was found.
     void take_step() {
+        static_assert(format::ids::offset_at == 0);
         fields.bit += load_u8(kind + format::ids::prefix_at);
-        const std::uint32_t number = recent[load_u8(kind + format::ids::from_at)] +
-                                     load_u32(kind + format::ids::offset_at) +
+        const std::uint32_t number = recent[load_u8(kind + format::ids::from_at)] + load_u32(kind) +
                                      fields.take(load_u8(kind + format::ids::width_at));
         for (unsigned place = load_u8(kind + format::ids::replaced_at); place != 0; --place)
             recent[place] = recent[place - 1];

@@ -131,6 +131,11 @@ TEST_SUITE("open ids") {
             CHECK(Section{format::Profile::balanced, 7, {{}}, zeros(bytes), {0}, 1024 / 3}.status() ==
                   (bytes == 2 ? Status::ok : Status::bad_section));
         }
+        // 256 numbers take 8 bits, one more takes 9.
+        for (const std::uint64_t numbers : {256u, 257u}) {
+            CHECK(Section{format::Profile::fast, 7, {{}}, zeros(1), {0}, numbers}.status() ==
+                  (numbers == 256 ? Status::ok : Status::bad_section));
+        }
     }
 
     TEST_CASE("open: each block of ids has the steps that are left for it") {
@@ -142,6 +147,7 @@ TEST_SUITE("open ids") {
             CHECK(status(65, 102) == Status::ok);
             CHECK(status(65, 101) == Status::bad_section);
             CHECK(status(65, 98) == Status::bad_section);
+            CHECK(status(65, 66) == Status::bad_section);  // the steps would end behind the blob
             CHECK(status(65, 103) == Status::bad_section);
             CHECK(status(65, 106) == Status::bad_section);
             CHECK(status(64, 102) == Status::bad_section);
