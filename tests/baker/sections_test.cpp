@@ -75,7 +75,7 @@ TEST_SUITE("sections") {
         });
     }
 
-    TEST_CASE("source triangle: ids take half of one width in scan order and 5 % more than it in random order") {
+    TEST_CASE("source triangle: ids take half of one width in scan order and hardly more in random order") {
         for_each_profile([](format::Profile profile) {
             BakeOptions with = with_profile(profile), without = with;
             with.original_ids = true;

@@ -300,7 +300,7 @@ void check(Random& random, unsigned bits, Counts& counts) {
 }  // namespace
 
 TEST_SUITE("slab test") {
-    TEST_CASE("slab test: no box that a ray meets is refused and none that it clearly passes is visited") {
+    TEST_CASE("ray: no box that a ray meets is refused and none that it clearly passes is visited") {
         for (unsigned bits = 1; bits <= format::max_bits; ++bits) {
             Counts counts;
             for (std::uint64_t i = 0; i < scaled(200); ++i) {
