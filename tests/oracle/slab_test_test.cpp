@@ -174,7 +174,7 @@ Ray make_ray(Random& random, const detail::BlobData& blob, const std::int64_t* l
     int scale = 1;
     while (longest * scale < 1 << 23) scale *= 2;
     const double room = std::ldexp(1.0, static_cast<int>(random.below(random.below(8) == 0 ? 40 : 24)));
-    const double times = std::max(1.0, std::floor(room * double{random.unit()} / longest));
+    const double times = std::max(1.0, std::floor(room * static_cast<double>(random.unit()) / longest));
     const double part = random.coin() ? 1.0 : 0.5;
     Ray ray;
     float* const origin[3] = {&ray.origin.x, &ray.origin.y, &ray.origin.z};
@@ -229,7 +229,7 @@ float float_at_most(const Rational& number) {
 double reach(const detail::BlobData& blob, const detail::LatticeRay& ray) {
     double result = 0;
     for (unsigned k = 0; k < 3; ++k) {
-        const double origin = detail::origin_steps(ray, k);
+        const double origin = static_cast<double>(detail::origin_steps(ray, k));
         result = std::max({result, std::abs(origin), std::abs(blob.extent[k] - origin)});
     }
     return result;

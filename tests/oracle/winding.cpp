@@ -71,7 +71,7 @@ double winding(std::span<const WholeTriangle> triangles, const WholePoint& point
         const Number volume = static_cast<Number>(dot(a, cross(b, c)));
         const Number beside = la * lb * lc + inner(a, b) * lc + inner(b, c) * la + inner(c, a) * lb;
         // The sum above cancels and needs the digits; an angle of two numbers does not, and is faster of doubles.
-        sum += 2 * std::atan2(static_cast<double>(volume), static_cast<double>(beside));
+        sum += static_cast<Number>(2 * std::atan2(static_cast<double>(volume), static_cast<double>(beside)));
     }
     return static_cast<double>(sum / (4 * std::numbers::pi_v<Number>));
 }
