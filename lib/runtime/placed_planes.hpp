@@ -34,7 +34,7 @@ constexpr float steps_to_one(unsigned bits) { return power_of_two(1 + static_cas
 }  // namespace placed
 
 /// As RayLanes, for placed coordinates: tau of a plane is placed coordinate * inverse + offset.
-struct PlacedLanes {
+struct PlacedRayLanes {
     alignas(16) float inverse[4];
     alignas(16) float near_offset[4];
     alignas(16) float far_offset[4];
@@ -43,7 +43,7 @@ struct PlacedLanes {
     PlaneOrder planes;
 };
 
-inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope, PlacedLanes& lanes) {
+inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope, PlacedRayLanes& lanes) {
     const float slack_steps = slope.slack_steps + placed::slack_units * placed::unit(blob.bits);
     unsigned signs = 0;
     for (unsigned k = 0; k < 3; ++k) {
@@ -61,7 +61,7 @@ inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlo
 }
 
 /// Whether the ray meets the asset's box, widened like the planes of a node.
-inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const PlacedLanes& lanes) {
+inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const PlacedRayLanes& lanes) {
     float enter = ray.tau_min;
     float leave = infinity;
     for (unsigned k = 0; k < 3; ++k) {

@@ -8,7 +8,7 @@ Every day
   check       Builds the runtime and the baker and runs their unit tests (3 minutes from nothing).
   format      Formats the C and C++ files with clang-format 14; format --check only lists those that differ.
   test        Builds everything and runs every test, then again under the sanitizers (20 minutes).
-              test --strict fails at a compiler warning too, as continuous integration does.
+              test --strict fails at a compiler warning or a missing include too, as continuous integration does.
   lint        Runs clang-tidy and cppcheck over lib and tools (10 minutes).
   bench       Measures Espalier and the peers Embree, Bullet, ODE and FCL: bench [OPTION...] MESH...
               bench --help lists the options.

@@ -26,10 +26,10 @@ run_tests() {
 }
 
 run_all_tests() {
-    local warnings_are_errors=OFF
+    local warnings_are_errors=OFF precompile_headers=ON
     export WERROR=-Wno-error  # for the tests that run a compiler
     case ${1-} in
-        --strict) warnings_are_errors=ON WERROR=-Werror ;;
+        --strict) warnings_are_errors=ON precompile_headers=OFF WERROR=-Werror ;;  # also at a missing include
         ?*) fail "test [--strict]: '$1' is no option" ;;
     esac
     install_missing "${build_packages[@]}" "${tool_packages[@]}" "${test_packages[@]}"
@@ -38,7 +38,8 @@ run_all_tests() {
     install_missing "${late_test_packages[@]}" "${machine_packages[@]}" $(wasm_packages) $(formatter_packages) &
     local installation=$!
     local built=no
-    if build build/release all --preset release -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors"; then built=yes; fi
+    if build build/release all --preset release -DESPALIER_WARNINGS_ARE_ERRORS="$warnings_are_errors" \
+        -DESPALIER_PRECOMPILE_HEADERS="$precompile_headers"; then built=yes; fi
     wait "$installation" || fail "packages are missing"
     if [[ $built == yes ]]; then
         run_tests build/release

@@ -22,8 +22,8 @@
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace espalier::detail::avx2 {
 
-using RayLanes = PlacedLanes;
-using PreparedRay = PreparedRayIn<PlacedLanes>;
+using RayLanes = PlacedRayLanes;
+using PreparedRay = PreparedRayIn<PlacedRayLanes>;
 
 inline constexpr unsigned lanes = 8;
 struct Floats {

@@ -15,7 +15,7 @@ inline void spread_in_lanes(const BlobData& blob, __m128 minus_origin, __m128 in
     lanes_.planes = &planes;
 }
 inline void spread_in_lanes(const BlobData& blob, __m128 minus_origin, __m128 inverse, float slack_steps,
-                            const PlaneOrder& planes, PlacedLanes& lanes_) {
+                            const PlaneOrder& planes, PlacedRayLanes& lanes_) {
     const __m128 placed_inverse = _mm_mul_ps(inverse, _mm_set1_ps(placed::steps_to_one(blob.bits)));
     const __m128 middle = _mm_sub_ps(_mm_mul_ps(minus_origin, inverse), placed_inverse);
     const float whole_slack = slack_steps + placed::slack_units * placed::unit(blob.bits);
@@ -31,7 +31,7 @@ inline void spread_in_lanes(const BlobData& blob, __m128 minus_origin, __m128 in
 
 /// Coordinate 0 of each axis, times the inverse.
 inline __m128 asset_low(const detail::RayLanes&) { return _mm_setzero_ps(); }
-inline __m128 asset_low(const PlacedLanes& lanes_) { return _mm_load_ps(lanes_.inverse); }
+inline __m128 asset_low(const PlacedRayLanes& lanes_) { return _mm_load_ps(lanes_.inverse); }
 /// meets_asset, for a window from 0 on.
 template <class Lanes>
 [[gnu::always_inline]] inline bool meets_asset_in_lanes(const BlobData& blob, __m128 inverse, const Lanes& lanes_) {
