@@ -309,7 +309,7 @@ TEST_SUITE("slab test") {
             }
             CAPTURE(bits);
             CHECK(counts.met > scaled(200));
-            if (bits > 6) CHECK(counts.passed > scaled(100));
+            if (bits > 6) CHECK(counts.passed > scaled(30));
         }
     }
 }

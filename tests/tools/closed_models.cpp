@@ -26,10 +26,14 @@ namespace {
 constexpr std::size_t most_triangles = 60'000;
 constexpr std::uintmax_t largest_file = 8'000'000;
 
+/// Nothing when a triangle names a vertex that its mesh does not have.
 Mesh joined_meshes(const tools::Imported& imported) {
     Mesh all;
     for (const tools::ImportedMesh& mesh : imported.meshes) {
         const auto first = static_cast<std::uint32_t>(all.positions.size());
+        for (const TriangleVertices& triangle : mesh.triangles)
+            for (const std::uint32_t vertex : triangle)
+                if (vertex >= mesh.positions.size()) return {};
         all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
         for (const auto& [a, b, c] : mesh.triangles) all.triangles.push_back({first + a, first + b, first + c});
     }
