@@ -33,9 +33,9 @@ inline __m256i load_lanes(const Number* from) {
 }
 /// Eight bytes of the blob in all halves of a register, loaded like a word.
 inline __m256i splat_bytes_at(const std::byte* at) {
-    double bits;
+    long long bits;
     __builtin_memcpy(&bits, at, sizeof bits);
-    return _mm256_castpd_si256(_mm256_set1_pd(bits));
+    return _mm256_set1_epi64x(bits);
 }
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
