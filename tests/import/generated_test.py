@@ -97,6 +97,11 @@ def obj(claims):
     box("the last line needs no end", obj_box().rstrip("\n"))
     box("a backslash continues a line", obj_box(separator=" \\\n"))
     box("a backslash at the end of a comment continues nothing", obj_box(first="# C:\\box\\"))
+    box("a backslash at the end of a comment behind numbers continues nothing",
+        obj_box().replace("\n", " # C:\\box\\\n").replace("v 0 0 0", "v 0 \\\n0 0"))
+    for statement in ("o", "g", "usemtl", "mtllib", "usemap"):
+        box(f"a backslash at the end of a name of '{statement}' is part of it", obj_box().replace("f 1", f"{statement} C:\\box\\\nf 1", 1))
+    box("a backslash between names continues a line", obj_box().replace("f 1", "g front \\\nback\nf 1", 1))
     box("a comment may follow numbers", obj_box().replace("\n", " # note 7\n"))
     box("UTF-8 may begin with a byte order mark", b"\xef\xbb\xbf" + obj_box().encode())
     for encoding, mark in (("utf-16-le", b"\xff\xfe"), ("utf-16-be", b"\xfe\xff")):

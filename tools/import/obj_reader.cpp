@@ -28,6 +28,9 @@ constexpr std::string_view harmless[] = {
     "lod",  "d_interp", "c_interp", "bevel", "ctech", "stech",  "cstype", "deg",        "bmat",
     "step", "parm",     "trim",     "hole",  "scrv",  "sp",     "end",    "con",        "usemat",
 };
+/// Statements of names, which may end with a backslash as folders do.
+constexpr std::string_view naming[] = {"o",      "g",      "usemtl",     "mtllib",   "usemap",
+                                       "maplib", "usemat", "shadow_obj", "trace_obj"};
 /// Statements that add a surface or a curve, which no triangle of the file approximates.
 constexpr std::string_view free_form[] = {"surf", "curv", "curv2", "bsp", "bzp", "cdc", "cdp", "res"};
 
@@ -84,13 +87,26 @@ public:
     }
 
 private:
-    /// A backslash at the end of a line continues it in the next one; in comments it is text.
+    /// A backslash at the end of a line continues it in the next one. In comments it is text, and in a name too:
+    /// between names it is a word of its own.
+    static bool continues(std::string_view line, bool is_naming) {
+        if (!line.ends_with('\\')) return false;
+        Words words(line);
+        std::string_view last;
+        for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+            if (word.starts_with('#')) return false;
+            last = word;
+        }
+        return !is_naming || last == "\\";
+    }
+
     std::string_view joined(std::string_view line, Lines& lines) {
-        if (!line.ends_with('\\') || Words(line).next().starts_with('#')) return line;
+        const bool is_naming = contains(naming, Words(line).next());
+        if (!continues(line, is_naming)) return line;
         joined_.clear();
         bool more = true;
         while (more) {
-            more = line.ends_with('\\');
+            more = continues(line, is_naming);
             joined_.append(line.substr(0, line.size() - (more ? 1 : 0)));
             joined_ += ' ';
             more = more && lines.next(line);
