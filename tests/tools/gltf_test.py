@@ -248,6 +248,18 @@ def positions():
     gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(rows, BYTE, True, 4)},
                               "indices": gltf.accessor([[i] for f in FACES for i in f], UNSIGNED_BYTE)}))
     bakes(gltf, solid(points=[(-1, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]))
+    claim("a flag of normalised integers changes no float")
+    gltf = solid_file(scale=[-1, -1, -1])
+    gltf.json["accessors"][0]["normalized"] = True
+    negative = [tuple(-x for x in p) for p in POINTS]
+    bakes(gltf, solid(points=negative, mirrored=True))
+    gltf = Gltf()
+    gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(negative, normalized=True)},
+                              "indices": gltf.accessor([[i] for f in FACES for i in f], UNSIGNED_BYTE)}))
+    bakes(gltf, solid(points=negative))
+    gltf = draco_file(negative)
+    gltf.json["accessors"][0]["normalized"] = True
+    bakes(gltf, solid(points=negative))
     claim("sparse positions replace stored ones, or zeros, with indices of every type")
     for component in (UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT):
         for view in (None, False):

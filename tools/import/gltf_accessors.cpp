@@ -88,7 +88,7 @@ double GltfAccessor::number(std::size_t element, std::size_t of) const {
     const std::byte* at = place(element, of);
     if (at == nullptr) return 0.0;
     const double value = value_at(at, component);
-    return normalised ? std::max(value / largest(component), -1.0) : value;
+    return normalised && component != GltfComponent::float_32 ? std::max(value / largest(component), -1.0) : value;
 }
 
 std::uint32_t GltfAccessor::whole(std::size_t element, std::size_t of) const {

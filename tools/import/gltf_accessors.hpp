@@ -30,14 +30,14 @@ struct GltfAccessor {
     std::size_t count = 0;
     std::size_t components = 0;
     GltfComponent component = GltfComponent::float_32;
-    bool normalised = false;
+    bool normalised = false;           ///< of integers; glTF forbids it for float32, where it changes nothing
     std::span<const std::byte> bytes;  ///< empty: all are zero
     std::size_t stride = 0;
     std::vector<std::uint32_t> replaced;                  ///< sparse: ascending elements
     std::span<const std::byte> replacements;              ///< sparse: what they are instead, without gaps
     std::shared_ptr<const std::vector<std::byte>> owned;  ///< what `bytes` points into, unless a buffer
 
-    /// Returns a component: a normalised integer as -1..1 or 0..1, others by their value.
+    /// Returns a component: a normalised integer as -1..1 or 0..1, other numbers by their value.
     [[nodiscard]] double number(std::size_t element, std::size_t of) const;
     /// Returns a component of an unsigned integer type.
     [[nodiscard]] std::uint32_t whole(std::size_t element, std::size_t of) const;
