@@ -135,6 +135,14 @@ def obj(claims):
     claims.bakes("OBJ: a polygon that crosses itself is warned of", "crossing.obj",
                  "v 0 0 0\nv 4 0 0\nv 1 3 0\nv 2 -2 0\nv 3 3 0\nf 1 2 3 4 5\n", 3, ([0, -2, 0], [4, 3, 0]), ["crossing_polygon"])
 
+    for axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        bow = "".join("v {} {} {}\n".format(*(corner[axis] for axis in axes)) for corner in ((1, 1, 5), (3, 3, 5), (3, 1, 5), (1, 3, 5)))
+        bounds = ([(1, 1, 5)[axis] for axis in axes], [(3, 3, 5)[axis] for axis in axes])
+        claims.bakes("OBJ: a polygon that crosses itself is warned of also if its parts cancel out", "bow.obj", bow + "f 1 2 3 4\n",
+                     2, bounds, ["crossing_polygon"])
+    claims.bakes("OBJ: a polygon without area is no crossing one", "line.obj", SQUARE + "f 1 2 3 4\nf 1 2 1 3\nf 1 3 1 3\n", 2, SQUARE_BOUNDS,
+                 options=["--max-dropped", "100"])
+
     groups = SQUARE + "f 1 2 3\no roof\nf 1 3 4\ng a b\nf 1 2 4\no roof\nf 2 3 4\no empty\n"
     claims.bakes("OBJ: objects and groups with faces are meshes", "groups.obj", groups, 4, SQUARE_BOUNDS, meshes=3)
     claims.bakes("OBJ: points, lines and unused vertices are counted", "loose.obj",

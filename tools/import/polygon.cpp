@@ -14,10 +14,11 @@ void append_fan(std::uint32_t corners, std::vector<TriangleVertices>& triangles)
 
 bool PolygonCutter::cut(std::span<const Vec3> polygon, std::vector<TriangleVertices>& triangles) {
     const auto corners = static_cast<std::uint32_t>(polygon.size());
+    const View view = corners == 3 ? View::not_finite : project(polygon);
     // Corners that are not finite are for the baker to refuse or to drop.
-    if (corners == 3 || !project(polygon)) {
+    if (view != View::projected) {
         append_fan(corners, triangles);
-        return true;
+        return view == View::not_finite;
     }
     if (corners == 4) return cut_quad(triangles);
     if (!is_convex()) return cut_ears(triangles);
@@ -25,24 +26,28 @@ bool PolygonCutter::cut(std::span<const Vec3> polygon, std::vector<TriangleVerti
     return true;
 }
 
-/// Leaves out the axis along which the normal is longest. Returns false if a corner is not finite.
-bool PolygonCutter::project(std::span<const Vec3> polygon) {
+/// Leaves out the axis along which the normal is longest.
+PolygonCutter::View PolygonCutter::project(std::span<const Vec3> polygon) {
     const auto from_first = [&polygon](std::size_t corner) {
         return std::array{static_cast<double>(polygon[corner].x) - static_cast<double>(polygon[0].x),
                           static_cast<double>(polygon[corner].y) - static_cast<double>(polygon[0].y),
                           static_cast<double>(polygon[corner].z) - static_cast<double>(polygon[0].z)};
     };
     std::array<double, 3> normal{};
+    bool has_area = false;
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         const auto a = from_first(i - 1);
         const auto b = from_first(i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::size_t u = (axis + 1) % 3;
             const std::size_t v = (axis + 2) % 3;
-            normal[axis] += a[u] * b[v] - a[v] * b[u];
+            const double part = a[u] * b[v] - a[v] * b[u];
+            normal[axis] += part;
+            has_area = has_area || part != 0.0;
         }
     }
-    if (!std::isfinite(normal[0] + normal[1] + normal[2])) return false;
+    if (!std::isfinite(normal[0] + normal[1] + normal[2])) return View::not_finite;
+    if (has_area && normal == std::array<double, 3>{}) return View::cancels_out;
     std::size_t axis = 0;
     for (const std::size_t other : {std::size_t{1}, std::size_t{2}}) {
         if (std::abs(normal[other]) > std::abs(normal[axis])) axis = other;
@@ -55,7 +60,7 @@ bool PolygonCutter::project(std::span<const Vec3> polygon) {
         const auto point = from_first(i);
         points_.push_back({point[u], point[v]});
     }
-    return true;
+    return View::projected;
 }
 
 /// Twice the area; positive if the corners run counter-clockwise.

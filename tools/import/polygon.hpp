@@ -22,7 +22,10 @@ public:
 private:
     using Point = std::array<double, 2>;
 
-    bool project(std::span<const Vec3> polygon);
+    /// How a polygon looks along its normal. `cancels_out`: it has none, though parts of it have an area.
+    enum class View : std::uint8_t { projected, not_finite, cancels_out };
+
+    View project(std::span<const Vec3> polygon);
     [[nodiscard]] double area(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
     [[nodiscard]] bool is_convex() const;
     bool cut_quad(std::vector<TriangleVertices>& triangles) const;
