@@ -124,7 +124,7 @@ def refused(gltf, code, *words, name="case.gltf"):
     if os.path.exists("refused.espl"):
         os.remove("refused.espl")
     done = run("bake", gltf, "-o", "refused.espl", "--json", code=code)
-    if json.loads(done.stdout)["error"]["file"] != gltf:
+    if done.returncode == code and json.loads(done.stdout)["error"]["file"] != gltf:
         fail("the error in JSON names another file: %s" % done.stdout)
     for word in words:
         if word not in done.stderr:
@@ -197,6 +197,14 @@ def topology():
                              "indices": gltf.accessor([[POINTS.index(c)] for c in corners], component)}
             gltf.node(mesh=gltf.mesh(primitive))
             bakes(gltf, expected)
+    claim("a primitive without positions is left out with a warning")
+    gltf = Gltf()
+    gltf.node(mesh=gltf.mesh(solid_primitive(gltf), {"attributes": {"NORMAL": gltf.accessor(POINTS)}}))
+    warned(bakes(gltf, solid()), "missing_positions")
+    claim("an accessor without elements is refused by number")
+    gltf = solid_file()
+    gltf.json["accessors"][1]["count"] = 0
+    refused(gltf, 3, "glTF mesh 0", "indices", "accessor 1", "count")
     claim("points and lines are counted as skipped")
     for mode, count in ((0, 4), (1, 2), (2, 4), (3, 3)):
         gltf = Gltf()
@@ -322,6 +330,11 @@ def scenes():
             document = gltf.document
             gltf.document = lambda uri=None: {k: v for k, v in document(uri).items() if k != "scene" and v != []}
         warned(bakes(gltf, expected), "scene_left_out", warns)
+    claim("a mesh that no node uses is left out with a warning")
+    gltf = solid_file()
+    gltf.mesh(solid_primitive(gltf), name="spare")
+    warned(bakes(gltf, solid()), "unused_mesh")
+    warned(bakes(solid_file(), solid()), "unused_mesh", False)
     claim("nodes that are no forest are refused by number")
     gltf = solid_file(children=[1])
     gltf.node(children=[0])
@@ -443,6 +456,10 @@ def instances():
     bakes(instanced_file(TRANSLATION=(places,), ROTATION=(quaternions,), SCALE=(sizes,)), everything)
     short = [[round(x * 32767) for x in q] for q in quaternions]
     bakes(instanced_file(TRANSLATION=(places,), ROTATION=(short, SHORT, True), SCALE=(sizes,)), everything, tolerance=1e-3)
+    claim("instances of which there are none are refused")
+    gltf = instanced_file(TRANSLATION=(places,))
+    gltf.json["accessors"][2]["count"] = 0
+    refused(gltf, 3, "node 0", "accessor 2", "count")
     claim("instances of different counts, and of a skinned mesh, are refused")
     refused(instanced_file(TRANSLATION=(places,), SCALE=(sizes[:2],)), 3, "node 0", "different numbers")
     gltf = skin_file([[1, 0, 0, 0]] * 4)
@@ -508,6 +525,16 @@ def draco():
     refused(draco_file(damage=lambda b: b[:40]), 3, "primitive 0", "KHR_draco_mesh_compression", "damaged", name="case.glb")
     refused(draco_file(damage=lambda b: b"OTHER" + b[5:]), 3, "KHR_draco_mesh_compression", name="case.glb")
     refused(draco_file(POSITION=8), 3, "attribute 8", name="case.glb")
+    gltf = draco_file(NORMAL=7)
+    del gltf.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"]["POSITION"]
+    refused(gltf, 3, "KHR_draco_mesh_compression", "POSITION", name="case.glb")
+    claim("Draco data of another size than their accessors raise a warning")
+    for accessor, count in ((0, 5), (1, 15)):
+        gltf = draco_file()
+        gltf.json["accessors"][accessor]["count"] = count
+        warned(bakes(gltf, solid()), "draco_count")
+    warned(bakes(draco_file(), solid()), "draco_count", False)
+    claim("other damage to a primitive of Draco is refused")
     gltf = draco_file()
     del gltf.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["bufferView"]
     refused(gltf, 3, "KHR_draco_mesh_compression", "bufferView", name="case.glb")

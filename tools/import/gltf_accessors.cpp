@@ -114,6 +114,7 @@ GltfAccessor GltfAccessors::described(std::size_t number, GltfUse use, std::stri
     }
     result.normalised = json.flag("normalized");
     result.count = json.required_whole("count");
+    if (result.count == 0) json.fail("its count is 0, and glTF requires at least one element");
     result.components = components_of(json.text_of("type"));
     const Allowed allowed = allowed_for(use);
     if (result.components != allowed.components || !allows(allowed.types, result.component, result.normalised)) {

@@ -145,6 +145,8 @@ private:
         ImportedMesh mesh = meshes_.begin(name, primitive.triangles.size());
         file_.points_and_lines += primitive.points_and_lines;
         if (primitive.left_over_corners > 0) left_over_.add(mesh);
+        if (!primitive.has_positions) without_positions_.add(mesh);
+        if (primitive.differs_from_accessors) differing_.add(mesh);
         if (primitive.is_morphed()) morphed_.add(mesh);
         const bool is_skinned = joints != nullptr && !primitive.influences.empty();
         if (is_skinned) skinned_.add(mesh);
@@ -199,6 +201,13 @@ private:
                    "the export.");
         warn_about(left_over_, "incomplete_triangle",
                    "ends with one or two corners, too few for a triangle, which are left out. Export it again.");
+        warn_about(without_positions_, "missing_positions",
+                   "has a primitive without the attribute POSITION, which is left out. Export it with positions.");
+        warn_about(
+            differing_, "draco_count",
+            "has other numbers of corners or vertices in its Draco data than its accessors state, and is baked as "
+            "the data has it. Export it again.");
+        warn_about_unused_meshes();
         if (nodes_.left_out.empty()) return;
         file_.warnings.push_back(
             {"scene_left_out",
@@ -207,6 +216,22 @@ private:
                   ", is in no scene or in another one than the default scene, and is left out. Export the scenes one "
                   "by one to bake them."),
              file_.path, std::nullopt, std::nullopt});
+    }
+
+    /// Meshes that no node of any scene names.
+    void warn_about_unused_meshes() {
+        std::vector<bool> is_used(root_.size_of("meshes"));
+        for (std::size_t i = 0; i < root_.size_of("nodes"); ++i) {
+            if (const auto mesh = gltf_node(root_, i).index("mesh", is_used.size())) is_used[*mesh] = true;
+        }
+        const auto unused = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), false));
+        if (unused == 0) return;
+        const auto first = static_cast<std::size_t>(std::find(is_used.begin(), is_used.end(), false) - is_used.begin());
+        file_.warnings.push_back({"unused_mesh",
+                                  text(mesh_object(first).words(), ": no node uses the mesh, and it is left out.",
+                                       unused > 1 ? text(" The file has ", unused, " such meshes.") : "",
+                                       " Give it a node in the scene to bake it."),
+                                  file_.path, std::nullopt, std::nullopt});
     }
 
     void warn_about(const Found& found, const char* kind, const char* what) {
@@ -227,7 +252,7 @@ private:
     Placement asset_;
     std::map<std::size_t, std::size_t> uses_left_;
     std::map<std::size_t, std::vector<GltfPrimitive>> primitives_;
-    Found skinned_, unweighted_, morphed_, left_over_;
+    Found skinned_, unweighted_, morphed_, left_over_, without_positions_, differing_;
 };
 
 }  // namespace

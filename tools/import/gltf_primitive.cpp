@@ -25,12 +25,16 @@ public:
           extension_(object.extension("KHR_draco_mesh_compression")) {
         if (!extension_) return;
         packed_attributes_ = extension_->object("attributes");
+        if (!packed_attributes_ || !packed_attributes_->has("POSITION")) {
+            extension_->fail("its \"attributes\" have no POSITION");
+        }
         const std::size_t view = extension_->required_index("bufferView", views.count());
         draco_.emplace(*extension_, views.view(view).bytes);
     }
 
     [[nodiscard]] bool has(const std::string& name) const { return attributes_ && attributes_->has(name.c_str()); }
     [[nodiscard]] bool is_packed() const { return draco_.has_value(); }
+    [[nodiscard]] bool differs_from_accessors() const { return differs_from_accessors_; }
 
     GltfAccessor attribute(const std::string& name, GltfUse use) {
         const std::size_t number = attributes_->required_index(name.c_str(), accessors_.count());
@@ -39,12 +43,20 @@ public:
             return accessors_.accessor(number, use, words);
         }
         const std::uint64_t id = packed_attributes_->required_whole(name.c_str());
-        return draco_->attribute(*extension_, id, accessors_.described(number, use, words));
+        const GltfAccessor described = accessors_.described(number, use, words);
+        GltfAccessor result = draco_->attribute(*extension_, id, described);
+        differs_from_accessors_ = differs_from_accessors_ || result.count != described.count;
+        return result;
     }
 
     std::optional<GltfAccessor> indices() {
-        if (draco_) return draco_->indices();
         const auto number = object_.index("indices", accessors_.count());
+        if (draco_) {
+            GltfAccessor result = draco_->indices();
+            differs_from_accessors_ =
+                differs_from_accessors_ || (number && result.count != accessors_.claimed_count(*number));
+            return result;
+        }
         if (!number) return std::nullopt;
         return accessors_.accessor(*number, GltfUse::index, text(object_.words(), ", indices"));
     }
@@ -55,6 +67,7 @@ private:
     std::optional<GltfObject> attributes_;
     std::optional<GltfObject> extension_, packed_attributes_;
     std::optional<GltfDracoMesh> draco_;
+    bool differs_from_accessors_ = false;
 };
 
 /// Many primitives may share the vertices of a whole file; each gets those that its triangles use. An index beyond the
@@ -132,10 +145,11 @@ std::vector<GltfAccessor> GltfPrimitive::displacements(const std::vector<double>
 
 GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views) {
     PrimitiveReader reader(object, accessors, views);
-    GltfPrimitive result{object, {}, {}, 0, 0, {}, {}};
+    GltfPrimitive result{.object = object};
     const std::uint64_t mode = object.whole("mode").value_or(gltf_triangles);
     if (reader.is_packed() && mode != gltf_triangles) object.fail("Draco packs triangles, and its mode is another one");
     if (!reader.has("POSITION")) return result;
+    result.has_positions = true;
     result.positions = reader.attribute("POSITION", GltfUse::position);
     require_stored(result.positions, object);
     const auto indices = reader.indices();
@@ -143,6 +157,7 @@ GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& acces
     read_gltf_topology(object, mode, indices, result);
     keep_used_vertices(result);
     result.influences = read_influences(reader, object, result.positions.count);
+    result.differs_from_accessors = reader.differs_from_accessors();
     return result;
 }
 

@@ -19,6 +19,8 @@ struct GltfPrimitive {
     std::vector<std::uint32_t> vertices;      ///< elements of `positions` that triangles use, ascending
     std::uint64_t points_and_lines = 0;
     std::uint64_t left_over_corners = 0;  ///< one or two at the end, too few for a triangle
+    bool has_positions = false;
+    bool differs_from_accessors = false;  ///< Draco packs other numbers of corners or vertices than accessors state
     GltfAccessor positions;
     GltfInfluences influences;  ///< empty: no skin moves it
 
