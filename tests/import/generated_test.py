@@ -272,6 +272,14 @@ def ply(claims):
     claims.bakes("PLY: data after the last element is warned of", "more.ply", text + "4 0 1 2 3\n", 12, BOX_BOUNDS, ["trailing_bytes"])
     patches = text.replace("end_header", "element patch 1\nproperty list uchar int vertex_indices\nend_header") + "3 0 1 2\n"
     claims.bakes("PLY: elements of other names with vertices are warned of", "patch.ply", patches, 12, BOX_BOUNDS, ["unknown_element"])
+    for element, line in (("quad 1\nproperty list uchar int indices", "3 0 1 2"), ("Face 1\nproperty list uchar int Vertex_Indices", "3 0 1 2"),
+                          ("triangle 1\nproperty int v1\nproperty int v2\nproperty int v3", "0 1 2")):
+        claims.bakes("PLY: elements of other names that may be faces are warned of", "other.ply",
+                     text.replace("end_header", f"element {element}\nend_header") + line + "\n", 12, BOX_BOUNDS, ["unknown_element"])
+    colours = "".join(f"property uchar {name}\n" for name in ("red", "green", "blue"))
+    box("edges and materials are no faces", text.replace(
+        "end_header", f"element edge 1\nproperty int vertex1\nproperty int vertex2\n{colours}element material 1\n{colours}end_header") +
+        "0 1 9 9 9\n7 7 7\n")
     claims.bakes("PLY: --repair drops faces whose vertices are missing, with a warning", "missing.ply",
                  text.replace("4 0 1 3 2", "3 0 1 8"), 10, BOX_BOUNDS, ["missing_vertex"], options=["--repair", "--max-dropped", "100"])
 

@@ -41,10 +41,10 @@ public:
             } else {
                 values_.skip_elements(element);
                 if (element.name == "edge") file_.record().points_and_lines += element.count;
-                if (list_of_vertices(element) != nullptr && element.count > 0) {
+                if (may_be_faces(element) && element.count > 0) {
                     warn("unknown_element", text("the header's element '", printable(element.name),
-                                                 "' names vertices, and is neither 'face' nor 'tristrips': it was left "
-                                                 "out."));
+                                                 "' may name the vertices of faces, and is neither 'face' nor "
+                                                 "'tristrips': it was left out."));
                 }
             }
         }
@@ -58,6 +58,16 @@ private:
             if (list != nullptr && list->count_type) return list;
         }
         return nullptr;
+    }
+
+    /// Of an element that the format does not define: it has a list of integers, or three integers.
+    static bool may_be_faces(const PlyElement& element) {
+        if (element.name == "vertex" || element.name == "edge" || element.name == "material") return false;
+        std::size_t integers = 0;
+        for (const PlyProperty& property : element.properties) {
+            if (is_integer(property.type)) integers += property.count_type ? 3u : 1u;
+        }
+        return integers >= 3;
     }
 
     void read_vertices(const PlyElement& element) {
