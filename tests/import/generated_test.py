@@ -326,6 +326,10 @@ def stl(claims):
     box("text", stl_text())
     box("text in capitals with CR LF and tabs", stl_text().upper().replace("\n", "\r\n").replace(" ", "\t"))
     box("text in UTF-16", b"\xff\xfe" + stl_text().encode("utf-16-le"))
+    box("text on one line", stl_text().replace("\n", " "))
+    box("a facet on the line of its solid's name", stl_text(name="a facet").replace("a facet\nfacet", "a facet facet"))
+    claims.refuses("STL: a facet behind the end of its solid is refused", "behind.stl",
+                   stl_text().rstrip("\n") + " " + stl_text(name="roof").replace("\n", " "), "'facet'")
     box("several solids are several meshes", stl_text(TRIANGLES[:5], "a facet") + stl_text([], "none") + stl_text(TRIANGLES[5:]), meshes=2)
     box("bytes after the triangles are warned of", stl_bytes() + b"\0" * 50, warnings=["trailing_bytes"])
     box("a missing 'endsolid' is warned of", stl_text().replace("endsolid box\n", ""), warnings=["missing_end"])

@@ -94,14 +94,13 @@ private:
 
     void read_word(std::string_view word, Words& words) {
         if (is_word(word, "solid") && state_ == State::outside) {
-            name_ = words.rest();
-            words = Words({});
+            name_ = take_name(words);
             state_ = State::solid;
         } else if (is_word(word, "facet") && state_ == State::solid) {
-            words = Words({});  // the normal, which follows from the corners
+            for (int i = 0; i < 4; ++i) words.next();  // the normal, which follows from the corners
             state_ = State::facet;
         } else if (is_word(word, "outer") && state_ == State::facet) {
-            words = Words({});
+            words.next();  // "loop"
             state_ = State::loop;
             loop_begin_ = corners_.size();
         } else if (is_word(word, "vertex") && state_ == State::loop) {
@@ -113,12 +112,27 @@ private:
         } else if (is_word(word, "endfacet") && state_ == State::after_loop) {
             state_ = State::solid;
         } else if (is_word(word, "endsolid") && state_ == State::solid) {
-            words = Words({});
+            take_name(words);
             end_solid();
         } else {
             refuse(text("'", printable(word.substr(0, 40)), "' is not expected ", place(),
                         " of an STL text. Is the file whole?"));
         }
+    }
+
+    /// Returns a solid's name: the rest of the line, or what precedes the first "facet normal" there. The words
+    /// continue behind it.
+    static std::string_view take_name(Words& words) {
+        const std::string_view rest = words.rest();
+        Words left(rest);
+        for (std::string_view word = left.next(); !word.empty(); word = left.next()) {
+            if (!is_word(word, "facet") || !is_word(Words(left).next(), "normal")) continue;
+            const auto length = static_cast<std::size_t>(word.data() - rest.data());
+            words = Words(rest.substr(length));
+            return Words(rest.substr(0, length)).rest();
+        }
+        words = Words({});
+        return rest;
     }
 
     [[nodiscard]] const char* place() const {
