@@ -108,6 +108,9 @@ def obj(claims):
         box(encoding + " with a byte order mark is read", mark + obj_box().encode(encoding))
     box("a long line is read", obj_box(first="# " + "long " * 100000))
     box("colours may follow coordinates", obj_box().replace("\nf", "\nvt 0 0\nf").replace("4\nv", "4 0.5 0.5 1\nv"))
+    repeated = claims.bakes("OBJ: corners that repeat the one before add no triangle", "repeated.obj",
+                            SQUARE + "f 1 2 3 3\nf 1 1 3 4\nf 1 1 2 2\n", 2, SQUARE_BOUNDS)
+    claims.check("OBJ: corners that repeat the one before count as no triangle", repeated.get("source_triangles") == 2, repeated)
     box("a fourth number of 1 changes nothing", "".join(f"v {x} {y} {z} 1.0\n" for x, y, z in BOX) +
         "".join(f"f {' '.join(str(i + 1) for i in quad)}\n" for quad in QUADS))
     box("negative numbers count back from the last vertex",
@@ -157,6 +160,7 @@ def obj(claims):
                  SQUARE + "f 1 2 3\nf 1 2 5\nf 1 -5 3\nf 0 1 2\n", 1, SQUARE_BOUNDS, ["missing_vertex"], options=["--repair", "--max-dropped", "100"])
 
     claims.refuses("OBJ: a vertex that is missing is refused with its number", "missing.obj", SQUARE + "f 1 2 5\n", "vertex 4")
+    claims.refuses("OBJ: a vertex that is missing twice in a face is refused", "missing.obj", SQUARE + "f 1 2 9 9\n", "vertex 8")
     claims.refuses("OBJ: a word that is no number is refused with its line", "word.obj", "v 0 0 0\nv 1,5 0 0\n", "line 2", "'1,5'")
     claims.refuses("OBJ: a corner that is no number is refused with its line", "corner.obj", SQUARE + "f 1 2 x\n", "line 5", "'x'")
     claims.refuses("OBJ: two coordinates are refused", "short.obj", "v 0 0\n", "line 1", "2 coordinates")
@@ -280,6 +284,11 @@ def ply(claims):
     box("edges and materials are no faces", text.replace(
         "end_header", f"element edge 1\nproperty int vertex1\nproperty int vertex2\n{colours}element material 1\n{colours}end_header") +
         "0 1 9 9 9\n7 7 7\n")
+    numbers = ring + [4, 0] + [0, 1, 2, 3] + [3, 4] + [4, 6, 5, 7]
+    data = b"".join(struct.pack("<3f", *corner) for corner in BOX) + struct.pack(f"<i{len(numbers)}i", len(numbers), *numbers)
+    stitched = claims.bakes("PLY: repeated corners that join strips add no triangle", "stitched.ply", strips.encode() + data, 12,
+                            BOX_BOUNDS, closed=True)
+    claims.check("PLY: repeated corners that join strips count as no triangle", stitched.get("source_triangles") == 12, stitched)
     claims.bakes("PLY: --repair drops faces whose vertices are missing, with a warning", "missing.ply",
                  text.replace("4 0 1 3 2", "3 0 1 8"), 10, BOX_BOUNDS, ["missing_vertex"], options=["--repair", "--max-dropped", "100"])
 

@@ -197,6 +197,15 @@ def topology():
                              "indices": gltf.accessor([[POINTS.index(c)] for c in corners], component)}
             gltf.node(mesh=gltf.mesh(primitive))
             bakes(gltf, expected)
+    claim("corners that repeat to join strips add no triangle")
+    gltf = Gltf()
+    order = [0, 1, 2, 3, 3, 1, 1, 0, 3]
+    gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(POINTS)}, "mode": 5,
+                              "indices": gltf.accessor([[i] for i in order], UNSIGNED_BYTE)}))
+    joined = [(0, 1, 2), (1, 3, 2), (1, 0, 3)]
+    done = bakes(gltf, [tuple(POINTS[i] for i in corners) for corners in joined])
+    if done.returncode == 0 and json.loads(done.stdout)["inputs"][0]["triangles"] != 3:
+        fail("the input has more than 3 triangles")
     claim("a primitive without positions is left out with a warning")
     gltf = Gltf()
     gltf.node(mesh=gltf.mesh(solid_primitive(gltf), {"attributes": {"NORMAL": gltf.accessor(POINTS)}}))

@@ -1,6 +1,7 @@
 #include "gltf_topology.hpp"
 
 #include "numbers.hpp"
+#include "polygon.hpp"
 
 namespace espalier::tools {
 
@@ -42,11 +43,10 @@ void read_gltf_topology(const GltfObject& object, std::uint64_t mode, const std:
     }
     primitive.triangles.reserve(corners - 2);
     for (std::size_t i = 0; i + 2 < corners; ++i) {
-        if (mode == strip) {
-            primitive.triangles.push_back({vertex(i), vertex(i + 1 + i % 2), vertex(i + 2 - i % 2)});
-        } else {
-            primitive.triangles.push_back({vertex(i + 1), vertex(i + 2), vertex(0)});
-        }
+        const TriangleVertices triangle =
+            mode == strip ? TriangleVertices{vertex(i), vertex(i + 1 + i % 2), vertex(i + 2 - i % 2)}
+                          : TriangleVertices{vertex(i + 1), vertex(i + 2), vertex(0)};
+        if (!repeats_a_vertex(triangle, primitive.positions.count)) primitive.triangles.push_back(triangle);
     }
 }
 

@@ -276,6 +276,13 @@ private:
         for (std::size_t triangle = first; triangle < mesh.triangles.size(); ++triangle) {
             for (std::uint32_t& index : mesh.triangles[triangle]) index = local_corners_[index];
         }
+        if (corners.size() > 3) {
+            const auto begin = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first);
+            const auto repeats = [&](const auto& triangle) {
+                return repeats_a_vertex(triangle, mesh.positions.size());
+            };
+            mesh.triangles.erase(std::remove_if(begin, mesh.triangles.end(), repeats), mesh.triangles.end());
+        }
         mesh.materials.resize(mesh.triangles.size(), face.material);
     }
 

@@ -158,6 +158,11 @@ private:
         for (std::size_t triangle = first; triangle < triangles_.size(); ++triangle) {
             for (std::uint32_t& index : triangles_[triangle]) index = corners_[index];
         }
+        if (corners_.size() > 3) {
+            const auto begin = triangles_.begin() + static_cast<std::ptrdiff_t>(first);
+            const auto repeats = [&](const auto& triangle) { return repeats_a_vertex(triangle, positions_.size()); };
+            triangles_.erase(std::remove_if(begin, triangles_.end(), repeats), triangles_.end());
+        }
     }
 
     /// A negative number ends a strip. Every second triangle of a strip runs the other way round.
@@ -171,7 +176,8 @@ private:
             if (at < begin + 2) continue;
             const std::uint32_t corners[] = {checked(list_[at - 2]), checked(list_[at - 1]), checked(list_[at])};
             const bool turned = (at - begin) % 2 == 1;
-            triangles_.push_back({corners[turned ? 1 : 0], corners[turned ? 0 : 1], corners[2]});
+            const TriangleVertices triangle{corners[turned ? 1 : 0], corners[turned ? 0 : 1], corners[2]};
+            if (!repeats_a_vertex(triangle, positions_.size())) triangles_.push_back(triangle);
         }
     }
 

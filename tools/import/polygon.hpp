@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +10,13 @@
 #include <espalier/bake.hpp>
 
 namespace espalier::tools {
+
+/// Tests whether all corners are below `vertices` and two are the same one: such a triangle of a polygon or of a strip
+/// has no surface, and readers leave it out.
+inline bool repeats_a_vertex(const TriangleVertices& triangle, std::size_t vertices) {
+    const auto [a, b, c] = triangle;
+    return a < vertices && b < vertices && c < vertices && (a == b || b == c || c == a);
+}
 
 /// Cuts polygons; keeps its memory from one to the next.
 class PolygonCutter {

@@ -196,7 +196,9 @@ def add_primitive(document, primitive, node, mesh, world, worlds, surface):
         indices = [index for (index,) in document.accessor(primitive["indices"])]
     else:
         indices = list(range(len(positions)))
-    for triangle in triangles_of(primitive.get("mode", TRIANGLES), indices):
+    mode = primitive.get("mode", TRIANGLES)
+    for triangle in triangles_of(mode, indices):
         if any(index >= len(placed) for index in triangle):
             raise Broken("index out of range")
-        surface.add([placed[index] for index in triangle])
+        if mode == TRIANGLES or len(set(triangle)) == 3:
+            surface.add([placed[index] for index in triangle])

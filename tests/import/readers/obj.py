@@ -3,7 +3,7 @@
 import codecs
 import re
 
-from .surface import Broken, Surface
+from .surface import Broken, Surface, without_repeats
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$")
 
@@ -51,5 +51,7 @@ def read(path):
             continue
         if not all(0 <= index < len(vertices) for index in face):
             raise Broken("index out of range")
-        surface.add([vertices[index] for index in face])
+        corners = without_repeats(face)
+        if corners:
+            surface.add([vertices[index] for index in corners])
     return surface

@@ -3,7 +3,7 @@
 import re
 import struct
 
-from .surface import Broken, Surface
+from .surface import Broken, Surface, without_repeats
 
 CODES = {
     "char": "b", "int8": "b", "uchar": "B", "uint8": "B", "short": "h", "int16": "h", "ushort": "H", "uint16": "H",
@@ -82,7 +82,9 @@ def surface_of(rows):
     def add(indices):
         if any(index < 0 or index >= len(vertices) for index in indices):
             raise Broken("index out of range")
-        surface.add([vertices[int(index)] for index in indices])
+        corners = without_repeats(indices)
+        if corners:
+            surface.add([vertices[int(index)] for index in corners])
 
     def indices_of(row):
         return row["vertex_indices"] if "vertex_indices" in row else row["vertex_index"]
@@ -97,6 +99,7 @@ def surface_of(rows):
                 strip.append(index)
                 continue
             for i in range(2, len(strip)):
-                add(strip[i - 2:i + 1])
+                if len(set(strip[i - 2:i + 1])) == 3:
+                    add(strip[i - 2:i + 1])
             strip = []
     return surface

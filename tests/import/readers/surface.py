@@ -15,6 +15,14 @@ def area_vector(a, b, c):
     return (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
 
 
+def without_repeats(indices):
+    """The corners of a polygon; of one with more than 3, those that repeat the one before are left out."""
+    if len(indices) <= 3:
+        return indices
+    kept = [index for place, index in enumerate(indices) if index != indices[place - 1]]
+    return kept if len(set(kept)) >= 3 else []
+
+
 class Surface:
     """Counts the triangles of polygons; the bounds are those of polygons with an area."""
 
