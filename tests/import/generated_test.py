@@ -108,6 +108,7 @@ def obj(claims):
         box(encoding + " with a byte order mark is read", mark + obj_box().encode(encoding))
     box("a long line is read", obj_box(first="# " + "long " * 100000))
     box("colours may follow coordinates", obj_box().replace("\nf", "\nvt 0 0\nf").replace("4\nv", "4 0.5 0.5 1\nv"))
+    box("a number too small for any type is 0", obj_box({0: "-.0001e-400", 1: "1", 2: "2", 4: "4e0"}.get))
     repeated = claims.bakes("OBJ: corners that repeat the one before add no triangle", "repeated.obj",
                             SQUARE + "f 1 2 3 3\nf 1 1 3 4\nf 1 1 2 2\n", 2, SQUARE_BOUNDS)
     claims.check("OBJ: corners that repeat the one before count as no triangle", repeated.get("source_triangles") == 2, repeated)
@@ -167,6 +168,9 @@ def obj(claims):
     claims.refuses("OBJ: a binary file is refused", "binary.obj", b"v 0 0 0\n\0\0", "no Wavefront OBJ")
     claims.refuses("OBJ: a call of another file is refused", "call.obj", "call other.obj\n", "line 1", "'call'")
     claims.refuses("OBJ: an infinite coordinate is refused", "infinite.obj", "v 1e39 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "infinity")
+
+    for huge in ("1e400", "-.1e401", "1" + "0" * 400, "1e99999999999999999999"):
+        claims.refuses("OBJ: a coordinate beyond every type is infinite", "infinite.obj", f"v {huge} 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "infinity")
 
     claims.write("library.mtl", "newmtl red\nnewmtl green paint\n")
     faces = ["f 1 2 3", "usemtl green paint", "f 1 3 4", "usemtl unknown", "f 1 2 4", "usemtl red", "f 2 3 4"]
@@ -339,6 +343,8 @@ def stl(claims):
     box("a facet on the line of its solid's name", stl_text(name="a facet").replace("a facet\nfacet", "a facet facet"))
     claims.refuses("STL: a facet behind the end of its solid is refused", "behind.stl",
                    stl_text().rstrip("\n") + " " + stl_text(name="roof").replace("\n", " "), "'facet'")
+    box("numbers too small for any type are 0", stl_text().replace("vertex 0 0 0", "vertex 1e-400 -0e0 1E-999"))
+    claims.refuses("STL: a coordinate beyond every type is infinite", "infinite.stl", stl_text().replace("vertex 0 0 0", "vertex 1e400 0 0", 1), "infinity")
     box("several solids are several meshes", stl_text(TRIANGLES[:5], "a facet") + stl_text([], "none") + stl_text(TRIANGLES[5:]), meshes=2)
     box("bytes after the triangles are warned of", stl_bytes() + b"\0" * 50, warnings=["trailing_bytes"])
     box("a missing 'endsolid' is warned of", stl_text().replace("endsolid box\n", ""), warnings=["missing_end"])

@@ -71,6 +71,17 @@ std::errc parse(std::string_view word, Number& number) {
     return end == word.data() + word.size() ? error : std::errc::invalid_argument;
 }
 
+/// Of a decimal that is out of the range of double: infinity, or zero when its first digit other than 0 is far behind
+/// the point.
+float beyond_double(std::string_view decimal) {
+    const std::size_t end = std::min(decimal.find_first_of("eE"), decimal.size());
+    const auto point = static_cast<std::int64_t>(std::min(decimal.find('.'), end));
+    const auto first = static_cast<std::int64_t>(std::min(decimal.find_first_of("123456789"), end));
+    const std::int64_t exponent = end == decimal.size() ? 0 : parse_integer(decimal.substr(end + 1)).value_or(0);
+    const float size = exponent > first - point ? std::numeric_limits<float>::infinity() : 0.0f;
+    return decimal[0] == '-' ? -size : size;
+}
+
 }  // namespace
 
 std::string read_bytes(const std::string& path) {
@@ -137,9 +148,9 @@ std::optional<float> parse_coordinate(std::string_view word) {
     float value = 0.0f;
     const std::errc error = parse(word, value);
     if (error == std::errc()) return value;
+    if (error != std::errc::result_out_of_range) return std::nullopt;
     double wide = 0.0;
-    if (error == std::errc::result_out_of_range && parse(word, wide) == std::errc()) return nearest_float(wide);
-    return std::nullopt;
+    return parse(word, wide) == std::errc() ? nearest_float(wide) : beyond_double(word);
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view word) {
