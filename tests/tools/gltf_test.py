@@ -319,6 +319,10 @@ def nodes():
     bakes(gltf, solid(scaled(-1, -2, 1)))
     claim("a rotation need not be of length 1")
     bakes(solid_file(rotation=[2 * x for x in quaternion_about_z(90)]), solid(turned_about_z(90)))
+    claim("the last entry of a matrix may be rounded, and no other last row is read")
+    bakes(solid_file(matrix=columns(moved(1, 2, 3))[:15] + [0.9999999]), solid(moved(1, 2, 3)))
+    for last_row in ([0, 0, 0, 0.999], [0, 0, 0, 2], [0.5, 0, 0, 1]):
+        refused(solid_file(matrix=columns(moved(1, 2, 3)[:3] + [last_row])), 3, "node 0", "last row")
     claim("--unit, --scale and --up apply as to other formats")
     bakes(solid_file(), solid(scaled(0.02, 0.02, 0.02)), options=("--unit", "cm", "--scale", "2"))
     bakes(solid_file(), solid([[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]), options=("--up", "z"))

@@ -14,10 +14,13 @@ namespace {
 
 constexpr std::size_t no_parent = std::numeric_limits<std::size_t>::max();
 
+constexpr double largest_rounding = 1e-6;  // some steps of float32 at 1
+
 Placement local_placement(const GltfObject& node) {
     if (const auto columns = node.numbers<16>("matrix")) {
         const auto& m = *columns;
-        if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0) {
+        // Exporters that multiply matrices round the last entry; its digits are no part of the transform.
+        if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || !(std::abs(m[15] - 1.0) <= largest_rounding)) {
             node.fail("the last row of its matrix is not 0 0 0 1");
         }
         Placement result;
