@@ -8,15 +8,56 @@ namespace espalier::tools {
 
 namespace {
 
-// In lower case. assimp has no other way to state that it left something out.
+// All in lower case. assimp has no other way to state that it left something out.
+
+/// A warning with one of these is about a loss; an error needs none.
 constexpr std::string_view losses[] = {
-    "triangulate polygon", "unknown polygon",  "zero indices",     "invalid index",
-    "vertex index",        "vertex reference", "face index",       "face record",
-    "number of faces",     "number of verts",  "face count",       "vertex count",
-    "not enough vertices", "vertex setup",     "indices per face", "mesh group",
-    "find geometry",       "openings",         "window caps",
+    "ignor",        "skip",         "unable",          "failed",         "cannot",           "unsupported",
+    "overflow",     "missing",      "not found",       "invalid",        "unresolved",       "not supported",
+    "zero indices", "vertex index", "face index",      "vertex setup",   "vertex reference", "face record",
+    "number of",    "face count",   "vertex count",    "unexpected eof", "unexpected end",   "indices per face",
+    "incomplete",   "mesh group",   "may have either", "openings",       "unknown polygon",  "not enough",
 };
-constexpr std::string_view looks[] = {"color", "material", "normal", "texture", "tvertex", "uv"};
+/// These do not change where triangles are, unless a word of `geometry` stands beside them.
+constexpr std::string_view looks[] = {"anim",     "binormal", "bone",     "camera", "color",
+                                      "lamp",     "light",    "material", "normal", "shad",
+                                      "skeleton", "tangent",  "texture",  "uv",     "weight"};
+constexpr std::string_view geometry[] = {"external file", "face",   "geometr", "instanced node", "mesh", "polygon",
+                                         "primitive",     "triang", "vert"};
+/// Phrases of reports without a loss, though with the words above.
+constexpr std::string_view harmless[] = {
+    // looks of vertices and faces
+    "no material assigned",
+    "face material list",
+    "material index overflow",
+    "mapping type",
+    "source surface",
+    "tvertex",
+    "uv-face",
+    "uv channel",
+    "color channel",
+    "vertex color",
+    "vertex data channel",
+    "vertex normal",
+    "vmap/vmad",
+    "bone index overflow",
+    "material specified",
+    // parts of a file that are no geometry
+    "chunk: chan",
+    "chunk: obrq",
+    "chunk: phan",
+    "chunk: rsob",
+    "chunk: shbx",
+    "span chunk",
+    "thumbnail",
+    "content_types",
+    "file of unknown type: 3d/3dmodel.model",
+    "ifcpolyline",
+    "md5anim",
+    "md5camera",
+    // read all the same
+    "newer format version",
+};
 
 template <std::size_t count>
 bool contains_any(std::string_view line, const std::string_view (&words)[count]) {
@@ -29,7 +70,9 @@ bool contains_any(std::string_view line, const std::string_view (&words)[count])
 bool reports_lost_geometry(std::string_view line) {
     std::string lower(line);
     for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return contains_any(lower, losses) && !contains_any(lower, looks);
+    if (!lower.starts_with("error") && !contains_any(lower, losses)) return false;
+    if (contains_any(lower, harmless)) return false;
+    return contains_any(lower, geometry) || !contains_any(lower, looks);
 }
 
 }  // namespace espalier::tools

@@ -5,8 +5,8 @@
 
 namespace espalier::tools {
 
-/// Returns true if a warning or an error of assimp is about vertices, faces or openings, and not about what they look
-/// like.
+/// Returns true for an error of assimp, and for a warning that something was left out, unless it is only about looks,
+/// lights, cameras or motion. `line` begins with its severity, as assimp writes it.
 bool reports_lost_geometry(std::string_view line);
 
 }  // namespace espalier::tools
