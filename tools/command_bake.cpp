@@ -145,6 +145,7 @@ ExitCode run_bake(const BakeArguments& arguments) {
         refuse_to_overwrite_input(outputs, input);
     require_writable_mesh(arguments.reorder);
     require_writable(outputs);
+    if (arguments.json) refuse_standard_output(outputs);
     const BakePolicy policy = bake_policy(arguments);
     const ImportOptions source = import_options(arguments.source, arguments.json);
     static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import

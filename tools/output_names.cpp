@@ -49,6 +49,17 @@ void require_writable(std::span<const NamedOutput> outputs) {
     }
 }
 
+void refuse_standard_output(std::span<const NamedOutput> outputs) {
+    for (const NamedOutput& output : outputs) {
+        std::error_code error;
+        if (output.path.empty() || !fs::equivalent(output.path, "/dev/stdout", error) || error) continue;
+        if (fs::equivalent(output.path, "/dev/null", error)) continue;
+        throw CommandError(ExitCode::usage,
+                           text(output.option, ' ', printable(output.path),
+                                ": it is the standard output, where --json writes its document. Give another file."));
+    }
+}
+
 void require_ending(const NamedOutput& output, std::string_view ending, std::string_view what) {
     std::error_code error;
     const fs::file_status status = fs::status(output.path, error);

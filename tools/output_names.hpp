@@ -20,6 +20,9 @@ void refuse_to_overwrite_input(std::span<const NamedOutput> outputs, const std::
 /// for the name "-". An empty path is no output.
 void require_writable(std::span<const NamedOutput> outputs);
 
+/// Throws CommandError (usage) for an output that is the standard output, which has no room for a document as well.
+void refuse_standard_output(std::span<const NamedOutput> outputs);
+
 /// Throws CommandError (usage) unless the path ends in `ending`, or is empty, or no regular file. `what` is written
 /// there.
 void require_ending(const NamedOutput& output, std::string_view ending, std::string_view what);
