@@ -48,7 +48,7 @@ std::string dropped_words(const BakeReport& report) {
     return words;
 }
 
-void refuse_dropped(const BakePolicy& policy, const BakeReport& report) {
+void refuse_dropped(const BakePolicy& policy, const BakeReport& report, std::span<const Warning> warnings) {
     const std::uint64_t dropped = dropped_triangles(report);
     const double source = static_cast<double>(report.source_triangles);
     if (static_cast<double>(dropped) * 100.0 <= policy.max_dropped * source) return;
@@ -59,16 +59,28 @@ void refuse_dropped(const BakePolicy& policy, const BakeReport& report) {
              ". At most ", rounded(policy.max_dropped), " % may be, so nothing was written. Mend the mesh",
              report.collapsed.count > 0 ? " or choose a finer lattice" : "", "; if the loss is intended, ",
              "raise --max-dropped", is_empty ? " and give --allow-empty." : "."),
-        {.kind = "dropped"});
+        {.kind = "dropped", .warnings = {warnings.begin(), warnings.end()}});
 }
 
-void refuse_empty(const BakePolicy& policy, const BakeReport& report) {
+/// Of several files too, each contributes triangles.
+void refuse_empty_file(const BakePolicy& policy, const Imported& imported, std::span<const Warning> warnings) {
+    if (policy.allow_empty) return;
+    for (const ImportedFile& file : imported.files) {
+        if (file.triangles != 0) continue;
+        const std::string cause = file.warnings.empty() ? std::string() : " " + file.warnings.front().message;
+        throw CommandError(ExitCode::invalid_input,
+                           text("'", printable(file.path), "': the input has no triangles, so nothing was written.",
+                                cause, " Check the file; if that is intended, give --allow-empty."),
+                           {.file = file.path, .kind = "empty", .warnings = {warnings.begin(), warnings.end()}});
+    }
+}
+
+void refuse_empty(const BakePolicy& policy, const BakeReport& report, std::span<const Warning> warnings) {
     if (policy.allow_empty || report.triangles != 0) return;
     throw CommandError(ExitCode::invalid_input,
-                       text(report.source_triangles == 0 ? "the input has no triangles" : "no triangle is left",
-                            ", so nothing was written. Check the input; if an empty blob is intended, give "
-                            "--allow-empty."),
-                       {.kind = "empty"});
+                       "no triangle is left, so nothing was written. Check the input; if an empty blob is intended, "
+                       "give --allow-empty.",
+                       {.kind = "empty", .warnings = {warnings.begin(), warnings.end()}});
 }
 
 /// "--unit mm makes it 0.36 m" for each unit with which the size is as expected.
@@ -85,7 +97,8 @@ std::string unit_hints(const BakePolicy::SizeRange& range, const Imported& impor
     return hints.empty() ? hints : hints + ".";
 }
 
-void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
+void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
+                 std::span<const Warning> warnings) {
     if (!policy.expected_size || report.triangles == 0) return;
     const BakePolicy::SizeRange& range = *policy.expected_size;
     if (report.extent >= range.least && report.extent <= range.most) return;
@@ -94,7 +107,7 @@ void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeR
         text("the asset is ", rounded(report.extent), " m across, outside of --expect-size ", printable(range.words),
              ", so nothing was written. Check the unit of its file, which --unit states.",
              unit_hints(range, imported, report.extent)),
-        {.kind = "size"});
+        {.kind = "size", .warnings = {warnings.begin(), warnings.end()}});
 }
 
 }  // namespace
@@ -110,9 +123,10 @@ BakePolicy bake_policy(const BakeArguments& arguments) {
 
 void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
              std::span<const Warning> warnings) {
-    refuse_dropped(policy, report);
-    refuse_empty(policy, report);
-    refuse_size(policy, imported, report);
+    refuse_empty_file(policy, imported, warnings);
+    refuse_dropped(policy, report, warnings);
+    refuse_empty(policy, report, warnings);
+    refuse_size(policy, imported, report, warnings);
     if (policy.strict) refuse_warnings(warnings);
 }
 

@@ -46,6 +46,11 @@ claim "an empty result is an error unless it is allowed"
 refused empty points.obj
 err_has "the input has no triangles"
 err_has "--allow-empty"
+err_has "'points.obj'"
+json '.error.file == "points.obj"'
+refused empty box.obj points.obj
+err_has "'points.obj': the input has no triangles"
+run 0 bake box.obj points.obj -o x.espl --allow-empty
 refused dropped line.obj
 err_has "and give --allow-empty"
 refused dropped line.obj --allow-empty
@@ -62,6 +67,22 @@ json '[.warnings[].kind] == ["unexpected_size"]'
 refused strict box.obj --strict --unit km --bits 23
 json '[.warnings[].kind] == ["rays_rounded_coarsely", "unexpected_size"]'
 run 0 bake box.obj -o x.espl --strict
+
+claim "errors about the whole bake list the warnings too"
+{ write_box_obj 0; echo faces 7; } >unknown.obj
+refused size unknown.obj --expect-size 5..6
+json '[.warnings[].kind] == ["unknown_statement"]'
+{ printf 'v 0 0 0\nv 1 0 0\nl 1 2\nfaces 7\n'; } >nothing.obj
+refused empty nothing.obj
+json '[.warnings[].kind] == ["unknown_statement"]'
+err_has "'faces'"
+
+claim "the standard output takes a blob or a document and not both"
+run 1 bake box.obj -o /dev/stdout --json
+err_has "standard output"
+run 0 bake box.obj -o x.espl
+"$espalier" bake box.obj -o /dev/stdout -q 2>err | cat >y.espl
+same x.espl y.espl
 
 claim "--expect-size refuses a size outside of it with the units that would fit and a size within it is no doubt"
 refused size box.obj --expect-size 0.1m..2.9m
@@ -93,6 +114,18 @@ if ! grep -q __asan_init "$espalier"; then
     run 3 verify box.espl --source huge.off --import-memory 512M --json
     run 3 trade huge.off --import-memory 512M --json
     for amount in 0 -1 many ""; do run 1 bake box.obj -o x.espl --import-memory "$amount"; done
+
+    claim "memory that a reader takes from malloc counts too"
+    awk 'BEGIN { printf "<amf>"
+        for (k = 0; k < 3000; ++k) {
+            printf "<object id=\"%d\"><mesh><vertices>", k
+            for (i = 0; i < 3; ++i) printf "<vertex><coordinates><x>%d</x><y>%d</y><z>%d</z></coordinates></vertex>", i == 1, i == 2, k
+            printf "</vertices><volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object>"
+        }
+        print "</amf>" }' >many.amf
+    for memory in 2M 3M 5M; do refused import_memory many.amf --import-memory $memory; done
+    run 0 bake many.amf -o x.espl --import-memory 512M --json
+    json '.source_triangles == 3000'
 fi
 
 claim "a file that takes longer than --import-seconds is refused by that name and leaves nothing"

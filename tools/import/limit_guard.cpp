@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double bytes_of_mib = 1024.0 * 1024.0;
 
-bool allocation_failed = false;
+std::atomic<bool> allocation_failed = false;
 LastWords time_words;
 
 void note_failed_allocation() {
@@ -31,6 +32,11 @@ std::uint64_t address_space() {
     std::uint64_t pages = 0;
     file >> pages;
     return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void* noted(void* memory, std::size_t bytes) {
+    if (memory == nullptr && bytes != 0) allocation_failed = true;
+    return memory;
 }
 
 }  // namespace
@@ -98,3 +104,25 @@ std::uint64_t default_import_memory() {
 }
 
 }  // namespace espalier::tools
+
+// Libraries that take memory from malloc make a smaller file of a failure. glibc lets a program replace malloc, and
+// has its own under another name; the rest of its functions stays. Sanitizers replace malloc themselves.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
+#define ESPALIER_SANITIZED_MALLOC
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
+    !defined(ESPALIER_SANITIZED_MALLOC)
+extern "C" {
+void* __libc_malloc(std::size_t bytes);
+void* __libc_calloc(std::size_t count, std::size_t bytes);
+void* __libc_realloc(void* memory, std::size_t bytes);
+
+void* malloc(std::size_t bytes) { return espalier::tools::noted(__libc_malloc(bytes), bytes); }
+void* calloc(std::size_t count, std::size_t bytes) {
+    return espalier::tools::noted(__libc_calloc(count, bytes), count == 0 ? 0 : bytes);
+}
+void* realloc(void* memory, std::size_t bytes) { return espalier::tools::noted(__libc_realloc(memory, bytes), bytes); }
+}
+#endif
