@@ -23,10 +23,12 @@
 
 #include "crash_guard.hpp"
 #include "exit_code.hpp"
+#include "hidden_defects.hpp"
 #include "importer_reports.hpp"
 #include "mesh_collector.hpp"
 #include "numbers.hpp"
 #include "text_file.hpp"
+#include "xml_tags.hpp"
 
 namespace espalier::tools {
 
@@ -166,7 +168,7 @@ private:
 /// Formats with readers of their own are never left to assimp, which would find Wavefront OBJ in any file with the
 /// letter v.
 void remove_replaced_importers(Assimp::Importer& importer) {
-    for (const char* ending : {"obj", "ply", "stl", "gltf"}) {
+    for (const char* ending : {"obj", "ply", "stl", "gltf", "raw"}) {
         while (Assimp::BaseImporter* replaced = importer.GetImporter(ending)) {
             importer.UnregisterLoader(replaced);
             delete replaced;
@@ -180,6 +182,9 @@ std::string ending_of(const std::string& path) {
     for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     return ending;
 }
+
+constexpr std::pair<std::string_view, double> amf_units[] = {
+    {"millimeter", 0.001}, {"inch", 0.0254}, {"feet", 0.3048}, {"meter", 1.0}, {"micron", 1e-6}};
 
 /// Reads one file's scene into `imported`.
 class SceneReader {
@@ -196,6 +201,10 @@ public:
         find_unit();
         find_stated_up();
         if (scene_.mRootNode != nullptr) walk(*scene_.mRootNode, meshes_.asset_placement());
+        if (faces_without_corners_ == 0) return;
+        warn("empty_face", text(counted(faces_without_corners_, "face"),
+                                " came without corners: the vertices of such a face are missing in the file, or it has "
+                                "none."));
     }
 
 private:
@@ -228,6 +237,10 @@ private:
         }
     }
 
+    void warn(const char* kind, const std::string& message) {
+        file_.warnings.push_back({kind, text("'", printable(file_.path), "': ", message), file_.path, {}, {}});
+    }
+
     void add_mesh(const aiMesh& source, const Placement& placement) {
         ImportedMesh mesh = meshes_.begin(source.mName.C_Str(), source.mNumFaces);
         if (source.mVertices != nullptr) {
@@ -248,7 +261,11 @@ private:
         mesh.triangles.reserve(source.mNumFaces);
         for (unsigned i = 0; i < source.mNumFaces; ++i) {
             const aiFace& face = source.mFaces[i];
-            if (face.mIndices == nullptr || face.mNumIndices < 3) {
+            if (face.mIndices == nullptr || face.mNumIndices == 0) {
+                ++faces_without_corners_;
+                continue;
+            }
+            if (face.mNumIndices < 3) {
                 ++file_.points_and_lines;
                 continue;
             }
@@ -277,11 +294,35 @@ private:
             const bool applied = std::abs(root_scale - centimetres) < 1e-4 * centimetres;
             file_.metres_per_unit = applied ? 0.01 : centimetres / 100.0;
             file_.unit_origin = text("FBX unit scale factor ", centimetres);
+        } else if (file_.format.find("3mf") != std::string::npos) {
+            file_.metres_per_unit = 0.001;
+            file_.unit_origin = "3MF, whose default is the millimetre";
+            warn("unit_not_read",
+                 "it was taken as millimetres, the default of 3MF; another unit that it states is not read. Give its "
+                 "unit with --unit.");
+        } else if (file_.format.find("AMF") != std::string::npos) {
+            find_amf_unit();
         } else if (file_.format.find("Collada") != std::string::npos || file_.format.find("IFC") != std::string::npos) {
             file_.unit_origin = "converted to metres on import";
         } else {
             file_.unit_origin = "not stated";
         }
+    }
+
+    void find_amf_unit() {
+        const std::string content = utf8_text(read_bytes(file_.path));
+        const std::string stated(xml_attribute(content, "amf", "unit"));
+        for (const auto& [name, metres] : amf_units) {
+            if (stated != name && !(stated.empty() && name == amf_units[0].first)) continue;
+            file_.metres_per_unit = metres;
+            file_.unit_origin =
+                stated.empty() ? std::string("AMF, whose default is the millimetre") : text("AMF unit ", stated);
+            return;
+        }
+        throw CommandError(ExitCode::invalid_input,
+                           text("'", printable(file_.path), "': its unit '", printable(stated),
+                                "' is none of AMF. State the unit with --unit."),
+                           {.file = file_.path});
     }
 
     void find_stated_up() {
@@ -305,6 +346,7 @@ private:
     const ImportOptions& options_;
     ImportedFile& file_;
     MeshCollector meshes_;
+    std::uint64_t faces_without_corners_ = 0;
 };
 
 /// Importers look for a file in several folders, and for files named like the mesh, such as its animation.
@@ -351,6 +393,14 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
             {.file = path});
     }
     SceneReader(*scene, options, file, imported).read();
+    find_hidden_defects(file);
+    if ((scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
+        file.warnings.push_back({"incomplete_scene",
+                                 text("'", printable(path),
+                                      "': its importer states that the scene is incomplete: "
+                                      "triangles may be missing."),
+                                 path, std::nullopt, std::nullopt});
+    }
     if (!is_known_ending && !ending.empty()) {
         file.warnings.push_back({"unknown_ending",
                                  text("'", printable(path), "': there is no importer for '", printable(ending),

@@ -16,6 +16,7 @@
 #include "numbers.hpp"
 #include "obj_reader.hpp"
 #include "ply_reader.hpp"
+#include "raw_reader.hpp"
 #include "stl_reader.hpp"
 
 namespace espalier::tools {
@@ -60,6 +61,7 @@ Import* importer_of(const std::string& path) {
     for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     if (ending == ".obj") return import_obj;
     if (ending == ".ply") return import_ply;
+    if (ending == ".raw") return import_raw;
     if (ending == ".stl" || (ending.empty() && content == "solid")) return import_stl;
     return import_with_assimp;
 }

@@ -119,10 +119,12 @@ void* __libc_malloc(std::size_t bytes);
 void* __libc_calloc(std::size_t count, std::size_t bytes);
 void* __libc_realloc(void* memory, std::size_t bytes);
 
-void* malloc(std::size_t bytes) { return espalier::tools::noted(__libc_malloc(bytes), bytes); }
-void* calloc(std::size_t count, std::size_t bytes) {
+void* malloc(std::size_t bytes) noexcept { return espalier::tools::noted(__libc_malloc(bytes), bytes); }
+void* calloc(std::size_t count, std::size_t bytes) noexcept {
     return espalier::tools::noted(__libc_calloc(count, bytes), count == 0 ? 0 : bytes);
 }
-void* realloc(void* memory, std::size_t bytes) { return espalier::tools::noted(__libc_realloc(memory, bytes), bytes); }
+void* realloc(void* memory, std::size_t bytes) noexcept {
+    return espalier::tools::noted(__libc_realloc(memory, bytes), bytes);
+}
 }
 #endif
