@@ -202,9 +202,10 @@ public:
         find_stated_up();
         if (scene_.mRootNode != nullptr) walk(*scene_.mRootNode, meshes_.asset_placement());
         if (faces_without_corners_ == 0) return;
-        warn("empty_face", text(counted(faces_without_corners_, "face"),
-                                " came without corners: the vertices of such a face are missing in the file, or it has "
-                                "none."));
+        warn("empty_face",
+             text(counted(faces_without_corners_, "face"),
+                  " came without corners, or with too few: the vertices of such a face are missing in the "
+                  "file, or it has none."));
     }
 
 private:
@@ -258,10 +259,12 @@ private:
     // Indices are not checked against the vertices here: the baker does that, and knows whether to repair.
     void add_triangles(const aiMesh& source, bool mirrored, ImportedMesh& mesh) {
         if (source.mFaces == nullptr) return;
+        const bool is_x = file_.format.find("XFile") != std::string::npos;
         mesh.triangles.reserve(source.mNumFaces);
         for (unsigned i = 0; i < source.mNumFaces; ++i) {
             const aiFace& face = source.mFaces[i];
-            if (face.mIndices == nullptr || face.mNumIndices == 0) {
+            // Faces of X have three corners or more, and lose those whose vertices are missing.
+            if (face.mIndices == nullptr || face.mNumIndices == 0 || (is_x && face.mNumIndices < 3)) {
                 ++faces_without_corners_;
                 continue;
             }

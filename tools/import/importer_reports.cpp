@@ -57,6 +57,7 @@ constexpr std::string_view harmless[] = {
     "md5camera",
     // read all the same
     "newer format version",
+    "property table",
 };
 
 template <std::size_t count>
