@@ -163,7 +163,7 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
 }
 
 float nearest_float(double value) {
-    constexpr double largest = std::numeric_limits<float>::max();
+    constexpr double largest = static_cast<double>(std::numeric_limits<float>::max());
     if (value > largest) return std::numeric_limits<float>::infinity();
     if (value < -largest) return -std::numeric_limits<float>::infinity();
     return static_cast<float>(value);
