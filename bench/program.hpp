@@ -1,36 +1,64 @@
 // What the programs that measure have in common: options and meshes behind the name, words for people, exit status.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace espalier::bench {
 
-/// Options are added before it runs; the meshes to measure stand behind them.
-class Program : public CLI::App {
+/// The command line of a program that measures: options first, then the meshes. It keeps CLI11, which takes long to
+/// compile, out of the files that measure. The defaults of options are the values of their variables.
+class Program {
 public:
     Program(const std::string& name, const std::string& description);
+    ~Program();
 
-    /// A whole number from `low` to `high`; what the variable holds now is the default, and shown as such.
+    /// Adds a number from `low` to `high`: unsigned, std::size_t or double.
     template <class Number>
-    CLI::Option* add_number(const std::string& option, Number& variable, Number low, Number high,
-                            const std::string& help) {
-        return add_option(option, variable, help)->check(CLI::Range(low, high))->capture_default_str();
+    void add_number(const std::string& option, Number& variable, Number low, Number high, const std::string& help);
+
+    /// Adds a number of things or of repetitions: at least one.
+    template <class Number>
+    void add_count(const std::string& option, Number& variable, const std::string& help) {
+        add_number(option, variable, Number{1}, Number{1'000'000'000}, help);
     }
 
-    /// How often, or how many: at least one.
-    template <class Number>
-    CLI::Option* add_count(const std::string& option, Number& variable, const std::string& help) {
-        return add_number(option, variable, Number{1}, Number{1'000'000'000}, help);
-    }
+    /// Adds numbers from `low` to `high`; the option may be repeated.
+    void add_numbers(const std::string& option, std::vector<unsigned>& variable, unsigned low, unsigned high,
+                     const std::string& help);
+
+    /// Adds an option without a value.
+    void add_flag(const std::string& option, bool& variable, const std::string& help);
+
+    /// Adds any word.
+    void add_word(const std::string& option, std::string& variable, const std::string& help);
+
+    /// Adds any word, without which the program fails.
+    void add_required_word(const std::string& option, std::string& variable, const std::string& help);
+
+    /// Adds one of the words `allowed`.
+    void add_choice(const std::string& option, std::string& variable, const std::vector<std::string>& allowed,
+                    const std::string& help);
+
+    /// Adds some of the words `allowed`; the option may be repeated.
+    void add_choices(const std::string& option, std::vector<std::string>& variable,
+                     const std::vector<std::string>& allowed, const std::string& help);
+
+    /// Returns what reads the command line, for options of other kinds.
+    CLI::App& command_line() { return *command_line_; }
 
     /// Calls `measure` with the files. Exit status: 0, 1 where the words are wrong or `measure` throws
     /// std::invalid_argument, 2 for every other exception.
     int run(int count, char** words, const std::function<void(const std::vector<std::string>& meshes)>& measure);
 
 private:
+    std::unique_ptr<CLI::App> command_line_;
     std::vector<std::string> meshes_;
 };
 

@@ -108,21 +108,14 @@ int main(int count, char** words) {
     Heading heading;
     Program program("espalier_bench_ab",
                     "Two commits answer the same questions in turns; a MESH is a file, or torus, terrain or level");
-    program.add_option("--base", options.base_file, "Shared object of the one side")->required();
-    program.add_option("--other", options.other_file, "Shared object of the other side")->required();
-    program.add_option("--base-name", heading.base, "What the report calls it");
-    program.add_option("--other-name", heading.other, "What the report calls it");
-    program.add_option("--profile", options.profiles, "Only this profile; may be repeated")
-        ->check(CLI::IsMember(profile_names()))
-        ->take_all()
-        ->expected(1);
-    program.add_option("--questions", options.questions, "Only this row; may be repeated")
-        ->check(CLI::IsMember(question_names()))
-        ->take_all()
-        ->expected(1);
-    program.add_option("--set", options.set, "Instruction set: scalar, sse42, avx2, avx512 or the best there is")
-        ->check(CLI::IsMember({"scalar", "sse42", "avx2", "avx512", "neon", "best"}))
-        ->capture_default_str();
+    program.add_required_word("--base", options.base_file, "Shared object of the one side");
+    program.add_required_word("--other", options.other_file, "Shared object of the other side");
+    program.add_word("--base-name", heading.base, "What the report calls it");
+    program.add_word("--other-name", heading.other, "What the report calls it");
+    program.add_choices("--profile", options.profiles, profile_names(), "Only this profile; may be repeated");
+    program.add_choices("--questions", options.questions, question_names(), "Only this row; may be repeated");
+    program.add_choice("--set", options.set, {"scalar", "sse42", "avx2", "avx512", "neon", "best"},
+                       "Instruction set: scalar, sse42, avx2, avx512 or the best there is");
     program.add_number("--bits", heading.bits, 1u, 24u, "Of the lattice");
     program.add_number("--seconds", options.turns.seconds, 0.0, 1e6, "Processor time of a row");
     program.add_number("--slice", options.turns.slice_milliseconds, 0.0, 1e6, "Milliseconds of a turn");

@@ -122,11 +122,7 @@ int main(int count, char** words) {
     Options options;
     Program program("espalier_bench_builders",
                     "What each builder's tree costs rays, profile fast, counted; a table in Markdown");
-    program.add_option("--effort", options.efforts, "Of the build, 3 is without reinsertion; may be repeated")
-        ->check(CLI::Range(0u, 9u))
-        ->take_all()
-        ->expected(1)
-        ->capture_default_str();
+    program.add_numbers("--effort", options.efforts, 0u, 9u, "Of the build, 3 is without reinsertion; may be repeated");
     program.add_count("--rays", options.rays, "Incoherent rays");
     program.add_flag("--shipped{false}", options.with_textbook, "Without the builders from the textbook");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) { run(meshes, options); });

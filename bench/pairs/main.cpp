@@ -18,7 +18,7 @@ constexpr std::uint64_t seed = 2026;
 
 struct Options {
     std::size_t poses = 200;
-    int repetitions = 5;
+    unsigned repetitions = 5;
     std::vector<std::string> only;
 };
 
@@ -45,11 +45,11 @@ struct Measured {
 };
 
 template <class Question>
-Measured measure(const std::vector<Placement>& poses, int repetitions, Question question) {
+Measured measure(const std::vector<Placement>& poses, unsigned repetitions, Question question) {
     Measured result;
     result.answers.resize(poses.size());
     std::vector<double> times;
-    for (int repetition = 0; repetition < repetitions; ++repetition) {
+    for (unsigned repetition = 0; repetition < repetitions; ++repetition) {
         // Processor time of this process, which has one thread: what others do beside it counts less.
         const std::clock_t start = std::clock();
         for (std::size_t i = 0; i < poses.size(); ++i) result.answers[i] = static_cast<double>(question(poses[i]));
@@ -127,10 +127,7 @@ int main(int count, char** words) {
                     "A mesh against a second one of its kind: whether they touch, all pairs, how far apart; JSON");
     program.add_count("--poses", options.poses, "Poses of the second mesh");
     program.add_count("--repetitions", options.repetitions, "How often each system is asked; the median counts");
-    program.add_option("--only", options.only, "Only this system; may be repeated")
-        ->check(CLI::IsMember({"espalier", "fcl", "ode"}))
-        ->take_all()
-        ->expected(1);
+    program.add_choices("--only", options.only, {"espalier", "fcl", "ode"}, "Only this system; may be repeated");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) {
         for (const std::string& file : meshes) run_mesh(file, options);
     });

@@ -1,5 +1,7 @@
 #include "options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "../../tools/choices.hpp"
 
 namespace espalier::bench {
@@ -7,18 +9,19 @@ namespace espalier::bench {
 void add_options(Program& program, Options& options) {
     const auto is_reference_only = [&options](std::int64_t) { options.systems.emplace_back("espalier"); };
     program.add_flag("--json", options.json, "A JSON object for each row instead of a table");
-    program.add_option("--system", options.systems, "Only NAME or NAME/PROFILE beside the reference; may be repeated")
+    CLI::App& words = program.command_line();
+    words.add_option("--system", options.systems, "Only NAME or NAME/PROFILE beside the reference; may be repeated")
         ->type_name("NAME")
         ->take_all()
         ->expected(1);
-    program.add_flag_function("--reference-only", is_reference_only, "The same as --system espalier");
+    words.add_flag_function("--reference-only", is_reference_only, "The same as --system espalier");
     program.add_count("--repetitions", options.repetitions, "How often every system answers all rays");
     program.add_count("--builds", options.builds, "How often every system is built");
     program.add_count("--rays", options.incoherent, "Incoherent rays");
-    program.add_option("--seed", options.seed, "Of the incoherent rays")->capture_default_str();
+    words.add_option("--seed", options.seed, "Of the incoherent rays")->capture_default_str();
     program.add_number("--bits", options.bake.bits, 1u, 24u, "Espalier's lattice");
     program.add_number("--effort", options.bake.effort, 0u, 9u, "Of Espalier's build");
-    program
+    words
         .add_option_function<std::string>(
             "--builder",
             [&options](const std::string& word) {
