@@ -147,7 +147,8 @@ ExitCode run_bake(const BakeArguments& arguments) {
     require_writable(outputs);
     if (arguments.json) refuse_standard_output(outputs);
     const BakePolicy policy = bake_policy(arguments);
-    const ImportOptions source = import_options(arguments.source, arguments.json);
+    ImportOptions source = import_options(arguments.source, arguments.json);
+    source.materials = arguments.material_bits != 0;
     static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import
     static_cast<void>(pick_goal(arguments));
 

@@ -178,6 +178,19 @@ def obj(claims):
                  SQUARE_BOUNDS)
     check_materials(claims, "OBJ: materials are numbered by their library, then by use", "materials.obj", [0, 2, 3, 1])
 
+    red, unknown = "usemtl red\nf 1 2 3\n", "usemtl unknown\nf 1 3 4\n"
+    with_materials = ["--materials", "8"]
+    for libraries, faces, options, warnings in (
+            ("absent.mtl", red, with_materials, ["missing_file"]), ("absent.mtl", red, [], []),
+            ("absent.mtl", "f 1 2 3\n", with_materials, []), ("absent.mtl", "f 1 2 3\n" + unknown, with_materials, ["missing_file"]),
+            ("library.mtl absent.mtl", red, with_materials, []), ("absent.mtl library.mtl", red, with_materials, ["missing_file"]),
+            ("library.mtl", unknown, with_materials, []), ("", red, with_materials, [])):
+        document = claims.bakes(f"OBJ: 'mtllib {libraries}' warns exactly if a baked number may be another", "library.obj",
+                                f"mtllib {libraries}\n{SQUARE}{faces}f 1 2 3\nf 1 3 4\n", 2, SQUARE_BOUNDS, warnings, options)
+        if warnings and document.get("warnings"):
+            message = document["warnings"][0]["message"]
+            claims.check("OBJ: the missing library is named", "'absent.mtl'" in message and "library.obj" in message, message)
+
 
 def polygon_obj(corners):
     return "".join(f"v {x} {y} 0\n" for x, y in corners) + "f " + " ".join(str(i + 1) for i in range(len(corners))) + "\n"

@@ -27,6 +27,7 @@ struct ImportOptions {
     double scale = 1.0;
     /// The axis that points up in the files; it is turned to +Y. Without it the axes stay as they are.
     std::optional<Axis> up;
+    bool materials = false;  ///< the numbers of materials are baked, so that it is warned of what changes them
     /// Called now and then with what is read and how much of it is done, 0..1.
     std::function<void(const char* stage, double done)> progress;
     /// Called with what an importer reports for people who look for a fault; not called when empty.

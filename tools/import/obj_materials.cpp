@@ -28,25 +28,29 @@ std::uint32_t ObjMaterials::number_of(std::string_view name) {
     return number;
 }
 
+void ObjMaterials::read_library(const std::string& path) {
+    const std::string library = utf8_text(read_bytes(path));
+    Lines lines(library);
+    for (std::string_view line; lines.next(line);) {
+        Words words(line);
+        if (words.next() == "newmtl" && !words.rest().empty()) number_of(words.rest());
+    }
+}
+
 void ObjMaterials::read_libraries(const std::string& mesh_path, std::string_view names,
                                   std::vector<std::string>& opened) {
-    std::vector<std::string> paths = {library_path(mesh_path, names)};  // names with spaces exist, and lists of names
-    if (paths[0].empty()) {
-        paths.clear();
+    std::vector<std::string_view> libraries = {names};  // names with spaces exist, and lists of names
+    if (library_path(mesh_path, names).empty()) {
+        libraries.clear();
         Words words(names);
-        for (std::string_view name = words.next(); !name.empty(); name = words.next()) {
-            paths.push_back(library_path(mesh_path, name));
-        }
+        for (std::string_view name = words.next(); !name.empty(); name = words.next()) libraries.push_back(name);
     }
-    for (const std::string& path : paths) {
+    for (const std::string_view name : libraries) {
+        const std::string path = library_path(mesh_path, name);
+        if (path.empty() && !first_missing_) first_missing_ = {std::string(name), count()};
         if (path.empty() || std::find(opened.begin(), opened.end(), path) != opened.end()) continue;
-        const std::string library = utf8_text(read_bytes(path));
+        read_library(path);
         opened.push_back(path);
-        Lines lines(library);
-        for (std::string_view line; lines.next(line);) {
-            Words words(line);
-            if (words.next() == "newmtl" && !words.rest().empty()) number_of(words.rest());
-        }
     }
 }
 

@@ -307,6 +307,17 @@ private:
                    "the fourth number of a vertex is not 1; it was ignored, and x, y, z were not divided by it.");
         warn_about(unknown_, "unknown_statement",
                    text("'", unknown_word_, "' is no statement of Wavefront OBJ; the line was left out."));
+        warn_about_materials();
+    }
+
+    void warn_about_materials() {
+        const auto& missing = materials_.first_missing();
+        if (!options_.materials || !missing) return;
+        const auto is_changed = [&](const Face& face) { return face.material >= missing->first_changed; };
+        if (std::none_of(faces_.begin(), faces_.end(), is_changed)) return;
+        file_.warn("missing_file", text(": the library '", printable(missing->name),
+                                        "' is missing, so materials may have other numbers than with it. Put it beside "
+                                        "the file."));
     }
 
     [[noreturn]] void refuse(const std::string& problem) const { refuse_line(file_.path(), line_, problem); }
