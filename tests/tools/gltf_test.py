@@ -592,6 +592,19 @@ def hostile():
     gltf = instanced_file(TRANSLATION=(POINTS,))
     gltf.json["accessors"][2]["count"] = 10**12
     refused(gltf, 5, "node 0")
+    claim("a key that an object has twice is refused with its place, and equal keys of two objects are not")
+    for doubled, words in (('{"asset": {"version": "2.0"}, "nodes": [], "scenes": [], "nodes": []}', ['"nodes"']),
+                           ('{"asset": {"version": "2.0", "x": 1, "version": "2.0"}}', ['"version"', "at asset"]),
+                           ('{"asset": {"version": "2.0"}, "meshes": [{}, {"primitives": [{"mode": 4, "mode": 5}]}]}',
+                            ['"mode"', "at meshes[1].primitives[0]"]),
+                           ('{"asset": {"version": "2.0"}, "extras": {"a": {"k": 1}, "b": [{"k": 1}, {"k": 2, "\\u006b": 3}]}}',
+                            ['"k"', "at extras.b[1]"])):
+        with open("doubled.gltf", "w") as file:
+            file.write(doubled)
+        refused("doubled.gltf", 3, "twice in one object", *words)
+    gltf = solid_file()
+    gltf.json["extras"] = {"name": {"name": [{"name": {}}, {"name": 1}]}, "asset": "name"}
+    bakes(gltf, solid())
     claim("names of a broken file reach the terminal without control characters")
     gltf = solid_file()
     gltf.json["meshes"][0]["name"] = "red\x1b[31m"

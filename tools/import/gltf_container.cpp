@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <utility>
 
 #include "exit_code.hpp"
+#include "json_keys.hpp"
 #include "numbers.hpp"
 
 namespace espalier::tools {
@@ -19,7 +21,7 @@ constexpr std::size_t header_bytes = 12;
 constexpr std::size_t chunk_header_bytes = 8;
 constexpr std::uint32_t json_chunk = 0x4e4f534a;
 constexpr std::uint32_t binary_chunk = 0x004e4942;
-constexpr std::size_t longest_reason = 160;
+constexpr std::size_t longest_quotation = 160;
 
 [[noreturn]] void fail(const std::string& path, std::string_view problem) {
     throw CommandError(ExitCode::invalid_input, text("'", printable(path), "' cannot be imported: ", problem));
@@ -90,14 +92,27 @@ Chunks chunks_of(const std::string& path, std::span<const std::byte> file) {
     return chunks;
 }
 
-/// The parser's reason without its own number, and without the megabytes that it may quote.
+/// Without the megabytes that a file may have.
+std::string quoted(std::string words) {
+    if (words.size() > longest_quotation) words = words.substr(0, longest_quotation) + "...";
+    return printable(words);
+}
+
+/// The parser's reason without its own number.
 std::string reason_of(const std::exception& error) {
     std::string reason = error.what();
     if (const std::size_t end = reason.find("] "); reason.starts_with('[') && end != std::string::npos) {
         reason.erase(0, end + 2);
     }
-    if (reason.size() > longest_reason) reason = reason.substr(0, longest_reason) + "...";
-    return printable(reason);
+    return quoted(std::move(reason));
+}
+
+void refuse_repeated_keys(const std::string& path, std::string_view json) {
+    const std::optional<RepeatedKey> repeated = repeated_key(json);
+    if (!repeated) return;
+    const std::string object = repeated->object.empty() ? "" : text(", at ", quoted(repeated->object));
+    fail(path, text("its JSON has the key \"", quoted(repeated->key), "\" twice in one object", object,
+                    ", and only one of the two can count. Export it again."));
 }
 
 std::string version_of(const nlohmann::json& json, const char* key) {
@@ -151,6 +166,7 @@ std::optional<GltfContainer> read_gltf_container(const std::string& path) {
     if (version.empty()) fail(path, "its JSON has no asset.version, which glTF requires. Export it again.");
     if (!version.starts_with("2.")) refuse_version(path, version);
     if (!least.empty() && least != "2.0") refuse_version(path, least);
+    refuse_repeated_keys(path, characters(json));
     if (content == Content::json) container.file = {};
     return container;
 }
