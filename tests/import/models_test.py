@@ -98,7 +98,8 @@ def judge(espalier, root, name, repair):
         message = document.get("error", {}).get("message", stderr)
         reason = document.get("error", {}).get("kind", "")
         failures = []
-        if code not in REFUSED:
+        lacks_a_file = code == 2 and "No such file" in message  # beside it
+        if code not in REFUSED and not lacks_a_file:
             failures.append(f"exit status {code}: {stderr.strip()}")
         if reason not in OF_THE_WHOLE and name not in message:
             failures.append(f"is refused without its name: {message}")

@@ -493,11 +493,14 @@ cp junk.glb junk.unknown
 : >nothing.ply
 printf 'OFF\n1000 6 0\n0 0 0\n0 0 1\n0 1 0\n3 0 1 2\n' >boastful.off # fails an assertion of assimp 5.2
 write_box_collada "$(yes '<node>' | head -n 200000)$(yes '</node>' | head -n 200000)" 1 Y_UP >deep.dae # uses up its stack
-for mesh in junk.glb junk.unknown nothing.ply boastful.off deep.dae; do
+for mesh in junk.glb nothing.ply boastful.off deep.dae; do
     run 3 bake $mesh -o broken.espl
     err_has "$mesh"
     absent broken.espl
 done
+run 5 bake junk.unknown -o broken.espl # a format without an importer
+err_has "junk.unknown"
+absent broken.espl
 "$espalier" bake junk.obj -o broken.espl 2>/dev/null # a file of unknown lines is an OBJ without faces to some importers
 rm -f broken.espl
 run 2 bake missing.obj -o broken.espl
@@ -507,7 +510,7 @@ err_has "folder"
 mkfifo pipe.obj
 run 2 bake pipe.obj -o broken.espl # and does not wait for a writer
 err_has "no pipes or devices"
-run 3 bake box.obj junk.unknown -o broken.espl
+run 5 bake box.obj junk.unknown -o broken.espl
 absent broken.espl
 
 claim "control characters in names do not reach the terminal"
@@ -625,7 +628,7 @@ claim "a failed bake leaves the old blob and the folder as they were"
 mkdir kept
 cp box.espl kept/x.espl
 run 3 bake not_finite.obj -o kept/x.espl
-run 3 bake junk.unknown -o kept/x.espl
+run 5 bake junk.unknown -o kept/x.espl
 (cd kept && ulimit -f 1 && trap '' XFSZ && "$espalier" bake ../sheet.obj -o x.espl 2>/dev/null)
 same box.espl kept/x.espl
 only kept "x.espl "

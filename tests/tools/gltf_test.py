@@ -172,7 +172,7 @@ def containers():
     refused(gltf, 5, "glTF 1.0", "Convert it")
     claim("a missing or short file beside it is refused by name")
     solid_file().write("beside.gltf", ("short.bin", "absent.bin"))
-    refused("beside.gltf", 3, "absent.bin", "No such file")
+    refused("beside.gltf", 2, "absent.bin", "No such file")
     solid_file().write("beside.gltf", ("short.bin", "short.bin"))
     os.truncate("short.bin", 40)
     refused("beside.gltf", 3, "short.bin", "shorter")

@@ -50,8 +50,8 @@ run 1 bake box.obj -o x.espl --bits 25 --json
 run 2 bake missing.obj -o x.espl --json
 fails_with file_access '"missing.obj"' null null
 echo nonsense >nonsense.obj.txt
-run 3 bake nonsense.obj.txt -o x.espl --json
-fails_with invalid_input '"nonsense.obj.txt"' null null
+run 5 bake nonsense.obj.txt -o x.espl --json
+fails_with unsupported '"nonsense.obj.txt"' null null
 printf 'o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\no b\nf 1 2 3\nf 1 3 2\nf 1 2 4\n' >nan.obj
 run 3 bake box.obj nan.obj -o x.espl --json
 fails_with invalid_input '"nan.obj"' 1 2

@@ -380,7 +380,7 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     // Nothing but triangles is asked for: welding and dropping is the baker's work, which counts what it does.
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
     if (scene == nullptr && !is_known_ending) {
-        throw CommandError(ExitCode::invalid_input,
+        throw CommandError(ExitCode::unsupported,
                            text("'", printable(path), "' cannot be imported: ",
                                 ending.empty() ? std::string("its name has no ending")
                                                : text("there is no importer for '", printable(ending), "' files"),

@@ -79,10 +79,12 @@ std::vector<std::byte> GltfBuffers::bytes_beside(const GltfObject& buffer, const
     const std::string beside = (std::filesystem::path(path_).parent_path() / without_percents(uri)).string();
     std::error_code error;
     const char* problem = nullptr;
+    ExitCode code = ExitCode::file_access;
     if (!std::filesystem::is_regular_file(beside, error)) {
         problem = error ? std::strerror(error.value()) : "it is no file";
     } else if (std::filesystem::file_size(beside, error) < length) {
         problem = "it is shorter than \"byteLength\"";
+        code = ExitCode::invalid_input;
     }
     std::ifstream file;
     if (problem == nullptr) {
@@ -91,8 +93,8 @@ std::vector<std::byte> GltfBuffers::bytes_beside(const GltfObject& buffer, const
         if (!file.is_open()) problem = std::strerror(errno);
     }
     if (problem != nullptr) {
-        throw CommandError(ExitCode::invalid_input, text(buffer.words(), ": cannot read '", printable(beside),
-                                                         "': ", problem, ". Put the whole file beside the glTF file."));
+        throw CommandError(code, text(buffer.words(), ": cannot read '", printable(beside), "': ", problem,
+                                      ". Put the whole file beside the glTF file."));
     }
     if (std::find(opened_.begin(), opened_.end(), beside) == opened_.end()) opened_.push_back(beside);
     std::vector<std::byte> bytes(length);
