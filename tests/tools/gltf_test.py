@@ -210,6 +210,12 @@ def topology():
     gltf = Gltf()
     gltf.node(mesh=gltf.mesh(solid_primitive(gltf), {"attributes": {"NORMAL": gltf.accessor(POINTS)}}))
     warned(bakes(gltf, solid()), "missing_positions")
+    claim("one or two corners after the last triangle are left out with a warning")
+    for more in ([[0]], [[0], [1]]):
+        gltf = Gltf()
+        gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(POINTS)},
+                                  "indices": gltf.accessor([[i] for face in FACES for i in face] + more, UNSIGNED_BYTE)}))
+        warned(bakes(gltf, solid()), "incomplete_triangle")
     claim("an accessor without elements is refused by number")
     gltf = solid_file()
     gltf.json["accessors"][1]["count"] = 0
