@@ -1,8 +1,11 @@
 // What the command lines of several verbs have in common.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -50,13 +53,25 @@ inline CLI::Validator percentage() {
         "");
 }
 
+/// Refuses what is none of the names.
+inline CLI::Validator one_of(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : "|") + name;
+    const auto check = [names, list](const std::string& value) {
+        const bool is_name = std::find(names.begin(), names.end(), value) != names.end();
+        return is_name ? std::string() : text("'", value, "' is none of ", list);
+    };
+    return CLI::Validator(check, "");
+}
+
 template <class Number>
 CLI::Validator between(Number least, Number most) {
-    const auto check = [least, most](const std::string& value) {
+    const char* what = std::is_integral_v<Number> ? "whole number" : "number";
+    const auto check = [least, most, what](const std::string& value) {
         Number number{};
         const bool is_between =
             CLI::detail::lexical_cast(value, number) && number >= least && number <= most;  // no NaN
-        return is_between ? std::string() : text("'", value, "' is not between ", least, " and ", most);
+        return is_between ? std::string() : text("'", value, "' is no ", what, " from ", least, " to ", most);
     };
     return CLI::Validator(check, "");
 }

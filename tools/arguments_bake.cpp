@@ -38,9 +38,11 @@ void add_picking(CLI::App* verb, BakeArguments& arguments, const std::vector<CLI
 void add_bake(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<BakeArguments>();
     CLI::App* verb = add_verb(app, "bake", "Make one blob out of mesh files");
-    verb->add_option("inputs", arguments->inputs,
-                     "Mesh files of any format that assimp reads, in the order of their file numbers. Node transforms "
-                     "are applied; animated meshes are taken in the pose that the file stores")
+    verb->add_option(
+            "inputs", arguments->inputs,
+            "Mesh files in the order of their file numbers: glTF 2.0, OBJ, PLY, STL and RAW, which the command "
+            "reads itself, and what assimp reads besides, such as FBX, Collada and 3DS. Node transforms are "
+            "applied; animated meshes are taken in the pose that the file stores")
         ->required()
         ->type_name("MESH");
     verb->add_option("-o,--output", arguments->output, "The blob to write")->required()->type_name("BLOB");
@@ -99,9 +101,8 @@ void add_bake(CLI::App& app, Chosen& chosen) {
     add_choice(verb, "--builder", arguments->builder, builder_choices,
                "How the tree is built, before --effort improves it. Without it: binned_sah");
     verb->add_option("--duplicates", arguments->duplicates,
-                     "With spatial_splits, at most so many copies of triangles, as a share of them. A blob with copies "
-                     "does not enumerate what a ray or sphere meets")
-        ->capture_default_str()
+                     "With --builder spatial_splits, at most so many copies of triangles, as a share of them; without "
+                     "it 0.3. A blob with copies does not enumerate what a ray or sphere meets")
         ->check(between(0.0, 1.0))
         ->type_name("0..1");
     add_source(verb, arguments->source);
@@ -122,7 +123,8 @@ void add_bake(CLI::App& app, Chosen& chosen) {
             "Carry bounds of the whole asset, any of obb,sphere,kdop: an oriented box, a sphere, slabs along 13 "
             "directions")
         ->delimiter(',')
-        ->check(CLI::IsMember({"obb", "sphere", "kdop"}).description(""))
+        ->check(one_of({"obb", "sphere", "kdop"}))
+        ->allow_extra_args(false)
         ->type_name("NAMES");
     verb->add_flag("--repair", arguments->repair,
                    "Drop triangles with NaN, infinite or missing corners instead of refusing the mesh");

@@ -49,7 +49,14 @@ BakeOptions bake_options(const BakeArguments& arguments) {
     if (arguments.leaf_size) options.max_leaf_triangles = *arguments.leaf_size;
     if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
     if (arguments.builder) options.builder = *arguments.builder;
-    options.duplicates = arguments.duplicates;
+    if (arguments.duplicates) {
+        if (options.builder != Builder::spatial_splits) {
+            throw CommandError(ExitCode::usage,
+                               "--duplicates needs --builder spatial_splits beside it: the other builders store each "
+                               "triangle once.");
+        }
+        options.duplicates = *arguments.duplicates;
+    }
     options.original_ids = arguments.original_ids;
     options.materials = arguments.material_bits == 8    ? Materials::bits_8
                         : arguments.material_bits == 16 ? Materials::bits_16

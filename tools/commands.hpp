@@ -43,8 +43,8 @@ struct BakeArguments {
     std::optional<format::Profile> profile;    ///< without one: the library's, or what the picking options pick
     std::optional<unsigned> leaf_size;         ///< likewise
     std::string cost_model;                    ///< a JSON file; empty: the committed constants
-    double duplicates = 0.3;
-    std::optional<Builder> builder;  ///< without one: the library's
+    std::optional<double> duplicates;          ///< without one: the library's
+    std::optional<Builder> builder;            ///< likewise
     bool original_ids = false;
     unsigned material_bits = 0;  ///< 0, 8 or 16
     bool edge_flags = false;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -113,18 +114,24 @@ void add_dump(CLI::App& app, Chosen& chosen) {
     add_json(verb, arguments->json);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_dump(*arguments); }; });
 }
+/// Returns "bake --help" for "help bake".
+std::vector<std::string> with_help_as_option(std::vector<std::string> arguments) {
+    if (arguments.empty() || arguments.front() != "help") return arguments;
+    arguments.erase(arguments.begin());
+    if (arguments.size() > 1 && arguments.front() == "query") arguments.insert(arguments.begin() + 1, "BLOB");
+    arguments.emplace_back("--help");
+    return arguments;
+}
+
 
 /// CLI11 takes -1 for a number, but -.5, -inf and -2mm for options. With a space before it none of them looks like one,
 /// and number parsers skip the space.
-std::vector<std::string> with_negative_numbers_marked(int count, char** values) {
-    std::vector<std::string> arguments;
-    for (int i = count - 1; i > 0; --i) {  // CLI11 takes them last first
-        std::string argument = values[i];
+std::vector<std::string> with_negative_numbers_marked(std::vector<std::string> arguments) {
+    for (std::string& argument : arguments) {
         const bool is_negative =
             argument.size() > 1 && argument[0] == '-' &&
             (argument[1] == '.' || (argument[1] >= '0' && argument[1] <= '9') || parse_double(argument));  // -inf
         if (is_negative) argument.insert(0, 1, ' ');
-        arguments.push_back(std::move(argument));
     }
     return arguments;
 }
@@ -143,9 +150,12 @@ ExitCode run(int count, char** values) {
     add_query(app, chosen);
     add_render(app, chosen);
     add_trade(app, chosen);
+    std::vector<std::string> words(values + std::min(count, 1), values + count);
+    words = with_negative_numbers_marked(with_help_as_option(std::move(words)));
+    std::reverse(words.begin(), words.end());  // CLI11 takes them last first
     add_dump(app, chosen);
     try {
-        app.parse(with_negative_numbers_marked(count, values));
+        app.parse(std::move(words));
     } catch (const CLI::Success& success) {  // --help and --version
         app.exit(success);
         finish_standard_output();

@@ -1,6 +1,7 @@
 #include "similar_word.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
 namespace espalier::tools {
@@ -29,10 +30,12 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string similar_word(std::string_view typed, std::span<const std::string> words) {
+    std::string lower(typed);
+    for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     std::string nearest;
     std::size_t least = typed.size() / 3 + 1;
     for (const std::string& word : words) {
-        const std::size_t found = distance(typed, word);
+        const std::size_t found = distance(lower, word);
         if (found >= least) continue;
         least = found;
         nearest = word;

@@ -12,6 +12,20 @@
 
 namespace espalier::tools {
 
+namespace {
+
+constexpr std::uint64_t least_import_memory = 1 << 20;
+
+std::uint64_t import_memory(const std::string& input) {
+    if (input.empty()) return default_import_memory();
+    const std::uint64_t bytes = parse_byte_size(input, "--import-memory");
+    if (bytes >= least_import_memory) return bytes;
+    throw CommandError(ExitCode::usage, text("--import-memory: '", printable(input), "' is ", counted(bytes, "byte"),
+                                             ", too few to read any file. Write 1M or more, such as 512M or 4G."));
+}
+
+}  // namespace
+
 ImportOptions import_options(const SourceArguments& arguments, bool json) {
     ImportOptions options;
     if (!std::isfinite(arguments.scale) || arguments.scale <= 0.0) {
@@ -27,9 +41,7 @@ ImportOptions import_options(const SourceArguments& arguments, bool json) {
         }
     }
     options.up = arguments.up;
-    options.limits.memory = arguments.import_memory.empty()
-                                ? default_import_memory()
-                                : parse_byte_size(arguments.import_memory, "--import-memory");
+    options.limits.memory = import_memory(arguments.import_memory);
     options.limits.seconds = arguments.import_seconds;
     if (arguments.verbose) options.log = [](const std::string& line) { std::cerr << "importer: " << line << '\n'; };
     if (json) options.failure_document = failure_document;

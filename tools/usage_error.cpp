@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -51,9 +53,27 @@ std::string unknown_option(const CLI::App& verb, const std::string& typed) {
     return text("there is no option '", printable(typed), "' here", did_you_mean(similar_word(typed, names)));
 }
 
-std::string unknown_verb(const CLI::App& verb, const std::string& typed) {
+/// Of the verbs, or of the kinds of query.
+std::vector<std::string> names_below(const CLI::App& verb) {
     std::vector<std::string> names;
     for (const CLI::App* one : verb.get_subcommands({})) names.push_back(one->get_name());
+    return names;
+}
+
+/// "BLOB is missing before 'ray'" where the kind of a query stands in the blob's place; else empty.
+std::string missing_blob(const CLI::App& verb) {
+    const CLI::Option* blob = verb.get_option_no_throw("blob");
+    if (blob == nullptr || blob->count() == 0) return {};
+    const std::string& given = blob->results().front();
+    const std::vector<std::string> kinds = names_below(verb);
+    std::error_code error;
+    if (std::find(kinds.begin(), kinds.end(), given) == kinds.end() || std::filesystem::exists(given, error)) return {};
+    return text("BLOB is missing before '", given, '\'');
+}
+
+std::string unknown_verb(const CLI::App& verb, const std::string& typed) {
+    if (std::string missing = missing_blob(verb); !missing.empty()) return missing;
+    const std::vector<std::string> names = names_below(verb);
     const bool is_query = verb.get_parent() != nullptr;
     std::string meant = similar_word(typed, names);
     for (const auto& [call, kind] : names_of_calls)
@@ -85,15 +105,17 @@ std::string message_of(const CLI::App& verb, const CLI::ParseError& error) {
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
         const std::string name = divided(words, " is required").first;
         if (name != "A subcommand") return text(name_of_option(verb, name), " is missing");
+        if (std::string missing = missing_blob(verb); !missing.empty()) return missing;
         return verb.get_parent() == nullptr ? "the verb is missing" : "the kind of query is missing";
     }
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
         const auto [name, reason] = divided(words, ": ");
+        const auto [limit, given] = divided(reason, " required but received ");
+        if (limit == "At Most 1" && !given.empty()) return text(name, " is given ", given, " times; give it once");
+        const std::string count = divided(limit, "At least ").second;
         if (name == "words")
-            return text("this query takes ", name_of_option(verb, name),
-                        ", but the number of words is "
-                        "another");
-        return text(name_of_option(verb, name), ": the number of values is another");
+            return text("this query takes ", count, " words: ", name_of_option(verb, name), "; here are ", given);
+        return text(name_of_option(verb, name), ": a value is missing");
     }
     if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
         const auto [name, value] = divided(divided(words, "Could not convert: ").second, " = ");

@@ -113,7 +113,9 @@ if ! grep -q __asan_init "$espalier"; then
     run 0 bake box.obj -o x.espl --import-memory 512M
     run 3 verify box.espl --source huge.off --import-memory 512M --json
     run 3 trade huge.off --import-memory 512M --json
-    for amount in 0 -1 many ""; do run 1 bake box.obj -o x.espl --import-memory "$amount"; done
+    for amount in 0 -1 many 12 512 1023K ""; do run 1 bake box.obj -o x.espl --import-memory "$amount"; done
+    run 1 bake box.obj -o x.espl --import-memory 12
+    err_has "'12' is 12 bytes, too few to read any file. Write 1M or more"
 
     claim "memory that a reader takes from malloc counts too"
     awk 'BEGIN { printf "<amf>"

@@ -20,6 +20,11 @@ write_box_obj 0 >box.obj
 claim "a mistyped verb or kind or option is named with the one that was meant"
 is_explained "there is no verb 'bak'; did you mean 'bake'?" bak box.obj -o x.espl
 is_explained "there is no verb 'verfiy'; did you mean 'verify'?" verfiy box.espl
+is_explained "there is no verb 'BAKE'; did you mean 'bake'?" BAKE box.obj -o x.espl
+is_explained "there is no verb 'Bak'; did you mean 'bake'?" Bak box.obj
+is_explained "there is no option '--JSON' here; did you mean '--json'?" info box.espl --JSON
+is_explained "there is no option '--jsn' here; did you mean '--json'?" info box.espl --jsn
+is_explained "there is no kind of query 'RAY'; did you mean 'ray'?" query box.espl RAY 0 0 0 0 0 1
 is_explained "there is no verb 'xyzzy'. Run 'espalier --help'." xyzzy
 is_explained "there is no option '--tolerence' here; did you mean '--tolerance'?" bake box.obj -o x.espl --tolerence 1mm
 is_explained "there is no option '--outptu' here; did you mean '--output'?" bake box.obj --outptu x.espl
@@ -35,12 +40,46 @@ is_explained "BLOB is missing" bake box.obj
 is_explained "BLOB is missing" info
 is_explained "the kind of query is missing" query box.espl
 is_explained "origin x y z, direction x y z" query box.espl ray 0 0 0
+is_explained "this query takes 6 words: origin x y z, direction x y z; here are 3" query box.espl ray 0 0 0
+is_explained "BLOB is missing before 'ray'. Run 'espalier query --help'." query ray 0 0
+is_explained "BLOB is missing before 'ray'" query ray
 is_explained "Run 'espalier query BLOB ray --help'." query box.espl ray 0 0 0
 is_explained "'more' is one word too many" info box.espl more
 is_explained "'-1' is no value for --threads COUNT" bake box.obj -o x.espl --threads -1
 is_explained "'many' is no value for --threads COUNT" bake box.obj -o x.espl --threads many
 is_explained "exclude each other" bake box.obj -o x.espl --bits 12 --tolerance 1mm
 is_explained "--flat-angle needs --edge-flags" bake box.obj -o x.espl --flat-angle 5
+is_explained "--duplicates needs --builder spatial_splits" bake box.obj -o x.espl --duplicates 0.1
+run 0 bake box.obj -o x.espl -q --duplicates 0.1 --builder spatial_splits --profile fast
+
+claim "a value that is none or one too many or missing is explained with the option and its range"
+is_explained "--bits is given 2 times; give it once" bake box.obj -o x.espl --bits 12 --bits 14
+is_explained "--output is given 2 times; give it once" bake box.obj -o x.espl -o y.espl
+is_explained "--bits 1..24: a value is missing" bake box.obj -o x.espl --bits
+is_explained "--bits: 'abc' is no whole number from 1 to 24" bake box.obj -o x.espl --bits abc
+is_explained "--effort: '3.5' is no whole number from 0 to 9" bake box.obj -o x.espl --effort 3.5
+is_explained "--max-dropped: '5percent' is no number from 0 to 100" bake box.obj -o x.espl --max-dropped 5percent
+is_explained "--bounds: 'box' is none of obb|sphere|kdop" bake box.obj -o x.espl --bounds box
+is_explained "--bounds: 'box' is none of obb|sphere|kdop" bake box.obj -o x.espl --bounds obb,box
+for bounds in "--bounds obb,sphere" "--bounds obb --bounds sphere"; do
+    # shellcheck disable=SC2086  # words
+    run 0 bake $bounds box.obj -o x.espl -q # what follows is the mesh
+    [ -e two.espl ] || cp x.espl two.espl
+    same x.espl two.espl
+done
+rm x.espl two.espl
+
+claim "help is a verb too"
+for words in "" bake query trade; do
+    # shellcheck disable=SC2086  # words
+    "$espalier" help $words >shown.txt
+    # shellcheck disable=SC2086  # words
+    run 0 $words --help
+    same shown.txt out
+done
+"$espalier" help query ray >shown.txt
+run 0 query BLOB ray --help
+same shown.txt out
 
 claim "a blob is read from standard input by the name - and no output or mesh has that name"
 for verb in info verify dump "query - bounds"; do
