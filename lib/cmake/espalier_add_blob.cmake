@@ -22,7 +22,8 @@ set_property(GLOBAL PROPERTY ESPALIER_BLOB_VERSION "${espalier_VERSION}")
 # Each is an option of `espalier bake` by the same name: MAX_BYTES is --max-bytes.
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_FLAGS IDS EDGE_FLAGS REPAIR STRICT ALLOW_EMPTY)
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_VALUES TOLERANCE BITS STEP LATTICE_OF MAX_BYTES FASTEST_UNDER MAX_ERROR PROFILE LEAF_SIZE
-  COST_MODEL BUILDER DUPLICATES UNIT SCALE UP MATERIALS FLAT_ANGLE BOUNDS EFFORT THREADS MAX_DROPPED EXPECT_SIZE IMPORT_MEMORY IMPORT_SECONDS)
+  COST_MODEL BUILDER DUPLICATES UNIT SCALE UP MATERIALS FLAT_ANGLE BOUNDS EFFORT THREADS MAX_DROPPED EXPECT_SIZE IMPORT_MEMORY IMPORT_SECONDS
+  REMAP REORDER)
 
 function(espalier_add_blob target)
   get_property(bake_flags GLOBAL PROPERTY ESPALIER_BAKE_FLAGS)
@@ -99,6 +100,15 @@ function(espalier_add_blob target)
       cmake_path(ABSOLUTE_PATH blob_LATTICE_OF BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
     endif()
   endif()
+  set(bake_outputs ${blob})
+  foreach(option IN ITEMS REMAP REORDER) # files beside the blob
+    if(blob_${option})
+      cmake_path(ABSOLUTE_PATH blob_${option} BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
+      cmake_path(GET blob_${option} PARENT_PATH option_folder)
+      file(MAKE_DIRECTORY ${option_folder})
+      list(APPEND bake_outputs ${blob_${option}})
+    endif()
+  endforeach()
   set(bake_options "")
   foreach(option IN LISTS bake_values bake_flags)
     if(DEFINED blob_${option} AND NOT (option IN_LIST bake_flags AND NOT blob_${option}))
@@ -118,7 +128,7 @@ function(espalier_add_blob target)
     list(APPEND embed_options --alignment ${blob_ALIGNMENT})
   endif()
 
-  add_custom_command(OUTPUT ${blob}
+  add_custom_command(OUTPUT ${bake_outputs}
     COMMAND ${command} bake ${meshes} -o ${blob} --depfile ${folder}/${target}.d --quiet ${bake_options} ${forget}
     DEPENDS ${meshes} ${blob_DEPENDS} ${blob_LATTICE_OF} ${made_by} DEPFILE ${folder}/${target}.d
     COMMENT "Baking ${target}" VERBATIM)

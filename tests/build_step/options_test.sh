@@ -21,7 +21,7 @@ version=$("$espalier" --version | sed 's/^espalier \([0-9.]*\).*/\1/')
 
 claim "every option of bake that shapes the blob is an option of the function, and the other way round"
 run 0 bake --help
-sed -n 's/^ *\(-[a-z],\)\{0,1\}--\([a-z-]*\).*/\2/p' out | grep -vxE 'help|output|depfile|remap|reorder|json|quiet|verbose' | tr 'a-z-' 'A-Z_' | sort >of_bake
+sed -n 's/^ *\(-[a-z],\)\{0,1\}--\([a-z-]*\).*/\2/p' out | grep -vxE 'help|output|depfile|json|quiet|verbose' | tr 'a-z-' 'A-Z_' | sort >of_bake
 sed -n '/ESPALIER_BAKE_\(FLAGS\|VALUES\)/,/)/p' "$espalier_sources/lib/cmake/espalier_add_blob.cmake" | sed '/get_property/d' |
     grep -oE '\b[A-Z_]+\b' | grep -vxE 'GLOBAL|PROPERTY|ESPALIER_BAKE_(FLAGS|VALUES)' | sort >of_function
 [ "$(wc -l <of_bake)" -gt 15 ] || fail "the help has only $(wc -l <of_bake) options"
@@ -68,7 +68,7 @@ cat >>level/CMakeLists.txt <<'CMAKE'
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/cheap.json" "{\"byte_price\": 0}")
 espalier_add_blob(level MESH level.obj level.obj MAX_BYTES 64K BUILDER sweep_sah LEAF_SIZE 2 MATERIALS 16 IDS EDGE_FLAGS FLAT_ANGLE 7
   BOUNDS obb,sphere UNIT cm SCALE 3 UP z REPAIR EFFORT 7 THREADS 1 COST_MODEL "${CMAKE_CURRENT_BINARY_DIR}/cheap.json"
-  OUTPUT blobs/all.espl)
+  OUTPUT blobs/all.espl REMAP all.remap REORDER models/all.ply)
 get_target_property(blob level ESPALIER_BLOB)
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/blob.txt" "${blob}")
 espalier_add_blob(arena-2 MESH level.obj SYMBOL arena)
@@ -82,8 +82,11 @@ claim "options arrive: the blob is the one that the command bakes with them, and
 must configure level build -DESPALIER_EXECUTABLE="$espalier"
 must build build --target game arena-2
 run 0 bake level/level.obj level/level.obj -o expected.espl -q --max-bytes 64K --builder sweep_sah --leaf-size 2 --materials 16 \
-    --ids --edge-flags --flat-angle 7 --bounds obb,sphere --unit cm --scale 3 --up z --repair --effort 7 --cost-model build/cheap.json
+    --ids --edge-flags --flat-angle 7 --bounds obb,sphere --unit cm --scale 3 --up z --repair --effort 7 --cost-model build/cheap.json \
+    --remap expected.remap --reorder expected.ply
 same expected.espl build/blobs/all.espl
+same expected.remap build/all.remap
+same expected.ply build/models/all.ply
 [ "$(cat build/blob.txt)" = "$folder/build/blobs/all.espl" ] || fail "the target says $(cat build/blob.txt)"
 build/game >game.bytes
 same game.bytes expected.espl
@@ -113,6 +116,16 @@ echo 'espalier_add_blob(new MESH level.obj)' >>level/CMakeLists.txt
 must configure level build
 must_not build build --target new
 log_has "'new' cannot name a variable in C and C++"
+
+claim "STRICT makes a warning end the build, whose log names it"
+echo 'espalier_add_blob(huge MESH level.obj UNIT km SCALE 2)' >>level/CMakeLists.txt
+must configure level build
+must build build --target huge
+sed -i '$d' level/CMakeLists.txt
+echo 'espalier_add_blob(huge MESH level.obj UNIT km SCALE 2 STRICT)' >>level/CMakeLists.txt
+must configure level build
+must_not build build --target huge
+log_has "--strict refuses 1 warning: unexpected_size"
 
 claim "a library that carries a blob can be installed for other projects"
 write_head level C

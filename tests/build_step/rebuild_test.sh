@@ -15,7 +15,7 @@ write_main "$project"
 write_head "$project" "C CXX"
 cat >>"$project/CMakeLists.txt" <<'CMAKE'
 espalier_add_blob(level MESH assets/level.obj BITS ${bits} MATERIALS 8 ALIGNMENT ${alignment} COST_MODEL assets/cost.json
-  DEPENDS assets/reason.txt)
+  DEPENDS assets/reason.txt REMAP level.remap REORDER models/level.ply)
 add_executable(game main.c)
 target_link_libraries(game PRIVATE level)
 CMAKE
@@ -32,6 +32,22 @@ verbs_are "bake embed"
 "$build/game" >game.bytes
 same game.bytes "$blob"
 run 0 verify "$blob" --deep
+
+claim "the files beside the blob are those of its bake, also after the mesh changed"
+cp "$project/assets/level.obj" first.obj
+for change in "" "f 2 4 3"; do
+    echo "$change" >>"$project/assets/level.obj"
+    must build "$build" --target game
+    rm -f "$verbs"
+    run 0 bake "$project/assets/level.obj" -o expected.espl -q --bits 12 --materials 8 --cost-model "$project/assets/cost.json" \
+        --remap expected.remap --reorder expected.ply
+    same expected.espl "$blob"
+    same expected.remap "$build/level.remap"
+    same expected.ply "$build/models/level.ply"
+done
+cp first.obj "$project/assets/level.obj"
+must build "$build" --target game
+rm -f "$verbs"
 
 claim "a build of what is built already bakes nothing"
 for _ in 1 2; do
