@@ -13,7 +13,7 @@
 #include "console.hpp"
 #include "cost_model_file.hpp"
 #include "depfile.hpp"
-#include "import/import_files.hpp"
+#include "failure.hpp"
 #include "lattice_step.hpp"
 #include "lengths.hpp"
 #include "numbers.hpp"
@@ -93,12 +93,6 @@ std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
     return goal;
 }
 
-Imported import_with_progress(const BakeArguments& arguments, ImportOptions options) {
-    Progress progress(arguments.quiet);
-    options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
-    return import_files(arguments.inputs, options);
-}
-
 std::string depfile_of(const BakeArguments& arguments, const Imported& imported) {
     std::vector<std::string> sources;
     for (const ImportedFile& file : imported.files) {
@@ -138,9 +132,7 @@ Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, con
     return std::move(picked.baked);
 }
 
-}  // namespace
-
-ExitCode run_bake(const BakeArguments& arguments) {
+ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
     const NamedOutput outputs[] = {{"-o", arguments.output},
                                    {"--depfile", arguments.depfile},
@@ -154,24 +146,20 @@ ExitCode run_bake(const BakeArguments& arguments) {
     require_writable(outputs);
     if (arguments.json) refuse_standard_output(outputs);
     const BakePolicy policy = bake_policy(arguments);
-    ImportOptions source = import_options(arguments.source, arguments.json);
+    ImportOptions source = import_options(arguments.source, arguments.json, warnings);
     source.materials = arguments.material_bits != 0;
     static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import
     static_cast<void>(pick_goal(arguments));
 
-    const Imported imported = import_with_progress(arguments, source);
+    const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
     for (const ImportedFile& file : imported.files)
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
-    std::vector<Warning> warnings = import_warnings(arguments.source, imported);
-    print(warnings);
     Json picked_json;
     const Baked baked = bake_or_pick(imported, arguments, console, picked_json);
     say_findings(console, baked.report);
     say_result(console, baked.report);
-    const std::vector<Warning> found = bake_warnings(baked.report, policy);
-    print(found);
-    warnings.insert(warnings.end(), found.begin(), found.end());
+    give(bake_warnings(baked.report, policy), warnings);
     enforce(policy, imported, baked.report, warnings);
     write_outputs(arguments, imported, baked);
     for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
@@ -182,6 +170,12 @@ ExitCode run_bake(const BakeArguments& arguments) {
         print_json(document);
     }
     return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode run_bake(const BakeArguments& arguments) {
+    return with_warnings([&](std::vector<Warning>& warnings) { return bake_with_warnings(arguments, warnings); });
 }
 
 }  // namespace espalier::tools

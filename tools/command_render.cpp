@@ -11,6 +11,7 @@
 #include "camera.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "failure.hpp"
 #include "image.hpp"
 #include "json_output.hpp"
 #include "numbers.hpp"
@@ -117,9 +118,7 @@ Work draw_heatmap(const Blob& blob, const Camera& camera, const RenderArguments&
     return work;
 }
 
-}  // namespace
-
-ExitCode run_render(const RenderArguments& arguments) {
+ExitCode render_with_warnings(const RenderArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
     const PictureSize size = picture_size(arguments.size);
     const NamedOutput outputs[] = {{"-o", arguments.output}};
@@ -134,16 +133,15 @@ ExitCode run_render(const RenderArguments& arguments) {
     document["output"] = arguments.output;
     document["width"] = size.width;
     document["height"] = size.height;
-    std::vector<Warning> warnings;
     if (blob.triangle_count() == 0) {
-        warnings.push_back(
-            {"empty",
-             text("'", printable(arguments.blob), "' has no triangles; the picture shows the background only."),
-             arguments.blob,
-             {},
-             {}});
+        const Warning empty{
+            "empty",
+            text("'", printable(arguments.blob), "' has no triangles; the picture shows the background only."),
+            arguments.blob,
+            {},
+            {}};
+        give({&empty, 1}, warnings);
     }
-    print(warnings);
     document["warnings"] = warnings_json(warnings);
     {
         Progress progress(arguments.quiet);
@@ -160,6 +158,12 @@ ExitCode run_render(const RenderArguments& arguments) {
     console.say(text("wrote ", printable(arguments.output), ", ", size.width, " x ", size.height));
     if (arguments.json) print_json(document);
     return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode run_render(const RenderArguments& arguments) {
+    return with_warnings([&](std::vector<Warning>& warnings) { return render_with_warnings(arguments, warnings); });
 }
 
 }  // namespace espalier::tools

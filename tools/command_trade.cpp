@@ -10,7 +10,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "cost_model_file.hpp"
-#include "import/import_files.hpp"
+#include "failure.hpp"
 #include "json_output.hpp"
 #include "lists.hpp"
 #include "numbers.hpp"
@@ -75,9 +75,7 @@ void write_text(const std::string& path, const std::string& words) {
     write_output_file(path, std::as_bytes(std::span(words)));
 }
 
-}  // namespace
-
-ExitCode run_trade(const TradeArguments& arguments) {
+ExitCode trade_with_warnings(const TradeArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
     const NamedOutput outputs[] = {{"-o", arguments.output}, {"--csv", arguments.csv}};
     for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
@@ -89,21 +87,17 @@ ExitCode run_trade(const TradeArguments& arguments) {
     options.threads = arguments.threads;
     options.repair = arguments.repair;
     if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
-    ImportOptions source = import_options(arguments.source, arguments.json);
+    const ImportOptions source = import_options(arguments.source, arguments.json, warnings);
 
     std::vector<TradePoint> points;
-    std::vector<Warning> warnings;
     std::uint64_t triangles = 0;
     {
-        Progress progress(arguments.quiet);
-        const auto show = [&progress](const char* stage, double done) { progress.show(stage, done); };
-        source.progress = show;
-        const Imported imported = import_files(arguments.inputs, source);
-        for (const ImportedFile& file : imported.files) triangles += file.triangles;
-        warnings = import_warnings(arguments.source, imported);
-        print(warnings);
+        const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
         if (arguments.source.strict) refuse_warnings(warnings);
-        points = measure_trade(imported, options, space, show);
+        for (const ImportedFile& file : imported.files) triangles += file.triangles;
+        Progress progress(arguments.quiet);
+        points = measure_trade(imported, options, space,
+                               [&progress](const char* stage, double done) { progress.show(stage, done); });
     }
     const std::string names = names_of(arguments);
     const std::string how = conditions(arguments, triangles);
@@ -134,6 +128,12 @@ ExitCode run_trade(const TradeArguments& arguments) {
         finish_standard_output();
     }
     return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode run_trade(const TradeArguments& arguments) {
+    return with_warnings([&](std::vector<Warning>& warnings) { return trade_with_warnings(arguments, warnings); });
 }
 
 }  // namespace espalier::tools

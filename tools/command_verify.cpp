@@ -1,6 +1,8 @@
 // verify: is this blob sound, and is it the mesh it was baked from?
 #include <iostream>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <espalier/espalier.hpp>
 
@@ -27,7 +29,6 @@ struct Verification {
     Status status = Status::ok;
     bool deep = false;
     std::optional<SourceCheck> source;
-    std::vector<Warning> warnings;  ///< of the import of the source
     std::string failure;
 };
 
@@ -43,7 +44,7 @@ std::string source_failure(const Blob& blob, const SourceCheck& check) {
                 ". Is it this source, with the --unit, --scale and --up that it was baked with?");
 }
 
-Json result_json(const VerifyArguments& arguments, const Verification& result) {
+Json result_json(const VerifyArguments& arguments, const Verification& result, std::span<const Warning> warnings) {
     Json document = json_document();
     document["file"] = arguments.blob;
     document["ok"] = result.failure.empty();
@@ -56,7 +57,7 @@ Json result_json(const VerifyArguments& arguments, const Verification& result) {
                               {"too_far", check.too_far},   {"worst_distance", check.worst_distance},
                               {"worst", check.worst},       {"measuring_error", check.measuring_error}};
     }
-    document["warnings"] = warnings_json(result.warnings);
+    document["warnings"] = warnings_json(warnings);
     document["failure"] = result.failure.empty() ? Json() : Json(result.failure);
     return document;
 }
@@ -74,10 +75,8 @@ void print_result(const VerifyArguments& arguments, const BlobFile& file, const 
     finish_standard_output();
 }
 
-}  // namespace
-
-ExitCode run_verify(const VerifyArguments& arguments) {
-    const ImportOptions options = import_options(arguments.source, arguments.json);
+ExitCode verify_with_warnings(const VerifyArguments& arguments, std::vector<Warning>& warnings) {
+    const ImportOptions options = import_options(arguments.source, arguments.json, warnings);
     Verification result;
     BlobFile file;
     file.bytes = read_file(arguments.blob);
@@ -92,15 +91,13 @@ ExitCode run_verify(const VerifyArguments& arguments) {
     }
     if (result.failure.empty() && !arguments.sources.empty()) {
         const Imported source = import_files(arguments.sources, options);
-        result.warnings = import_warnings(arguments.source, source);
-        print(result.warnings);
-        if (arguments.source.strict) refuse_warnings(result.warnings);
+        if (arguments.source.strict) refuse_warnings(warnings);
         result.source = check_source(file.blob, source);
         const std::string failure = source_failure(file.blob, *result.source);
         if (!failure.empty()) result.failure = text("'", printable(arguments.blob), "': ", failure);
     }
     if (!result.failure.empty() && code == ExitCode::ok) code = ExitCode::invalid_input;
-    Json document = arguments.json ? result_json(arguments, result) : Json();
+    Json document = arguments.json ? result_json(arguments, result, warnings) : Json();
     if (!result.failure.empty()) {
         return report_failure({code, result.failure, {.file = arguments.blob}}, arguments.json ? &document : nullptr);
     }
@@ -110,6 +107,12 @@ ExitCode run_verify(const VerifyArguments& arguments) {
         print_result(arguments, file, result);
     }
     return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode run_verify(const VerifyArguments& arguments) {
+    return with_warnings([&](std::vector<Warning>& warnings) { return verify_with_warnings(arguments, warnings); });
 }
 
 }  // namespace espalier::tools

@@ -20,8 +20,11 @@ void Console::warn(const Warning& warning) { std::cerr << "warning: " << warning
 Progress::Progress(bool quiet)
     : enabled_(!quiet && isatty(STDERR_FILENO) == 1), next_(Clock::now() + std::chrono::seconds(1)) {}
 
-Progress::~Progress() {
+Progress::~Progress() { hide(); }
+
+void Progress::hide() {
     if (shown_) std::cerr << "\r\x1b[K" << std::flush;
+    shown_ = false;
 }
 
 void Progress::show(const char* stage, double done) {

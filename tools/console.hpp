@@ -28,6 +28,8 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     void show(const char* stage, double done);
+    /// Clears the line, which the next call of show writes again.
+    void hide();
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -53,7 +53,7 @@ struct ErrorDetails {
     std::optional<std::uint32_t> mesh = {};
     std::optional<std::uint64_t> triangle = {};
     std::string kind = {};               ///< narrower than the exit status; empty: that one's name
-    std::vector<Warning> warnings = {};  ///< that led to the error
+    std::vector<Warning> warnings = {};  ///< until then; with_warnings sets them
 };
 
 /// Ends a verb. The message states what went wrong, where, and what to do about it.

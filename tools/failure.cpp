@@ -1,7 +1,11 @@
 #include "failure.hpp"
 
+#include <exception>
 #include <iostream>
+#include <new>
+#include <utility>
 
+#include "numbers.hpp"
 #include "warnings.hpp"
 
 namespace espalier::tools {
@@ -12,6 +16,12 @@ void put_error(const CommandError& error, Json& document) {
     const ErrorDetails& details = error.details();
     if (!details.warnings.empty()) document["warnings"] = warnings_json(details.warnings);
     document["error"] = diagnostic_json({details.kind, error.what(), details.file, details.mesh, details.triangle});
+}
+
+CommandError with(const CommandError& error, const std::vector<Warning>& warnings) {
+    ErrorDetails details = error.details();
+    details.warnings = warnings;
+    return {error.code(), error.what(), std::move(details)};
 }
 
 }  // namespace
@@ -25,10 +35,31 @@ ExitCode report_failure(const CommandError& error, Json* document) {
     return error.code();
 }
 
-std::string failure_document(const CommandError& error) {
+std::string failure_document(const CommandError& error, const std::vector<Warning>& warnings) {
     Json document = json_document();
-    put_error(error, document);
+    put_error(with(error, warnings), document);
     return json_text(document);
+}
+
+CommandError current_failure() {
+    try {
+        throw;
+    } catch (const CommandError& error) {
+        return error;
+    } catch (const std::bad_alloc&) {
+        return {ExitCode::internal, "the machine has not enough memory for this. Bake the asset in parts."};
+    } catch (const std::exception& error) {
+        return {ExitCode::internal, text("internal error: ", error.what(), ". Please report how it came about.")};
+    }
+}
+
+ExitCode with_warnings(const std::function<ExitCode(std::vector<Warning>&)>& verb) {
+    std::vector<Warning> warnings;
+    try {
+        return verb(warnings);
+    } catch (...) {
+        throw with(current_failure(), warnings);
+    }
 }
 
 }  // namespace espalier::tools

@@ -1,10 +1,13 @@
 // How a verb reports that it failed: one line on stderr, and with --json one document on stdout.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "exit_code.hpp"
 #include "json_output.hpp"
+#include "warning.hpp"
 
 namespace espalier::tools {
 
@@ -12,7 +15,13 @@ namespace espalier::tools {
 /// exit status.
 ExitCode report_failure(const CommandError& error, Json* document);
 
-/// Returns the text of the document of a verb that failed before it had a result.
-std::string failure_document(const CommandError& error);
+/// Returns the text of the document of a verb that failed before it had a result, with the warnings until then.
+std::string failure_document(const CommandError& error, const std::vector<Warning>& warnings);
+
+/// Returns the exception that is being handled as an error of the command.
+CommandError current_failure();
+
+/// Runs a verb, which adds its warnings to the list as it finds them. An error that ends it carries them.
+ExitCode with_warnings(const std::function<ExitCode(std::vector<Warning>&)>& verb);
 
 }  // namespace espalier::tools

@@ -5,11 +5,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -114,6 +112,7 @@ void add_dump(CLI::App& app, Chosen& chosen) {
     add_json(verb, arguments->json);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_dump(*arguments); }; });
 }
+
 /// Returns "bake --help" for "help bake".
 std::vector<std::string> with_help_as_option(std::vector<std::string> arguments) {
     if (arguments.empty() || arguments.front() != "help") return arguments;
@@ -122,7 +121,6 @@ std::vector<std::string> with_help_as_option(std::vector<std::string> arguments)
     arguments.emplace_back("--help");
     return arguments;
 }
-
 
 /// CLI11 takes -1 for a number, but -.5, -inf and -2mm for options. With a space before it none of them looks like one,
 /// and number parsers skip the space.
@@ -150,10 +148,10 @@ ExitCode run(int count, char** values) {
     add_query(app, chosen);
     add_render(app, chosen);
     add_trade(app, chosen);
+    add_dump(app, chosen);
     std::vector<std::string> words(values + std::min(count, 1), values + count);
     words = with_negative_numbers_marked(with_help_as_option(std::move(words)));
     std::reverse(words.begin(), words.end());  // CLI11 takes them last first
-    add_dump(app, chosen);
     try {
         app.parse(std::move(words));
     } catch (const CLI::Success& success) {  // --help and --version
@@ -181,13 +179,8 @@ ExitCode run_and_report(int count, char** values) {
     };
     try {
         return run(count, values);
-    } catch (const CommandError& error) {
-        return report(error);
-    } catch (const std::bad_alloc&) {
-        return report({ExitCode::internal, "the machine has not enough memory for this. Bake the asset in parts."});
-    } catch (const std::exception& error) {
-        return report(
-            {ExitCode::internal, text("internal error: ", error.what(), ". Please report how it came about.")});
+    } catch (...) {
+        return report(current_failure());
     }
 }
 

@@ -2,13 +2,16 @@
 
 #include <cmath>
 #include <iostream>
-#include <string>
+#include <utility>
 
 #include "byte_sizes.hpp"
+#include "console.hpp"
 #include "failure.hpp"
+#include "import/import_files.hpp"
 #include "import/limit_guard.hpp"
 #include "lengths.hpp"
 #include "numbers.hpp"
+#include "warnings.hpp"
 
 namespace espalier::tools {
 
@@ -26,7 +29,7 @@ std::uint64_t import_memory(const std::string& input) {
 
 }  // namespace
 
-ImportOptions import_options(const SourceArguments& arguments, bool json) {
+ImportOptions import_options(const SourceArguments& arguments, bool json, std::vector<Warning>& warnings) {
     ImportOptions options;
     if (!std::isfinite(arguments.scale) || arguments.scale <= 0.0) {
         throw CommandError(ExitCode::usage,
@@ -44,8 +47,21 @@ ImportOptions import_options(const SourceArguments& arguments, bool json) {
     options.limits.memory = import_memory(arguments.import_memory);
     options.limits.seconds = arguments.import_seconds;
     if (arguments.verbose) options.log = [](const std::string& line) { std::cerr << "importer: " << line << '\n'; };
-    if (json) options.failure_document = failure_document;
+    options.warn = [&warnings](const Warning& warning) { give({&warning, 1}, warnings); };
+    if (json) {
+        options.failure_document = [&warnings](const CommandError& error) { return failure_document(error, warnings); };
+    }
     return options;
+}
+
+Imported import_with_progress(std::span<const std::string> paths, ImportOptions options, bool quiet) {
+    Progress progress(quiet);
+    options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
+    options.warn = [&progress, warn = std::move(options.warn)](const Warning& warning) {
+        progress.hide();
+        warn(warning);
+    };
+    return import_files(paths, options);
 }
 
 }  // namespace espalier::tools

@@ -43,22 +43,6 @@ Json or_null(const std::optional<Value>& value) {
 
 }  // namespace
 
-std::vector<Warning> import_warnings(const SourceArguments& arguments, const Imported& imported) {
-    std::vector<Warning> warnings;
-    for (const ImportedFile& file : imported.files) {
-        warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
-        if (!file.stated_up || arguments.up) continue;
-        const std::string axis = axis_name(*file.stated_up);
-        warnings.push_back({"up_axis_kept",
-                            text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
-                                 axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."),
-                            file.path,
-                            {},
-                            {}});
-    }
-    return warnings;
-}
-
 std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy) {
     std::vector<Warning> warnings;
     if (report.step_below_float_spacing) {
@@ -88,8 +72,9 @@ std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& p
     return warnings;
 }
 
-void print(std::span<const Warning> warnings) {
-    for (const Warning& warning : warnings) Console::warn(warning);
+void give(std::span<const Warning> found, std::vector<Warning>& warnings) {
+    for (const Warning& warning : found) Console::warn(warning);
+    warnings.insert(warnings.end(), found.begin(), found.end());
 }
 
 Json diagnostic_json(const Warning& warning) {

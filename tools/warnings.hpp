@@ -7,20 +7,16 @@
 #include <espalier/bake.hpp>
 
 #include "bake_policy.hpp"
-#include "commands.hpp"
-#include "import/imported.hpp"
 #include "json_output.hpp"
 #include "warning.hpp"
 
 namespace espalier::tools {
 
-/// Returns what the importers found, and a stated up axis that was kept.
-std::vector<Warning> import_warnings(const SourceArguments& arguments, const Imported& imported);
-
 /// Returns where the blob may not be what its user expects. A size that the policy states is expected.
 std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy);
 
-void print(std::span<const Warning> warnings);
+/// Prints warnings and adds them to the list.
+void give(std::span<const Warning> found, std::vector<Warning>& warnings);
 
 /// An object with kind, message, file, mesh and triangle; what is unknown is null. Errors have the same keys.
 Json diagnostic_json(const Warning& warning);

@@ -41,6 +41,29 @@ warns_of rays_rounded_coarsely unexpected_size
 run 0 render none.espl -o x.png --size 8x8 --json -q
 warns_of empty
 
+claim "an error lists the warnings that came before it whichever step fails"
+{ write_box_obj 0; echo faces 7; } >unknown.obj
+printf 'o a\nv 0 0 0\nv 1 0 0\nv nan 0 0\nf 1 2 3\n' >corner.obj
+printf 'OFF\n1000 6 0\n0 0 0\n0 0 1\n0 1 0\n3 0 1 2\n' >boastful.off # fails an assertion of assimp 5.2
+fails_after_warning() { # EXIT_CODE KIND ARGUMENTS...
+    local code=$1 kind=$2
+    shift 2
+    run "$code" "$@" --json
+    json ".error.kind == \"$kind\""
+    warns_of unknown_statement
+}
+fails_after_warning 2 file_access bake unknown.obj missing.obj -o x.espl
+fails_after_warning 3 invalid_input bake unknown.obj corner.obj -o x.espl
+fails_after_warning 3 importer_crash bake unknown.obj boastful.off -o x.espl
+fails_after_warning 5 unsupported bake unknown.obj -o x.espl --max-bytes 100
+fails_after_warning 5 unsupported bake unknown.obj -o x.espl --step 2^-60
+fails_after_warning 2 file_access bake unknown.obj -o /dev/full
+fails_after_warning 2 file_access trade unknown.obj missing.obj
+fails_after_warning 2 file_access verify box.espl --source unknown.obj missing.obj
+fails_after_warning 3 invalid_input verify box.espl --source unknown.obj --unit km
+run 2 render none.espl -o /dev/full --size 8x8 --json
+warns_of empty
+
 claim "each verb that fails prints one document with the kind and the message and the place of the error"
 run 1 --json
 fails_with usage null null null

@@ -86,6 +86,17 @@ void import_within_limits(const std::string& path, const ImportOptions& options,
     if (guard.memory_ran_out()) guard.refuse_memory();
 }
 
+void warn_about_up_axis(ImportedFile& file, const ImportOptions& options) {
+    if (!file.stated_up || options.up) return;
+    const std::string axis = axis_name(*file.stated_up);
+    file.warnings.push_back({"up_axis_kept",
+                             text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
+                                  axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."),
+                             file.path,
+                             {},
+                             {}});
+}
+
 }  // namespace
 
 std::vector<MeshView> Imported::views() const {
@@ -102,6 +113,10 @@ Imported import_files(std::span<const std::string> paths, const ImportOptions& o
     for (const std::string& path : paths) {
         require_readable(path);
         import_within_limits(path, options, imported);
+        ImportedFile& file = imported.files.back();
+        warn_about_up_axis(file, options);
+        for (const Warning& warning : file.warnings)
+            if (options.warn) options.warn(warning);
     }
     return imported;
 }

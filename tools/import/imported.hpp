@@ -30,6 +30,8 @@ struct ImportOptions {
     bool materials = false;  ///< the numbers of materials are baked, so that it is warned of what changes them
     /// Called now and then with what is read and how much of it is done, 0..1.
     std::function<void(const char* stage, double done)> progress;
+    /// Called with each warning about a file when the file is read; not called when empty.
+    std::function<void(const Warning& warning)> warn;
     /// Called with what an importer reports for people who look for a fault; not called when empty.
     std::function<void(const std::string& line)> log;
     ImportLimits limits;
