@@ -27,6 +27,9 @@ void add_source(CLI::App* verb, SourceArguments& source) {
                "The axis that points up in the files; the asset is turned so that it is +Y in the blob. Without it the "
                "axes stay as the importer gives them (Collada and IFC come with +Y up)");
     verb->add_flag("--strict", source.strict, "Warnings are errors: exit status 3, and nothing is written");
+    verb->add_flag("--allow-empty", source.allow_empty,
+                   "Take files without triangles, and let bake write a blob without any; without it either is an "
+                   "error, and nothing is written");
     verb->add_option("--import-memory", source.import_memory,
                      "Most address space (512M, 4G) that reading one file may add; without it half of the machine's "
                      "memory. Beyond it the file is refused")

@@ -128,10 +128,6 @@ void add_bake(CLI::App& app, Chosen& chosen) {
         ->type_name("NAMES");
     verb->add_flag("--repair", arguments->repair,
                    "Drop triangles with NaN, infinite or missing corners instead of refusing the mesh");
-    verb->add_flag(
-        "--allow-empty", arguments->allow_empty,
-        "Bake a blob without triangles, too, and files without any; without it either is an error and nothing "
-        "is written");
     verb->add_option(
             "--max-dropped", arguments->max_dropped,
             "Most triangles of the source, in percent, that may be dropped for having no area, in the source or "

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "asset_size.hpp"
 #include "lengths.hpp"
 #include "numbers.hpp"
 
@@ -48,66 +49,57 @@ std::string dropped_words(const BakeReport& report) {
     return words;
 }
 
-void refuse_dropped(const BakePolicy& policy, const BakeReport& report, std::span<const Warning> warnings) {
-    const std::uint64_t dropped = dropped_triangles(report);
-    const double source = static_cast<double>(report.source_triangles);
-    if (static_cast<double>(dropped) * 100.0 <= policy.max_dropped * source) return;
+void refuse_dropped(const BakePolicy& policy, const BakeReport& report) {
+    if (!drops_more_than(policy.max_dropped, report)) return;
     const bool is_empty = report.triangles == 0 && !policy.allow_empty;
     throw CommandError(
         ExitCode::invalid_input,
-        text("dropped ", dropped, " of ", counted(report.source_triangles, "triangle"), ": ", dropped_words(report),
-             ". At most ", rounded(policy.max_dropped), " % may be, so nothing was written. Mend the mesh",
+        text("dropped ", dropped_triangles(report), " of ", counted(report.source_triangles, "triangle"), ": ",
+             dropped_words(report), ". At most ", rounded(policy.max_dropped),
+             " % may be, so nothing was written. Mend the mesh",
              report.collapsed.count > 0 ? " or choose a finer lattice" : "", "; if the loss is intended, ",
              "raise --max-dropped", is_empty ? " and give --allow-empty." : "."),
-        {.kind = "dropped", .warnings = {warnings.begin(), warnings.end()}});
+        {.kind = "dropped"});
 }
 
-/// Of several files too, each contributes triangles.
-void refuse_empty_file(const BakePolicy& policy, const Imported& imported, std::span<const Warning> warnings) {
-    if (policy.allow_empty) return;
-    for (const ImportedFile& file : imported.files) {
-        if (file.triangles != 0) continue;
-        const std::string cause = file.warnings.empty() ? std::string() : " " + file.warnings.front().message;
-        throw CommandError(ExitCode::invalid_input,
-                           text("'", printable(file.path), "': the input has no triangles, so nothing was written.",
-                                cause, " Check the file; if that is intended, give --allow-empty."),
-                           {.file = file.path, .kind = "empty", .warnings = {warnings.begin(), warnings.end()}});
-    }
-}
-
-void refuse_empty(const BakePolicy& policy, const BakeReport& report, std::span<const Warning> warnings) {
+void refuse_empty(const BakePolicy& policy, const BakeReport& report) {
     if (policy.allow_empty || report.triangles != 0) return;
     throw CommandError(ExitCode::invalid_input,
                        "no triangle is left, so nothing was written. Check the input; if an empty blob is intended, "
                        "give --allow-empty.",
-                       {.kind = "empty", .warnings = {warnings.begin(), warnings.end()}});
+                       {.kind = "empty"});
+}
+
+bool is_within(const BakePolicy::SizeRange& range, const AssetSize& size) {
+    return size.extent + size.uncertainty >= range.least && size.extent - size.uncertainty <= range.most;
 }
 
 /// "--unit mm makes it 0.36 m" for each unit with which the size is as expected.
-std::string unit_hints(const BakePolicy::SizeRange& range, const Imported& imported, double extent) {
+std::string unit_hints(const BakePolicy::SizeRange& range, const Imported& imported, const AssetSize& size) {
     const double now = imported.files.front().metres_per_unit;
     for (const ImportedFile& file : imported.files)
         if (file.metres_per_unit != now) return {};
     std::string hints;
     for (const char* unit : unit_names) {
-        const double size = extent / now * *metres_in(unit);
-        if (size < range.least || size > range.most) continue;
-        hints += text(hints.empty() ? " " : ", ", "--unit ", unit, " makes it ", rounded(size, 4), " m");
+        const double factor = *metres_in(unit) / now;
+        const AssetSize other{size.extent * factor, size.uncertainty * factor};
+        if (!is_within(range, other)) continue;
+        hints += text(hints.empty() ? " " : ", ", "--unit ", unit, " makes it ", rounded(other.extent, 4), " m");
     }
     return hints.empty() ? hints : hints + ".";
 }
 
-void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
-                 std::span<const Warning> warnings) {
+void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
     if (!policy.expected_size || report.triangles == 0) return;
     const BakePolicy::SizeRange& range = *policy.expected_size;
-    if (report.extent >= range.least && report.extent <= range.most) return;
+    const AssetSize size = asset_size(imported);
+    if (is_within(range, size)) return;
     throw CommandError(
         ExitCode::invalid_input,
-        text("the asset is ", rounded(report.extent), " m across, outside of --expect-size ", printable(range.words),
+        text("the asset is ", rounded(size.extent), " m across, outside of --expect-size ", printable(range.words),
              ", so nothing was written. Check the unit of its file, which --unit states.",
-             unit_hints(range, imported, report.extent)),
-        {.kind = "size", .warnings = {warnings.begin(), warnings.end()}});
+             unit_hints(range, imported, size)),
+        {.kind = "size"});
 }
 
 }  // namespace
@@ -115,7 +107,7 @@ void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeR
 BakePolicy bake_policy(const BakeArguments& arguments) {
     BakePolicy policy;
     policy.strict = arguments.source.strict;
-    policy.allow_empty = arguments.allow_empty;
+    policy.allow_empty = arguments.source.allow_empty;
     policy.max_dropped = arguments.max_dropped;
     if (!arguments.expected_size.empty()) policy.expected_size = parse_size_range(arguments.expected_size);
     return policy;
@@ -123,11 +115,27 @@ BakePolicy bake_policy(const BakeArguments& arguments) {
 
 void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
              std::span<const Warning> warnings) {
-    refuse_empty_file(policy, imported, warnings);
-    refuse_dropped(policy, report, warnings);
-    refuse_empty(policy, report, warnings);
-    refuse_size(policy, imported, report, warnings);
+    if (!policy.allow_empty) refuse_empty_files(imported);
+    refuse_dropped(policy, report);
+    refuse_empty(policy, report);
+    refuse_size(policy, imported, report);
     if (policy.strict) refuse_warnings(warnings);
+}
+
+bool drops_more_than(double percent, const BakeReport& report) {
+    const double source = static_cast<double>(report.source_triangles);
+    return static_cast<double>(dropped_triangles(report)) * 100.0 > percent * source;
+}
+
+void refuse_empty_files(const Imported& imported) {
+    for (const ImportedFile& file : imported.files) {
+        if (file.triangles != 0) continue;
+        const std::string cause = file.warnings.empty() ? std::string() : " " + file.warnings.front().message;
+        throw CommandError(ExitCode::invalid_input,
+                           text("'", printable(file.path), "': the input has no triangles.", cause,
+                                " Check the file; if that is intended, give --allow-empty."),
+                           {.file = file.path, .kind = "empty"});
+    }
 }
 
 void refuse_warnings(std::span<const Warning> warnings) {
@@ -138,7 +146,7 @@ void refuse_warnings(std::span<const Warning> warnings) {
     throw CommandError(
         ExitCode::invalid_input,
         text("--strict refuses ", counted(warnings.size(), "warning"), ": ", kinds, ". Nothing was written."),
-        {first.file, first.mesh, first.triangle, "strict", {warnings.begin(), warnings.end()}});
+        {first.file, first.mesh, first.triangle, "strict"});
 }
 
 }  // namespace espalier::tools

@@ -34,6 +34,12 @@ BakePolicy bake_policy(const BakeArguments& arguments);
 void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
              std::span<const Warning> warnings);
 
+/// Returns whether more than this share, in percent, of the source's triangles has no surface in the blob.
+bool drops_more_than(double percent, const BakeReport& report);
+
+/// Throws CommandError (invalid_input) when a file has no triangles: of several files, each contributes some.
+void refuse_empty_files(const Imported& imported);
+
 /// Throws CommandError (invalid_input) when there are warnings.
 void refuse_warnings(std::span<const Warning> warnings);
 

@@ -87,6 +87,7 @@ std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
     } else if (!arguments.max_error) {
         return std::nullopt;
     }
+    goal.max_dropped = arguments.max_dropped;
     goal.profile = arguments.profile;
     goal.builder = arguments.builder;
     goal.leaf_size = arguments.leaf_size;

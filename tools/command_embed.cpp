@@ -71,6 +71,7 @@ void refuse_to_meet(const EmbedArguments& arguments) {
     refuse_to_overwrite_input(outputs, arguments.blob);
     refuse_one_file_for_two(outputs);
     require_writable(outputs);
+    if (arguments.json) refuse_standard_output(outputs);
 }
 
 }  // namespace

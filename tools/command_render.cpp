@@ -123,6 +123,7 @@ ExitCode render_with_warnings(const RenderArguments& arguments, std::vector<Warn
     const PictureSize size = picture_size(arguments.size);
     const NamedOutput outputs[] = {{"-o", arguments.output}};
     refuse_to_overwrite_input(outputs, arguments.blob);
+    if (arguments.json) refuse_standard_output(outputs);
     require_ending(outputs[0], ".png", "the picture is a PNG");
     require_writable(outputs);
     const BlobFile file = open_blob_file(arguments.blob);

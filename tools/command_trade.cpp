@@ -81,6 +81,7 @@ ExitCode trade_with_warnings(const TradeArguments& arguments, std::vector<Warnin
     for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
     require_ending(outputs[0], ".svg", "the picture is an SVG");
     require_writable(outputs);
+    if (arguments.json) refuse_standard_output(outputs);
     const TradeSpace space = trade_space(arguments);
     BakeOptions options;
     options.effort = arguments.effort;
@@ -93,6 +94,7 @@ ExitCode trade_with_warnings(const TradeArguments& arguments, std::vector<Warnin
     std::uint64_t triangles = 0;
     {
         const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
+        if (!arguments.source.allow_empty) refuse_empty_files(imported);
         if (arguments.source.strict) refuse_warnings(warnings);
         for (const ImportedFile& file : imported.files) triangles += file.triangles;
         Progress progress(arguments.quiet);

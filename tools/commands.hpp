@@ -21,6 +21,7 @@ struct SourceArguments {
     std::string unit;  ///< empty: what the file says, else metres
     std::optional<Axis> up;
     bool strict = false;            ///< warnings are errors
+    bool allow_empty = false;       ///< files without triangles are none
     std::string import_memory;      ///< an amount of bytes; empty: half of the machine's memory
     double import_seconds = 600.0;  ///< of processor time, for one file
     bool verbose = false;           ///< print what importers report
@@ -51,7 +52,6 @@ struct BakeArguments {
     double flat_angle = 5.0;          ///< degrees up to which an edge is flat
     std::vector<std::string> bounds;  ///< of obb, sphere, kdop
     bool repair = false;
-    bool allow_empty = false;
     double max_dropped = 10.0;  ///< percent
     std::string expected_size;  ///< two lengths with ".." between; empty: any
     unsigned effort = 5;

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "bake_policy.hpp"
 #include "baking.hpp"
 #include "choices.hpp"
 #include "exit_code.hpp"
@@ -79,7 +80,7 @@ public:
         for (unsigned bits = options_.bits; bits >= 1; --bits) {  // while nothing fits, it is too fine
             options_.bits = bits;
             try_one(smallest_configuration(goal_, options_.cost_model));
-            if (vanished_) break;
+            if (!loss_.empty()) break;
             if (some_fit_ || nearly_fits(tried_.back()) || !goal_.may_coarsen) {
                 for (const Configuration& other : other_configurations(goal_, options_.cost_model)) try_one(other);
             }
@@ -110,9 +111,15 @@ private:
         const Baked baked = bake_trial_or_throw(imported_, options_for(configuration));
         const BakeReport& report = baked.report;
         // A lattice so coarse that no triangle is left fits everywhere and answers nothing.
-        if (report.triangles == 0 && report.collapsed.count > 0 && !tried_.empty()) {
-            vanished_ = true;
-            return;
+        if (report.collapsed.count > 0 && !tried_.empty()) {
+            if (report.triangles == 0) {
+                loss_ = "leaves no triangle";
+                return;
+            }
+            if (drops_more_than(goal_.max_dropped, report)) {
+                loss_ = "drops more triangles than --max-dropped allows";
+                return;
+            }
         }
         const CountedWork work = count_work(opened(baked), rays_);
         tried_.push_back({configuration.profile, configuration.builder, configuration.leaf_size,
@@ -148,11 +155,12 @@ private:
             text(goal_.limit_name, ": nothing fits. The smallest of ", counted(tried_.size(), "bake"), " has ",
                  counted(smallest.bytes, "byte"), ", with ", describe(smallest), ", max error ",
                  rounded(smallest.max_error),
-                 vanished_ ? ". A coarser lattice leaves no triangle: allow more bytes, or bake a simpler mesh."
+                 !loss_.empty() ? text(". A coarser lattice ", loss_, ": allow more bytes, or bake a simpler mesh.")
                  : goal_.may_coarsen
-                     ? ". There is no coarser lattice: allow more bytes, or bake a simpler mesh."
-                     : ". Allow more bytes, a larger error or fewer bits, or bake a simpler mesh; --max-bytes "
-                       "without --tolerance, --step and --lattice-of gives up bits until it fits."));
+                     ? std::string(". There is no coarser lattice: allow more bytes, or bake a simpler mesh.")
+                     : std::string(
+                           ". Allow more bytes, a larger error or fewer bits, or bake a simpler mesh; --max-bytes "
+                           "without --tolerance, --step and --lattice-of gives up bits until it fits.")));
     }
 
     const Imported& imported_;
@@ -161,7 +169,7 @@ private:
     const PickGoal& goal_;
     std::vector<Candidate> tried_;
     bool some_fit_ = false;
-    bool vanished_ = false;
+    std::string loss_;  // what a lattice coarser than the tried ones does
 };
 
 }  // namespace

@@ -16,8 +16,9 @@ namespace espalier::tools {
 
 struct PickGoal {
     std::optional<std::uint64_t> max_bytes;
-    bool may_coarsen = false;  ///< whether the lattice may lose bits until something fits
-    std::string limit_name;    ///< "--max-bytes 64K", for messages
+    bool may_coarsen = false;   ///< whether the lattice may lose bits until something fits
+    double max_dropped = 10.0;  ///< percent of the triangles: a lattice is not coarsened beyond it
+    std::string limit_name;     ///< "--max-bytes 64K", for messages
     /// What stays as the user said; nothing: all that are worth a try.
     std::optional<format::Profile> profile;
     std::optional<Builder> builder;

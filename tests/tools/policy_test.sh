@@ -16,6 +16,7 @@ refused() {
 }
 
 write_box_obj 0 >box.obj
+"$espalier" bake box.obj -o box.espl -q
 # 12 triangles with area and 4 without: 25 percent.
 { write_box_obj 0; printf 'f 1 1 2\nf 2 2 3\nf 3 3 4\nf 4 4 5\n'; } >quarter.obj
 printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >points.obj
@@ -40,6 +41,13 @@ refused dropped long.obj --bits 4
 err_has "without area on the lattice"
 err_has "a finer lattice"
 refused dropped quarter.obj --max-bytes 10K
+# Half of the triangles are so small that a coarse lattice flattens them: bytes for the other half alone are too few.
+awk 'BEGIN { for (i = 0; i < 40; ++i) { s = i % 2 ? 1 : 100; x = 7 * i
+    printf "v %d 0 %d\nv %d 0 %d\nv %d %d %d\nf -3 -2 -1\n", x, i, x + s, i, x, s, i + s } }' >uneven.obj
+run 5 bake uneven.obj -o x.espl --max-bytes 500 --json
+json '.error.kind == "unsupported"'
+err_has "A coarser lattice drops more triangles than --max-dropped allows"
+run 0 bake uneven.obj -o x.espl --max-bytes 500 --max-dropped 60
 for percent in -1 101 nan ten ""; do run 1 bake box.obj -o x.espl --max-dropped "$percent"; done
 
 claim "an empty result is an error unless it is allowed"
@@ -78,8 +86,13 @@ json '[.warnings[].kind] == ["unknown_statement"]'
 err_has "'faces'"
 
 claim "the standard output takes a blob or a document and not both"
-run 1 bake box.obj -o /dev/stdout --json
-err_has "standard output"
+for outputs in "bake box.obj -o /dev/stdout" "render box.espl -o /dev/stdout" "embed box.espl -o x.c --header /dev/stdout" \
+    "trade box.obj --csv /dev/stdout"; do
+    # shellcheck disable=SC2086  # words
+    run 1 $outputs --json
+    err_has "standard output"
+done
+absent x.c
 run 0 bake box.obj -o x.espl
 "$espalier" bake box.obj -o /dev/stdout -q 2>err | cat >y.espl
 same x.espl y.espl
@@ -97,8 +110,29 @@ run 0 bake box.obj -o x.espl --expect-size 0.1mm..10m
 run 0 bake box.obj -o x.espl --unit km --expect-size 1km..10km --strict
 for size in 1m 10m..1m ..1m 1m.. -1m..1m a..b 1m..nan ""; do run 1 bake box.obj -o x.espl --expect-size "$size"; done
 
+claim "--expect-size is about the source and not about the lattice or vertices that nothing uses"
+printf 'v 0 0 0\nv 9.9 0 0\nv 0 9.9 0\nv 0 0 99\nf 1 2 3\n' >wide.obj
+run 0 bake wide.obj -o x.espl --bits 3 --expect-size 9.9..9.9 --json
+json '.extent == 10'
+refused size wide.obj --bits 3 --expect-size 1m..9.8m
+err_has "the asset is 9.9 m across"
+refused size wide.obj --bits 3 --expect-size 10m..11m
+for size in 0.1 0.7 3.3 1000.1; do
+    awk -v size=$size 'BEGIN { printf "v -%s 0 0\nv 0 0 0\nv 0 %g 0\nf 1 2 3\n", size, size / 2 }' >exact.obj
+    run 0 bake exact.obj -o x.espl --unit mm --expect-size ${size}mm..${size}mm --bits 12
+done
+
+claim "verify and trade refuse a file without triangles among others unless it is allowed"
+for verb in "verify box.espl --source box.obj points.obj" \
+    "trade box.obj points.obj --bits 12 --leaf-sizes 16 --byte-prices 1 --profiles small --rays 100 --repetitions 1"; do
+    # shellcheck disable=SC2086  # words
+    run 3 $verb --json
+    json '.error.kind == "empty" and .error.file == "points.obj"'
+    # shellcheck disable=SC2086  # words
+    run 0 $verb --allow-empty
+done
+
 claim "verify and trade refuse warnings of the import under --strict and take it without any"
-"$espalier" bake box.obj -o box.espl -q
 run 0 verify box.espl --source box.obj --strict
 run 0 trade box.obj --strict --bits 12 --leaf-sizes 16 --byte-prices 1 --profiles small --rays 100 --repetitions 1
 
@@ -137,6 +171,8 @@ awk 'BEGIN { n = 300
         printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >slow.obj
 refused import_seconds slow.obj --import-seconds 0.002
 err_has "'slow.obj': reading it took more than 0.002 s of processor time, the limit of --import-seconds"
+run 3 bake unknown.obj slow.obj -o x.espl --import-seconds 0.002 --json
+json '.error.kind == "import_seconds" and [.warnings[].kind] == ["unknown_statement"]'
 run 0 bake slow.obj -o x.espl --effort 0 -q
 for seconds in 0 -1 nan long; do run 1 bake box.obj -o x.espl --import-seconds "$seconds"; done
 
