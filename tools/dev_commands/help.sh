@@ -5,7 +5,8 @@ Usage: tools/dev COMMAND [ARGUMENT...]
 
 Every day
   demo        Builds the command, bakes a mesh, casts a million rays and renders a picture.
-  check       Builds the runtime and the baker and runs their unit tests (3 minutes from nothing).
+  check       Builds the runtime and the baker, runs their unit tests, and compiles the single file
+              (3 minutes from nothing).
   format      Formats the C and C++ files with clang-format 14; format --check only lists those that differ.
   test        Builds everything and runs every test, then again under the sanitizers (20 minutes).
               test --strict fails at a compiler warning or a missing include too, as continuous integration does.
