@@ -536,6 +536,7 @@ def assimp(claims):
     claims.check("SMD: a skeleton alone is an incomplete scene", code == 0 and kinds == ["incomplete_scene"], (kinds, stderr))
     claims.refuses("SMD: a skeleton alone is refused with the cause", "skeleton.smd", skeleton, "incomplete", "--allow-empty")
     claims.refuses("LWO: splines alone are refused", "spline.lwo", lwo((b"CURV", [(0, 1, 2), (0, 2, 3)])), "No meshes")
+    square("AC3D: more surfaces than stated are warned of", "square.ac", AC.format(1), ["surface_count"], triangles=1)
     square("AC3D: fewer vertices than stated are warned of", "square.ac", AC.format(2).replace("numvert 4", "numvert 5"), ["importer_report"])
     code, document, stderr = bake(claims, "square.ac", AC.format(2).replace("3 0 0\nkids", "9 0 0\nkids"), "--max-dropped", "50")
     kinds = [warning["kind"] for warning in document.get("warnings", [])]

@@ -146,12 +146,36 @@ void check_lwo(const ImportedFile& file) {
     }
 }
 
+/// "numsurf 2" and so many lines of "SURF 0x20": assimp reads no more than are stated.
+void check_ac3d(ImportedFile& file) {
+    const std::string content = utf8_text(read_bytes(file.path));
+    Lines lines(content);
+    constexpr std::int64_t most = std::int64_t{1} << 32;  // of one object, so that no sum overflows
+    std::uint64_t found = 0;
+    std::uint64_t stated = 0;
+    for (std::string_view line; lines.next(line);) {
+        Words words(line);
+        const std::string_view key = words.next();
+        if (key == "SURF") ++found;
+        if (key == "numsurf") {
+            const std::int64_t count = parse_integer(words.next()).value_or(0);
+            stated += static_cast<std::uint64_t>(std::clamp<std::int64_t>(count, 0, most));
+        }
+    }
+    if (found == stated) return;
+    file.warnings.push_back({"surface_count",
+                             text("'", printable(file.path), "': it has ", counted(found, "surface"),
+                                  ", and its lines of 'numsurf' state ", stated, ": triangles may be missing."),
+                             file.path, std::nullopt, std::nullopt});
+}
+
 }  // namespace
 
 void find_hidden_defects(ImportedFile& file) {
     const auto is_format = [&file](const char* name) { return file.format.find(name) != std::string::npos; };
     if (is_format("ASE ")) check_ase(file);
     if (is_format("Ogre") && file.path.ends_with(".xml")) check_ogre_xml(file);
+    if (is_format("AC3D")) check_ac3d(file);
     if (is_format("SMD")) require_last_line(file, "end");
     if (is_format("DXF")) require_last_line(file, "EOF");
     if (is_format("LightWave") && !is_format("Scene")) check_lwo(file);
