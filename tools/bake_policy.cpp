@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "asset_size.hpp"
+#include "baking.hpp"
 #include "lengths.hpp"
 #include "numbers.hpp"
 
@@ -49,8 +51,19 @@ std::string dropped_words(const BakeReport& report) {
     return words;
 }
 
-void refuse_dropped(const BakePolicy& policy, const BakeReport& report) {
+/// Of the first kind that dropped_words lists.
+ErrorDetails place_of_dropped(const BakeReport& report, const Imported& imported) {
+    for (const Finding* finding :
+         {&report.not_finite, &report.index_out_of_range, &report.zero_area, &report.collapsed}) {
+        if (finding->place) return details_of(*finding->place, imported);
+    }
+    return {};
+}
+
+void refuse_dropped(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
     if (!drops_more_than(policy.max_dropped, report)) return;
+    ErrorDetails details = place_of_dropped(report, imported);
+    details.kind = "dropped";
     const bool is_empty = report.triangles == 0 && !policy.allow_empty;
     throw CommandError(
         ExitCode::invalid_input,
@@ -59,7 +72,7 @@ void refuse_dropped(const BakePolicy& policy, const BakeReport& report) {
              " % may be, so nothing was written. Mend the mesh",
              report.collapsed.count > 0 ? " or choose a finer lattice" : "", "; if the loss is intended, ",
              "raise --max-dropped", is_empty ? " and give --allow-empty." : "."),
-        {.kind = "dropped"});
+        std::move(details));
 }
 
 void refuse_empty(const BakePolicy& policy, const BakeReport& report) {
@@ -116,7 +129,7 @@ BakePolicy bake_policy(const BakeArguments& arguments) {
 void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
              std::span<const Warning> warnings) {
     if (!policy.allow_empty) refuse_empty_files(imported);
-    refuse_dropped(policy, report);
+    refuse_dropped(policy, imported, report);
     refuse_empty(policy, report);
     refuse_size(policy, imported, report);
     if (policy.strict) refuse_warnings(warnings);

@@ -1,5 +1,6 @@
 #include "baking.hpp"
 
+#include <optional>
 #include <utility>
 
 #include <baker/bake_with.hpp>
@@ -28,15 +29,6 @@ ExitCode exit_code_of(BakeError::Kind kind) {
     return ExitCode::internal;
 }
 
-ErrorDetails details_of(const BakeError& error, const Imported& imported) {
-    ErrorDetails details;
-    if (!error.place) return details;
-    details.file = imported.files.at(error.place->file).path;
-    details.mesh = error.place->mesh;
-    details.triangle = error.place->triangle;
-    return details;
-}
-
 Baked sound_or_throw(Result<Baked, BakeError> result, const Imported& imported) {
     if (!result) {
         std::string message = result.error().message;
@@ -44,13 +36,23 @@ Baked sound_or_throw(Result<Baked, BakeError> result, const Imported& imported) 
         if (result.error().kind == BakeError::Kind::invalid_mesh) {
             message += " --repair drops such triangles and counts them.";
         }
-        throw CommandError(exit_code_of(result.error().kind), message, details_of(result.error(), imported));
+        const std::optional<SourcePlace>& place = result.error().place;
+        throw CommandError(exit_code_of(result.error().kind), message,
+                           place ? details_of(*place, imported) : ErrorDetails());
     }
     static_cast<void>(opened(*result));
     return std::move(*result);
 }
 
 }  // namespace
+
+ErrorDetails details_of(const SourcePlace& place, const Imported& imported) {
+    ErrorDetails details;
+    details.file = imported.files.at(place.file).path;
+    details.mesh = place.mesh;
+    details.triangle = place.triangle;
+    return details;
+}
 
 Baked bake_or_throw(const Imported& imported, const BakeOptions& options) {
     return sound_or_throw(bake(imported.views(), options), imported);

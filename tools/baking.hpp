@@ -4,6 +4,7 @@
 #include <espalier/bake.hpp>
 #include <espalier/blob.hpp>
 
+#include "exit_code.hpp"
 #include "import/imported.hpp"
 
 namespace espalier::tools {
@@ -14,6 +15,9 @@ Baked bake_or_throw(const Imported& imported, const BakeOptions& options);
 
 /// The same for a trial, whose report leaves out BakeReport::lost_closed and bits_that_keep_closed.
 Baked bake_trial_or_throw(const Imported& imported, const BakeOptions& options);
+
+/// Returns the place for scripts.
+ErrorDetails details_of(const SourcePlace& place, const Imported& imported);
 
 /// The view of what was just baked; the bytes must outlive it.
 Blob opened(const Baked& baked);

@@ -18,7 +18,7 @@ constexpr float most_expensive = 1e6f;  // sums over all nodes stay far from inf
 constexpr const char* corner_names[3] = {"first", "second", "third"};
 
 BakeError invalid_options(std::string message) { return {BakeError::Kind::invalid_options, std::move(message)}; }
-BakeError too_large(std::string message, BakeError::Place place) {
+BakeError too_large(std::string message, SourcePlace place) {
     return {BakeError::Kind::too_large, std::move(message), place};
 }
 
@@ -88,7 +88,7 @@ std::optional<BakeError> check_materials(std::span<const MeshView> meshes, Mater
         for (std::size_t triangle = 0; triangle < meshes[i].materials.size(); ++triangle) {
             const std::uint32_t material = meshes[i].materials[triangle];
             if (material <= largest) continue;
-            BakeError::Place place = place_of(meshes[i]);
+            SourcePlace place = place_of(meshes[i]);
             place.triangle = static_cast<std::uint32_t>(triangle);
             return too_large(mesh_name(meshes, i) + ", triangle " + std::to_string(triangle) + ": material " +
                                  std::to_string(material) + " does not fit into " +
@@ -101,7 +101,7 @@ std::optional<BakeError> check_materials(std::span<const MeshView> meshes, Mater
 }
 
 void count(Finding& finding, const Source& source, std::uint32_t original_id) {
-    if (finding.count++ == 0) finding.first = triangle_name(source, original_id);
+    if (finding.count++ == 0) finding = first_finding(source, original_id);
 }
 
 /// The first broken triangle of all meshes.

@@ -59,7 +59,7 @@ void drop_duplicates(const Source& source, std::vector<LatticeTriangle>& triangl
         if (kept.find_or_insert(triangles[i].corners) == next) {
             triangles[next] = triangles[i];
         } else if (report.duplicate.count++ == 0) {
-            report.duplicate.first = triangle_name(source, triangles[i].original_id);
+            report.duplicate = first_finding(source, triangles[i].original_id);
         }
     }
     triangles.resize(kept.size());
@@ -114,7 +114,8 @@ LatticeMesh snap_and_weld(const Source& source, const Lattice& lattice, BakeRepo
         }
     }
     if (!mesh.collapsed.empty()) {
-        report.collapsed = {mesh.collapsed.size(), triangle_name(source, mesh.collapsed.front().original_id)};
+        report.collapsed = first_finding(source, mesh.collapsed.front().original_id);
+        report.collapsed.count = mesh.collapsed.size();
     }
     drop_duplicates(source, mesh.triangles, report);
     settle(mesh);

@@ -24,11 +24,15 @@ std::string triangle_name(const Source& source, std::uint32_t original_id) {
     return mesh_name(source.meshes, mesh) + ", triangle " + std::to_string(original_id - source.first_triangle[mesh]);
 }
 
-BakeError::Place place_of(const MeshView& mesh) { return {mesh.file, mesh.mesh}; }
+SourcePlace place_of(const MeshView& mesh) { return {mesh.file, mesh.mesh}; }
 
-BakeError::Place place_of(const Source& source, std::uint32_t original_id) {
+SourcePlace place_of(const Source& source, std::uint32_t original_id) {
     const OriginalTriangle original = original_triangle(source, original_id);
     return {original.file, original.mesh, original.triangle};
+}
+
+Finding first_finding(const Source& source, std::uint32_t original_id) {
+    return {1, triangle_name(source, original_id), place_of(source, original_id)};
 }
 
 OriginalTriangle original_triangle(const Source& source, std::uint32_t original_id) {

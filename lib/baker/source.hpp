@@ -34,10 +34,13 @@ struct Source {
 [[nodiscard]] std::string triangle_name(const Source& source, std::uint32_t original_id);
 
 /// The place of a mesh for errors.
-[[nodiscard]] BakeError::Place place_of(const MeshView& mesh);
+[[nodiscard]] SourcePlace place_of(const MeshView& mesh);
 
 /// The place of a triangle for errors.
-[[nodiscard]] BakeError::Place place_of(const Source& source, std::uint32_t original_id);
+[[nodiscard]] SourcePlace place_of(const Source& source, std::uint32_t original_id);
+
+/// A finding of this one triangle.
+[[nodiscard]] Finding first_finding(const Source& source, std::uint32_t original_id);
 
 /// Where a triangle came from, beginning with its first corner.
 [[nodiscard]] OriginalTriangle original_triangle(const Source& source, std::uint32_t original_id);

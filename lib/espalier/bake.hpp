@@ -95,10 +95,18 @@ struct BakeOptions {
     std::function<void(const char* stage, double done)> progress = nullptr;
 };
 
+/// One mesh of the input, or one triangle of it.
+struct SourcePlace {
+    std::uint32_t file = 0;  ///< MeshView::file
+    std::uint32_t mesh = 0;  ///< MeshView::mesh
+    std::optional<std::uint32_t> triangle = std::nullopt;
+};
+
 /// One kind of thing that was wrong with the input, how often, and where it was seen first.
 struct Finding {
     std::uint64_t count = 0;
-    std::string first;  ///< "level.obj, mesh 3 (walls), triangle 17"
+    std::string first;                                ///< "level.obj, mesh 3 (walls), triangle 17"
+    std::optional<SourcePlace> place = std::nullopt;  ///< of the first
 };
 
 /// How much space the bounds of the whole asset take, in cubic world units; 0 for those that were not asked for.
@@ -164,15 +172,10 @@ struct BakeError {
         too_large,     ///< a limit of the format
         internal,      ///< the baker's own check of its result failed
     };
-    /// One mesh of the input, or one triangle of it.
-    struct Place {
-        std::uint32_t file = 0;  ///< MeshView::file
-        std::uint32_t mesh = 0;  ///< MeshView::mesh
-        std::optional<std::uint32_t> triangle = std::nullopt;
-    };
     Kind kind = Kind::internal;
     std::string message;
-    std::optional<Place> place = std::nullopt;  ///< the first place with this fault; none for a fault of the whole
+    std::optional<SourcePlace> place =
+        std::nullopt;  ///< the first place with this fault; none for a fault of the whole
 };
 
 /// A value or the reason why there is none.

@@ -83,6 +83,8 @@ TEST_SUITE("drop") {
         CHECK(result->report.triangles == 12);
         CHECK(result->report.duplicate.count == 3);
         CHECK(result->report.duplicate.first == "cube, triangle 12");
+        REQUIRE(result->report.duplicate.place);
+        CHECK(result->report.duplicate.place->triangle == 12u);
         const DecodedBlob decoded = decode(result->blob);
         for (const std::uint32_t id : decoded.original_ids) CHECK(id < 12);
     }

@@ -25,7 +25,10 @@ printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
 claim "more dropped triangles than --max-dropped are an error with their number and kind and duplicates do not count"
 refused dropped quarter.obj
 err_has "dropped 4 of 16 triangles: 4 without area (first: quarter.obj, mesh 0"
+json '.error.file == "quarter.obj" and .error.mesh == 0 and .error.triangle == 12'
 err_has "--max-dropped"
+refused dropped box.obj quarter.obj
+json '.error.file == "quarter.obj" and .error.triangle == 12'
 refused dropped quarter.obj --max-dropped 24.9%
 run 0 bake quarter.obj -o x.espl --max-dropped 25%
 run 0 bake quarter.obj -o x.espl --max-dropped 25
@@ -39,6 +42,7 @@ json '.findings.duplicate.count == 12'
 sed 's/^v 1 \(.*\)/v 1e6 \1/' box.obj >long.obj
 refused dropped long.obj --bits 4
 err_has "without area on the lattice"
+json '.error.file == "long.obj" and .error.mesh == 0 and .error.triangle == 0'
 err_has "a finer lattice"
 refused dropped quarter.obj --max-bytes 10K
 # Half of the triangles are so small that a coarse lattice flattens them: bytes for the other half alone are too few.
