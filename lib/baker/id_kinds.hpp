@@ -1,4 +1,4 @@
-// The kinds of steps that lead from number to number in the section of original ids, and which take fewest bits.
+// The kinds of steps that lead from number to number in the section of original ids, and which take few bits.
 #pragma once
 
 #include <algorithm>
@@ -47,8 +47,9 @@ struct IdKinds {
     std::vector<IdKind> kinds;  ///< the first takes every step; every row of kind_bits bits begins with the code of one
 };
 
-/// Returns the kinds that take fewest bits for these numbers, each below 2^number_bits, with the table that holds them.
-/// Of large meshes it looks at an even sample of the blocks.
+/// Returns kinds that take few bits for these numbers, each below 2^number_bits, with the table that holds them. Starts
+/// with many, drops those whose absence costs least, and keeps the best set on the way; another may take fewer bits.
+/// Of large meshes it counts the steps of an even sample of the blocks.
 [[nodiscard]] IdKinds choose_id_kinds(std::span<const std::uint32_t> numbers, unsigned number_bits);
 
 }  // namespace espalier::baker

@@ -1,0 +1,273 @@
+// Claims about the section of original ids as the baker writes it: a reader of its own follows the format's rules, and
+// the kinds are compared with others that the same numbers could have.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <baker/encode_ids.hpp>
+#include <espalier/format.hpp>
+
+#include "../support/answer_hash.hpp"
+#include "../support/random.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+namespace ids = format::ids;
+using Numbers = std::vector<std::uint32_t>;
+
+std::uint32_t mask_of(unsigned number_bits) {
+    return static_cast<std::uint32_t>((std::uint64_t{1} << number_bits) - 1);
+}
+
+struct Row {
+    std::uint32_t offset = 0, width = 0, prefix = 0, from = 0, replaced = 0;
+    friend bool operator==(const Row&, const Row&) = default;
+
+    [[nodiscard]] bool reaches(std::uint32_t number, const std::vector<std::uint32_t>& recent,
+                               std::uint32_t mask) const {
+        return std::uint64_t{(number - recent[from] - offset) & mask} < std::uint64_t{1} << width;
+    }
+    void follow(std::uint32_t number, std::vector<std::uint32_t>& recent) const {
+        recent.erase(recent.begin() + replaced);
+        recent.insert(recent.begin(), number);
+    }
+};
+
+/// A section as bytes, and what they lead to.
+struct Section {
+    std::vector<std::byte> bytes;
+    std::vector<Row> rows;
+    unsigned kind_bits = 0;
+    Numbers read;
+    std::size_t step_bits = 0;  ///< of all steps: what first numbers and whole bytes take is left out
+
+    [[nodiscard]] std::size_t bits() const { return step_bits + 8 * ids::kind_bytes * rows.size(); }
+};
+
+std::uint32_t word(const std::vector<std::byte>& bytes, std::size_t at, std::size_t count = 4) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < count; ++i) value |= std::to_integer<std::uint32_t>(bytes.at(at + i)) << (8 * i);
+    return value;
+}
+
+Section written(const Numbers& numbers, unsigned number_bits) {
+    Section section;
+    const baker::IdSteps steps = baker::put_ids(section.bytes, numbers, number_bits);
+    section.kind_bits = steps.kind_bits;
+    REQUIRE(steps.kind_bits <= ids::max_kind_bits);
+    for (std::size_t row = 0; row < std::size_t{1} << steps.kind_bits; ++row) {
+        const std::size_t at = row * ids::kind_bytes;
+        section.rows.push_back({word(section.bytes, at + ids::offset_at), word(section.bytes, at + ids::width_at, 1),
+                                word(section.bytes, at + ids::prefix_at, 1), word(section.bytes, at + ids::from_at, 1),
+                                word(section.bytes, at + ids::replaced_at, 1)});
+    }
+    const std::size_t begin = section.rows.size() * ids::kind_bytes;
+    const std::size_t blocks = (numbers.size() + ids::block_triangles - 1) / ids::block_triangles;
+    const std::size_t block_table = begin + (steps.bytes + 3) / 4 * 4;
+    REQUIRE(section.bytes.size() == block_table + ids::block_bytes * blocks);
+
+    std::size_t bit = 0;
+    const auto take = [&](unsigned width) {
+        std::uint32_t value = 0;
+        for (unsigned i = 0; i < width; ++i, ++bit)
+            value |= (word(section.bytes, begin + bit / 8, 1) >> bit % 8 & 1u) << i;
+        return value;
+    };
+    const std::uint32_t mask = mask_of(number_bits);
+    for (std::size_t block = 0; block < blocks; ++block) {
+        bit = (bit + 7) / 8 * 8;
+        REQUIRE(word(section.bytes, block_table + ids::block_bytes * block) == bit / 8);
+        section.read.push_back(take(number_bits));
+        std::vector<std::uint32_t> recent(ids::recent_numbers, section.read.back());
+        const std::size_t end = std::min<std::size_t>(numbers.size(), (block + 1) * ids::block_triangles);
+        while (section.read.size() < end) {
+            const std::size_t at = bit;
+            const Row& row = section.rows[take(steps.kind_bits)];
+            bit = at + row.prefix;
+            section.read.push_back((recent[row.from] + row.offset + take(row.width)) & mask);
+            row.follow(section.read.back(), recent);
+            section.step_bits += bit - at;
+        }
+    }
+    REQUIRE((bit + 7) / 8 == steps.bytes);
+    return section;
+}
+
+/// How many bits the same numbers take with two kinds: this one, and the one for every step.
+std::size_t bits_with(const Row& row, const Numbers& numbers, unsigned number_bits) {
+    const Row any = {0, number_bits, 1, 0, ids::recent_numbers - 1};
+    std::size_t bits = 2 * 8 * ids::kind_bytes;
+    std::vector<std::uint32_t> recent;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i % ids::block_triangles == 0) {
+            recent.assign(ids::recent_numbers, numbers[i]);
+            continue;
+        }
+        const Row& taken = row.reaches(numbers[i], recent, mask_of(number_bits)) ? row : any;
+        bits += 1 + taken.width;
+        taken.follow(numbers[i], recent);
+    }
+    return bits;
+}
+
+std::size_t steps_of(std::size_t count) { return count - (count + ids::block_triangles - 1) / ids::block_triangles; }
+
+/// Numbers of `rows` rows by turns, each row `step` after its last number, which are far from each other.
+Numbers rows_by_turns(unsigned rows, std::uint32_t step, std::size_t count, unsigned number_bits) {
+    Numbers numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto row = static_cast<std::uint32_t>(i % rows), turn = static_cast<std::uint32_t>(i / rows);
+        numbers.push_back((row * row * 7919 + turn * step) & mask_of(number_bits));
+    }
+    return numbers;
+}
+
+/// Each `low` to `high` after the one before, by chance.
+Numbers steps_within(std::int32_t low, std::int32_t high, std::size_t count, unsigned number_bits) {
+    Random random(count);
+    Numbers numbers;
+    std::uint32_t number = 12345;
+    for (std::size_t i = 0; i < count; ++i) {
+        numbers.push_back(number & mask_of(number_bits));
+        number += static_cast<std::uint32_t>(random.between(low, high));
+    }
+    return numbers;
+}
+
+Numbers by_chance(std::size_t count, unsigned number_bits) {
+    Random random(count);
+    Numbers numbers;
+    for (std::size_t i = 0; i < count; ++i)
+        numbers.push_back(static_cast<std::uint32_t>(random.next() >> 32) & mask_of(number_bits));
+    return numbers;
+}
+
+/// As leaves of a grid: pieces of rows of eight cells, and pieces of the rows above them.
+Numbers patches(std::uint32_t side, unsigned number_bits) {
+    Numbers numbers;
+    for (std::uint32_t y = 0; y < side; y += 8)
+        for (std::uint32_t x = 0; x < side; x += 8)
+            for (std::uint32_t i = 0; i < 128; ++i)
+                numbers.push_back((((y + i / 16) * side + x) * 2 + i % 16) & mask_of(number_bits));
+    return numbers;
+}
+
+std::vector<Numbers> all_orders(unsigned number_bits) {
+    std::vector<Numbers> orders;
+    for (const std::size_t count : {1u, 2u, 127u, 128u, 129u, 1000u}) {
+        orders.push_back(by_chance(count, number_bits));
+        orders.push_back(rows_by_turns(1, 1, count, number_bits));
+        orders.push_back(rows_by_turns(3, 2, count, number_bits));
+        orders.push_back(steps_within(-5, 9, count, number_bits));
+    }
+    orders.push_back(patches(64, number_bits));
+    orders.push_back(patches(256, number_bits));  // more than are looked at
+    return orders;
+}
+
+}  // namespace
+
+TEST_SUITE("id kinds") {
+    TEST_CASE("ids: sections lead to their numbers by steps of the kinds that take fewest bits") {
+        for (const unsigned number_bits : {1u, 2u, 7u, 17u, 32u}) {
+            CAPTURE(number_bits);
+            for (const Numbers& numbers : all_orders(number_bits)) {
+                CAPTURE(numbers.size());
+                const Section section = written(numbers, number_bits);
+                REQUIRE(section.read == numbers);
+                // Each row is of one kind with all rows that end like it, and some kind takes every step.
+                bool takes_all = false;
+                for (std::size_t i = 0; i < section.rows.size(); ++i) {
+                    const Row& row = section.rows[i];
+                    REQUIRE(row.prefix <= section.kind_bits);
+                    REQUIRE(row.width <= number_bits);
+                    REQUIRE(row.offset <= mask_of(number_bits));
+                    takes_all = takes_all || row.width == number_bits;
+                    for (std::size_t j = i % (std::size_t{1} << row.prefix); j < section.rows.size();
+                         j += std::size_t{1} << row.prefix)
+                        REQUIRE(section.rows[j] == row);
+                }
+                REQUIRE(takes_all);
+                // The fewest bits for each step, by the kinds that there are.
+                std::size_t fewest = 0;
+                std::vector<std::uint32_t> recent;
+                for (std::size_t i = 0; i < numbers.size(); ++i) {
+                    if (i % ids::block_triangles == 0) {
+                        recent.assign(ids::recent_numbers, numbers[i]);
+                        continue;
+                    }
+                    const Row* best = nullptr;
+                    for (const Row& row : section.rows)
+                        if (row.reaches(numbers[i], recent, mask_of(number_bits)) &&
+                            (best == nullptr || row.prefix + row.width < best->prefix + best->width))
+                            best = &row;
+                    REQUIRE(best != nullptr);
+                    fewest += best->prefix + best->width;
+                    best->follow(numbers[i], recent);
+                }
+                CHECK(section.step_bits <= fewest + numbers.size());
+            }
+        }
+    }
+
+    TEST_CASE("ids: a second kind is written just where it saves more than it takes") {
+        for (const unsigned number_bits : {3u, 9u, 20u, 32u}) {
+            for (std::size_t count = 1; count < 70; ++count) {
+                CAPTURE(number_bits);
+                CAPTURE(count);
+                const Section section = written(rows_by_turns(1, 5, count, number_bits), number_bits);
+                const std::size_t kind = 8 * ids::kind_bytes, steps = steps_of(count);
+                CHECK(section.bits() == std::min(kind + steps * number_bits, 2 * kind + steps));
+            }
+        }
+    }
+
+    TEST_CASE("ids: rows by turns take two bits a step after the first of each in a block") {
+        const std::size_t count = 10 * ids::block_triangles;
+        for (unsigned rows = 1; rows <= ids::recent_numbers; ++rows) {
+            for (const std::uint32_t step : {1u, 0u - 1u}) {
+                CAPTURE(rows);
+                CAPTURE(step);
+                const Section section = written(rows_by_turns(rows, step, count, 20), 20);
+                const std::size_t first_of_rows = 10 * (rows - 1);
+                CHECK(section.bits() <= 2 * steps_of(count) + 30 * first_of_rows + 8 * ids::kind_bytes * 8);
+            }
+        }
+    }
+
+    TEST_CASE("ids: steps of one range take hardly more bits than with a kind made for it") {
+        for (unsigned width = 1; width < 12; ++width) {
+            const auto reach = std::int32_t{1} << width;
+            for (const std::int32_t low : {1, -reach, -reach / 2}) {
+                CAPTURE(width);
+                CAPTURE(low);
+                const Numbers numbers = steps_within(low, low + reach - 1, 5000, 16);
+                const Row row = {static_cast<std::uint32_t>(low) & mask_of(16), width, 1, 0, 0};
+                CHECK(written(numbers, 16).bits() <= bits_with(row, numbers, 16));
+            }
+        }
+    }
+
+    TEST_CASE("ids: sections have the same bytes on every machine") {
+        struct Expected {
+            unsigned number_bits;
+            std::uint64_t hash;
+        };
+        for (const Expected& expected :
+             {Expected{1, 1353154861722445310u}, Expected{2, 14293783308465186360u}, Expected{7, 464274536594724287u},
+              Expected{17, 13895295916448774614u}, Expected{32, 16143317452187557372u}}) {
+            CAPTURE(expected.number_bits);
+            AnswerHash hash;
+            for (const Numbers& numbers : all_orders(expected.number_bits))
+                for (const std::byte byte : written(numbers, expected.number_bits).bytes)
+                    hash.add(std::to_integer<std::uint32_t>(byte));
+            CHECK(hash.value() == expected.hash);
+        }
+    }
+}
