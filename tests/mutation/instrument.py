@@ -26,8 +26,8 @@ PARTS = {
         "baker/lattice.hpp", "baker/lattice.cpp", "baker/fit_lattice.cpp", "baker/snap.cpp", "baker/float_rounding.hpp",
         "baker/encode_tree.cpp", "baker/encode_indexed_leaf.cpp", "baker/encode_strip_leaf.cpp", "baker/closed.cpp"],
     "traversal": [
-        "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_lanes.hpp", "runtime/box_nodes.hpp",
-        "runtime/point_nodes.inl", "runtime/point_bounds.inl", "runtime/squared_distance.inl",
+        "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_lanes.hpp", "runtime/placed_planes.hpp",
+        "runtime/box_nodes.hpp", "runtime/point_nodes.inl", "runtime/point_bounds.inl", "runtime/squared_distance.inl",
         "runtime/plane_nodes.hpp", "runtime/pair_nodes.inl", "runtime/pair_trees.inl",
         "runtime/traverse_pair.inl"],
     "rounding": ["runtime/lattice_ray.hpp", "runtime/lattice_point.hpp", "runtime/lattice_round.hpp",
@@ -41,6 +41,7 @@ PARTS = {
         "runtime/pair_queries.inl", "runtime/pair_beam.inl", "runtime/walk.cpp", "runtime/find_triangle.cpp",
         "runtime/scalar_walk.hpp", "runtime/original.cpp", "runtime/remap.cpp", "runtime/ray_queries_small.cpp",
         "runtime/point_queries_small.cpp"],
+    "ids": ["baker/id_kinds.hpp", "baker/id_kinds.cpp", "baker/encode_ids.cpp"],
 }
 
 NUMBERS_OF_A_FILE = 1000
