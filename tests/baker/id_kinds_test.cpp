@@ -118,12 +118,19 @@ std::size_t bits_with(const Row& row, const Numbers& numbers, unsigned number_bi
 
 std::size_t steps_of(std::size_t count) { return count - (count + ids::block_triangles - 1) / ids::block_triangles; }
 
-/// Numbers of `rows` rows by turns, each row `step` after its last number, which are far from each other.
+/// Numbers of `rows` rows, in each round all of them in another order; a row goes on `step` after its last number. The
+/// rows are far from each other.
 Numbers rows_by_turns(unsigned rows, std::uint32_t step, std::size_t count, unsigned number_bits) {
+    Random random(rows);
+    std::vector<std::uint32_t> lasts;
+    for (std::uint32_t row = 0; row < rows; ++row) lasts.push_back(row * row * 7919);
     Numbers numbers;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto row = static_cast<std::uint32_t>(i % rows), turn = static_cast<std::uint32_t>(i / rows);
-        numbers.push_back((row * row * 7919 + turn * step) & mask_of(number_bits));
+    while (numbers.size() < count) {
+        const std::size_t in_round = numbers.size() % rows;
+        const std::size_t chosen = in_round + random.below(static_cast<std::uint32_t>(rows - in_round));
+        std::swap(lasts[in_round], lasts[chosen]);
+        numbers.push_back(lasts[in_round] & mask_of(number_bits));
+        lasts[in_round] += step;
     }
     return numbers;
 }
@@ -163,7 +170,7 @@ std::vector<Numbers> all_orders(unsigned number_bits) {
     for (const std::size_t count : {1u, 2u, 127u, 128u, 129u, 1000u}) {
         orders.push_back(by_chance(count, number_bits));
         orders.push_back(rows_by_turns(1, 1, count, number_bits));
-        orders.push_back(rows_by_turns(3, 2, count, number_bits));
+        orders.push_back(rows_by_turns(5, 2, count, number_bits));
         orders.push_back(steps_within(-5, 9, count, number_bits));
     }
     orders.push_back(patches(64, number_bits));
@@ -228,15 +235,13 @@ TEST_SUITE("id kinds") {
         }
     }
 
-    TEST_CASE("ids: rows by turns take two bits a step after the first of each in a block") {
+    TEST_CASE("ids: rows that are gone on with in any order take less than half of the bits of whole numbers") {
         const std::size_t count = 10 * ids::block_triangles;
         for (unsigned rows = 1; rows <= ids::recent_numbers; ++rows) {
             for (const std::uint32_t step : {1u, 0u - 1u}) {
                 CAPTURE(rows);
                 CAPTURE(step);
-                const Section section = written(rows_by_turns(rows, step, count, 20), 20);
-                const std::size_t first_of_rows = 10 * (rows - 1);
-                CHECK(section.bits() <= 2 * steps_of(count) + 30 * first_of_rows + 8 * ids::kind_bytes * 8);
+                CHECK(2 * written(rows_by_turns(rows, step, count, 20), 20).bits() < 20 * steps_of(count));
             }
         }
     }
@@ -260,8 +265,8 @@ TEST_SUITE("id kinds") {
             std::uint64_t hash;
         };
         for (const Expected& expected :
-             {Expected{1, 1353154861722445310u}, Expected{2, 14293783308465186360u}, Expected{7, 464274536594724287u},
-              Expected{17, 13895295916448774614u}, Expected{32, 16143317452187557372u}}) {
+             {Expected{1, 14786268959573883455u}, Expected{2, 3992030328294083517u}, Expected{7, 2913570424624544776u},
+              Expected{17, 1028908942106504349u}, Expected{32, 5360633111081118260u}}) {
             CAPTURE(expected.number_bits);
             AnswerHash hash;
             for (const Numbers& numbers : all_orders(expected.number_bits))
