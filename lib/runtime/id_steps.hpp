@@ -54,7 +54,6 @@ struct StepFields {
 /// 2^number_bits - 1: the smallest mask that holds every number.
 inline std::uint32_t number_mask(const BlobData& blob) {
     const std::uint32_t limit = number_limit(blob);
-    // mutant(<= -> <) sanitizer: shifts by the width of the type, and every number is 0 then
     return limit <= 1 ? 0 : ~std::uint32_t{0} >> std::countl_zero(limit - 1);
 }
 
