@@ -135,6 +135,7 @@ void set_prefixes(std::vector<Candidate>& all, unsigned kind_bits) {
         Candidate* best = nullptr;
         const auto rows = [&](const Candidate& each) { return std::size_t{1} << (kind_bits - each.kind.prefix); };
         for (Candidate& each : all) {
+            // mutant(without 2) equivalent: a kind without a prefix has all rows, which are more than are left
             if (rows(each) > left || each.kind.prefix == 0) continue;
             if (best == nullptr || (each.uses + 1) * rows(*best) > (best->uses + 1) * rows(each)) best = &each;
         }
@@ -151,6 +152,7 @@ void set_codes(std::vector<IdKind>& kinds, unsigned kind_bits) {
         for (IdKind& kind : kinds) {
             if (kind.prefix != prefix) continue;
             kind.code = 0;
+            // mutant(< -> <=) sanitizer: adds a bit that is 0; the longest codes shift by -1
             for (unsigned bit = 0; bit < prefix; ++bit) kind.code |= (row >> (kind_bits - 1 - bit) & 1u) << bit;
             row += std::uint32_t{1} << (kind_bits - prefix);
         }

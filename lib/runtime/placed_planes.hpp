@@ -22,12 +22,14 @@ inline constexpr std::uint32_t least_shift = 24 - mantissa_bits;
 inline constexpr float slack_units = 3.0f;
 
 /// How far a node's base is shifted left.
+// mutant(< -> <=) equivalent: both sides are equal then
 constexpr std::uint32_t base_shift(unsigned bits) { return mantissa_bits - (bits < 16 ? bits : 16u); }
 /// How far a plane in a word's top byte is shifted right, less the shift of its axis.
 constexpr std::uint32_t plane_shift(unsigned bits) { return bits + least_shift; }
 /// A unit of the mantissa, in lattice steps.
 constexpr float unit(unsigned bits) { return power_of_two(static_cast<int>(bits) - static_cast<int>(mantissa_bits)); }
 /// By how much a placed coordinate grows in a lattice step, and the inverse.
+// mutant(- -> +, - -> right side dropped) work: widens the asset's box alone; nodes refuse the ray later
 constexpr float step(unsigned bits) { return power_of_two(-1 - static_cast<int>(bits)); }
 constexpr float steps_to_one(unsigned bits) { return power_of_two(1 + static_cast<int>(bits)); }
 
@@ -46,6 +48,7 @@ struct PlacedRayLanes {
 inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope, PlacedRayLanes& lanes) {
     const float slack_steps = slope.slack_steps + placed::slack_units * placed::unit(blob.bits);
     unsigned signs = 0;
+    // mutant(< -> <=) sanitizer: reads behind an array, and writes numbers that mean nothing
     for (unsigned k = 0; k < 3; ++k) {
         const float slack = absolute(slope.inverse[k]) * slack_steps;
         lanes.inverse[k] = slope.inverse[k] * placed::steps_to_one(blob.bits);
@@ -64,12 +67,16 @@ inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlo
 inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const PlacedRayLanes& lanes) {
     float enter = ray.tau_min;
     float leave = infinity;
+    // mutant(< -> >= 1) work: refuses no ray; nodes do later
     for (unsigned k = 0; k < 3; ++k) {
         const float low = lanes.inverse[k];
         const float high = blob.extent_steps[k] * placed::step(blob.bits) * low + low;
+        // mutant(maximum -> minimum) work: enters the box too early; nodes refuse the ray later
         enter = maximum(minimum(low, high) + lanes.near_offset[k], enter);
+        // mutant(minimum -> maximum) work: leaves the box too late; nodes refuse the ray later
         leave = minimum(maximum(low, high) + lanes.far_offset[k], leave);
     }
+    // mutant(<= -> <) work: refuses a ray that the slack alone brought to the box
     return enter <= leave;
 }
 
