@@ -11,6 +11,7 @@
 #include <limits>
 #include <vector>
 
+#include <runtime/placed_planes.hpp>
 #include <runtime/ray_lanes.hpp>
 #include <runtime/simd/lanes_scalar.hpp>
 #include <runtime/simd/select.hpp>
@@ -311,5 +312,20 @@ TEST_SUITE("slab test") {
             CHECK(counts.met > scaled(200));
             if (bits > 6) CHECK(counts.passed > scaled(30));
         }
+    }
+
+    // Lanes compare floats as integers, where -0 is below every other number.
+    TEST_CASE("ray: a window that begins or ends at -0 begins or ends at 0 in lanes") {
+        Random random(1);
+        const detail::BlobData blob = make_asset(random, 16);
+        detail::LatticeRay ray;
+        detail::RaySlope slope;
+        REQUIRE(detail::round_ray(blob, Ray{{0, 0, 0}, {1, 1, 1}}, ray, slope));
+        ray.tau_min = -0.0f;
+        ray.tau_max = -0.0f;
+        CHECK(!std::signbit(detail::window_limit(ray)));
+        detail::PlacedRayLanes lanes;
+        detail::spread_ray(blob, ray, slope, lanes);
+        CHECK(!std::signbit(lanes.tau_min));
     }
 }
