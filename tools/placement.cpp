@@ -7,8 +7,10 @@ const char* axis_name(Axis axis) { return axis == Axis::x ? "+X" : axis == Axis:
 Vec3 Placement::operator()(const std::array<double, 3>& point) const {
     std::array<float, 3> result{};
     for (std::size_t row = 0; row < 3; ++row) {
-        result[row] = static_cast<float>(linear[row][0] * point[0] + linear[row][1] * point[1] +
-                                         linear[row][2] * point[2] + offset[row]);
+        double sum = 0.0;
+        for (std::size_t column = 0; column < 3; ++column)
+            if (linear[row][column] != 0.0) sum += linear[row][column] * point[column];  // 0 times infinity is NaN
+        result[row] = static_cast<float>(sum + offset[row]);
     }
     return {result[0], result[1], result[2]};
 }
