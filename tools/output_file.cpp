@@ -31,6 +31,7 @@ int write_all(int descriptor, std::span<const std::byte> bytes) {
 }
 
 int write_directly(const std::string& path, std::span<const std::byte> bytes) {
+    if (is_standard_output(path)) return write_all(STDOUT_FILENO, bytes);
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor < 0) return errno;
     const int error = write_all(descriptor, bytes);
@@ -93,7 +94,7 @@ void OutputFiles::add(const std::string& path, std::span<const std::byte> bytes)
     const auto status = std::filesystem::status(path, error);
     if (std::filesystem::is_directory(status)) fail_to_write(path, EISDIR);
     Staged file{path, path, {}, {}};
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    if (is_standard_output(path) || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
         file.bytes = bytes;
     } else {
         if (std::filesystem::exists(status)) file.target = std::filesystem::canonical(path, error);
@@ -126,7 +127,7 @@ void write_output_file(const std::string& path, std::span<const std::byte> bytes
 
 void write_output_file_if_changed(const std::string& path, std::span<const std::byte> bytes) {
     std::error_code error;
-    if (std::filesystem::is_regular_file(path, error)) {
+    if (std::filesystem::is_regular_file(path, error) && !is_standard_output(path)) {
         std::ifstream file(path, std::ios::binary);
         const std::string before{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
         const auto old_bytes = std::as_bytes(std::span(before));

@@ -21,8 +21,9 @@ public:
     OutputFiles(const OutputFiles&) = delete;
     OutputFiles& operator=(const OutputFiles&) = delete;
 
-    /// Writes a temporary beside `path` and flushes it to the disk. A link is followed. What is no regular file (a
-    /// pipe, /dev/null) is written to by commit(), up to which the bytes must live. Throws CommandError (file_access).
+    /// Writes a temporary beside `path` and flushes it to the disk. A link is followed. The standard output and
+    /// what is no regular file (a pipe, /dev/null) are written to by commit(), up to which the bytes must live. Throws
+    /// CommandError (file_access).
     void add(const std::string& path, std::span<const std::byte> bytes);
     /// Renames the temporaries in the order of add(). Throws CommandError (file_access).
     void commit();

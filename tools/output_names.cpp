@@ -1,5 +1,6 @@
 #include "output_names.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,6 +10,7 @@
 
 #include "exit_code.hpp"
 #include "numbers.hpp"
+#include "output_file.hpp"
 
 namespace espalier::tools {
 
@@ -16,18 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Zero, or the error that writing the file would end with. What can only be found by writing is left to that.
-int obstacle(const std::string& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (fs::is_directory(status)) return EISDIR;
-    if (fs::exists(status) && !fs::is_regular_file(status)) return ::access(path.c_str(), W_OK) == 0 ? 0 : errno;
-    const fs::path target = fs::exists(status) ? fs::canonical(path, error) : fs::path(path);
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    const fs::file_status place = fs::status(folder, error);
-    if (fs::exists(place) && !fs::is_directory(place)) return ENOTDIR;
-    return ::access(folder.c_str(), W_OK | X_OK) == 0 ? 0 : errno;
-}
+bool are_one_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
 
 }  // namespace
 
@@ -38,6 +29,15 @@ int obstacle(const std::string& path) {
                        {.file = path});
 }
 
+bool is_standard_output(const std::string& path) {
+    struct stat file {};
+    struct stat standard_output {};
+    struct stat null {};
+    if (::stat(path.c_str(), &file) != 0 || ::fstat(STDOUT_FILENO, &standard_output) != 0) return false;
+    if (::stat("/dev/null", &null) == 0 && are_one_file(file, null)) return false;
+    return are_one_file(file, standard_output);
+}
+
 void require_writable(std::span<const NamedOutput> outputs) {
     for (const NamedOutput& output : outputs) {
         if (output.path.empty()) continue;
@@ -45,15 +45,20 @@ void require_writable(std::span<const NamedOutput> outputs) {
             throw CommandError(ExitCode::usage, text(output.option, " -: an output needs the name of a file. ./- is a ",
                                                      "file of that name, /dev/stdout the standard output."));
         }
-        if (const int error = obstacle(output.path); error != 0) fail_to_write(output.path, error);
+        std::error_code error;
+        const fs::file_status status = fs::status(output.path, error);
+        if (is_standard_output(output.path)) continue;
+        if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
+            OutputFiles().add(output.path, {});  // a temporary that is removed again
+        } else if (::access(output.path.c_str(), W_OK) != 0) {
+            fail_to_write(output.path, errno);
+        }
     }
 }
 
 void refuse_standard_output(std::span<const NamedOutput> outputs) {
     for (const NamedOutput& output : outputs) {
-        std::error_code error;
-        if (output.path.empty() || !fs::equivalent(output.path, "/dev/stdout", error) || error) continue;
-        if (fs::equivalent(output.path, "/dev/null", error)) continue;
+        if (output.path.empty() || !is_standard_output(output.path)) continue;
         throw CommandError(ExitCode::usage,
                            text(output.option, ' ', printable(output.path),
                                 ": it is the standard output, where --json writes its document. Give another file."));
