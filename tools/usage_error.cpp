@@ -111,10 +111,12 @@ std::string message_of(const CLI::App& verb, const CLI::ParseError& error) {
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
         const auto [name, reason] = divided(words, ": ");
         const auto [limit, given] = divided(reason, " required but received ");
+        if (name == "words") {
+            const std::string count = limit.substr(limit.rfind(' ') + 1);  // "At least 6", "At Most 6"
+            return text("this query takes ", count, count == "1" ? " word: " : " words: ", name_of_option(verb, name),
+                        "; here are ", given);
+        }
         if (limit == "At Most 1" && !given.empty()) return text(name, " is given ", given, " times; give it once");
-        const std::string count = divided(limit, "At least ").second;
-        if (name == "words")
-            return text("this query takes ", count, " words: ", name_of_option(verb, name), "; here are ", given);
         return text(name_of_option(verb, name), ": a value is missing");
     }
     if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
