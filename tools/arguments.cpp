@@ -2,6 +2,14 @@
 
 namespace espalier::tools {
 
+void refuse_empty_values(CLI::App& verb) {
+    const CLI::Validator not_empty(
+        [](std::string& value) { return std::string(value.empty() ? "the value is empty" : ""); }, "");
+    for (CLI::Option* option : verb.get_options())
+        if (!option->get_positional() && option->get_items_expected_min() > 0) option->check(not_empty);
+    for (CLI::App* below : verb.get_subcommands([](CLI::App*) { return true; })) refuse_empty_values(*below);
+}
+
 CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& description) {
     CLI::App* verb = app.add_subcommand(name, description);
     verb->footer(exit_code_help);
@@ -33,7 +41,6 @@ void add_source(CLI::App* verb, SourceArguments& source) {
     verb->add_option("--import-memory", source.import_memory,
                      "Most address space (512M, 4G) that reading one file may add; without it half of the machine's "
                      "memory. Beyond it the file is refused")
-        ->check(not_empty())
         ->type_name("BYTES");
     verb->add_option("--import-seconds", source.import_seconds,
                      "Most processor time that reading one file may take. Beyond it the file is refused")

@@ -37,12 +37,6 @@ CLI::Option* add_choice(CLI::App* verb, const std::string& option, Target& targe
     return verb->add_option_function<std::string>(option, choose, description)->type_name(names);
 }
 
-/// Refuses an empty value, which a script with an unset variable passes.
-inline CLI::Validator not_empty() {
-    return CLI::Validator([](std::string& value) { return std::string(value.empty() ? "the value is empty" : ""); },
-                          "");
-}
-
 /// Takes the sign off "10%".
 inline CLI::Validator percentage() {
     return CLI::Validator(
@@ -75,6 +69,10 @@ CLI::Validator between(Number least, Number most) {
     };
     return CLI::Validator(check, "");
 }
+
+/// Makes all options of the verb and of those below it refuse an empty value, which a script with an unset variable
+/// passes.
+void refuse_empty_values(CLI::App& verb);
 
 /// A verb whose help ends with the exit codes.
 CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& description);

@@ -53,7 +53,6 @@ void add_bake(CLI::App& app, Chosen& chosen) {
     verb->add_option("--remap", arguments->remap,
                      "Also write which triangle of the source each triangle of the blob is: 16 bytes a triangle, "
                      "nothing in the blob")
-        ->check(not_empty())
         ->type_name("FILE");
     verb->add_option("--reorder", arguments->reorder,
                      "Also write the source as one mesh, .obj or .ply, whose n-th triangle is the blob's triangle n, "
@@ -61,7 +60,6 @@ void add_bake(CLI::App& app, Chosen& chosen) {
                      "groups and what was dropped; in the blob's units and axes; copies of triangles repeat them. PLY "
                      "keeps every bit of "
                      "a coordinate; readers of OBJ may round the last one")
-        ->check(not_empty())
         ->type_name("MESH");
     CLI::Option* tolerance =
         verb->add_option("--tolerance", arguments->tolerance,
@@ -78,14 +76,12 @@ void add_bake(CLI::App& app, Chosen& chosen) {
                                          "step share lattice points where their meshes share vertices")
                             ->excludes(tolerance)
                             ->excludes(bits)
-                            ->check(not_empty())
                             ->type_name("2^N");
     CLI::Option* lattice_of =
         verb->add_option("--lattice-of", arguments->lattice_of, "Take the lattice step of another blob")
             ->excludes(tolerance)
             ->excludes(bits)
             ->excludes(step)
-            ->check(not_empty())
             ->type_name("BLOB");
     add_picking(verb, *arguments, {tolerance, bits, step, lattice_of});
     add_choice(verb, "--profile", arguments->profile, profile_choices,
@@ -138,7 +134,6 @@ void add_bake(CLI::App& app, Chosen& chosen) {
         ->type_name("PERCENT");
     verb->add_option("--expect-size", arguments->expected_size,
                      "Refuse an asset whose largest side is not between these two lengths: 0.1m..10m")
-        ->check(not_empty())
         ->type_name("LENGTH..LENGTH");
     verb->add_option("--effort", arguments->effort,
                      "0 bakes fastest, 9 bakes best: more candidate splits throughout; subtrees are moved to better "

@@ -75,12 +75,13 @@ void refuse_dropped(const BakePolicy& policy, const Imported& imported, const Ba
         std::move(details));
 }
 
-void refuse_empty(const BakePolicy& policy, const BakeReport& report) {
+void refuse_empty(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
     if (policy.allow_empty || report.triangles != 0) return;
     throw CommandError(ExitCode::invalid_input,
-                       "no triangle is left, so nothing was written. Check the input; if an empty blob is intended, "
-                       "give --allow-empty.",
-                       {.kind = "empty"});
+                       text(names_of_inputs(imported),
+                            ": no triangle is left, so nothing was written. Check the "
+                            "input; if an empty blob is intended, give --allow-empty."),
+                       {.file = only_input(imported), .kind = "empty"});
 }
 
 bool is_within(const BakePolicy::SizeRange& range, const AssetSize& size) {
@@ -109,10 +110,10 @@ void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeR
     if (is_within(range, size)) return;
     throw CommandError(
         ExitCode::invalid_input,
-        text("the asset is ", rounded(size.extent), " m across, outside of --expect-size ", printable(range.words),
-             ", so nothing was written. Check the unit of its file, which --unit states.",
+        text(names_of_inputs(imported), ": the asset is ", rounded(size.extent), " m across, outside of --expect-size ",
+             printable(range.words), ", so nothing was written. Check the unit of its file, which --unit states.",
              unit_hints(range, imported, size)),
-        {.kind = "size"});
+        {.file = only_input(imported), .kind = "size"});
 }
 
 }  // namespace
@@ -130,9 +131,20 @@ void enforce(const BakePolicy& policy, const Imported& imported, const BakeRepor
              std::span<const Warning> warnings) {
     if (!policy.allow_empty) refuse_empty_files(imported);
     refuse_dropped(policy, imported, report);
-    refuse_empty(policy, report);
+    refuse_empty(policy, imported, report);
     refuse_size(policy, imported, report);
-    if (policy.strict) refuse_warnings(warnings);
+    if (policy.strict) refuse_warnings(warnings, imported);
+}
+
+std::string only_input(const Imported& imported) {
+    return imported.files.size() == 1 ? imported.files.front().path : std::string();
+}
+
+std::string names_of_inputs(const Imported& imported) {
+    std::string names;
+    for (const ImportedFile& file : imported.files)
+        names += text(names.empty() ? "'" : ", '", printable(file.path), '\'');
+    return names;
 }
 
 bool drops_more_than(double percent, const BakeReport& report) {
@@ -151,14 +163,15 @@ void refuse_empty_files(const Imported& imported) {
     }
 }
 
-void refuse_warnings(std::span<const Warning> warnings) {
+void refuse_warnings(std::span<const Warning> warnings, const Imported& imported) {
     if (warnings.empty()) return;
     std::string kinds;
     for (const Warning& warning : warnings) kinds += (kinds.empty() ? "" : ", ") + warning.kind;
     const Warning& first = warnings.front();
     throw CommandError(
         ExitCode::invalid_input,
-        text("--strict refuses ", counted(warnings.size(), "warning"), ": ", kinds, ". Nothing was written."),
+        text(first.file.empty() ? names_of_inputs(imported) : text('\'', printable(first.file), '\''),
+             ": --strict refuses ", counted(warnings.size(), "warning"), ": ", kinds, ". Nothing was written."),
         {first.file, first.mesh, first.triangle, "strict"});
 }
 

@@ -40,7 +40,12 @@ bool drops_more_than(double percent, const BakeReport& report);
 /// Throws CommandError (invalid_input) when a file has no triangles: of several files, each contributes some.
 void refuse_empty_files(const Imported& imported);
 
-/// Throws CommandError (invalid_input) when there are warnings.
-void refuse_warnings(std::span<const Warning> warnings);
+/// Throws CommandError (invalid_input) when there are warnings. What the first is about is named.
+void refuse_warnings(std::span<const Warning> warnings, const Imported& imported);
+
+/// Returns the path of the input, or nothing if there are several.
+std::string only_input(const Imported& imported);
+/// Returns "'body.obj', 'wheel.obj'".
+std::string names_of_inputs(const Imported& imported);
 
 }  // namespace espalier::tools

@@ -62,7 +62,7 @@ void say_import(const Console& console, const BakeArguments& arguments, const Im
                                     : std::string("axes: as imported (--up turns another axis to +Y)"));
 }
 
-void say_findings(const Console& console, const BakeReport& report) {
+void say_report(const Console& console, const BakeReport& report) {
     for (const NamedFinding& found : findings_of(report)) {
         if (found.finding.count == 0) continue;
         console.say(text("dropped ", counted(found.finding.count, "triangle"), ' ', found.what,
@@ -72,9 +72,6 @@ void say_findings(const Console& console, const BakeReport& report) {
         console.say(text(report.source_triangles == 0 ? "the input has no triangles" : "no triangle is left",
                          "; the blob is valid and empty, and every query of it finds nothing"));
     }
-}
-
-void say_result(const Console& console, const BakeReport& report) {
     console.say(text("bounds: ", shortest(report.bounds_min), " to ", shortest(report.bounds_max), ", extent ",
                      rounded(report.extent)));
     console.say(text("lattice: ", report.bits, " bits, step ", rounded(report.step), ", max error ",

@@ -16,10 +16,8 @@ namespace espalier::tools {
 
 /// Where the coordinates come from and what was done to them: unit, axes, skipped elements, for each file.
 void say_import(const Console& console, const BakeArguments& arguments, const Imported& imported);
-/// What was wrong with the input, and what became of it.
-void say_findings(const Console& console, const BakeReport& report);
-/// The result in numbers.
-void say_result(const Console& console, const BakeReport& report);
+/// What was wrong with the input, what became of it, and the result in numbers.
+void say_report(const Console& console, const BakeReport& report);
 
 Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
                std::span<const Warning> warnings);

@@ -100,7 +100,7 @@ std::string depfile_of(const BakeArguments& arguments, const Imported& imported)
         sources.insert(sources.end(), file.opened.begin(), file.opened.end());
     }
     if (!arguments.cost_model.empty()) sources.push_back(arguments.cost_model);
-    if (!arguments.lattice_of.empty()) sources.push_back(arguments.lattice_of);
+    if (!arguments.lattice_of.empty() && arguments.lattice_of != "-") sources.push_back(arguments.lattice_of);
     return depfile_text(arguments.output, sources);
 }
 
@@ -120,9 +120,8 @@ void write_outputs(const BakeArguments& arguments, const Imported& imported, con
 }
 
 /// What was picked is said here; the rest of the verb sees a bake like any other.
-Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, const Console& console,
-                   Json& picked_json) {
-    BakeOptions options = bake_options(arguments);
+Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, BakeOptions options,
+                   const Console& console, Json& picked_json) {
     const std::optional<PickGoal> goal = pick_goal(arguments);
     Progress progress(arguments.quiet);
     options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
@@ -149,7 +148,7 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
     const BakePolicy policy = bake_policy(arguments);
     ImportOptions source = import_options(arguments.source, arguments.json, warnings);
     source.materials = arguments.material_bits != 0;
-    static_cast<void>(bake_options(arguments));  // what is mistyped is said before a long import
+    const BakeOptions options = bake_options(arguments);  // what is mistyped is said before a long import
     static_cast<void>(pick_goal(arguments));
 
     const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
@@ -157,11 +156,10 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
     Json picked_json;
-    const Baked baked = bake_or_pick(imported, arguments, console, picked_json);
-    say_findings(console, baked.report);
-    say_result(console, baked.report);
-    give(bake_warnings(baked.report, policy), warnings);
+    const Baked baked = bake_or_pick(imported, arguments, options, console, picked_json);
+    give(bake_warnings(baked.report, policy, imported), warnings);
     enforce(policy, imported, baked.report, warnings);
+    say_report(console, baked.report);
     write_outputs(arguments, imported, baked);
     for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
         if (!written.empty()) console.say(text("wrote ", printable(written)));

@@ -95,7 +95,7 @@ ExitCode trade_with_warnings(const TradeArguments& arguments, std::vector<Warnin
     {
         const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
         if (!arguments.source.allow_empty) refuse_empty_files(imported);
-        if (arguments.source.strict) refuse_warnings(warnings);
+        if (arguments.source.strict) refuse_warnings(warnings, imported);
         for (const ImportedFile& file : imported.files) triangles += file.triangles;
         Progress progress(arguments.quiet);
         points = measure_trade(imported, options, space,

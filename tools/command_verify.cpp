@@ -92,7 +92,7 @@ ExitCode verify_with_warnings(const VerifyArguments& arguments, std::vector<Warn
     if (result.failure.empty() && !arguments.sources.empty()) {
         const Imported source = import_files(arguments.sources, options);
         if (!arguments.source.allow_empty) refuse_empty_files(source);
-        if (arguments.source.strict) refuse_warnings(warnings);
+        if (arguments.source.strict) refuse_warnings(warnings, source);
         result.source = check_source(file.blob, source);
         const std::string failure = source_failure(file.blob, *result.source);
         if (!failure.empty()) result.failure = text("'", printable(arguments.blob), "': ", failure);

@@ -14,7 +14,6 @@ namespace {
 
 void put_error(const CommandError& error, Json& document) {
     const ErrorDetails& details = error.details();
-    if (!details.warnings.empty()) document["warnings"] = warnings_json(details.warnings);
     document["error"] = diagnostic_json({details.kind, error.what(), details.file, details.mesh, details.triangle});
 }
 
@@ -37,7 +36,8 @@ ExitCode report_failure(const CommandError& error, Json* document) {
 
 std::string failure_document(const CommandError& error, const std::vector<Warning>& warnings) {
     Json document = json_document();
-    put_error(with(error, warnings), document);
+    document["warnings"] = warnings_json(warnings);
+    put_error(error, document);
     return json_text(document);
 }
 

@@ -20,6 +20,7 @@
 #include "failure.hpp"
 #include "numbers.hpp"
 #include "usage_error.hpp"
+#include "warnings.hpp"
 
 namespace espalier::tools {
 
@@ -70,6 +71,9 @@ void add_verify(CLI::App& app, Chosen& chosen) {
                      "give --unit, --scale and --up as for bake")
         ->type_name("MESH");
     add_source(verb, arguments->source);
+    verb->get_option("--strict")->description("Warnings about the files of --source are errors: exit status 3");
+    verb->get_option("--allow-empty")
+        ->description("Take files of --source without triangles; without it they are an error");
     add_json(verb, arguments->json);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_verify(*arguments); }; });
 }
@@ -149,6 +153,7 @@ ExitCode run(int count, char** values) {
     add_render(app, chosen);
     add_trade(app, chosen);
     add_dump(app, chosen);
+    refuse_empty_values(app);
     std::vector<std::string> words(values + std::min(count, 1), values + count);
     words = with_negative_numbers_marked(with_help_as_option(std::move(words)));
     std::reverse(words.begin(), words.end());  // CLI11 takes them last first
@@ -175,6 +180,7 @@ bool wants_json(int count, char** values) {
 ExitCode run_and_report(int count, char** values) {
     const auto report = [&](const CommandError& error) {
         Json document = json_document();
+        document["warnings"] = warnings_json(error.details().warnings);
         return report_failure(error, wants_json(count, values) ? &document : nullptr);
     };
     try {

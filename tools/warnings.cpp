@@ -10,9 +10,6 @@ namespace {
 constexpr double largest_expected_extent = 1000.0;  // metres
 constexpr double smallest_expected_extent = 0.001;
 
-/// A warning about the whole bake.
-Warning of_bake(const char* kind, const std::string& message) { return {kind, message, {}, {}, {}}; }
-
 /// Why the baked surface is not closed, though the source is, and what keeps it closed.
 std::string lost_closed_text(const BakeReport& report) {
     std::string dropped, advice;
@@ -43,8 +40,11 @@ Json or_null(const std::optional<Value>& value) {
 
 }  // namespace
 
-std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy) {
+std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const Imported& imported) {
     std::vector<Warning> warnings;
+    const auto of_bake = [file = only_input(imported)](const char* kind, const std::string& message) {
+        return Warning{kind, message, file, {}, {}};
+    };
     if (report.step_below_float_spacing) {
         warnings.push_back(of_bake(
             "step_below_float_spacing",
@@ -66,7 +66,7 @@ std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& p
     if (report.extent > largest_expected_extent || report.extent < smallest_expected_extent) {
         warnings.push_back(
             of_bake("unexpected_size",
-                    text("the asset is ", rounded(report.extent),
+                    text(names_of_inputs(imported), ": the asset is ", rounded(report.extent),
                          " m across. If that is not what it is, give the unit of its file with --unit, or --scale.")));
     }
     return warnings;

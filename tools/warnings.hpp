@@ -13,7 +13,7 @@
 namespace espalier::tools {
 
 /// Returns where the blob may not be what its user expects. A size that the policy states is expected.
-std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy);
+std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& policy, const Imported& imported);
 
 /// Prints warnings and adds them to the list.
 void give(std::span<const Warning> found, std::vector<Warning>& warnings);

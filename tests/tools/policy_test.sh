@@ -59,6 +59,7 @@ refused empty points.obj
 err_has "the input has no triangles"
 err_has "--allow-empty"
 err_has "'points.obj'"
+err_lacks "the blob is valid"
 json '.error.file == "points.obj"'
 refused empty box.obj points.obj
 err_has "'points.obj': the input has no triangles"
@@ -67,18 +68,33 @@ refused dropped line.obj
 err_has "and give --allow-empty"
 refused dropped line.obj --allow-empty
 refused empty line.obj --max-dropped 100
+err_has "'line.obj': no triangle is left"
+err_lacks "the blob is valid"
+json '.error.file == "line.obj"'
 run 0 bake points.obj -o x.espl --allow-empty --strict --json
 json '.triangles == 0 and .warnings == []'
 run 0 bake line.obj -o x.espl --allow-empty --max-dropped 100 --strict
 
 claim "--strict refuses a bake with warnings and lists them and takes one without"
 refused strict box.obj --strict --unit km
-err_has "warning: the asset is 3000 m across"
-err_has "--strict refuses 1 warning: unexpected_size"
+err_has "warning: 'box.obj': the asset is 3000 m across"
+json '.error.file == "box.obj" and .warnings[0].file == "box.obj"'
+err_has "'box.obj': --strict refuses 1 warning: unexpected_size"
 json '[.warnings[].kind] == ["unexpected_size"]'
 refused strict box.obj --strict --unit km --bits 23
 json '[.warnings[].kind] == ["rays_rounded_coarsely", "unexpected_size"]'
+cp box.obj same.obj
+refused strict box.obj same.obj --strict --unit km
+err_has "'box.obj', 'same.obj': --strict refuses"
+json '.error.file == null'
 run 0 bake box.obj -o x.espl --strict
+
+claim "a blob among the meshes is named as one"
+cp box.espl blob.obj
+for blob in box.espl blob.obj; do
+    run 5 bake $blob -o x.espl
+    err_has "'$blob' is a blob already. Give the mesh"
+done
 
 claim "errors about the whole bake list the warnings too"
 { write_box_obj 0; echo faces 7; } >unknown.obj
@@ -100,10 +116,18 @@ absent x.c
 run 0 bake box.obj -o x.espl
 "$espalier" bake box.obj -o /dev/stdout -q 2>err | cat >y.espl
 same x.espl y.espl
+"$espalier" bake box.obj -o /dev/stdout -q --json 2>err | cat >out
+[ "${PIPESTATUS[0]}" = 1 ] || fail "a pipe takes a blob and a document"
+json '.error.kind == "usage"'
+echo before >log
+{ cat log && cat x.espl; } >both
+"$espalier" bake box.obj -o /dev/stdout -q >>log
+same both log
 
 claim "--expect-size refuses a size outside of it with the units that would fit and a size within it is no doubt"
 refused size box.obj --expect-size 0.1m..2.9m
-err_has "the asset is 3 m across, outside of --expect-size 0.1m..2.9m"
+err_has "'box.obj': the asset is 3 m across, outside of --expect-size 0.1m..2.9m"
+json '.error.file == "box.obj" and .warnings == []'
 err_has "--unit ft makes it 0.9144 m"
 refused size box.obj --expect-size 3.1m..10m
 err_has "--unit"

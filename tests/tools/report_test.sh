@@ -99,4 +99,25 @@ run 6 query open.espl inside 0 0 0 --json
 fails_with no_answer null null null
 json '.query == "inside" and .status == "not_closed"'
 
+claim "a verb that fails without a result lists its warnings, also when there are none"
+for arguments in "bake missing.obj -o x.espl" "bake --xyzzy" "info missing.espl" "render missing.espl -o x.png" \
+    "verify missing.espl"; do
+    # shellcheck disable=SC2086  # words
+    "$espalier" $arguments --json >out 2>err && fail "$arguments is no failure"
+    json '.warnings == []'
+done
+
+claim "a coordinate that is not finite is named by its axis and value"
+for values in "0 1 nan:z = NaN" "0 inf 1:y = infinity" "0 1e39 0:y = infinity" "-inf 0 0:x = -infinity"; do
+    printf 'v 0 0 0\nv 1 0 0\nv %s\nf 1 2 3\n' "${values%%:*}" >wrong.obj
+    for options in "" "--unit mm" "--up y"; do
+        # shellcheck disable=SC2086  # words
+        run 3 bake wrong.obj -o x.espl $options
+        err_has "has ${values#*:}"
+    done
+done
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n' >wrong.obj
+run 3 bake wrong.obj -o x.espl --up z
+err_has "has y = NaN"
+
 finish

@@ -41,6 +41,8 @@ is_explained "BLOB is missing" info
 is_explained "the kind of query is missing" query box.espl
 is_explained "origin x y z, direction x y z" query box.espl ray 0 0 0
 is_explained "this query takes 6 words: origin x y z, direction x y z; here are 3" query box.espl ray 0 0 0
+is_explained "this query takes 6 words: origin x y z, direction x y z; here are 7" query box.espl ray 1 2 3 4 5 6 7
+is_explained "this query takes 1 word: OTHER; here are 2" query box.espl contacts box.espl box.espl
 is_explained "BLOB is missing before 'ray'. Run 'espalier query --help'." query ray 0 0
 is_explained "BLOB is missing before 'ray'" query ray
 is_explained "Run 'espalier query BLOB ray --help'." query box.espl ray 0 0 0
@@ -69,6 +71,18 @@ for bounds in "--bounds obb,sphere" "--bounds obb --bounds sphere"; do
 done
 rm x.espl two.espl
 
+claim "an empty value, as of a variable that is not set, is refused with its option"
+for option in --tolerance --unit --cost-model --threads --depfile --remap --reorder --lattice-of --step --max-error; do
+    is_explained "$option: the value is empty" bake box.obj -o x.espl $option ""
+done
+is_explained "--output: the value is empty" bake box.obj -o ""
+for option in --symbol --section --header; do
+    is_explained "$option: the value is empty" embed box.espl -o x.c $option ""
+done
+is_explained "--accuracy: the value is empty" query box.espl ray 0 0 0 0 0 1 --accuracy ""
+is_explained "--csv: the value is empty" trade box.obj --csv ""
+[ ! -e x.espl ] && [ ! -e x.c ] || fail "a file is there"
+
 claim "help is a verb too"
 for words in "" bake query trade; do
     # shellcheck disable=SC2086  # words
@@ -90,6 +104,11 @@ done
 "$espalier" query - bounds <box.espl >from_input
 "$espalier" query box.espl bounds >from_file
 same from_input from_file
+"$espalier" bake box.obj -o x.espl -q --lattice-of box.espl --depfile x.d
+"$espalier" bake box.obj -o y.espl -q --lattice-of - --depfile y.d <box.espl || fail "no lattice from the input"
+same x.espl y.espl
+! grep -q ' -$' y.d || fail "the depfile lists -"
+rm x.espl y.espl x.d y.d
 is_explained "-o -: an output needs the name of a file" bake box.obj -o -
 is_explained "--remap -: an output" bake box.obj -o x.espl --remap -
 is_explained "-o -: " render box.espl -o -
@@ -104,7 +123,7 @@ is_explained "-o x.png: the picture is an SVG; give it a name that ends in .svg"
 
 claim "a folder that is not there or no folder is noticed before the bake"
 for option in "-o no/x.espl" "-o x.espl --remap no/x" "-o x.espl --reorder no/x.ply" "-o x.espl --depfile no/x.d" \
-    "-o box.obj/x.espl"; do
+    "-o box.obj/x.espl" "-o /proc/x.espl"; do
     # shellcheck disable=SC2086
     run 2 bake box.obj $option
     err_has "cannot write '"

@@ -51,11 +51,16 @@ void require_readable(const std::string& path) {
 
 using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);
 
-/// By the content where it names its format, else by the name's ending.
+/// By the content where it names its format, else by the name's ending. Throws CommandError (unsupported) for a blob.
 Import* importer_of(const std::string& path) {
     char begin[5] = {};
     std::ifstream(path, std::ios::binary).read(begin, sizeof(begin));
     const std::string_view content(begin, sizeof(begin));
+    if (content.starts_with("ESPL")) {
+        throw CommandError(ExitCode::unsupported,
+                           text("'", printable(path), "' is a blob already. Give the mesh that it was baked from."),
+                           {.file = path});
+    }
     if (content.starts_with("ply\n") || content.starts_with("ply\r")) return import_ply;
     std::string ending = std::filesystem::path(path).extension().string();
     for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
