@@ -74,6 +74,7 @@ std::vector<Candidate> candidates(std::span<const std::uint32_t> frequent, unsig
     for (unsigned from = 0; from < recent_numbers; ++from) {
         for (std::size_t i = 0; i < std::min(frequent.size(), from < 2 ? most_frequent : most_frequent / 2); ++i)
             add(frequent[i], 0, from, from);
+        // mutant(< -> <=) sanitizer: shifts by the width of the type, where numbers have 32 bits
         for (unsigned width = 1; width < number_bits; ++width) {
             const std::uint32_t reach = std::uint32_t{1} << width;
             for (const std::uint32_t offset : {0 - reach / 2, std::uint32_t{1}, 0 - reach}) {
@@ -186,6 +187,8 @@ IdKinds choose_id_kinds(std::span<const std::uint32_t> numbers, unsigned number_
             for (const Candidate& each : all) best.kinds.push_back(each.kind);
         }
         if (all.size() == 1) break;
+        // mutant(- -> + 2, - -> right side dropped 2) equivalent: of two or more, a tenth and one are at most all but
+        // one
         drop(all, std::min(all.size() / 10 + 1, all.size() > most_kinds ? all.size() - most_kinds : all.size() - 1));
     }
     set_codes(best.kinds, best.kind_bits);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include <baker/encode_ids.hpp>
@@ -178,6 +179,50 @@ std::vector<Numbers> all_orders(unsigned number_bits) {
     return orders;
 }
 
+/// The same numbers with every compiler.
+class Draws {
+public:
+    explicit Draws(std::uint32_t seed) : engine_(seed) {}
+    std::uint32_t operator()() { return static_cast<std::uint32_t>(engine_()); }
+
+private:
+    std::mt19937 engine_;
+};
+
+/// Some rows that go on by some steps, and jumps; the counts of all are drawn too.
+Numbers drawn(std::uint32_t seed, unsigned number_bits) {
+    Draws random(seed);
+    const std::size_t count = 2 + random() % 400;
+    const std::size_t rows = 1 + random() % 8;
+    std::uint32_t steps[8];
+    for (std::uint32_t& step : steps) step = random();
+    const std::size_t kinds = 1 + random() % 8;
+    const std::uint32_t jumps = 2 + random() % 30;
+    std::uint32_t at[8] = {};
+    Numbers numbers;
+    while (numbers.size() < count) {
+        const std::size_t row = random() % rows;
+        at[row] += steps[random() % kinds];
+        if (random() % jumps == 0) at[row] = random();
+        numbers.push_back(at[row] & mask_of(number_bits));
+    }
+    return numbers;
+}
+
+/// Eight rows that go on by eight steps, each as likely as the others.
+Numbers sixty_four_kinds(std::size_t count) {
+    Draws random(0);
+    std::uint32_t at[8], steps[8];
+    for (std::uint32_t& number : at) number = random();
+    for (std::uint32_t& step : steps) step = random();
+    Numbers numbers;
+    while (numbers.size() < count) {
+        const std::size_t row = random() % 8;
+        numbers.push_back(at[row] += steps[random() % 8]);
+    }
+    return numbers;
+}
+
 }  // namespace
 
 TEST_SUITE("id kinds") {
@@ -274,5 +319,19 @@ TEST_SUITE("id kinds") {
                     hash.add(std::to_integer<std::uint32_t>(byte));
             CHECK(hash.value() == expected.hash);
         }
+    }
+
+    TEST_CASE("ids: the most rows of kinds are used where they save bits") {
+        CHECK(written(sixty_four_kinds(6000), 32).kind_bits == ids::max_kind_bits);
+    }
+
+    TEST_CASE("ids: sections of few numbers have the same bytes on every machine") {
+        AnswerHash hash;
+        for (const unsigned number_bits : {2u, 6u, 8u}) {
+            for (std::uint32_t seed = 0; seed < 4000; seed += 100)
+                for (const std::byte byte : written(drawn(seed + number_bits, number_bits), number_bits).bytes)
+                    hash.add(std::to_integer<std::uint32_t>(byte));
+        }
+        CHECK(hash.value() == 17087228887965764738u);
     }
 }
