@@ -167,6 +167,10 @@ std::span<const std::byte> GltfAccessors::elements(const GltfObject& place, std:
     const std::size_t step = stride == nullptr || view.stride == 0 ? bytes : view.stride;
     if (step < bytes)
         place.fail(text("bufferView ", number, " has a byteStride of ", step, " for elements of ", bytes));
+    if (view.packed != 0 && step != view.packed) {
+        place.fail(text("its elements follow each other every ", step, " bytes, and EXT_meshopt_compression packs ",
+                        view.packed, " bytes for each in bufferView ", number));
+    }
     if (stride != nullptr) *stride = step;
     if (count == 0) return {};
     const std::size_t size = view.bytes.size();

@@ -10,15 +10,20 @@ GltfBufferView GltfBufferViews::view(std::size_t number) {
     const std::size_t stride = view.whole("byteStride").value_or(0);
     const auto compressed = view.extension("EXT_meshopt_compression");
     if (!compressed) return {part_of_buffer(view), stride};
+    const std::uint64_t packed = compressed->required_whole("byteStride");
+    if (view.has("byteStride") && stride != packed) {
+        view.fail(text("its byteStride is ", stride, ", and that of its EXT_meshopt_compression is ", packed));
+    }
     auto found = decompressed_.find(number);
     if (found == decompressed_.end()) {
         found = decompressed_.emplace(number, decode_meshopt(*compressed, part_of_buffer(*compressed))).first;
     }
     const std::uint64_t length = view.required_whole("byteLength");
-    if (found->second.size() < length) {
-        view.fail(text("it has ", found->second.size(), " bytes of the ", length, " that \"byteLength\" states"));
+    if (found->second.size() != length) {
+        view.fail(text("its \"byteLength\" is ", length, ", and its EXT_meshopt_compression has ", found->second.size(),
+                       " bytes"));
     }
-    return {std::span<const std::byte>(found->second).first(length), stride};
+    return {found->second, stride, packed};
 }
 
 std::span<const std::byte> GltfBufferViews::part_of_buffer(const GltfObject& part) {

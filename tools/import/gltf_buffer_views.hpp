@@ -15,6 +15,7 @@ namespace espalier::tools {
 struct GltfBufferView {
     std::span<const std::byte> bytes;
     std::size_t stride = 0;  ///< 0: elements follow each other without a gap
+    std::size_t packed = 0;  ///< bytes of an element of EXT_meshopt_compression; 0: the view is not compressed
 };
 
 class GltfBufferViews {
