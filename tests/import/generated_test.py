@@ -492,7 +492,9 @@ def assimp(claims):
     claims.bakes("RAW: .5 is a half", "half.raw", ".5 0 0 2.5 0 0 2 2 -.5\n", 1, ([0.5, 0, -0.5], [2.5, 2, 0]))
     square("RAW: twelve numbers begin with a colour and are warned of", "colour.raw", "1 .5 1 " + RAW, ["colour_or_corner"], triangles=1)
     for name, line, words in (("eight numbers", "0 0 0 9 0 0 0 9", "8 numbers"), ("a word", "0 0 0 9 0 0 0 x 0", "'x'"),
-                              ("commas", "0,0,0,9,0,0,0,9,0 0", "'0,0,0,9,0,0,0,9,0'"), ("13 numbers", "1 1 1 " + RAW[:-1] + " 3", "more than")):
+                              ("commas", "0,0,0,9,0,0,0,9,0 0", "'0,0,0,9,0,0,0,9,0'"), ("13 numbers", "1 1 1 " + RAW[:-1] + " 3", "more than"),
+                              ("numbers behind a word", RAW[:-1] + " tex 5 5 5", "'5'"), ("a comma behind nine", RAW[:-1] + " 0,0", "'0,0'"),
+                              ("a number behind a texture of twelve", "1 1 1 " + RAW[:-1] + " tex 5", "more than")):
         claims.refuses(f"RAW: a line with {name} is refused", "line.raw", RAW + line + "\n", "line 2", words)
 
     square("ASE: a whole file is baked without a warning", "square.ase", ASE.format(2))

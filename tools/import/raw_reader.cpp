@@ -47,7 +47,7 @@ private:
             end_group();
             name_ = word;
         } else if (count == corner_numbers || count == numbers.size()) {
-            if (parse_coordinate(word)) refuse("it has more than twelve numbers");
+            for (; !word.empty(); word = words.next()) refuse_number(word, count);
             const bool is_coloured = count == numbers.size();
             if (is_coloured && coloured_line_ == 0) coloured_line_ = lines_.number();
             add_triangle(numbers.data() + (is_coloured ? colour_numbers : 0));
@@ -56,6 +56,14 @@ private:
         } else {
             refuse(text("'", printable(word.substr(0, 40)), "' is not a number, and a triangle has nine"));
         }
+    }
+
+    /// Behind the numbers of a triangle the name of its texture may follow, in one word or several.
+    void refuse_number(std::string_view word, std::size_t count) const {
+        const bool looks_like_one = word.find_first_not_of("0123456789+-.,") == std::string_view::npos;
+        if (!looks_like_one && !parse_coordinate(word)) return;
+        if (count == corner_numbers + colour_numbers) refuse("it has more than twelve numbers");
+        refuse(text("'", printable(word.substr(0, 40)), "' follows nine numbers, and only the name of a texture may"));
     }
 
     void add_triangle(const float* coordinates) {
