@@ -296,6 +296,7 @@ def ply(claims):
     patches = text.replace("end_header", "element patch 1\nproperty list uchar int vertex_indices\nend_header") + "3 0 1 2\n"
     claims.bakes("PLY: elements of other names with vertices are warned of", "patch.ply", patches, 12, BOX_BOUNDS, ["unknown_element"])
     for element, line in (("quad 1\nproperty list uchar int indices", "3 0 1 2"), ("Face 1\nproperty list uchar int Vertex_Indices", "3 0 1 2"),
+                          ("polygon 1\nproperty list uchar float vertex_indices", "3 0 1 2"),
                           ("triangle 1\nproperty int v1\nproperty int v2\nproperty int v3", "0 1 2")):
         claims.bakes("PLY: elements of other names that may be faces are warned of", "other.ply",
                      text.replace("end_header", f"element {element}\nend_header") + line + "\n", 12, BOX_BOUNDS, ["unknown_element"])
@@ -327,6 +328,13 @@ def ply(claims):
     claims.refuses("PLY: missing coordinates are refused", "flat.ply", text.replace("property float z\n", ""), "'z'")
     claims.refuses("PLY: faces without vertices are refused", "faces.ply", text.replace("vertex_index", "corners"), "vertex_indices")
     claims.refuses("PLY: vertices as fractions are refused", "float.ply", text.replace("uchar int", "uchar float"), "integers")
+    for name in ("vertex_index", "vertex_indices"):
+        lists = [face[0], face[1].replace("vertex_index", "vertex_indices"), f"property list uchar int {name}"]
+        two = ply_header("ascii", *vertex, *lists) + "\n".join(corners + [line + " 3 0 1 2" for line in faces]) + "\n"
+        claims.refuses("PLY: faces with two lists of vertices are refused", "two.ply", two, "vertex_indices", "'face'")
+    claims.refuses("PLY: a property that an element has twice is refused with its line", "twice.ply",
+                   ply_header("ascii", *vertex[:2], *vertex[1:], *face) + "\n".join(["9 " + line for line in corners] + faces),
+                   "line 6", "'x' twice", "'vertex'")
     claims.refuses("PLY: an unknown type is refused", "type.ply", text.replace("property float z", "property real z"), "'real'")
     claims.refuses("PLY: an unknown format is refused", "format.ply", text.replace("ascii", "utf8"), "'utf8'")
     claims.refuses("PLY: a header without an end is refused", "header.ply", text[:text.index("end_header")], "no end")

@@ -105,6 +105,10 @@ private:
         property.type = read_type(type);
         property.name = words.next();
         if (property.name.empty()) refuse("a property needs a name.");
+        if (header_.elements.back().find(property.name) != nullptr) {
+            refuse(text("the element '", printable(header_.elements.back().name), "' has the property '",
+                        printable(property.name), "' twice."));
+        }
         header_.elements.back().properties.push_back(std::move(property));
     }
 

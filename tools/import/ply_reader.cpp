@@ -1,7 +1,9 @@
 #include "ply_reader.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,19 +54,32 @@ public:
     }
 
 private:
-    static const PlyProperty* list_of_vertices(const PlyElement& element) {
+    const PlyProperty* list_of_vertices(const PlyElement& element) const {
+        const PlyProperty* result = nullptr;
         for (const char* name : {"vertex_indices", "vertex_index"}) {
             const PlyProperty* list = element.find(name);
-            if (list != nullptr && list->count_type) return list;
+            if (list == nullptr || !list->count_type) continue;
+            if (result != nullptr && element.count > 0) {
+                values_.refuse(text("the element '", printable(element.name),
+                                    "' has the lists 'vertex_indices' and 'vertex_index', and only one can count. "
+                                    "Export the file again."));
+            }
+            result = list;
         }
-        return nullptr;
+        return result;
     }
 
-    /// Of an element that the format does not define: it has a list of integers, or three integers.
+    static bool names_vertices(std::string name) {
+        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+        return name.find("vertex") != std::string::npos;
+    }
+
+    /// Of an element that the format does not define: it has a list of integers or of vertices, or three integers.
     static bool may_be_faces(const PlyElement& element) {
         if (element.name == "vertex" || element.name == "edge" || element.name == "material") return false;
         std::size_t integers = 0;
         for (const PlyProperty& property : element.properties) {
+            if (property.count_type && names_vertices(property.name)) return true;
             if (is_integer(property.type)) integers += property.count_type ? 3u : 1u;
         }
         return integers >= 3;
