@@ -574,6 +574,20 @@ def draco():
     refused(gltf, 3, "KHR_draco_mesh_compression", "bufferView", name="case.glb")
 
 
+def restarts():
+    claim("an index with the largest value of its type is refused where it would name a vertex")
+    for component, largest in ((UNSIGNED_BYTE, 255), (UNSIGNED_SHORT, 65535)):
+        for offset in (3, 4):
+            gltf = Gltf()
+            points = [POINTS[0]] * (largest - offset) + POINTS + [POINTS[0]]
+            corners = [[i + largest - offset] for face in FACES for i in face]
+            gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(points)}, "indices": gltf.accessor(corners, component)}))
+            if offset == 4:
+                bakes(gltf, solid())
+            else:
+                refused(gltf, 3, "primitive 0", "index 5", str(largest), name="case.glb")
+
+
 def extensions():
     claim("a required extension that is not read is refused by name with the way out")
     for name, way in (("EXT_made_up", "without this extension"), ("KHR_meshopt_compression", "EXT_meshopt_compression")):
@@ -688,7 +702,7 @@ def main():
     folder = sys.argv[2] if len(sys.argv) > 2 else None
     with tempfile.TemporaryDirectory() as temporary:
         os.chdir(folder or temporary)
-        for part in (containers, topology, positions, nodes, scenes, skins, morphs, instances, meshopt, draco, extensions,
+        for part in (containers, topology, positions, nodes, scenes, skins, morphs, instances, meshopt, draco, restarts, extensions,
                      hostile, gltfpack):
             if len(sys.argv) < 4 or part.__name__ in sys.argv[3:]:
                 part()

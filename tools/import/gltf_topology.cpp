@@ -16,6 +16,18 @@ std::uint64_t lines_of(std::uint64_t mode, std::uint64_t corners) {
     return mode == line_loop ? corners : corners - 1;
 }
 
+/// Refuses the largest value of the indices' type where it would name a vertex: programs that draw take it as the end
+/// of a strip, and glTF forbids it.
+void refuse_restarts(const GltfObject& object, const GltfAccessor& indices, std::size_t vertices) {
+    const std::uint64_t restart = (std::uint64_t{1} << (8 * bytes_of(indices.component))) - 1;
+    if (restart >= vertices) return;  // a vertex that is missing, which the baker refuses or drops
+    for (std::size_t corner = 0; corner < indices.count; ++corner) {
+        if (indices.whole(corner, 0) != restart) continue;
+        object.fail(
+            text("index ", corner, " is ", restart, ", the largest value of its type, which glTF forbids as an index"));
+    }
+}
+
 }  // namespace
 
 void read_gltf_topology(const GltfObject& object, std::uint64_t mode, const std::optional<GltfAccessor>& indices,
@@ -26,6 +38,7 @@ void read_gltf_topology(const GltfObject& object, std::uint64_t mode, const std:
         primitive.points_and_lines = lines_of(mode, corners);
         return;
     }
+    if (indices) refuse_restarts(object, *indices, primitive.positions.count);
     const auto vertex = [&](std::size_t corner) {
         return indices ? indices->whole(corner, 0) : static_cast<std::uint32_t>(corner);
     };
