@@ -164,6 +164,17 @@ def containers():
     with open("broken.gltf", "w") as file:
         file.write('{"asset": {"version": "2.0"}, "nodes": [}')
     refused("broken.gltf", 3, "broken.gltf", "line 1")
+    claim("binary glTF whose header states fewer bytes than its chunks have is refused")
+    for length in (0, 100, len(whole) - 1):
+        with open("short.glb", "wb") as file:
+            file.write(whole[:8] + struct.pack("<I", length) + whole[12:])
+        refused("short.glb", 3, "short.glb", "header states")
+    claim("bytes after the last chunk of binary glTF raise a warning, and a chunk of an unknown type raises none")
+    for more, counted, kind in ((b"\0\0\0", 0, True), (b"\0\0\0", 3, True), (b"\0" * 99, 0, True),
+                                (struct.pack("<I4s", 4, b"MORE") + b"more", 12, False)):
+        with open("more.glb", "wb") as file:
+            file.write(whole[:8] + struct.pack("<I", len(whole) + counted) + whole[12:] + more)
+        warned(bakes("more.glb", solid()), "trailing_bytes", kind)
     gltf = solid_file()
     gltf.json["asset"]["version"] = "3.0"
     refused(gltf, 5, "glTF 3.0")

@@ -68,6 +68,7 @@ std::string_view characters(std::span<const std::byte> bytes) {
 
 struct Chunks {
     std::span<const std::byte> json, binary;
+    std::size_t trailing_bytes = 0;
 };
 
 Chunks chunks_of(const std::string& path, std::span<const std::byte> file) {
@@ -77,17 +78,21 @@ Chunks chunks_of(const std::string& path, std::span<const std::byte> file) {
                         " that its header states. It is cut off; copy or export it again."));
     }
     Chunks chunks;
-    std::span<const std::byte> rest = file.subspan(header_bytes);
+    if (length < header_bytes) fail(path, text("its header states a length of ", length, " bytes. Export it again."));
+    std::span<const std::byte> rest = file.first(length).subspan(header_bytes);
     for (bool first = true; rest.size() >= chunk_header_bytes; first = false) {
         const std::uint32_t bytes = word_at(rest, 0);
         const std::uint32_t type = word_at(rest, 4);
         rest = rest.subspan(chunk_header_bytes);
-        if (bytes > rest.size())
-            fail(path, "a chunk of it ends behind its end. It is cut off; copy or export it again.");
+        if (bytes > rest.size()) {
+            fail(path, text("a chunk of it ends behind the ", length,
+                            " bytes that its header states. Is it whole? Copy or export it again."));
+        }
         if (first && type == json_chunk) chunks.json = rest.first(bytes);
         if (!first && type == binary_chunk && chunks.binary.empty()) chunks.binary = rest.first(bytes);
         rest = rest.subspan(bytes);
     }
+    chunks.trailing_bytes = rest.size() + (file.size() - length);
     if (chunks.json.empty()) fail(path, "its first chunk is no JSON. The file is broken; export it again.");
     return chunks;
 }
@@ -151,6 +156,7 @@ std::optional<GltfContainer> read_gltf_container(const std::string& path) {
         const Chunks chunks = chunks_of(path, container.file);
         json = chunks.json;
         container.binary = chunks.binary;
+        container.trailing_bytes = chunks.trailing_bytes;
         container.format = "glTF 2.0 binary";
     }
     try {

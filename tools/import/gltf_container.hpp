@@ -16,6 +16,7 @@ struct GltfContainer {
     nlohmann::json json;
     std::vector<std::byte> file;        ///< what `binary` points into; empty for .gltf
     std::span<const std::byte> binary;  ///< the binary chunk of a .glb
+    std::size_t trailing_bytes = 0;     ///< behind the last chunk of a .glb, or the length that its header states
 };
 
 /// Reads a readable file. Returns nothing for what is no glTF by ending and content. Throws CommandError:

@@ -49,6 +49,12 @@ public:
         require_known_gltf_extensions(root_);
         file_.materials = root_.size_of("materials") + 1;  // the last one is that of a primitive without a material
         file_.metres_per_unit = options.metres_per_unit.value_or(1.0);
+        if (container.trailing_bytes > 0) {
+            file_.warnings.push_back({"trailing_bytes",
+                                      text(root_.words(), ": ", counted(container.trailing_bytes, "byte"),
+                                           " after the last chunk were not read. Export it again."),
+                                      file_.path, std::nullopt, std::nullopt});
+        }
         file_.unit_origin = options.metres_per_unit ? "--unit" : "glTF is in metres";
     }
 
