@@ -438,6 +438,16 @@ def skins():
     claim("a joint that the skin lacks is refused, unless its weight is 0")
     refused(skin_file(weights, joints=[[0, 1, 0, 0]] * 3 + [[0, 9, 0, 0]]), 3, "primitive 0", "joint 9")
     bakes(skin_file(weights, joints=[[0, 1, 9, 9]] * 4), solid(points=blended(weights, bound)))
+    claim("a weight that is negative or no number is refused with its vertex")
+    for weight in (-0.5, -math.inf, math.inf, math.nan):
+        refused(skin_file([[1, 0, 0, 0]] * 2 + [[0.5, weight, 0, 0]] + [[1, 0, 0, 0]]), 3, "primitive 0", "weight of vertex 2")
+    claim("an inverse bind matrix whose last row is not 0 0 0 1 is refused with its number")
+    for entry, value in ((3, 1.0), (7, 0.5), (11, math.nan), (15, 2.0)):
+        gltf = skin_file(weights, matrices=False)
+        bind = [columns(scaled(2, 2, 2)), columns(moved(0, 0, 1))]
+        bind[1][entry] = value
+        gltf.json["skins"][0]["inverseBindMatrices"] = gltf.accessor(bind)
+        refused(gltf, 3, "skin 0", "inverse bind matrix 1", "0 0 0 1")
     claim("a mesh without joints and weights on a node with a skin stands where its node is; with a warning")
     gltf = skin_file(weights)
     del gltf.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"]

@@ -18,17 +18,7 @@ constexpr double largest_rounding = 1e-6;  // some steps of float32 at 1
 
 Placement local_placement(const GltfObject& node) {
     if (const auto columns = node.numbers<16>("matrix")) {
-        const auto& m = *columns;
-        // Exporters that multiply matrices round the last entry; its digits are no part of the transform.
-        if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || !(std::abs(m[15] - 1.0) <= largest_rounding)) {
-            node.fail("the last row of its matrix is not 0 0 0 1");
-        }
-        Placement result;
-        for (std::size_t row = 0; row < 3; ++row) {
-            for (std::size_t column = 0; column < 3; ++column) result.linear[row][column] = m[column * 4 + row];
-            result.offset[row] = m[12 + row];
-        }
-        return result;
+        return placement_of_matrix(*columns, node, "its matrix");
     }
     return placement_from(node.numbers<3>("translation").value_or(std::array<double, 3>{}),
                           node.numbers<4>("rotation").value_or(std::array<double, 4>{0, 0, 0, 1}),
@@ -109,6 +99,21 @@ Placement placement_from(const std::array<double, 3>& translation, const std::ar
         for (std::size_t column = 0; column < 3; ++column) row[column] *= scale[column];
     }
     result.offset = translation;
+    return result;
+}
+
+Placement placement_of_matrix(const std::array<double, 16>& columns, const GltfObject& described,
+                              std::string_view matrix) {
+    const auto& m = columns;
+    // Exporters that multiply matrices round the last entry; its digits are no part of the transform.
+    if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || !(std::abs(m[15] - 1.0) <= largest_rounding)) {
+        described.fail(text("the last row of ", matrix, " is not 0 0 0 1"));
+    }
+    Placement result;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) result.linear[row][column] = m[column * 4 + row];
+        result.offset[row] = m[12 + row];
+    }
     return result;
 }
 

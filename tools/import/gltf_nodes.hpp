@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "gltf_json.hpp"
@@ -24,5 +25,9 @@ GltfObject gltf_node(const GltfObject& root, std::size_t number);
 /// Returns the transform of a translation, then a rotation as x, y, z, w of any length but zero, then a scale.
 Placement placement_from(const std::array<double, 3>& translation, const std::array<double, 4>& rotation,
                          const std::array<double, 3>& scale, const GltfObject& described);
+/// Returns the transform of a 4x4 matrix by columns. Throws CommandError, with the words `matrix`, when its last row is
+/// not 0 0 0 1.
+Placement placement_of_matrix(const std::array<double, 16>& columns, const GltfObject& described,
+                              std::string_view matrix);
 
 }  // namespace espalier::tools

@@ -1,20 +1,18 @@
 #include "gltf_skin.hpp"
 
+#include <array>
+#include <cmath>
+
 #include "numbers.hpp"
 
 namespace espalier::tools {
 
 namespace {
 
-Placement inverse_bind_placement(const GltfAccessor& matrices, std::size_t joint) {
-    Placement result;
-    for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t column = 0; column < 3; ++column) {
-            result.linear[row][column] = matrices.number(joint, column * 4 + row);
-        }
-        result.offset[row] = matrices.number(joint, 12 + row);
-    }
-    return result;
+Placement inverse_bind_placement(const GltfAccessor& matrices, std::size_t joint, const GltfObject& skin) {
+    std::array<double, 16> columns{};
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i] = matrices.number(joint, i);
+    return placement_of_matrix(columns, skin, text("inverse bind matrix ", joint));
 }
 
 void add_weighted(Placement& sum, const Placement& part, double weight) {
@@ -42,7 +40,7 @@ std::vector<Placement> joint_placements(const GltfObject& root, std::size_t skin
     const GltfAccessor matrices = accessors.accessor(*bind, GltfUse::matrix, object.words());
     if (matrices.count < count)
         object.fail(text("it has ", count, " joints and ", matrices.count, " matrices for them"));
-    for (std::size_t i = 0; i < count; ++i) result[i] = combine(result[i], inverse_bind_placement(matrices, i));
+    for (std::size_t i = 0; i < count; ++i) result[i] = combine(result[i], inverse_bind_placement(matrices, i, object));
     return result;
 }
 
@@ -54,6 +52,9 @@ Placement skinned_placement(const GltfInfluences& influences, std::size_t vertex
         for (std::size_t i = 0; i < 4; ++i) {
             const double weight = weights.number(vertex, i);
             if (weight == 0.0) continue;
+            if (!(weight > 0.0) || std::isinf(weight)) {
+                primitive.fail(text("a weight of vertex ", vertex, " is ", weight, ", and glTF requires 0 or more"));
+            }
             const std::uint32_t joint = numbers.whole(vertex, i);
             if (joint >= joints.size()) {
                 primitive.fail(text("vertex ", vertex, " depends on joint ", joint, " of ", joints.size()));
