@@ -379,6 +379,9 @@ def scenes():
     gltf.node(children=[0])
     gltf.node(children=[0])
     refused(gltf, 3, "node 0", "child of node 1 and of node 2")
+    claim("a node with a matrix and another transform is refused")
+    for key, value in (("translation", [0, 0, 9]), ("rotation", [0, 0, 0, 1]), ("scale", [2, 2, 2])):
+        refused(solid_file(matrix=columns(moved(5, 0, 0)), **{key: value}), 3, "node 0", "matrix", key)
     claim("a hundred thousand nested nodes are placed")
     gltf = solid_file()
     for i in range(100000):

@@ -18,6 +18,9 @@ constexpr double largest_rounding = 1e-6;  // some steps of float32 at 1
 
 Placement local_placement(const GltfObject& node) {
     if (const auto columns = node.numbers<16>("matrix")) {
+        for (const char* key : {"translation", "rotation", "scale"}) {
+            if (node.has(key)) node.fail(text("it has a matrix and a ", key, ", and glTF allows only one of them"));
+        }
         return placement_of_matrix(*columns, node, "its matrix");
     }
     return placement_from(node.numbers<3>("translation").value_or(std::array<double, 3>{}),
