@@ -165,6 +165,7 @@ def obj(claims):
     claims.refuses("OBJ: a vertex that is missing is refused with its number", "missing.obj", SQUARE + "f 1 2 5\n", "vertex 4")
     claims.refuses("OBJ: a vertex that is missing twice in a face is refused", "missing.obj", SQUARE + "f 1 2 9 9\n", "vertex 8")
     claims.refuses("OBJ: a word that is no number is refused with its line", "word.obj", "v 0 0 0\nv 1,5 0 0\n", "line 2", "'1,5'")
+    claims.refuses("OBJ: a word behind the coordinates is refused with its line", "word.obj", "v 0 0 0 1 junk\n" + SQUARE + "f 2 3 4\n", "line 1", "'junk'")
     claims.refuses("OBJ: a corner that is no number is refused with its line", "corner.obj", SQUARE + "f 1 2 x\n", "line 5", "'x'")
     claims.refuses("OBJ: two coordinates are refused", "short.obj", "v 0 0\n", "line 1", "2 coordinates")
     claims.refuses("OBJ: a binary file is refused", "binary.obj", b"v 0 0 0\n\0\0", "no Wavefront OBJ")

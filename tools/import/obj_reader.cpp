@@ -153,11 +153,10 @@ private:
         std::array<float, 4> numbers{0.0f, 0.0f, 0.0f, 1.0f};
         std::size_t count = 0;
         for (std::string_view word = next_word(words); !word.empty(); word = next_word(words), ++count) {
-            if (count >= numbers.size()) continue;  // a colour
             const auto number = parse_coordinate(word);
             if (!number)
                 refuse(text('\'', printable(word), "' is not a number. Correct it, or export the file again."));
-            numbers[count] = *number;
+            if (count < numbers.size()) numbers[count] = *number;  // a colour may follow
         }
         if (count < 3) refuse(text("a vertex has ", count, " coordinates, not 3. Is the file whole?"));
         if (count == 4 && numbers[3] != 1.0f) weights_.add(line_);
