@@ -52,7 +52,9 @@ void read_binary(std::string_view bytes, UnitlessFile& file) {
     if (count > stored) {
         throw CommandError(ExitCode::invalid_input,
                            text("'", path, "' is no whole binary STL: it states ", counted(count, "triangle"),
-                                ", and its ", bytes.size(), " bytes have room for ", stored, ". Export it again."),
+                                ", and its ", bytes.size(), " bytes have room for ", stored,
+                                ". It is no text either: that begins with 'solid' and has no zero byte. Export it "
+                                "again."),
                            {.file = file.path()});
     }
     std::vector<Vec3> corners;
