@@ -100,15 +100,14 @@ std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t node, 
     return planes << read_node(bytes, at).shifts[axis];
 }
 
-LeafFields read_leaf(std::uint32_t descriptor, unsigned bits) {
-    namespace field = format::indexed_leaf;
+LeafFields read_leaf(std::uint32_t descriptor) {
+    namespace field = format::plain_leaf;
     LeafFields leaf{};
     leaf.data_offset = std::size_t{2} * (descriptor & ((1u << field::offset_bits) - 1));
     leaf.triangles = ((descriptor >> field::triangles_shift) & 15u) + 1;
     leaf.vertices = ((descriptor >> field::vertices_shift) & 31u) + 1;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        leaf.widths[axis] = field::coordinate_width((descriptor >> (field::widths_shift + 4 * axis)) & 15u, bits);
-    }
+    leaf.size_bits = descriptor >> field::size_shift & 31u;
+    leaf.first = descriptor >> field::first_shift;
     return leaf;
 }
 

@@ -45,15 +45,16 @@ NodeFields read_node(std::span<const std::byte> bytes, std::size_t at);
 /// How many lattice steps the box of a child of a node reaches over.
 std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t node, unsigned child, unsigned axis);
 
-/// The descriptor of an indexed leaf, taken apart.
+/// The descriptor of a plain leaf, taken apart.
 struct LeafFields {
     std::size_t data_offset;  ///< from the end of the block's descriptors
     unsigned triangles;
     unsigned vertices;
-    unsigned widths[3];  ///< bits of a coordinate in x, y, z
+    unsigned size_bits;   ///< coordinates of an axis differ by less than 2^size_bits
+    std::uint32_t first;  ///< its first triangle, counted from the block's
 };
 
-LeafFields read_leaf(std::uint32_t descriptor, unsigned bits);
+LeafFields read_leaf(std::uint32_t descriptor);
 
 /// The descriptor of a strip leaf, taken apart.
 struct StripFields {

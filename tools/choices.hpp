@@ -29,7 +29,7 @@ inline const Choices<Feature> feature_choices{{"face", Feature::face},         {
 constexpr unsigned most_leaf_triangles(format::Profile profile) {
     switch (profile) {
         case format::Profile::fast:
-            return format::indexed_leaf::max_triangles;
+            return format::plain_leaf::max_triangles;
         case format::Profile::balanced:
             return format::strip_leaf::max_balanced_entries - 2;
         case format::Profile::small:

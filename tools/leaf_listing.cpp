@@ -12,43 +12,42 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-void list_coordinates(Bytes bytes, char axis, unsigned count, unsigned width, ByteListing& listing) {
+/// Fields of one width, low bits first.
+void list_numbers(Bytes bytes, const std::string& name, unsigned count, unsigned width, ByteListing& listing) {
     if (width == 0) return;
     std::string values;
     for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
-    listing.field((std::size_t{count} * width + 7) / 8, text("  ", axis, ", ", width, " bits:", values));
+    listing.field((std::size_t{count} * width + 7) / 8, text(name, ", ", width, " bits:", values));
 }
 
-void list_indexed_leaf(Bytes bytes, const LeafFields& leaf, ByteListing& listing) {
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        list_coordinates(bytes, "xyz"[axis], leaf.vertices, leaf.widths[axis], listing);
-    }
-    const unsigned width = format::indexed_leaf::corner_width(leaf.vertices);
-    std::string values;
-    for (unsigned corner = 0; corner < 3 * leaf.triangles; ++corner) {
-        values += text(corner % 3 == 0 ? ' ' : '-', read_bits(bytes, listing.at() * 8 + corner * width, width));
-    }
-    listing.field(format::indexed_leaf::stream_bytes(leaf.triangles, 3 * width),
-                  text("  corners, ", width, " bits:", values));
+/// A row of numbers of so many bytes each.
+void list_row(Bytes bytes, const char* name, unsigned count, unsigned number_bytes, ByteListing& listing) {
+    list_numbers(bytes, text("  ", name), count, 8 * number_bytes, listing);
 }
 
-void list_indexed_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, std::size_t number,
-                         std::uint32_t triangle, ByteListing& listing) {
+void list_plain_leaf(Bytes bytes, const LeafFields& leaf, unsigned bits, ByteListing& listing) {
+    for (const char* name : {"x", "y", "z"}) list_row(bytes, name, leaf.vertices, 2, listing);
+    for (const char* name : {"corner a", "corner b", "corner c"}) list_row(bytes, name, leaf.triangles, 1, listing);
+    if (!format::plain_leaf::has_high_bytes(bits)) return;
+    for (const char* name : {"x / 65536", "y / 65536", "z / 65536"}) list_row(bytes, name, leaf.vertices, 1, listing);
+}
+
+void list_plain_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, std::size_t number,
+                       std::uint32_t triangle, ByteListing& listing) {
     std::vector<LeafFields> fields;
     for (unsigned i = 0; i < node.leaves; ++i) {
-        fields.push_back(read_leaf(read_u32(bytes, listing.at()), blob.bits()));
+        fields.push_back(read_leaf(read_u32(bytes, listing.at())));
         const LeafFields& leaf = fields.back();
-        listing.field(format::indexed_leaf::descriptor_bytes,
+        listing.field(format::plain_leaf::descriptor_bytes,
                       text("leaf ", i, ": data at ", leaf.data_offset, ", ", counted(leaf.triangles, "triangle"), ", ",
-                           counted(leaf.vertices, "vertex"), ", widths ", leaf.widths[0], ' ', leaf.widths[1], ' ',
-                           leaf.widths[2]));
+                           counted(leaf.vertices, "vertex"), ", size below 2^", leaf.size_bits, ", triangles from ",
+                           triangle, " + ", leaf.first));
     }
     const std::size_t data = listing.at();
     for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
         listing.field_up_to(data + fields[i].data_offset, "padding");
-        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle));
-        list_indexed_leaf(bytes, fields[i], listing);
-        triangle += fields[i].triangles;
+        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle + fields[i].first));
+        list_plain_leaf(bytes, fields[i], blob.bits(), listing);
     }
 }
 
@@ -93,7 +92,7 @@ void list_strip_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, st
         for (unsigned axis = 0; axis < 3; ++axis) {
             const unsigned width = format::strip_leaf::coordinate_width(
                 side_of_child(bytes, number, node.node_children + i, axis), blob.bits());
-            list_coordinates(bytes, "xyz"[axis], marks.vertices, width, listing);
+            list_numbers(bytes, text("  ", "xyz"[axis]), marks.vertices, width, listing);
         }
     }
 }
@@ -105,7 +104,7 @@ void list_leaf_block(std::span<const std::byte> bytes, const Blob& blob, std::si
     const std::uint32_t triangle = read_u32(bytes, listing.at());
     listing.field(4, text("leaves of node ", node, ": first triangle ", triangle));
     if (blob.profile() == format::Profile::fast) {
-        list_indexed_leaves(bytes, blob, fields, node, triangle, listing);
+        list_plain_leaves(bytes, blob, fields, node, triangle, listing);
     } else {
         list_strip_leaves(bytes, blob, fields, node, triangle, listing);
     }

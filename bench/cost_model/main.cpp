@@ -29,7 +29,7 @@ struct Profile {
     format::Profile profile;
     unsigned largest_leaf;
 };
-constexpr Profile profiles[] = {{"fast", format::Profile::fast, format::indexed_leaf::max_triangles},
+constexpr Profile profiles[] = {{"fast", format::Profile::fast, format::plain_leaf::max_triangles},
                                 {"balanced", format::Profile::balanced, format::strip_leaf::max_balanced_entries - 2},
                                 {"small", format::Profile::small, format::strip_leaf::max_small_entries - 2}};
 /// Leaves of several sizes in one fit: else nodes and triangles grow together, and their costs cannot be told apart.

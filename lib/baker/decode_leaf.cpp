@@ -5,49 +5,37 @@
 
 namespace espalier::baker {
 
-bool TreeBytes::decode_indexed_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const {
-    namespace layout = format::indexed_leaf;
+bool TreeBytes::decode_plain_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const {
+    namespace layout = format::plain_leaf;
     const std::size_t data =
         node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{node.leaves};
     if (data > leaves.size()) return false;
-    leaf.first_triangle = read(leaves, node.leaf_block, 4);
-    std::uint32_t descriptor = 0;
-    for (unsigned i = 0; i <= index; ++i) {
-        if (i != 0) leaf.first_triangle += leaf.triangle_count;
-        descriptor =
-            read(leaves, node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{i}, 4);
-        leaf.triangle_count = (descriptor >> layout::triangles_shift & 15) + 1;
-    }
+    const std::uint32_t descriptor =
+        read(leaves, node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{index}, 4);
+    leaf.first_triangle = read(leaves, node.leaf_block, 4) + (descriptor >> layout::first_shift);
+    leaf.triangle_count = (descriptor >> layout::triangles_shift & 15) + 1;
     leaf.vertex_count = (descriptor >> layout::vertices_shift & 31) + 1;
     leaf.at = data + 2 * std::size_t{descriptor & ((1u << layout::offset_bits) - 1)};
 
-    std::array<unsigned, 3> widths{};
-    const unsigned corner_width = layout::corner_width(leaf.vertex_count);
-    const std::size_t corner_bytes = layout::stream_bytes(leaf.triangle_count, 3 * corner_width);
-    leaf.bytes = corner_bytes;
+    // Three rows of words, three of corners, and on a lattice of more than 16 bits three of the bytes above the words.
+    const std::size_t words = leaf.at;
+    const std::size_t corners = words + 6 * std::size_t{leaf.vertex_count};
+    const std::size_t bytes_above = corners + 3 * std::size_t{leaf.triangle_count};
+    const std::size_t end = bytes_above + (bits > 16 ? 3 * std::size_t{leaf.vertex_count} : 0);
+    leaf.bytes = end - leaf.at;
+    if (end > leaves.size()) return false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        widths[axis] = layout::coordinate_width(descriptor >> (layout::widths_shift + 4 * axis) & 15, bits);
-        leaf.bytes += layout::stream_bytes(leaf.vertex_count, widths[axis]);
-    }
-    if (leaf.at > leaves.size() || leaf.bytes > leaves.size() - leaf.at) return false;
-
-    const Coordinates& anchor = node.boxes[node.node_children + index].lo;
-    std::size_t at = leaf.at;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t size = layout::stream_bytes(leaf.vertex_count, widths[axis]);
-        FieldReader fields(leaves.subspan(at, size));
-        const std::int32_t start = has_copies && widths[axis] == bits ? 0 : anchor[axis];
-        for (unsigned i = 0; i < leaf.vertex_count; ++i) {
-            leaf.vertices[i][axis] = start + static_cast<std::int32_t>(fields.next(widths[axis]));
+        for (std::size_t i = 0; i < leaf.vertex_count; ++i) {
+            const std::size_t place = axis * leaf.vertex_count + i;
+            const std::uint32_t above = bits > 16 ? read(leaves, bytes_above + place, 1) : 0;
+            leaf.vertices[i][axis] = static_cast<std::int32_t>(read(leaves, words + 2 * place, 2) | above << 16);
         }
-        at += size;
     }
     bool is_sound = true;
-    FieldReader fields(leaves.subspan(at, corner_bytes));
-    for (unsigned i = 0; i < leaf.triangle_count; ++i) {
-        for (std::uint32_t& corner : leaf.corners[i]) {
-            corner = fields.next(corner_width);
-            is_sound &= corner < leaf.vertex_count;
+    for (std::size_t i = 0; i < leaf.triangle_count; ++i) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            leaf.corners[i][corner] = read(leaves, corners + corner * leaf.triangle_count + i, 1);
+            is_sound &= leaf.corners[i][corner] < leaf.vertex_count;
         }
     }
     return is_sound;

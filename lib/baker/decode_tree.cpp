@@ -61,7 +61,7 @@ bool TreeBytes::decode_node(std::uint32_t number, DecodedNode& node) const {
 }
 
 bool TreeBytes::decode_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const {
-    return profile == format::Profile::fast ? decode_indexed_leaf(node, index, leaf)
+    return profile == format::Profile::fast ? decode_plain_leaf(node, index, leaf)
                                             : decode_strip_leaf(node, index, leaf);
 }
 

@@ -62,7 +62,7 @@ struct TreeBytes {
     [[nodiscard]] std::size_t leaf_unit() const { return profile == format::Profile::fast ? 2 : 1; }
 
 private:
-    [[nodiscard]] bool decode_indexed_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
+    [[nodiscard]] bool decode_plain_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
     [[nodiscard]] bool decode_strip_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
 };
 

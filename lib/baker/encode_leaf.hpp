@@ -24,8 +24,8 @@ struct LeafBlock {
 };
 
 /// Appends the data of leaf `number` of the wide tree; returns its descriptor.
-[[nodiscard]] std::uint32_t put_indexed_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
-                                             const LeafBox& box, const LeafBlock& block, std::vector<std::byte>& bytes);
+[[nodiscard]] std::uint32_t put_plain_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
+                                           const LeafBlock& block, std::vector<std::byte>& bytes);
 [[nodiscard]] std::uint32_t put_strip_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
                                            const LeafBox& box, const LeafBlock& block, std::vector<std::byte>& bytes);
 

@@ -104,7 +104,7 @@ private:
     }
 
     void put_leaf_block(const WideNode& node, std::span<const Box> boxes, const std::array<Frame, 3>& frames) {
-        using namespace format::indexed_leaf;  // blocks of both kinds begin alike
+        using namespace format::plain_leaf;  // blocks of both kinds begin alike
         auto& bytes = encoded_.leaves;
         const std::size_t block = bytes.size();
         put_u32(bytes, wide_.leaves[node.first_leaf].first);
@@ -119,7 +119,7 @@ private:
             }
             const std::uint32_t leaf = node.first_leaf + i;
             const std::uint32_t descriptor = wide_.strips.empty()
-                                                 ? put_indexed_leaf(mesh_, wide_, leaf, box, written, bytes)
+                                                 ? put_plain_leaf(mesh_, wide_, leaf, written, bytes)
                                                  : put_strip_leaf(mesh_, wide_, leaf, box, written, bytes);
             set_u32(bytes.data() + block + descriptors_at + descriptor_bytes * i, descriptor);
         }

@@ -10,17 +10,20 @@ unsigned bits_of_side(const BinaryNode& node, std::size_t axis) {
     return static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(node.hi[axis] - node.lo[axis])));
 }
 
-class IndexedLeafSizes final : public LeafSizes {
+class PlainLeafSizes final : public LeafSizes {
 public:
+    explicit PlainLeafSizes(unsigned bits) : bits_(bits) {}
+
     [[nodiscard]] LeafSize of(const BinaryNode& node, unsigned vertices) const override {
-        using namespace format::indexed_leaf;
+        using namespace format::plain_leaf;
         if (vertices > max_vertices) return {};
-        std::size_t bytes = stream_bytes(node.count, 3 * corner_width(vertices));
-        for (std::size_t axis = 0; axis < 3; ++axis) bytes += stream_bytes(vertices, bits_of_side(node, axis));
-        return {true, node.count, descriptor_bytes + (bytes + 1) / 2 * 2};
+        return {true, node.count, descriptor_bytes + (data_bytes(vertices, node.count, bits_) + 1) / 2 * 2};
     }
-    [[nodiscard]] unsigned most_triangles() const override { return format::indexed_leaf::max_triangles; }
+    [[nodiscard]] unsigned most_triangles() const override { return format::plain_leaf::max_triangles; }
     [[nodiscard]] float byte_weight() const override { return 1.0f; }
+
+private:
+    unsigned bits_;
 };
 
 class StripLeafSizes final : public LeafSizes {
@@ -49,7 +52,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, const StripMaker* strips) {
+std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips) {
     using namespace format::strip_leaf;
     switch (profile) {
         case format::Profile::balanced:
@@ -59,7 +62,7 @@ std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, const StripMaker*
         case format::Profile::fast:
             break;
     }
-    return std::make_unique<IndexedLeafSizes>();
+    return std::make_unique<PlainLeafSizes>(bits);
 }
 
 }  // namespace espalier::baker

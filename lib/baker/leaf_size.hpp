@@ -28,8 +28,8 @@ public:
     [[nodiscard]] virtual float byte_weight() const = 0;
 };
 
-/// `strips` is null for profile fast alone.
-[[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, const StripMaker* strips);
+/// On a lattice of so many bits. `strips` is null for profile fast alone.
+[[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips);
 
 /// How often a strip is tried when a leaf is planned, and when it is written: never more entries than planned.
 inline constexpr unsigned planning_attempts = 1;

@@ -54,7 +54,7 @@ static_assert(reserved_at < bytes && bytes % 64 == 0);
 
 /// How leaves are coded, and how large they may become. Nodes are the same in all profiles.
 enum class Profile : std::uint8_t {
-    fast = 0,      ///< indexed leaves
+    fast = 0,      ///< plain leaves
     balanced = 1,  ///< strip leaves of at most max_balanced_entries
     small = 2,     ///< strip leaves of at most max_small_entries
 };
@@ -108,7 +108,7 @@ inline constexpr std::size_t block_bytes = 4;  // u32, where its bits begin, cou
 constexpr std::uint32_t block_count(std::uint32_t triangle_count) {
     return (triangle_count + block_triangles - 1) / block_triangles;
 }
-/// A strip begins a triangle where it needs to; an indexed leaf keeps the source's first corner.
+/// A strip begins a triangle where it needs to; a plain leaf keeps the source's first corner.
 constexpr std::uint32_t corner_factor(Profile profile) { return profile == Profile::fast ? 1 : 3; }
 /// Numbers are below this, which is at most 2^32.
 constexpr std::uint64_t number_limit(Profile profile, std::uint32_t source_triangles) {
@@ -200,10 +200,10 @@ inline constexpr unsigned max_shift = 17;
 static_assert(hi_at + 3 * max_children == bytes);
 }  // namespace node
 
-// ---- profile fast: indexed leaves ----------------------------------------------------------------------------------
+// ---- profile fast: plain leaves ------------------------------------------------------------------------------------
 // A node's leaves lie together in one block: u32 storage index of the first triangle, a u32 descriptor for each leaf,
 // then each leaf's data, at even offsets. A block is padded with zeros to 4 bytes.
-namespace indexed_leaf {
+namespace plain_leaf {
 inline constexpr unsigned max_triangles = 16;
 inline constexpr unsigned max_vertices = 32;
 inline constexpr std::size_t descriptors_at = 4;
@@ -211,23 +211,18 @@ inline constexpr std::size_t descriptor_bytes = 4;
 inline constexpr unsigned offset_bits = 11;      // of the data, in units of 2 bytes from the end of the descriptors
 inline constexpr unsigned triangles_shift = 11;  // 4 bits: triangles - 1
 inline constexpr unsigned vertices_shift = 15;   // 5 bits: vertices - 1
-inline constexpr unsigned widths_shift = 20;     // 3 x 4 bits: width codes of x, y, z
-// In a blob with split references an axis of the lattice's own width counts from 0 instead: there, vertices may lie
-// outside of their leaf's box.
-// Data: a stream of x, of y, of z (offsets from the low corner of the leaf's own box in its node, vertex by vertex) and
-// a stream of triangles (three vertex numbers, the first in the low bits). Each stream is fields of one width, low bits
-// first, padded with zero bits to a byte.
-
-/// The field width that a width code stands for: codes count from 1 to the lattice's own width, 0 means a constant
-/// axis.
-constexpr unsigned coordinate_width(unsigned code, unsigned bits) {
-    // mutant(<= -> <) equivalent: at 15 bits both branches give the code itself
-    return code == 0 ? 0 : bits <= 15 ? code : code + (bits - 15);
+inline constexpr unsigned size_shift = 20;   // 5 bits: coordinates of an axis differ by less than 2^size, none smaller
+inline constexpr unsigned first_shift = 25;  // 7 bits: first triangle, counted from the block's
+// Data, where lattice coordinates count from 0: the low 16 bits of x of each vertex (u16), of y, of z; the first corner
+// of each triangle (u8, a vertex number), the second, the third; on a lattice of more than 16 bits then bits 16 to 23
+// of x of each vertex (u8), of y, of z. The size depends on the counts alone.
+constexpr bool has_high_bytes(unsigned bits) { return bits > 16; }
+constexpr std::size_t data_bytes(unsigned vertex_count, unsigned triangle_count, unsigned bits) {
+    return std::size_t{3} * ((has_high_bytes(bits) ? 3 : 2) * vertex_count + triangle_count);
 }
-/// Bits of one vertex number, 3 to 5; a triangle's field is three of them.
-constexpr unsigned corner_width(unsigned vertex_count) { return vertex_count <= 8 ? 3 : vertex_count <= 16 ? 4 : 5; }
-constexpr std::size_t stream_bytes(unsigned count, unsigned width) { return (std::size_t{count} * width + 7) / 8; }
-}  // namespace indexed_leaf
+static_assert((max_children - 1) * data_bytes(max_vertices, max_triangles, max_bits) / 2 < 1u << offset_bits);
+static_assert((max_children - 1) * max_triangles < 1u << (32 - first_shift));
+}  // namespace plain_leaf
 
 // ---- profiles balanced and small: strip leaves ---------------------------------------------------------------------
 // A node's leaves lie together in one block: u32 storage index of the first triangle, a u32 descriptor for each leaf,

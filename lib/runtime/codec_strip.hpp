@@ -14,11 +14,18 @@
 namespace espalier::detail {
 
 /// One leaf: where its streams are and how wide their fields. Its slots are its windows.
-struct StripLeaf : LeafVertices<false> {
+struct StripLeaf : LeafVertices {
     using Slots = std::uint64_t;  ///< a bit for each slot
     static constexpr unsigned max_vertices = format::strip_leaf::max_small_entries;
     static constexpr unsigned max_slots = format::strip_leaf::max_small_entries - 2;
+    static constexpr bool may_have_copies = false;
+    static constexpr bool counts_from_zero = false;
 
+    const std::byte* coordinates[3];
+#if ESPALIER_SMALL_CODE
+    std::int32_t kept_anchor[3];
+#endif
+    std::uint8_t width[3];  ///< of a coordinate, in bits
     std::uint8_t slot_count;
     std::uint8_t references_at;  ///< in bits, in the marks
     std::uint8_t reference_width;
@@ -32,6 +39,31 @@ struct StripLeaf : LeafVertices<false> {
     [[nodiscard]] Slots used_slots() const { return windows; }
     [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(std::popcount(windows)); }
     [[nodiscard]] unsigned entry_count() const { return slot_count + 2; }
+
+    /// The low corner of its box.
+    [[nodiscard]] std::int32_t anchor(int axis) const {
+#if ESPALIER_SMALL_CODE
+        return kept_anchor[axis];
+#else
+        return find_anchor(axis);
+#endif
+    }
+    /// Small code has it in one place, and keeps it.
+    void keep_anchor([[maybe_unused]] int axis) {
+#if ESPALIER_SMALL_CODE
+        kept_anchor[axis] = find_anchor(axis);
+#endif
+    }
+    [[nodiscard]] std::int32_t find_anchor(int axis) const {
+        return node.plane(axis, node.low_planes(axis) + child(), blob->bits);
+    }
+    [[nodiscard]] std::int32_t offset(int axis, unsigned vertex) const {
+        return static_cast<std::int32_t>(load_field(coordinates[axis], width[axis], vertex));
+    }
+    /// Every coordinate lies behind it by less than 2^grid_bits().
+    [[nodiscard]] std::int32_t grid_base(int axis) const { return anchor(axis); }
+    [[nodiscard]] int grid_bits() const { return size_bits; }
+
     /// The vertex that an entry names.
     [[nodiscard]] ESPALIER_SHARED_CODE unsigned entry(unsigned place) const {
         const std::uint64_t before = (std::uint64_t{1} << place) - 1;
@@ -50,7 +82,7 @@ struct StripLeaf : LeafVertices<false> {
         return std::popcount(behind) % 2 != 0 ? LeafCorners(a, b, c) : LeafCorners(a, c, b);
     }
     [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
-        return triangle_of(corners(slot));
+        return triangle_of(*this, corners(slot));
     }
 };
 
@@ -59,15 +91,15 @@ ESPALIER_SHARED_CODE inline StripLeaf strip_leaf(const BlobData& blob, Node node
     using namespace format::strip_leaf;
     StripLeaf leaf;
     leaf.node = node;
-    leaf.block = node.leaf_block(blob);
     leaf.number = static_cast<std::uint8_t>(number);
     leaf.blob = &blob;
-    const std::uint32_t descriptor = load_u32(leaf.block + descriptors_at + descriptor_bytes * std::size_t{number});
+    const std::byte* const block = node.leaf_block(blob);
+    const std::uint32_t descriptor = load_u32(block + descriptors_at + descriptor_bytes * std::size_t{number});
     // mutant(<< -> one less) equivalent: seven of the largest strips end below half the range of an offset, and open
     // checks all bits
-    leaf.marks = leaf.block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
+    leaf.marks = block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
                  (descriptor & ((1u << offset_bits) - 1u));
-    leaf.first = load_u32(leaf.block) + (descriptor >> first_shift & 511u);
+    leaf.first = load_u32(block) + (descriptor >> first_shift & 511u);
     const unsigned marked = descriptor >> entries_shift & 63u;
     leaf.slot_count = static_cast<std::uint8_t>(marked + 1);
     leaf.pivots = load_bits(leaf.marks, 0, marked) << 1 | 1u;

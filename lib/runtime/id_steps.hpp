@@ -13,7 +13,7 @@ namespace espalier::detail {
 
 /// Known at compile time where one kind of leaves is read.
 inline std::uint32_t corner_factor(const BlobData& blob) {
-    return has_indexed_leaves(blob.profile) ? 1 : format::ids::corner_factor(format::Profile::balanced);
+    return has_plain_leaves(blob.profile) ? 1 : format::ids::corner_factor(format::Profile::balanced);
 }
 
 /// Numbers are below this. `open` proves that it fits.

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <espalier/format.hpp>
-#include <runtime/codec_indexed.hpp>
+#include <runtime/codec_plain.hpp>
 #include <runtime/codec_strip.hpp>
 
-#ifndef ESPALIER_INDEXED_LEAVES
-#define ESPALIER_INDEXED_LEAVES 1
+#ifndef ESPALIER_PLAIN_LEAVES
+#define ESPALIER_PLAIN_LEAVES 1
 #endif
 #ifndef ESPALIER_STRIP_LEAVES
 #define ESPALIER_STRIP_LEAVES 1
@@ -15,7 +15,7 @@
 
 /// Before what exists once for each kind of leaf: a function of its own where there are several kinds, so that a frame
 /// on the stack holds but one of them, and part of its caller elsewhere.
-#if ESPALIER_INDEXED_LEAVES && ESPALIER_STRIP_LEAVES
+#if ESPALIER_PLAIN_LEAVES && ESPALIER_STRIP_LEAVES
 #define ESPALIER_FOR_ONE_KIND_OF_LEAF [[gnu::noinline]]
 #else
 #define ESPALIER_FOR_ONE_KIND_OF_LEAF [[gnu::always_inline]]
@@ -23,16 +23,16 @@
 
 namespace espalier::detail {
 
-inline constexpr bool reads_indexed_leaves = ESPALIER_INDEXED_LEAVES != 0;
+inline constexpr bool reads_plain_leaves = ESPALIER_PLAIN_LEAVES != 0;
 inline constexpr bool reads_strip_leaves = ESPALIER_STRIP_LEAVES != 0;
-static_assert(reads_indexed_leaves || reads_strip_leaves, "a runtime that reads no profile is of no use");
+static_assert(reads_plain_leaves || reads_strip_leaves, "a runtime that reads no profile is of no use");
 
 constexpr bool is_read(format::Profile profile) {
-    return profile == format::Profile::fast ? reads_indexed_leaves : reads_strip_leaves;
+    return profile == format::Profile::fast ? reads_plain_leaves : reads_strip_leaves;
 }
 /// Of a profile that is read.
-constexpr bool has_indexed_leaves(format::Profile profile) {
-    return !reads_strip_leaves || (reads_indexed_leaves && profile == format::Profile::fast);
+constexpr bool has_plain_leaves(format::Profile profile) {
+    return !reads_strip_leaves || (reads_plain_leaves && profile == format::Profile::fast);
 }
 
 }  // namespace espalier::detail

@@ -90,9 +90,9 @@ Status read_header(BlobData& blob) {
 
     constexpr std::uint32_t materials = materials_8 | materials_16;
     // Strips turn their triangles' corners, so that copies of one would not give the same weights.
-    const std::uint32_t of_indexed_leaves =
-        has_indexed_leaves(blob.profile) ? 0 : std::uint32_t{format::feature::split_references};
-    if ((blob.features & materials) == materials || (blob.features & of_indexed_leaves) != 0) return Status::bad_header;
+    const std::uint32_t of_plain_leaves =
+        has_plain_leaves(blob.profile) ? 0 : std::uint32_t{format::feature::split_references};
+    if ((blob.features & materials) == materials || (blob.features & of_plain_leaves) != 0) return Status::bad_header;
 
     blob.source_count = load_u32(h + source_count_at);
     blob.source_triangles = load_u32(h + source_triangles_at);

@@ -33,28 +33,49 @@ ESPALIER_SHARED_CODE inline bool take_padding(OpenProgress& seen, std::uint32_t 
     return is_zero(at, padding);
 }
 
-/// Takes the vertices of a leaf, which must be inside the asset.
-template <class Leaf>
-bool take_vertices(const Leaf& leaf, OpenProgress& seen) {
-    for (int k = 0; k < 3; ++k)
-        if (leaf.width[k] > seen.blob.bits ||
-            !take_fields(seen, leaf.vertex_count, leaf.width[k], seen.blob.extent[k] - leaf.anchor(k)))
-            return false;
-    return true;
+/// Whether all coordinates of a leaf are inside the asset, and differ along an axis by as much as the leaf's size says.
+bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
+    const std::byte* word = leaf.words;
+    const std::byte* high_byte = leaf.high_bytes();
+    std::uint32_t differences = 0;  // as many bits as the largest
+    for (int k = 0; k < 3; ++k) {
+        std::int32_t least = (1 << format::max_bits) - 1, most = 0;
+        for (unsigned left = leaf.vertex_count; left != 0; --left, word += 2) {
+            auto coordinate = static_cast<std::int32_t>(load_u16(word));
+            if (leaf.has_high_bytes()) coordinate |= static_cast<std::int32_t>(load_u8(high_byte++) << 16);
+            least = coordinate < least ? coordinate : least;
+            most = coordinate > most ? coordinate : most;
+        }
+        if (most > blob.extent[k]) return false;
+        differences |= static_cast<std::uint32_t>(most - least);
+    }
+    return 2 * differences >> leaf.size_bits == (leaf.size_bits != 0 ? 1u : 0u);
 }
 
-bool take_indexed_leaves(const Node& node, const std::byte* descriptor, OpenProgress& seen) {
-    using namespace format::indexed_leaf;
+bool take_plain_leaves(const Node& node, const std::byte* descriptor, OpenProgress& seen) {
+    using namespace format::plain_leaf;
+    const std::uint32_t first = seen.triangles;
     const std::uint32_t data = seen.leaf_bytes;
     for (unsigned number = 0; number < node.leaf_children(); ++number, descriptor += descriptor_bytes) {
         if (!take_padding(seen, 2)) return false;
-        if (2 * (load_u32(descriptor) & ((1u << offset_bits) - 1u)) != seen.leaf_bytes - data) return false;
-        const IndexedLeaf leaf = indexed_leaf(seen.blob, node, number);
-        if (!take_vertices(leaf, seen) ||
-            !take_fields(seen, 3u * leaf.slot_count, leaf.corner_width, leaf.vertex_count - 1))
+        const std::uint32_t fields = load_u32(descriptor);
+        if (2 * (fields & ((1u << offset_bits) - 1u)) != seen.leaf_bytes - data) return false;
+        if (fields >> first_shift != seen.triangles - first) return false;
+        const PlainLeaf leaf = plain_leaf(seen.blob, node, number);
+        const std::size_t bytes = data_bytes(leaf.vertex_count, leaf.slot_count, seen.blob.bits);
+        if (take_stream(seen, 8 * static_cast<unsigned>(bytes)) == nullptr || !are_sound_coordinates(leaf, seen.blob))
             return false;
+        for (unsigned corner = 0; corner < 3u * leaf.slot_count; ++corner)
+            if (load_u8(leaf.corner_row + corner) >= leaf.vertex_count) return false;
         seen.triangles += leaf.slot_count;
     }
+    return true;
+}
+
+/// Takes the vertices of a strip, which must be inside the asset.
+bool take_vertices(const StripLeaf& leaf, OpenProgress& seen) {
+    for (int k = 0; k < 3; ++k)
+        if (!take_fields(seen, leaf.vertex_count, leaf.width[k], seen.blob.extent[k] - leaf.anchor(k))) return false;
     return true;
 }
 
@@ -87,14 +108,14 @@ bool take_strip_leaves(const Node& node, const std::byte* descriptors, OpenProgr
 }  // namespace
 
 bool take_leaves(Node node, OpenProgress& seen) {
-    using namespace format::indexed_leaf;  // blocks of both kinds begin alike
+    using namespace format::plain_leaf;  // blocks of both kinds begin alike
     static_assert(descriptors_at == format::strip_leaf::descriptors_at &&
                   descriptor_bytes == format::strip_leaf::descriptor_bytes);
     const std::size_t head = descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()};
     const std::byte* const block = take_stream(seen, 8 * static_cast<unsigned>(head));
     if (block == nullptr || load_u32(block) != seen.triangles) return false;
-    const bool good = has_indexed_leaves(seen.blob.profile) ? take_indexed_leaves(node, block + descriptors_at, seen)
-                                                            : take_strip_leaves(node, block + descriptors_at, seen);
+    const bool good = has_plain_leaves(seen.blob.profile) ? take_plain_leaves(node, block + descriptors_at, seen)
+                                                          : take_strip_leaves(node, block + descriptors_at, seen);
     // Here already, block by block: a sum at the end could have gone around in 32 bits.
     return good && seen.triangles <= seen.blob.triangle_count && take_padding(seen, 4);
 }

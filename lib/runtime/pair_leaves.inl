@@ -103,7 +103,7 @@ inline unsigned planes_meet(const PlacedLanes& t, const PlacedBox& box) {
 
 /// Coordinates by vertex, for leaves of every kind and size.
 inline constexpr unsigned most_vertices =
-    StripLeaf::max_vertices > IndexedLeaf::max_vertices ? StripLeaf::max_vertices : IndexedLeaf::max_vertices;
+    StripLeaf::max_vertices > PlainLeaf::max_vertices ? StripLeaf::max_vertices : PlainLeaf::max_vertices;
 using VertexTable =
     Table<with_table_groups<most_vertices>(most_vertices, [](auto groups) { return unsigned{groups}; })>;
 
@@ -129,11 +129,12 @@ template <class Leaf, class Corners>
         const Floats scale = splat(frame.a_scale), round = splat(frame.a_round);
         for (int k = 0; k < 3; ++k) {
             VertexTable coordinates;
-            const Floats anchor = splat(static_cast<float>(leaf.anchor(k)));
+            const auto axis = static_cast<unsigned>(k);
+            const auto anchor = static_cast<std::uint32_t>(leaf.anchor(k));
             unsigned group = 0;
             do {
-                const Floats offset = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
-                coordinates.set(group, subtract(add(multiply(add(offset, anchor), scale), round), round));
+                const Floats coordinate = to_floats(add(offsets_of(leaf, axis, group), anchor));
+                coordinates.set(group, subtract(add(multiply(coordinate, scale), round), round));
             } while (++group * lanes < leaf.vertex_count);
             look_up_among<used>(coordinates, numbers, t.corner, k);
         }
@@ -168,8 +169,8 @@ template <class Leaf>
     for (unsigned group = 0; group * lanes < leaf.vertex_count; ++group) {
         Ints vertex[3];
         for (int k = 0; k < 3; ++k)
-            vertex[k] = add(unpack(leaf.coordinates[k], leaf.width[k], group * lanes),
-                            static_cast<std::uint32_t>(leaf.anchor(k)));
+            vertex[k] =
+                add(offsets_of(leaf, static_cast<unsigned>(k), group), static_cast<std::uint32_t>(leaf.anchor(k)));
         for (int k = 0; k < 3; ++k)
             coordinates[k].set(group,
                                place_on_axis(frame.matrix[k], frame.translation[k], frame.fraction_bits, vertex));

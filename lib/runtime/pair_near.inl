@@ -31,7 +31,7 @@ inline constexpr float lower_slack = 1.0f + 0x1p-18f;
 /// the first look, which takes all columns together, the same one whatever the number of lanes.
 struct NearestCorners {
     static constexpr unsigned a_slots = 64;
-    static_assert(StripLeaf::max_slots <= a_slots && IndexedLeaf::max_slots <= a_slots);
+    static_assert(StripLeaf::max_slots <= a_slots && PlainLeaf::max_slots <= a_slots);
 
     float squared = infinity;
     unsigned pair = 0;          ///< b's slot times a_slots, and a's

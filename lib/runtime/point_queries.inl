@@ -7,11 +7,10 @@ template <unsigned groups, class Leaf, class OnGroup>
 [[gnu::always_inline]] inline void for_each_group_of(const Leaf& leaf, const LatticePoint& point, OnGroup on_group) {
     Table<groups> coordinates[3];
     for (unsigned k = 0; k < 3; ++k) {
-        const Floats anchor = splat(static_cast<float>(leaf.anchor(static_cast<int>(k))));
+        const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
         const Floats from = splat(point.steps[k]);
         for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
-            const Floats offset = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
-            coordinates[k].set(group, subtract(add(offset, anchor), from));
+            coordinates[k].set(group, subtract(to_floats(add(offsets_of(leaf, k, group), anchor)), from));
         }
     }
     auto corners = corners_of(leaf);

@@ -6,12 +6,8 @@
 /// What a leaf's coordinates count from, seen from the ray's origin.
 template <class Leaf>
 [[gnu::always_inline]] inline Corner corner_from_origin(const Leaf& leaf, const LatticeRay& ray) {
-    Corner corner = load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray);
-    if (Leaf::may_have_copies && leaf.blob->copies != nullptr) {
-        for (int k = 0; k < 3; ++k)
-            if (leaf.counts_from_zero(k)) corner.at[k] = -origin_steps(ray, static_cast<unsigned>(k));
-    }
-    return corner;
+    if constexpr (Leaf::counts_from_zero) return load_zero_corner(ray);
+    else return load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray);
 }
 
 /// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
@@ -24,9 +20,7 @@ inline typename Leaf::Slots ray_candidates_of(const Leaf& leaf, const LatticeRay
     SeenVertices<groups> vertices(leaf, ray);
     for (unsigned group = 0; group < SeenVertices<groups>::groups_of(leaf.vertex_count); ++group) {
         const auto coordinate = [&](unsigned k, Floats from) {
-            return add(
-                to_floats(unpack(leaf.coordinates[k], SeenVertices<groups>::width_of(leaf.width[k]), group * lanes)),
-                from);
+            return add(to_floats(offsets_of(leaf, k, group, SeenVertices<groups>::width_of)), from);
         };
         const Floats z = coordinate(kz, offset_z);
         vertices.set(group, multiply_add(z, shear_x, coordinate(kx, offset_x)),

@@ -131,8 +131,7 @@ private:
         CornerNumbers numbers[(slots + lanes - 1) / lanes];
         const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
         for (unsigned k = 0; k < 3; ++k)
-            for (unsigned group = 0; group < used; ++group)
-                decoded[k][group] = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
+            for (unsigned group = 0; group < used; ++group) decoded[k][group] = to_floats(offsets_of(leaf, k, group));
         auto corners = corners_of(leaf);
         // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
         for (unsigned first = 0; first < leaf.slot_count; first += lanes) numbers[first / lanes] = corners.next();

@@ -54,7 +54,7 @@ template <class Leaf>
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
         std::int32_t place[3];
-        leaf.place_vertex(vertex, ray, place);
+        place_vertex(leaf, vertex, ray, place);
         vertices[vertex] = seen.vertex(ray, place);
     }
     typename Leaf::Slots mask = 0;
@@ -71,7 +71,7 @@ template <class Leaf>
 [[gnu::noinline]] bool hits_slot(const Leaf& leaf, unsigned slot, const SeenRay& ray, TriangleHit& hit) {
     count_decision();
     LatticeTriangle from_origin;
-    for (unsigned i = 0; i < 3; ++i) leaf.place_vertex(leaf.corner(slot, i), ray, from_origin.corner[i]);
+    for (unsigned i = 0; i < 3; ++i) place_vertex(leaf, leaf.corner(slot, i), ray, from_origin.corner[i]);
     return small_ray_triangle::hits(ray, from_origin, hit);
 }
 using scalar::owner_index;

@@ -57,22 +57,20 @@ private:
     /// along two axes: a triangle all of whose corners are beyond the same one is not hit.
     void find_places(const Leaf& leaf, std::uint16_t* beyond) const {
         LineGrid grid;
-        unsigned widest = 0;
         std::int32_t low[3], high[3];
         for (int k = 0; k < 3; ++k) {
-            grid.base[k] = leaf.anchor(k);
+            grid.base[k] = leaf.grid_base(k);
             grid.shift[k] = 0;
-            widest = leaf.width[k] > widest ? leaf.width[k] : widest;
             low[k] = segment.bounds.low[k] - grid.base[k];
             high[k] = segment.bounds.high[k] - grid.base[k];
         }
-        grid.bits = static_cast<int>(widest);
+        grid.bits = leaf.grid_bits();
         const LineSide sides[2] = {LineSide(segment, 1, grid), LineSide(segment, 2, grid)};
         for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
             std::int32_t at[3];
             unsigned places = 0;
             for (int k = 0; k < 3; ++k) {
-                at[k] = static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], vertex));
+                at[k] = leaf.anchor(k) - grid.base[k] + leaf.offset(k, vertex);
                 places = places << 2 | (at[k] < low[k] ? 1u : 0u) | (at[k] > high[k] ? 2u : 0u);
             }
             for (const LineSide& side : sides) {

@@ -17,11 +17,11 @@ template <unsigned groups, class Leaf>
 inline typename Leaf::Slots sweep_candidates_of(const Leaf& leaf, const RayLanes& sweep, float limit) {
     Table<groups> times[3];  // when a plane through the vertex is met, but for the offsets
     for (unsigned k = 0; k < 3; ++k) {
-        const Floats anchor = splat(static_cast<float>(leaf.anchor(static_cast<int>(k))));
+        const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
         const Floats inverse = splat(sweep.inverse[k]);
         for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
-            const Floats offset = to_floats(unpack(leaf.coordinates[k], leaf.width[k], group * lanes));
-            times[k].set(group, multiply(add(offset, anchor), inverse));
+            const Floats coordinate = to_floats(add(offsets_of(leaf, k, group), anchor));
+            times[k].set(group, multiply(coordinate, inverse));
         }
     }
     typename Leaf::Slots mask = 0;

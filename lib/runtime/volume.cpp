@@ -49,8 +49,7 @@ void find_places(const Leaf& leaf, const Volume& volume, std::uint32_t matter, P
     const std::uint32_t planes = volume.bounded ? matter & ((1u << bounds_shift) - 1u) : matter;
     for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
         std::int32_t at[3];
-        for (int k = 0; k < 3; ++k)
-            at[k] = anchor[k] + static_cast<std::int32_t>(load_field(leaf.coordinates[k], leaf.width[k], vertex));
+        for (int k = 0; k < 3; ++k) at[k] = anchor[k] + leaf.offset(k, vertex);
         std::uint32_t sides = 0;
         bool is_deep = knows_inside;
         if (volume.bounded) {

@@ -42,11 +42,6 @@ PlainBlob make_one_box(format::Profile profile, unsigned bits, std::size_t axis,
     leaf.vertices[1][second] = leaf.vertices[2][third] = 3;
     if (profile == format::Profile::fast) {
         leaf.triangles = {{0, 1, 2}};
-        const unsigned more = bits > 15 ? bits - 15 : 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto width = static_cast<unsigned>(std::bit_width(blob.decoded.extent[k]));
-            leaf.codes[k] = width == 0 ? 0 : width > more ? width - more : 1;
-        }
     } else {
         leaf.entries = {{0, true, true}, {1, false, false}, {2, false, false}};
     }

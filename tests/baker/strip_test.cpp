@@ -227,7 +227,7 @@ TEST_SUITE("strip") {
     TEST_CASE("strip: leaves reach the largest size of each profile and never exceed it") {
         const Mesh mesh = make_terrain(60, 3);
         for_each_profile([&](format::Profile profile) {
-            const unsigned most = profile == format::Profile::fast       ? format::indexed_leaf::max_triangles
+            const unsigned most = profile == format::Profile::fast       ? format::plain_leaf::max_triangles
                                   : profile == format::Profile::balanced ? format::strip_leaf::max_balanced_entries - 2
                                                                          : format::strip_leaf::max_small_entries - 2;
             const auto result = bake_mesh(mesh, with_large_leaves(profile, 16));

@@ -78,7 +78,7 @@ TEST_SUITE("tree") {
     TEST_CASE("builder: the bytes of a blob are the same at any number of threads") {
         for (const Mesh& mesh : {make_terrain(60, 1), make_soup(6000, 2), make_torus(120, 50, 3.0, 1.0)}) {
             for (const unsigned effort : {0u, 5u, 9u}) {
-                // Effort 0 with indexed leaves, 5 and 9 with strips.
+                // Effort 0 with plain leaves, 5 and 9 with strips.
                 BakeOptions options = with_profile(static_cast<format::Profile>((effort + 4) / 5));
                 options.effort = effort;
                 const auto one = bake_mesh(mesh, options);
@@ -160,7 +160,7 @@ TEST_SUITE("tree") {
         const baker::BinaryTree tree = baker::build_sah(mesh, baker::build_settings(5, 1));
         const unsigned least_levels = (height_of(tree) + 2) / 3;
         for (const CostModel& model : {CostModel{}, CostModel{0.001f, 1.0f, 0.0f, 1.0f, 0.0f}}) {
-            const auto sizes = baker::leaf_sizes(format::Profile::fast, nullptr);
+            const auto sizes = baker::leaf_sizes(format::Profile::fast, 16, nullptr);
             const baker::CollapsePlan plan(mesh, tree, *sizes, {model});
             for (unsigned levels = least_levels; levels <= format::max_depth; ++levels) {
                 CHECK(wide_depth(plan, 0, levels) <= levels);
@@ -190,7 +190,7 @@ TEST_SUITE("tree") {
             unsigned most;
         };
         std::vector<Case> cases;
-        for (unsigned most = 1; most <= format::indexed_leaf::max_triangles; ++most) {
+        for (unsigned most = 1; most <= format::plain_leaf::max_triangles; ++most) {
             cases.push_back({format::Profile::fast, most});
             cases.push_back({format::Profile::balanced, most});
             cases.push_back({format::Profile::small, most});
@@ -264,7 +264,7 @@ TEST_SUITE("tree") {
               mesh.triangles.size());
     }
 
-    TEST_CASE("builder: indexed leaves ascend by source triangle and larger siblings come first") {
+    TEST_CASE("builder: plain leaves ascend by source triangle and larger siblings come first") {
         const Mesh mesh = make_terrain(40, 6);
         BakeOptions options;
         options.profile = format::Profile::fast;

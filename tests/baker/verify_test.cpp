@@ -1,6 +1,8 @@
 // Claims about verify_deep: each thing that it promises to find is planted and found.
 #include <doctest/doctest.h>
 
+#include <array>
+
 #include <baker/verify.hpp>
 
 #include "../support/baking.hpp"
@@ -86,7 +88,7 @@ TEST_SUITE("verify") {
     }
 
     TEST_CASE("verify: a triangle without area and a duplicate are found") {
-        // One leaf of two triangles with 3-bit corners: the last two bytes before the padding are theirs.
+        // One leaf of two triangles: a byte for each corner, behind two for each coordinate of the four vertices.
         Mesh quad;
         quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
         quad.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -94,16 +96,17 @@ TEST_SUITE("verify") {
         const DecodedBlob decoded = decode(good);
         REQUIRE(decoded.triangles.size() == 2);
         const std::size_t leaves_at = format::header::bytes + format::node::bytes;
-        const std::size_t data =
-            leaves_at + format::indexed_leaf::descriptors_at + format::indexed_leaf::descriptor_bytes;
-        // x and y are streams of 4 bits in a byte each, z has none.
-        const auto with_corners = [&](unsigned first, unsigned second) {
+        const std::size_t data = leaves_at + format::plain_leaf::descriptors_at + format::plain_leaf::descriptor_bytes;
+        using Triangle = std::array<unsigned, 3>;
+        const auto with_corners = [&](const Triangle& first, const Triangle& second) {
             auto bad = good;
-            const unsigned both = first | second << 9;
-            for (std::size_t i = 0; i < 3; ++i) bad[data + 2 + i] = static_cast<std::byte>(both >> (8 * i) & 255);
+            for (std::size_t i = 0; i < 3; ++i) {
+                bad[data + 24 + 2 * i] = static_cast<std::byte>(first[i]);
+                bad[data + 24 + 2 * i + 1] = static_cast<std::byte>(second[i]);
+            }
             return bad;
         };
-        const auto corners = [](unsigned a, unsigned b, unsigned c) { return a | b << 3 | c << 6; };
+        const auto corners = [](unsigned a, unsigned b, unsigned c) { return Triangle{a, b, c}; };
         CHECK(verdict(with_corners(corners(0, 1, 2), corners(0, 2, 3))) == "");
         CHECK(contains(verdict(with_corners(corners(0, 1, 2), corners(0, 3, 3))), "triangle 1 (leaf data at byte "));
         CHECK(contains(verdict(with_corners(corners(0, 1, 2), corners(0, 3, 3))), "has no area"));

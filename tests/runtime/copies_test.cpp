@@ -23,7 +23,6 @@ PlainBlob make_blob(std::uint32_t leaves) {
     PlainLeaf leaf;
     leaf.vertices = {{0, 0, 0}, {15, 15, 0}, {0, 15, 15}};
     leaf.triangles.assign(16, {0, 1, 2});
-    leaf.codes = {4, 4, 4};
     blob.nodes.resize(1 + (leaves + 7) / 8);
     for (std::size_t node = 1; node < blob.nodes.size(); ++node)
         blob.nodes[0].children.push_back({{0, 0, 0}, {15, 15, 15}, node, {}});

@@ -31,7 +31,6 @@ PlainLeaf make_fan(format::Profile profile) {
     for (std::int32_t i = 3; i < 18; ++i) leaf.vertices.push_back({0, 0, 0});
     if (profile == format::Profile::fast) {
         for (std::uint8_t i = 0; i < 16; ++i) leaf.triangles.push_back({0, 1, static_cast<std::uint8_t>(2 + i % 2)});
-        leaf.codes = {4, 4, 4};
     } else {
         for (unsigned i = 0; i < 18; ++i) leaf.entries.push_back({i, i == 0, i + 2 < 18});
     }
@@ -54,8 +53,8 @@ TEST_SUITE("open leaves") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
             const unsigned offset_bits =
-                profile == format::Profile::fast ? format::indexed_leaf::offset_bits : format::strip_leaf::offset_bits;
-            const std::size_t descriptor = leaves_of(bytes) + format::indexed_leaf::descriptors_at;
+                profile == format::Profile::fast ? format::plain_leaf::offset_bits : format::strip_leaf::offset_bits;
+            const std::size_t descriptor = leaves_of(bytes) + format::plain_leaf::descriptors_at;
             put(bytes, descriptor, get(bytes, descriptor, 4) | 1u << (offset_bits - 1), 4);
             repair_checksum(bytes);
             const GuardedPages pages(bytes, true);
@@ -108,8 +107,8 @@ TEST_SUITE("open leaves") {
     }
 
     TEST_CASE("open: the last of eight largest leaves is read at its place") {
-        // In profile fast it lies more than half as far back as can be said. Its fields are as wide as the lattice, and
-        // count from its box's low corner all the same: there are no copies.
+        // In profile fast it lies more than half as far back as can be said. The fields of a strip are as wide as the
+        // lattice, and count from its box's low corner all the same.
         for_each_profile([](format::Profile profile) {
             constexpr std::int32_t most = (1 << 24) - 1, low = 1 << 17;
             PlainBlob blob = make_blob(profile, 24);
@@ -127,7 +126,6 @@ TEST_SUITE("open leaves") {
                     for (std::uint8_t i = 0; i < 16; ++i)
                         leaf.triangles.push_back(
                             {i, static_cast<std::uint8_t>(i + 1), static_cast<std::uint8_t>(31 - i)});
-                    leaf.codes = {15, 15, 15};
                 } else {
                     const unsigned entries = profile == format::Profile::small
                                                  ? format::strip_leaf::max_small_entries
@@ -140,7 +138,7 @@ TEST_SUITE("open leaves") {
             }
             const Bytes bytes = encode(blob);
             if (profile == format::Profile::fast)
-                REQUIRE((get(bytes, leaves_of(bytes) + 4 + 7 * 4, 4) >> (format::indexed_leaf::offset_bits - 1) & 1) !=
+                REQUIRE((get(bytes, leaves_of(bytes) + 4 + 7 * 4, 4) >> (format::plain_leaf::offset_bits - 1) & 1) !=
                         0);
             Blob opened;
             REQUIRE(open(bytes, opened) == Status::ok);

@@ -205,12 +205,12 @@ TEST_SUITE("open rules") {
 
     TEST_CASE("open: a leaf beyond the blob is refused before it is read") {
         for_each_profile([](format::Profile profile) {
-            namespace indexed = format::indexed_leaf;
+            namespace plain = format::plain_leaf;
             namespace strips = format::strip_leaf;
             BakeOptions options = with_profile(profile);
             options.bits = 24;
             const Bytes bytes = bake_or_throw(make_plane_grid(1), options);
-            const std::size_t descriptor_at = leaves_of(bytes) + indexed::descriptors_at;
+            const std::size_t descriptor_at = leaves_of(bytes) + plain::descriptors_at;
             const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
             const auto is_refused = [](Bytes changed) {
                 repair_checksum(changed);
@@ -221,23 +221,16 @@ TEST_SUITE("open rules") {
             const bool has_strips = profile != format::Profile::fast;
             if (!has_strips) {  // a corner that is just no vertex
                 Bytes changed = bytes;
-                const std::size_t stream_end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
-                std::size_t triangles = descriptor_at + indexed::descriptor_bytes;
-                for (unsigned axis = 0; axis < 3; ++axis)
-                    triangles += indexed::stream_bytes(
-                        4, indexed::coordinate_width(descriptor >> (indexed::widths_shift + 4 * axis) & 15u,
-                                                     static_cast<unsigned>(get(bytes, at::bits_at, 1))));
-                REQUIRE(triangles < stream_end);
-                put(changed, triangles, (get(bytes, triangles, 1) & ~7u) | 4u, 1);
+                put(changed, descriptor_at + plain::descriptor_bytes + 6 * 4, 4, 1);
                 CHECK(is_refused(changed));
             }
             // Its data far behind the end.
             Bytes elsewhere = bytes;
-            put(elsewhere, descriptor_at, descriptor | ((1u << indexed::offset_bits) - 1u), 4);
+            put(elsewhere, descriptor_at, descriptor | ((1u << plain::offset_bits) - 1u), 4);
             CHECK(is_refused(elsewhere));
             // More data than there is, of the widest vertices, all of them in one corner.
             Bytes longer = bytes;
-            const std::size_t data = descriptor_at + indexed::descriptor_bytes;
+            const std::size_t data = descriptor_at + plain::descriptor_bytes;
             for (std::size_t i = data; i < leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4); ++i)
                 put(longer, i, 0, 1);
             if (has_strips) {
@@ -245,12 +238,13 @@ TEST_SUITE("open rules") {
                 for (std::size_t i = 0; i < 11; ++i) put(longer, data + i, 0xFF, 1);
                 put(longer, data + 11, 0x1F, 1);  // 3 * 31 marks
             } else {
-                put(longer, descriptor_at,
-                    descriptor | 31u << indexed::vertices_shift | 0xFFFu << indexed::widths_shift, 4);
+                put(longer, descriptor_at, (descriptor & ~(31u << plain::size_shift)) | 31u << plain::vertices_shift,
+                    4);
             }
             CHECK(is_refused(longer));
-            // No data at all: in its place is the guard, which would do for three vertices in one corner.
+            // No data at all: in its place is the guard, which would do for a few vertices in one corner.
             Bytes shorter = bytes;
+            if (!has_strips) put(shorter, descriptor_at, descriptor & ~(31u << plain::size_shift), 4);
             const std::size_t end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
             put(shorter, at::leaf_bytes_at, data - leaves_of(bytes), 4);
             if (has_strips) put(shorter, at::triangle_count_at, 1, 4);
@@ -258,8 +252,7 @@ TEST_SUITE("open rules") {
             CHECK(status_resized(shorter) == Status::bad_leaf);
             // A section that ends among the descriptors, and the first of them says that there is much data.
             put(shorter, at::bytes + format::node::children_at, 8u << 28, 4);
-            put(shorter, descriptor_at, descriptor | 31u << indexed::vertices_shift | 0xFFFu << indexed::widths_shift,
-                4);
+            put(shorter, descriptor_at, descriptor | 31u << plain::vertices_shift, 4);
             put(shorter, at::total_bytes_at, shorter.size(), 4);
             CHECK((has_strips || is_refused(shorter)));
         });
@@ -267,7 +260,7 @@ TEST_SUITE("open rules") {
 
     TEST_CASE("open: the last of many leaves beyond the blob is refused before it is read") {
         for_each_profile([](format::Profile profile) {
-            namespace indexed = format::indexed_leaf;
+            namespace plain = format::plain_leaf;
             namespace strips = format::strip_leaf;
             BakeOptions options = with_profile(profile);
             options.bits = 24;
@@ -281,14 +274,14 @@ TEST_SUITE("open rules") {
             }
             REQUIRE(block > 0);
             REQUIRE(leaves > 1);
-            const std::size_t descriptors = leaves_of(bytes) + block + indexed::descriptors_at;
-            const std::size_t descriptor_at = descriptors + indexed::descriptor_bytes * (leaves - 1);
+            const std::size_t descriptors = leaves_of(bytes) + block + plain::descriptors_at;
+            const std::size_t descriptor_at = descriptors + plain::descriptor_bytes * (leaves - 1);
             auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
-            std::size_t data = descriptors + indexed::descriptor_bytes * leaves;
+            std::size_t data = descriptors + plain::descriptor_bytes * leaves;
             Bytes longer = bytes;
             const bool has_strips = profile != format::Profile::fast;
             data += has_strips ? descriptor & ((1u << strips::offset_bits) - 1u)
-                               : 2 * (descriptor & ((1u << indexed::offset_bits) - 1u));
+                               : 2 * (descriptor & ((1u << plain::offset_bits) - 1u));
             for (std::size_t i = data; i < leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4); ++i)
                 put(longer, i, 0, 1);
             if (has_strips) {
@@ -297,7 +290,7 @@ TEST_SUITE("open rules") {
                 for (std::size_t i = 0; i < 11; ++i) put(longer, data + i, 0xFF, 1);
                 put(longer, data + 11, 0x1F, 1);
             } else {
-                descriptor |= 31u << indexed::vertices_shift | 0xFFFu << indexed::widths_shift;
+                descriptor = (descriptor & ~(31u << plain::size_shift)) | 31u << plain::vertices_shift;
             }
             put(longer, descriptor_at, descriptor, 4);
             repair_checksum(longer);
@@ -604,67 +597,74 @@ TEST_SUITE("open rules") {
         CHECK(status_resized(bytes) == Status::ok);
     }
 
-    TEST_CASE("open: each rule of the streams of an indexed leaf is enforced") {
-        namespace leaf = format::indexed_leaf;
-        const Bytes bytes = plain_blob(format::Profile::fast);
-        const auto bits = static_cast<unsigned>(get(bytes, at::bits_at, 1));
-        const std::size_t end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
-        std::size_t blocks = 0, without_block = 0, paddings = 0, gaps = 0;
-        for (std::size_t node = at::bytes; node < leaves_of(bytes); node += format::node::bytes) {
-            const std::uint64_t children = get(bytes, node + format::node::children_at, 4);
-            const std::size_t leaves = children >> 28;
-            const std::uint64_t words = get(bytes, node + format::node::leaf_block_at, 4);
-            if (leaves == 0) {  // then it has no block either
-                CHECK(status_with(bytes, node + format::node::leaf_block_at, 1, 4) == Status::bad_node);
-                ++without_block;
-                continue;
-            }
-            ++blocks;
-            const std::size_t descriptors = leaves_of(bytes) + 4 * words + leaf::descriptors_at;
-            const std::size_t data = descriptors + leaf::descriptor_bytes * leaves;
-            for (std::size_t number = 0; number < leaves; ++number) {
-                const auto descriptor =
-                    static_cast<std::uint32_t>(get(bytes, descriptors + leaf::descriptor_bytes * number, 4));
-                const unsigned vertices = (descriptor >> leaf::vertices_shift & 31u) + 1;
-                const unsigned slots = (descriptor >> leaf::triangles_shift & 15u) + 1;
-                std::size_t stream = data + 2 * (descriptor & ((1u << leaf::offset_bits) - 1u));
-                for (unsigned axis = 0; axis < 3; ++axis) {
-                    const unsigned code = descriptor >> (leaf::widths_shift + 4 * axis) & 15u;
-                    const unsigned used = vertices * leaf::coordinate_width(code, bits);
-                    stream += (used + 7) / 8;
-                    if (used % 8 == 0) continue;
-                    ++paddings;
-                    CHECK(status_with(bytes, stream - 1, get(bytes, stream - 1, 1) | 0x80u, 1) == Status::bad_leaf);
-                }
-                stream += leaf::stream_bytes(slots, 3 * leaf::corner_width(vertices));
-                if ((stream - data) % 2 == 0 || stream == end) continue;
-                ++gaps;  // the next leaf, or the end of the block
-                CHECK(status_with(bytes, stream, 1, 1) == Status::bad_leaf);
-            }
-        }
-        CHECK(blocks > 4);
-        CHECK(without_block > 0);
-        CHECK(paddings > 20);
-        CHECK(gaps > 4);
-    }
-
-    TEST_CASE("open: coordinates wider than the lattice are refused for any value") {
-        namespace leaf = format::indexed_leaf;
-        for (const unsigned bits : {7u, 8u}) {
+    TEST_CASE("open: each rule of plain leaves is enforced in each leaf") {
+        namespace leaf = format::plain_leaf;
+        for (const unsigned bits : {12u, 20u}) {
             BakeOptions options = with_profile(format::Profile::fast);
             options.bits = bits;
-            Bytes bytes = bake_or_throw(make_plane_grid(1), options);  // 4 vertices with a constant z
+            const Bytes bytes = bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}), options);
             REQUIRE(get(bytes, at::bits_at, 1) == bits);
-            const std::size_t descriptor_at = leaves_of(bytes) + leaf::descriptors_at;
-            const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
-            std::size_t z_stream = descriptor_at + leaf::descriptor_bytes;
-            for (unsigned axis = 0; axis < 2; ++axis)
-                z_stream += leaf::stream_bytes(4, descriptor >> (leaf::widths_shift + 4 * axis) & 15u);
-            REQUIRE((descriptor >> (leaf::widths_shift + 8) & 15u) == 0);
-            put(bytes, descriptor_at, descriptor | 8u << (leaf::widths_shift + 8), 4);
-            bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(z_stream), 4, std::byte{});  // of 8 bits, all 0
-            put(bytes, at::leaf_bytes_at, get(bytes, at::leaf_bytes_at, 4) + 4, 4);
-            CHECK(status_resized(bytes) == (bits < 8 ? Status::bad_leaf : Status::ok));
+            const std::size_t end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
+            std::size_t blocks = 0, without_block = 0, gaps = 0, later = 0;
+            for (std::size_t node = at::bytes; node < leaves_of(bytes); node += format::node::bytes) {
+                const std::uint64_t children = get(bytes, node + format::node::children_at, 4);
+                const std::size_t leaves = children >> 28;
+                const std::uint64_t words = get(bytes, node + format::node::leaf_block_at, 4);
+                if (leaves == 0) {  // then it has no block either
+                    CHECK(status_with(bytes, node + format::node::leaf_block_at, 1, 4) == Status::bad_node);
+                    ++without_block;
+                    continue;
+                }
+                ++blocks;
+                const std::size_t descriptors = leaves_of(bytes) + 4 * words + leaf::descriptors_at;
+                const std::size_t data = descriptors + leaf::descriptor_bytes * leaves;
+                for (std::size_t number = 0; number < leaves; ++number) {
+                    const std::size_t descriptor_at = descriptors + leaf::descriptor_bytes * number;
+                    const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
+                    const std::size_t vertices = (descriptor >> leaf::vertices_shift & 31u) + 1;
+                    const std::size_t slots = (descriptor >> leaf::triangles_shift & 15u) + 1;
+                    const std::size_t begin = data + 2 * (descriptor & ((1u << leaf::offset_bits) - 1u));
+                    for (const unsigned shift : {0u, leaf::size_shift, leaf::first_shift}) {
+                        CHECK(status_with(bytes, descriptor_at, descriptor + (1u << shift), 4) == Status::bad_leaf);
+                        CHECK(status_with(bytes, descriptor_at, descriptor - (1u << shift), 4) == Status::bad_leaf);
+                    }
+                    if (descriptor >> leaf::first_shift != 0) ++later;
+                    const std::size_t corners = begin + 6 * vertices;
+                    for (const std::size_t corner : {std::size_t{0}, slots - 1, 3 * slots - 1})
+                        CHECK(status_with(bytes, corners + corner, vertices, 1) == Status::bad_leaf);
+                    const std::size_t leaf_end = corners + 3 * slots + (bits > 16 ? 3 * vertices : 0);
+                    if ((leaf_end - data) % 2 == 0 || leaf_end == end) continue;
+                    ++gaps;  // the next leaf, or the end of the block
+                    CHECK(status_with(bytes, leaf_end, 1, 1) == Status::bad_leaf);
+                }
+            }
+            CHECK(blocks > 4);
+            CHECK(without_block > 0);
+            CHECK(later > 4);
+            CHECK(gaps > 4);
+        }
+    }
+
+    TEST_CASE("open: a plain leaf wholly beyond the extent is refused in each bit") {
+        namespace leaf = format::plain_leaf;
+        for (const unsigned bits : {7u, 16u, 17u, 24u}) {
+            BakeOptions options = with_profile(format::Profile::fast);
+            options.bits = bits;
+            const Bytes bytes = bake_or_throw(make_plane_grid(1), options);  // 4 vertices whose z is 0, 2 triangles
+            REQUIRE(get(bytes, at::bits_at, 1) == bits);
+            REQUIRE(get(bytes, at::extent_at + 8, 4) == 0);
+            const std::size_t data = leaves_of(bytes) + leaf::descriptors_at + leaf::descriptor_bytes;
+            const std::size_t bytes_above = data + 6 * 4 + 3 * 2;
+            for (unsigned bit = 0; bit < (bits > 16 ? 24u : 16u); ++bit) {
+                Bytes moved = bytes;
+                for (std::size_t vertex = 0; vertex < 4; ++vertex) {
+                    if (bit < 16) put(moved, data + 2 * (8 + vertex), 1u << bit, 2);
+                    else put(moved, bytes_above + 8 + vertex, 1u << (bit - 16), 1);
+                }
+                CHECK(status_resized(moved) == Status::bad_leaf);
+                put(moved, at::extent_at + 8, 1u << bit, 4);
+                CHECK(status_resized(moved) == (bit < bits ? Status::ok : Status::bad_header));
+            }
         }
     }
 }

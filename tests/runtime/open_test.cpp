@@ -342,12 +342,12 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("open: each rule of nodes and indexed leaves is enforced") {
+    TEST_CASE("open: each rule of nodes and plain leaves is enforced") {
         // Two triangles over four vertices: one node with one leaf.
         const Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(format::Profile::fast));
         REQUIRE(status_of(bytes) == Status::ok);
         namespace node = format::node;
-        namespace leaf = format::indexed_leaf;
+        namespace leaf = format::plain_leaf;
         constexpr std::size_t root = format::header::bytes;
         CHECK(status_with(bytes, root + node::children_at, 1u << 28 | 1u, 4) == Status::bad_node);  // a first child
         CHECK(status_with(bytes, root + node::children_at, 1u << 28 | 1u << 24 | 1u, 4) ==
@@ -362,26 +362,29 @@ TEST_SUITE("open") {
         constexpr std::size_t block = root + node::bytes;
         constexpr std::size_t descriptor_at = block + leaf::descriptors_at;
         const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
-        const auto bits = static_cast<unsigned>(get(bytes, format::header::bits_at, 1));
         REQUIRE((descriptor >> leaf::triangles_shift & 15u) == 1);
         REQUIRE((descriptor >> leaf::vertices_shift & 31u) == 3);
+        CHECK(status_with(bytes, descriptor_at, descriptor, 4) == Status::ok);
         CHECK(status_with(bytes, descriptor_at, descriptor + 1, 4) == Status::bad_leaf);  // data somewhere else
         CHECK(status_with(bytes, descriptor_at, descriptor + (1u << leaf::triangles_shift), 4) == Status::bad_leaf);
         CHECK(status_with(bytes, descriptor_at, descriptor - (1u << leaf::triangles_shift), 4) == Status::bad_leaf);
         CHECK(status_with(bytes, descriptor_at, descriptor | 31u << leaf::vertices_shift, 4) == Status::bad_leaf);
-        CHECK(status_with(bytes, descriptor_at, descriptor | 15u << (leaf::widths_shift + 8), 4) == Status::bad_leaf);
-
-        std::size_t triangles_at = descriptor_at + leaf::descriptor_bytes;
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            const unsigned code = descriptor >> (leaf::widths_shift + 4 * axis) & 15u;
-            triangles_at += leaf::stream_bytes(4, leaf::coordinate_width(code, bits));
+        for (std::uint32_t size = 0; size < 32; ++size) {
+            const std::uint32_t others = descriptor & ~(31u << leaf::size_shift);
+            const bool is_right = others + (size << leaf::size_shift) == descriptor;
+            CHECK(status_with(bytes, descriptor_at, others | size << leaf::size_shift, 4) ==
+                  (is_right ? Status::ok : Status::bad_leaf));
         }
-        const unsigned width = leaf::corner_width(4);
-        const std::uint64_t corners = get(bytes, triangles_at, 4);
-        const std::uint64_t no_vertex = (std::uint64_t{1} << width) - 1;
-        if (no_vertex >= 4) CHECK(status_with(bytes, triangles_at, corners | no_vertex, 4) == Status::bad_leaf);
-        const std::uint64_t padding = std::uint64_t{1} << (6 * width);
-        if (6 * width % 8 != 0) CHECK(status_with(bytes, triangles_at, corners | padding, 4) == Status::bad_leaf);
+        for (unsigned bit = leaf::first_shift; bit < 32; ++bit)  // another first triangle
+            CHECK(status_with(bytes, descriptor_at, descriptor | 1u << bit, 4) == Status::bad_leaf);
+
+        constexpr std::size_t corners_at = descriptor_at + leaf::descriptor_bytes + 4 * 6;
+        for (std::size_t corner = 0; corner < 6; ++corner) {
+            CHECK(status_with(bytes, corners_at + corner, 3, 1) == Status::ok);  // another mesh, no harm
+            for (const unsigned no_vertex : {4u, 32u, 255u})
+                CHECK(status_with(bytes, corners_at + corner, no_vertex, 1) == Status::bad_leaf);
+        }
+        CHECK(status_with(bytes, corners_at + 6, 1, 1) == Status::bad_leaf);  // padding
         const std::uint64_t extent = get(bytes, format::header::extent_at, 4);
         CHECK(status_with(bytes, format::header::extent_at, extent - 1, 4) == Status::bad_leaf);  // a vertex beyond it
     }

@@ -73,8 +73,6 @@ PlainBlob make_blob(Random& random, format::Profile profile, unsigned width, uns
         low[k] = static_cast<std::int32_t>(node.base[k] << unit);
     }
     child.leaf = make_leaf(random, profile, low, static_cast<std::int32_t>(child.high[0]) << node.shift[0]);
-    const unsigned more = bits > 15 ? bits - 15 : 0;
-    child.leaf->codes.fill(width > more ? width - more : 1);
     node.children = {child};
     blob.decoded.vertex_count = static_cast<std::uint32_t>(child.leaf->vertices.size());
     blob.nodes = {node};
@@ -137,7 +135,7 @@ TEST_SUITE("ray filter") {
                 const double bound = largest * (4.125 * double(delta) + 9 * 0x1p-24 * largest);
                 detail::LatticeRay ray{};
                 ray.shear_error = delta;
-                detail::IndexedLeaf leaf{};
+                detail::PlainLeaf leaf{};
                 leaf.size_bits = static_cast<std::uint8_t>(std::bit_width(size) - 1);
                 const auto is_allowed = [&](double unclear, float sign) {
                     // Corners (-far, 0), (-unclear, -1), (0, 1): edge functions -unclear, far and far, or the opposite.

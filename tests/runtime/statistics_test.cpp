@@ -41,7 +41,7 @@ TEST_SUITE("statistics") {
             CHECK(counters.triangles <= counters.leaves * format::max_leaf_triangles);
             CHECK(counters.triangles <= counters.groups * 8);
             const format::Profile profile = blob.opened.blob.profile();
-            const unsigned most_slots = profile == format::Profile::fast ? format::indexed_leaf::max_triangles
+            const unsigned most_slots = profile == format::Profile::fast ? format::plain_leaf::max_triangles
                                         : profile == format::Profile::balanced
                                             ? format::strip_leaf::max_balanced_entries - 2
                                             : format::strip_leaf::max_small_entries - 2;

@@ -63,7 +63,7 @@ TEST_SUITE("weird blob") {
         CHECK(depths.count(1) == 1);
         CHECK(depths.count(format::max_depth) == 1);
         CHECK(leaf_sizes.count(1) == 1);
-        CHECK(leaf_sizes.count(format::indexed_leaf::max_triangles) == 1);
+        CHECK(leaf_sizes.count(format::plain_leaf::max_triangles) == 1);
         CHECK(*leaf_sizes.rbegin() > format::strip_leaf::max_balanced_entries - 2);
         std::uint32_t all = 0;
         for (const std::uint32_t each : features) all |= each;

@@ -97,7 +97,7 @@ private:
     }
 
     void put_block(const PlainNode& node) {
-        const bool indexed = head_.profile == format::Profile::fast;
+        const bool has_strips = head_.profile != format::Profile::fast;
         Writer descriptors, data;
         std::uint32_t first = 0;
         leaves_.put(triangles_, 4);
@@ -105,8 +105,8 @@ private:
             if (!child.leaf) continue;
             const PlainLeaf& leaf = *child.leaf;
             const GridBox box = node.box_of(child, head_.bits);
-            if (indexed) put_indexed(descriptors, data, leaf, box);
-            else put_strip(descriptors, data, leaf, box, first);
+            if (has_strips) put_strip(descriptors, data, leaf, box, first);
+            else put_triangles(descriptors, data, leaf, first);
             first += static_cast<std::uint32_t>(leaf.corners().size());
         }
         triangles_ += first;
@@ -115,23 +115,27 @@ private:
         leaves_.pad_to(4);
     }
 
-    void put_indexed(Writer& descriptors, Writer& data, const PlainLeaf& leaf, const GridBox& box) const {
+    void put_triangles(Writer& descriptors, Writer& data, const PlainLeaf& leaf, std::uint32_t first) const {
         data.pad_to(2);
         const auto triangles = static_cast<std::uint32_t>(leaf.triangles.size());
         const auto vertices = static_cast<std::uint32_t>(leaf.vertices.size());
+        std::uint32_t size = 0;
+        for (const GridPoint& a : leaf.vertices)
+            for (const GridPoint& b : leaf.vertices)
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    size = a[axis] - b[axis] > static_cast<std::int32_t>(size)
+                               ? static_cast<std::uint32_t>(a[axis] - b[axis])
+                               : size;
         descriptors.put(static_cast<std::uint32_t>(data.bytes.size() / 2) | (triangles - 1) << 11 |
-                            (vertices - 1) << 15 | leaf.codes[0] << 20 | leaf.codes[1] << 24 | leaf.codes[2] << 28,
+                            (vertices - 1) << 15 | bits_for(size) << 20 | first << 25,
                         4);
-        const bool has_copies = (head_.features & 1u << 4) != 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const unsigned code = leaf.codes[axis];
-            const unsigned width = code == 0 ? 0 : head_.bits <= 15 ? code : code + head_.bits - 15;
-            put_axis(data, leaf, axis, has_copies && width == head_.bits ? 0 : box.low[axis], width);
-        }
-        const unsigned corner = vertices <= 8 ? 3 : vertices <= 16 ? 4 : 5;
-        for (const auto& triangle : leaf.triangles)
-            for (const std::uint8_t vertex : triangle) data.put_bits(vertex, corner);
-        data.end_stream();
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const GridPoint& vertex : leaf.vertices)
+                data.put(static_cast<std::uint32_t>(vertex[axis]) & 0xFFFFu, 2);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            for (const auto& triangle : leaf.triangles) data.put(triangle[corner], 1);
+        for (std::size_t axis = 0; axis < 3 && head_.bits > 16; ++axis)
+            for (const GridPoint& vertex : leaf.vertices) data.put(static_cast<std::uint32_t>(vertex[axis]) >> 16, 1);
     }
 
     void put_strip(Writer& descriptors, Writer& data, const PlainLeaf& leaf, const GridBox& box,

@@ -14,12 +14,10 @@
 
 namespace espalier::tests {
 
-/// A leaf of either kind: indexed leaves have triangles, strips have entries.
+/// A leaf of either kind: those of profile `fast` have triangles, strips have entries.
 struct PlainLeaf {
     std::vector<GridPoint> vertices;
     std::vector<std::array<std::uint8_t, 3>> triangles;
-    /// Indexed: the width code of each axis; the encoder takes it as it is.
-    std::array<unsigned, 3> codes{};
     struct Entry {
         unsigned vertex = 0;       ///< one more than all before means a first use
         bool is_pivot = false;     ///< of entry 0: true

@@ -45,38 +45,13 @@ struct Leaf {
     GridBox box;
 };
 
-/// `width` bits for each vertex, counted from the low corner of the leaf's box or from 0; returns where the stream
-/// ends.
+/// `width` bits for each vertex, counted from the low corner of the leaf's box; returns where the stream ends.
 std::size_t read_axis(const Bytes& bytes, const Leaf& leaf, std::size_t at, unsigned axis, unsigned width,
-                      bool from_zero, std::vector<GridPoint>& vertices) {
-    const std::int32_t start = from_zero ? 0 : leaf.box.low[axis];
+                      std::vector<GridPoint>& vertices) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        vertices[i][axis] = start + static_cast<std::int32_t>(bytes.field(at, i * width, width));
+        vertices[i][axis] = leaf.box.low[axis] + static_cast<std::int32_t>(bytes.field(at, i * width, width));
     }
     return at + (vertices.size() * width + 7) / 8;
-}
-
-std::vector<GridTriangle> read_indexed_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits, bool has_copies) {
-    namespace layout = format::indexed_leaf;
-    const unsigned triangle_count = (leaf.descriptor >> layout::triangles_shift & 15u) + 1;
-    std::vector<GridPoint> vertices((leaf.descriptor >> layout::vertices_shift & 31u) + 1);
-    std::size_t at = leaf.at;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        const unsigned code = leaf.descriptor >> (layout::widths_shift + 4 * axis) & 15u;
-        const unsigned width = layout::coordinate_width(code, bits);
-        at = read_axis(bytes, leaf, at, axis, width, has_copies && width == bits, vertices);
-    }
-    const unsigned corner = layout::corner_width(static_cast<unsigned>(vertices.size()));
-    std::vector<GridTriangle> triangles;
-    for (unsigned i = 0; i < triangle_count; ++i) {
-        const auto vertex = [&](unsigned k) {
-            const std::uint32_t number = bytes.field(at, std::size_t{3 * i + k} * corner, corner);
-            if (number >= vertices.size()) throw std::runtime_error("decoder: a triangle names no vertex of its leaf");
-            return vertices[number];
-        };
-        triangles.push_back({vertex(0), vertex(1), vertex(2)});
-    }
-    return triangles;
 }
 
 /// How many bits a number takes: 0 for 0.
@@ -84,6 +59,40 @@ unsigned bits_of(std::uint32_t number) {
     unsigned count = 0;
     for (; number != 0; number /= 2) ++count;
     return count;
+}
+
+std::vector<GridTriangle> read_plain_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits) {
+    namespace layout = format::plain_leaf;
+    const std::size_t triangle_count = (leaf.descriptor >> layout::triangles_shift & 15u) + 1;
+    std::vector<GridPoint> vertices((leaf.descriptor >> layout::vertices_shift & 31u) + 1);
+    std::size_t at = leaf.at;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (GridPoint& vertex : vertices) {
+            vertex[axis] = static_cast<std::int32_t>(bytes.u16(at));
+            at += 2;
+        }
+    const std::size_t corners = at;
+    at += 3 * triangle_count;
+    if (bits > 16) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (GridPoint& vertex : vertices) vertex[axis] += static_cast<std::int32_t>(bytes.u8(at++) * 65536);
+    }
+    std::int64_t size = 0;
+    for (const GridPoint& a : vertices)
+        for (const GridPoint& b : vertices)
+            for (std::size_t axis = 0; axis < 3; ++axis) size = std::max(size, std::int64_t{a[axis]} - b[axis]);
+    if (bits_of(static_cast<std::uint32_t>(size)) != (leaf.descriptor >> layout::size_shift & 31u))
+        throw std::runtime_error("decoder: a leaf's size is another one than its descriptor says");
+    std::vector<GridTriangle> triangles;
+    for (std::size_t i = 0; i < triangle_count; ++i) {
+        const auto vertex = [&](std::size_t k) {
+            const std::uint32_t number = bytes.u8(corners + k * triangle_count + i);
+            if (number >= vertices.size()) throw std::runtime_error("decoder: a triangle names no vertex of its leaf");
+            return vertices[number];
+        };
+        triangles.push_back({vertex(0), vertex(1), vertex(2)});
+    }
+    return triangles;
 }
 
 std::vector<GridTriangle> read_strip_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits) {
@@ -115,7 +124,7 @@ std::vector<GridTriangle> read_strip_leaf(const Bytes& bytes, const Leaf& leaf, 
     std::size_t at = leaf.at + (bit + 7) / 8;
     for (unsigned axis = 0; axis < 3; ++axis) {
         const auto side = static_cast<std::uint32_t>(leaf.box.high[axis] - leaf.box.low[axis]);
-        at = read_axis(bytes, leaf, at, axis, std::min(bits_of(side), bits), false, vertices);
+        at = read_axis(bytes, leaf, at, axis, std::min(bits_of(side), bits), vertices);
     }
 
     std::vector<GridTriangle> triangles;
@@ -160,7 +169,7 @@ private:
         namespace at = format::header;
         decoded_.features = bytes_.u32(at::features_at);
         decoded_.profile = static_cast<format::Profile>(bytes_.u8(at::profile_at));
-        is_indexed_ = decoded_.profile == format::Profile::fast;
+        has_strips_ = decoded_.profile != format::Profile::fast;
         decoded_.bits = bytes_.u8(at::bits_at);
         decoded_.step_exponent = static_cast<std::int16_t>(bytes_.u16(at::step_exponent_at));
         decoded_.triangle_count = bytes_.u32(at::triangle_count_at);
@@ -232,11 +241,13 @@ private:
                 const std::uint32_t descriptor =
                     bytes_.u32(descriptors + layout::descriptor_bytes * std::size_t{child - nodes});
                 const std::vector<GridTriangle> triangles =
-                    is_indexed_
-                        ? read_indexed_leaf(bytes_, {descriptor, data + 2 * (descriptor & 0x7FFu), out.box},
-                                            decoded_.bits, has_copies())
-                        : read_strip_leaf(bytes_, {descriptor, data + (descriptor & 0x1FFFu), out.box}, decoded_.bits);
-                if (!is_indexed_ && bytes_.u32(block) + (descriptor >> layout::first_shift) != triangle) {
+                    has_strips_
+                        ? read_strip_leaf(bytes_, {descriptor, data + (descriptor & 0x1FFFu), out.box}, decoded_.bits)
+                        : read_plain_leaf(bytes_, {descriptor, data + 2 * (descriptor & 0x7FFu), out.box},
+                                          decoded_.bits);
+                const std::uint32_t first =
+                    descriptor >> (has_strips_ ? layout::first_shift : format::plain_leaf::first_shift);
+                if (bytes_.u32(block) + first != triangle) {
                     throw std::runtime_error(
                         "decoder: a leaf's first triangle is another one than its descriptor says");
                 }
@@ -256,7 +267,7 @@ private:
 
     /// Returns where the section ends.
     std::size_t read_ids(std::size_t at) {
-        const std::uint64_t factor = is_indexed_ ? 1 : 3;
+        const std::uint64_t factor = has_strips_ ? 3 : 1;
         const unsigned number_bits = decoded_.source_triangles == 0
                                          ? 0
                                          : bits_of(static_cast<std::uint32_t>(factor * decoded_.source_triangles - 1));
@@ -364,7 +375,7 @@ private:
 
     Bytes bytes_;
     DecodedBlob decoded_;
-    bool is_indexed_ = true;
+    bool has_strips_ = false;
     std::uint32_t node_count_ = 0;
     std::uint32_t leaf_bytes_ = 0;
     std::uint32_t source_count_ = 0;

@@ -166,10 +166,10 @@ private:
     }
 
     PlainLeaf make_leaf(const GridBox& part, const GridBox& box) {
-        return head_.profile == format::Profile::fast ? make_indexed(part, box) : make_strip(part, box);
+        return head_.profile == format::Profile::fast ? make_triangles(part) : make_strip(part, box);
     }
 
-    PlainLeaf make_indexed(const GridBox& part, const GridBox& box) {
+    PlainLeaf make_triangles(const GridBox& part) {
         PlainLeaf leaf;
         add_vertices(leaf, part, choose(leaf_size_, 3, 32));
         const auto vertices = static_cast<std::uint32_t>(leaf.vertices.size());
@@ -179,16 +179,6 @@ private:
             const auto at = [&](std::size_t i) { return leaf.vertices[triangle[i]]; };
             if (!flat_triangles_ && !has_area(at(0), at(1), at(2))) triangle = {0, 1, 2};
             leaf.triangles.push_back(triangle);
-        }
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            std::uint32_t reach = 0;
-            for (const GridPoint& vertex : leaf.vertices)
-                reach = std::max(reach, static_cast<std::uint32_t>(vertex[axis] - box.low[axis]));
-            const auto width = static_cast<unsigned>(std::bit_width(reach));
-            const unsigned more = head_.bits > 15 ? head_.bits - 15 : 0;
-            unsigned code = width == 0 ? 0 : width > more ? width - more : 1;
-            if (random_.below(8) == 0) code = choose(Size::any, code, std::min(15u, head_.bits));
-            leaf.codes[axis] = code;
         }
         return leaf;
     }

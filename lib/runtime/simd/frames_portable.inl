@@ -13,6 +13,11 @@ inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& 
     return corner;
 }
 
+/// Lattice point 0 0 0, seen from a ray's origin.
+inline Corner load_zero_corner(const LatticeRay& ray) {
+    return {{-origin_steps(ray, 0), -origin_steps(ray, 1), -origin_steps(ray, 2)}};
+}
+
 /// A node's frame: plane * scale + base is a lattice coordinate, exactly.
 struct Frame {
     Floats scale[3];

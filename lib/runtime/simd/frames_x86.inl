@@ -35,6 +35,13 @@ inline __m128 load_origin_steps(const LatticeRay& ray) {
     return corner;
 }
 
+/// Lattice point 0 0 0, seen from a ray's origin.
+[[gnu::always_inline]] inline Corner load_zero_corner(const LatticeRay& ray) {
+    Corner corner;
+    _mm_store_ps(corner.at, _mm_xor_ps(load_origin_steps(ray), _mm_set1_ps(-0.0f)));
+    return corner;
+}
+
 /// A node's frame: plane * scale + base is a lattice coordinate, exactly.
 struct Frame {
     Floats scale[3];

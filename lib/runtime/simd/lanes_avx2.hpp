@@ -63,8 +63,14 @@ inline Floats bytes_to_floats(const std::byte* at) {
 }
 inline Ints add(Ints a, std::uint32_t b) { return {_mm256_add_epi32(a.v, _mm256_set1_epi32(static_cast<int>(b)))}; }
 inline Floats to_floats(Ints a) { return {_mm256_cvtepi32_ps(a.v)}; }
-inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
-    return {_mm256_srl_epi32(triangles.v, _mm_cvtsi32_si128(static_cast<int>(corner * width)))};
+inline Ints load_bytes(const std::byte* at) {
+    return {_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at)))};
+}
+inline Ints load_words(const std::byte* at) {
+    return {_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)))};
+}
+inline Ints with_high_bytes(Ints words, Ints bytes) {
+    return {_mm256_or_si256(words.v, _mm256_slli_epi32(bytes.v, 16))};
 }
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const std::byte* at = stream + first / 8 * width;
@@ -238,20 +244,6 @@ private:
 #include <runtime/simd/strip_corners_portable.inl>
 
 #endif
-
-/// first_triangle, all descriptors at once.
-inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) {
-    const __m256i descriptors = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(leaf.descriptors()));
-    const __m256i counts = _mm256_add_epi32(
-        _mm256_and_si256(_mm256_srli_epi32(descriptors, format::indexed_leaf::triangles_shift), _mm256_set1_epi32(15)),
-        _mm256_set1_epi32(1));
-    const __m256i before =
-        _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(leaf.number)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
-    const __m256i sums = _mm256_sad_epu8(_mm256_and_si256(counts, before), _mm256_setzero_si256());
-    const __m128i pair = _mm_add_epi32(_mm256_castsi256_si128(sums), _mm256_extracti128_si256(sums, 1));
-    const __m128i sum = _mm_add_epi32(pair, _mm_unpackhi_epi64(pair, pair));
-    return load_u32(leaf.block) + static_cast<std::uint32_t>(_mm_cvtsi128_si32(sum));
-}
 
 inline __m128 multiply_add(__m128 a, __m128 b, __m128 c) { return _mm_fmadd_ps(a, b, c); }
 /// The three elements of a vector to all lanes each.

@@ -18,8 +18,8 @@ ESPALIER_BEGIN_TARGET(ESPALIER_AVX512)
 namespace espalier::detail::avx512 {
 
 using avx2::Corner;
-using avx2::first_triangle_in_lanes;
 using avx2::load_low_corner;
+using avx2::load_zero_corner;
 using avx2::prefetch;
 using avx2::PreparedRay;
 using avx2::RayLanes;
@@ -52,10 +52,15 @@ inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
 }
 inline unsigned at_most(Floats a, Floats b) { return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ); }
 inline Floats to_floats(Ints a) { return {_mm512_cvtepi32_ps(a.v)}; }
-inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
-    // Look-ups take four bits and more, and a corner may have three.
-    return {_mm512_and_si512(_mm512_srl_epi32(triangles.v, _mm_cvtsi32_si128(static_cast<int>(corner * width))),
-                             _mm512_set1_epi32(static_cast<int>((1u << width) - 1u)))};
+inline Ints add(Ints a, std::uint32_t b) { return {_mm512_add_epi32(a.v, _mm512_set1_epi32(static_cast<int>(b)))}; }
+inline Ints load_bytes(const std::byte* at) {
+    return {_mm512_cvtepu8_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)))};
+}
+inline Ints load_words(const std::byte* at) {
+    return {_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)))};
+}
+inline Ints with_high_bytes(Ints words, Ints bytes) {
+    return {_mm512_or_si512(words.v, _mm512_slli_epi32(bytes.v, 16))};
 }
 
 /// Where the fields of one width lie in a stream: lane by lane, the bytes that hold it and how far to shift them.

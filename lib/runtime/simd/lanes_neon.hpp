@@ -51,15 +51,17 @@ inline unsigned at_most(Floats a, Floats b) {
     const uint32x4_t bit = {1u, 2u, 4u, 8u};
     return vaddvq_u32(vandq_u32(vcleq_f32(a.v, b.v), bit));
 }
-inline Floats bytes_to_floats(const std::byte* at) {
+inline Ints load_bytes(const std::byte* at) {
     const uint8x8_t bytes = vreinterpret_u8_u32(vdup_n_u32(load_u32(at)));
-    return {vcvtq_f32_u32(vmovl_u16(vget_low_u16(vmovl_u8(bytes))))};
+    return {vmovl_u16(vget_low_u16(vmovl_u8(bytes)))};
 }
+inline Floats bytes_to_floats(const std::byte* at) { return {vcvtq_f32_u32(load_bytes(at).v)}; }
 inline Ints add(Ints a, std::uint32_t b) { return {vaddq_u32(a.v, vdupq_n_u32(b))}; }
 inline Floats to_floats(Ints a) { return {vcvtq_f32_u32(a.v)}; }
-inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
-    return {vshlq_u32(triangles.v, vdupq_n_s32(-static_cast<int>(corner * width)))};
+inline Ints load_words(const std::byte* at) {
+    return {vmovl_u16(vreinterpret_u16_u8(vld1_u8(reinterpret_cast<const std::uint8_t*>(at))))};
 }
+inline Ints with_high_bytes(Ints words, Ints bytes) { return {vsliq_n_u32(words.v, bytes.v, 16)}; }
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const unsigned half = first / 4 % 2;
     const std::byte* at = stream + first / 8 * width + half * (width / 2);
@@ -142,8 +144,6 @@ constexpr auto with_table_groups(unsigned vertex_count, Function function) {
     if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});
     return function(std::integral_constant<unsigned, 14>{});
 }
-
-inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }
 
 #include <runtime/simd/strip_corners_portable.inl>
 #include <runtime/simd/leaf_corners.inl>

@@ -42,10 +42,10 @@ inline unsigned at_most(Floats a, Floats b) { return a <= b ? 1u : 0u; }
 inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
 inline Ints add(Ints a, std::uint32_t b) { return a + b; }
 inline Floats to_floats(Ints a) { return static_cast<float>(a); }
-/// Corner 0, 1 or 2 of triangles; bits above the corner's may stay where look_up ignores them.
-inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
-    return (triangles >> (corner * width)) & ((1u << width) - 1u);
-}
+inline Ints load_bytes(const std::byte* at) { return load_u8(at); }
+inline Ints load_words(const std::byte* at) { return load_u16(at); }
+/// Numbers of 24 bits.
+inline Ints with_high_bytes(Ints words, Ints bytes) { return words | bytes << 16; }
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { return load_field(stream, width, first); }
 inline SignedInts splat_integer(std::int32_t x) { return x; }
 inline SignedInts add(SignedInts a, SignedInts b) { return a + b; }
@@ -111,8 +111,6 @@ template <unsigned max_vertices, class Function>
 constexpr auto with_table_groups(unsigned, Function function) {
     return function(std::integral_constant<unsigned, max_vertices>{});
 }
-
-inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }
 
 #include <runtime/simd/strip_corners_portable.inl>
 #include <runtime/simd/leaf_corners.inl>

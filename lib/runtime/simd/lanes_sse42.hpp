@@ -57,9 +57,13 @@ inline Floats bytes_to_floats(const std::byte* at) {
 }
 inline Ints add(Ints a, std::uint32_t b) { return {_mm_add_epi32(a.v, _mm_set1_epi32(static_cast<int>(b)))}; }
 inline Floats to_floats(Ints a) { return {_mm_cvtepi32_ps(a.v)}; }
-inline Ints corner_of(Ints triangles, unsigned corner, unsigned width) {
-    return {_mm_srl_epi32(triangles.v, _mm_cvtsi32_si128(static_cast<int>(corner * width)))};
+inline Ints load_bytes(const std::byte* at) {
+    return {_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(at))))};
 }
+inline Ints load_words(const std::byte* at) {
+    return {_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at)))};
+}
+inline Ints with_high_bytes(Ints words, Ints bytes) { return {_mm_or_si128(words.v, _mm_slli_epi32(bytes.v, 16))}; }
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
     const unsigned half = first / 4 % 2;
     const std::byte* at = stream + first / 8 * width + half * (width / 2);
@@ -153,8 +157,6 @@ constexpr auto with_table_groups(unsigned vertex_count, Function function) {
     if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});
     return function(std::integral_constant<unsigned, 14>{});
 }
-
-inline std::uint32_t first_triangle_in_lanes(const IndexedLeaf& leaf) { return first_triangle(leaf); }
 
 inline __m128 multiply_add(__m128 a, __m128 b, __m128 c) { return _mm_add_ps(_mm_mul_ps(a, b), c); }
 /// The three elements of a vector to all lanes each.

@@ -1,27 +1,42 @@
-// Which vertices the triangles of a leaf have, `lanes` slots at a time. Included inside the namespace of each
-// instruction set. What a lane says of a slot that is not used means nothing, but look_up may be asked it.
+// The vertices of a leaf and which of them its triangles have, `lanes` at a time. Included inside the namespace of each
+// instruction set. What a lane says of a slot or a vertex that is not used means nothing, but look_up may be asked it.
 
-class IndexedCorners {
+/// Coordinates of `lanes` vertices along an axis, counted from the leaf's anchor. `load_width` returns a width as
+/// given.
+template <class LoadWidth>
+[[gnu::always_inline]] inline Ints offsets_of(const StripLeaf& leaf, unsigned axis, unsigned group,
+                                              LoadWidth load_width) {
+    return unpack(leaf.coordinates[axis], load_width(leaf.width[axis]), group * lanes);
+}
+template <class LoadWidth>
+[[gnu::always_inline]] inline Ints offsets_of(const PlainLeaf& leaf, unsigned axis, unsigned group, LoadWidth) {
+    const std::size_t place = std::size_t{axis} * leaf.vertex_count + std::size_t{group} * lanes;
+    const Ints words = load_words(leaf.words + 2 * place);
+    return leaf.has_high_bytes() ? with_high_bytes(words, load_bytes(leaf.high_bytes() + place)) : words;
+}
+template <class Leaf>
+[[gnu::always_inline]] inline Ints offsets_of(const Leaf& leaf, unsigned axis, unsigned group) {
+    return offsets_of(leaf, axis, group, [](unsigned width) { return width; });
+}
+
+class PlainCorners {
 public:
-    explicit IndexedCorners(const IndexedLeaf& leaf) : leaf_(leaf) {}
+    explicit PlainCorners(const PlainLeaf& leaf) : row_(leaf.corner_row), row_bytes_(leaf.slot_count) {}
     [[gnu::always_inline]] CornerNumbers next() {
-        const Ints corners = unpack(leaf_.triangles, 3 * leaf_.corner_width, first_);
-        first_ += lanes;
-        return {corner_of(corners, 0, leaf_.corner_width), corner_of(corners, 1, leaf_.corner_width),
-                corner_of(corners, 2, leaf_.corner_width)};
+        const std::byte* const row = row_;
+        row_ += lanes;
+        return {load_bytes(row), load_bytes(row + row_bytes_), load_bytes(row + 2 * row_bytes_)};
     }
 
 private:
-    const IndexedLeaf& leaf_;
-    unsigned first_ = 0;
+    const std::byte* row_;
+    std::size_t row_bytes_;
 };
 
-inline IndexedCorners corners_of(const IndexedLeaf& leaf) { return IndexedCorners(leaf); }
+inline PlainCorners corners_of(const PlainLeaf& leaf) { return PlainCorners(leaf); }
 inline StripCorners corners_of(const StripLeaf& leaf) { return StripCorners(leaf); }
 
-inline std::uint32_t storage_index(const IndexedLeaf& leaf, unsigned slot) {
-    return first_triangle_in_lanes(leaf) + slot;
-}
+inline std::uint32_t storage_index(const PlainLeaf& leaf, unsigned slot) { return leaf.first + slot; }
 inline std::uint32_t storage_index(const StripLeaf& leaf, unsigned slot) {
     const StripLeaf::Slots before = leaf.windows & ((StripLeaf::Slots{1} << slot) - 1);
     return leaf.first + static_cast<std::uint32_t>(std::popcount(before));

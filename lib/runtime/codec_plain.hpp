@@ -1,0 +1,81 @@
+// The leaves of profile `fast`: coordinates and vertex numbers in whole bytes, which lanes load as they are. The layout
+// is in format.hpp. What comes out is integers on the lattice: triangles as corners.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <runtime/bytes.hpp>
+#include <runtime/leaf_vertices.hpp>
+
+namespace espalier::detail {
+
+/// One leaf: where its rows of bytes are. Its slots are its triangles.
+struct PlainLeaf : LeafVertices {
+    using Slots = std::uint32_t;  ///< a bit for each slot
+    static constexpr unsigned max_vertices = format::plain_leaf::max_vertices;
+    static constexpr unsigned max_slots = format::plain_leaf::max_triangles;
+    static constexpr bool may_have_copies = true;
+    static constexpr bool counts_from_zero = true;
+
+    std::uint8_t slot_count;
+    std::uint32_t first;          ///< storage index of its first triangle
+    const std::byte* words;       ///< the low 16 bits of each coordinate, axis by axis
+    const std::byte* corner_row;  ///< the first corner of each triangle; the second and the third follow
+
+    [[nodiscard]] Slots used_slots() const { return (1u << slot_count) - 1u; }
+    [[nodiscard]] unsigned triangle_count() const { return slot_count; }
+    /// Whether coordinates have more than the words.
+    [[nodiscard]] bool has_high_bytes() const { return format::plain_leaf::has_high_bytes(blob->bits); }
+    /// Bits 16 to 23 of each coordinate, axis by axis.
+    [[nodiscard]] const std::byte* high_bytes() const { return corner_row + std::size_t{3} * slot_count; }
+
+    static constexpr std::int32_t anchor(int) { return 0; }
+    [[nodiscard]] std::int32_t offset(int axis, unsigned vertex) const {
+        const std::size_t place = static_cast<std::size_t>(axis) * vertex_count + vertex;
+        const std::uint32_t low = load_u16(words + 2 * place);
+        return static_cast<std::int32_t>(has_high_bytes() ? low | load_u8(high_bytes() + place) << 16 : low);
+    }
+    /// Every coordinate lies behind it by less than 2^grid_bits().
+    [[nodiscard]] std::int32_t grid_base(int axis) const { return offset(axis, 0) - (1 << size_bits); }
+    [[nodiscard]] int grid_bits() const { return size_bits + 1; }
+
+    /// The vertex that is a triangle's corner 0, 1 or 2.
+    [[nodiscard]] unsigned corner(unsigned slot, unsigned which) const {
+        return load_u8(corner_row + which * slot_count + slot);
+    }
+    [[nodiscard]] LeafCorners corners(unsigned slot) const {
+        return {corner(slot, 0), corner(slot, 1), corner(slot, 2)};
+    }
+    [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
+        return triangle_of(*this, corners(slot));
+    }
+};
+
+/// The leaf that is child `node.node_children() + number` of the node.
+ESPALIER_SHARED_CODE inline PlainLeaf plain_leaf(const BlobData& blob, Node node, unsigned number) {
+    using namespace format::plain_leaf;
+    PlainLeaf leaf;
+    leaf.node = node;
+    leaf.number = static_cast<std::uint8_t>(number);
+    leaf.blob = &blob;
+    const std::byte* const block = node.leaf_block(blob);
+    const std::byte* const descriptors = block + descriptors_at;
+    const std::uint32_t descriptor = load_u32(descriptors + descriptor_bytes * std::size_t{number});
+    leaf.slot_count = static_cast<std::uint8_t>((descriptor >> triangles_shift & 15u) + 1);
+    leaf.vertex_count = static_cast<std::uint8_t>((descriptor >> vertices_shift & 31u) + 1);
+    leaf.size_bits = static_cast<std::uint8_t>(descriptor >> size_shift & 31u);
+    leaf.first = load_u32(block) + (descriptor >> first_shift);
+    leaf.words = descriptors + descriptor_bytes * std::size_t{node.leaf_children()} +
+                 2 * std::size_t{descriptor & ((1u << offset_bits) - 1u)};
+    leaf.corner_row = leaf.words + std::size_t{6} * leaf.vertex_count;
+    return leaf;
+}
+
+template <>
+inline PlainLeaf leaf_at(const BlobData& blob, Node node, unsigned number) {
+    return plain_leaf(blob, node, number);
+}
+
+}  // namespace espalier::detail
