@@ -89,6 +89,7 @@ Result<Baked, BakeError> bake_in_stages(const TreeMaker& make_tree, std::span<co
     progress.begin(stages::build);
     BuildSettings settings = build_settings(options.effort, options.threads);
     settings.duplicates = options.duplicates;
+    settings.full_leaf = full_leaf(options.profile, options.max_leaf_triangles);
     settings.progress = progress.within(stages::build);
     const BinaryTree tree = make_tree(mesh, settings);
 

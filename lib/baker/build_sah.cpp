@@ -30,7 +30,8 @@ public:
         // over that many would no longer fit below this node, this split is balanced, and by the same test all further
         // ones.
         const bool must_balance = !leaves_room(depth, range.count - 1, settings_.most_height);
-        const SplitRule rule = must_balance ? SplitRule{0, 0} : SplitRule{settings_.bins, settings_.exact_below};
+        const SplitRule rule =
+            must_balance ? SplitRule{0, 0, 0} : SplitRule{settings_.bins, settings_.exact_below, settings_.full_leaf};
         const std::pair<SplitRange, SplitRange> parts = split(references, range, rule);
         const SplitRange& left = parts.first;
         const SplitRange& right = parts.second;

@@ -10,6 +10,7 @@ namespace espalier::baker {
 struct BuildSettings {
     unsigned bins = 32;                 ///< candidate planes per axis, for large nodes
     unsigned exact_below = 8;           ///< nodes with at most this many triangles try every split
+    unsigned full_leaf = 0;             ///< triangles of a full leaf, so that few leaves result; 0: leaves are small
     unsigned clusters_from = 20;        ///< agglomeration starts with this many triangles
     unsigned most_insert_places = 256;  ///< looked at for one inserted triangle
     double duplicates = 0.3;            ///< spatial splits may make this share of the triangles again as copies

@@ -162,7 +162,8 @@ private:
 
     Parts part(Work& work, unsigned depth) {
         const bool must_balance = !leaves_room(depth, work.count() - 1, settings_.most_height);
-        const SplitRule rule = must_balance ? SplitRule{0, 0} : SplitRule{settings_.bins, settings_.exact_below};
+        const SplitRule rule =
+            must_balance ? SplitRule{0, 0, 0} : SplitRule{settings_.bins, settings_.exact_below, settings_.full_leaf};
         const auto [left, right] = split(work.references, {0, work.count(), work.box, work.centers}, rule);
         if (!must_balance && work.count() > least_spatial && work.spare > 0 && overlap_of(left.box, right.box)) {
             const float cost = left.box.half_area() * static_cast<float>(left.count) +

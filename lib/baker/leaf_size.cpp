@@ -1,5 +1,6 @@
 #include "leaf_size.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace espalier::baker {
@@ -50,7 +51,17 @@ private:
     float byte_weight_;
 };
 
+unsigned most_strip_triangles(format::Profile profile) {
+    using namespace format::strip_leaf;
+    return (profile == format::Profile::balanced ? max_balanced_entries : max_small_entries) - 2;
+}
+
 }  // namespace
+
+unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles) {
+    if (profile == format::Profile::fast) return 0;
+    return std::min(most_strip_triangles(profile) * 7 / 8, max_leaf_triangles);
+}
 
 std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips) {
     using namespace format::strip_leaf;

@@ -109,7 +109,33 @@ void fill(Bins& bins, unsigned bin_count, std::span<const Reference> references,
     }
 }
 
-void try_planes(const Bins& bins, unsigned bin_count, unsigned axis, Plane& best) {
+/// What a split costs besides the areas of its parts: the leaves that it adds, as a share of their triangles in the
+/// range's box. Large ranges are split anywhere, since their parts are split again.
+class LeavesAdded {
+public:
+    LeavesAdded(const SplitRange& range, unsigned full_leaf)
+        : count_(range.count), full_leaf_(range.count <= most_leaves * full_leaf ? full_leaf : 0) {
+        if (full_leaf_ == 0 || count_ <= full_leaf_) return;
+        leaf_cost_ = share * range.box.half_area() * static_cast<float>(full_leaf_);
+    }
+    [[nodiscard]] float cost(std::uint32_t left_count) const {
+        if (leaf_cost_ == 0.0f) return 0.0f;
+        const std::uint32_t added = leaves_of(left_count) + leaves_of(count_ - left_count) - leaves_of(count_);
+        return leaf_cost_ * static_cast<float>(added);
+    }
+
+private:
+    static constexpr std::uint32_t most_leaves = 12;
+    static constexpr float share = 0.2f;
+
+    [[nodiscard]] std::uint32_t leaves_of(std::uint32_t count) const { return (count + full_leaf_ - 1) / full_leaf_; }
+
+    std::uint32_t count_;
+    unsigned full_leaf_;
+    float leaf_cost_ = 0.0f;
+};
+
+void try_planes(const Bins& bins, unsigned bin_count, unsigned axis, const LeavesAdded& leaves, Plane& best) {
     const auto& boxes = bins.boxes[axis];
     const auto& counts = bins.counts[axis];
     std::array<float, max_bins> right_costs;
@@ -126,7 +152,8 @@ void try_planes(const Bins& bins, unsigned bin_count, unsigned axis, Plane& best
         left.add(boxes[bin - 1]);
         left_count += counts[bin - 1];
         if (left_count == 0) continue;
-        const float cost = left.half_area() * static_cast<float>(left_count) + right_costs[bin];
+        const float areas = left.half_area() * static_cast<float>(left_count) + right_costs[bin];
+        const float cost = areas + leaves.cost(left_count);
         if (cost < best.cost) best = {cost, axis, bin};
     }
 }
@@ -182,9 +209,10 @@ Parts split(std::span<Reference> references, const SplitRange& range, const Spli
     const Binning binning(range.centers, bin_count);
     Bins bins;
     fill(bins, bin_count, references, binning);
+    const LeavesAdded leaves(range, rule.full_leaf);
     Plane best;
     for (unsigned axis = 0; axis < 3; ++axis) {
-        if (binning.scale[axis] > 0.0f) try_planes(bins, bin_count, axis, best);
+        if (binning.scale[axis] > 0.0f) try_planes(bins, bin_count, axis, leaves, best);
     }
     if (best.cost == infinity) return split_in_halves(references, range);
     return partition(references, range, binning, best, bins, bin_count);

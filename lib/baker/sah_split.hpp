@@ -48,6 +48,7 @@ struct SplitRange {
 struct SplitRule {
     unsigned bins;         ///< candidate planes per axis; 0: split in halves, whatever the cost
     unsigned exact_below;  ///< ranges with at most this many triangles try every split along every axis
+    unsigned full_leaf;    ///< triangles of a full leaf: a few of them are split so that few leaves result; 0: anywhere
 };
 
 inline constexpr unsigned max_bins = 64;

@@ -155,6 +155,22 @@ TEST_SUITE("tree") {
         }
     }
 
+    TEST_CASE("builder: a few leaves are split so that no leaf is added where boxes cost nearly the same") {
+        constexpr std::uint32_t count = 96;  // in a row
+        baker::LatticeMesh mesh;
+        mesh.lattice.bits = 16;
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(count); ++i) {
+            add_triangle(mesh, {100 * i, 0, 0}, {100 * i + 90, 0, 90}, {100 * i, 90, 0});
+        }
+        baker::BuildSettings settings = baker::build_settings(5, 1);
+        const auto left_count = [&] { return baker::build_sah(mesh, settings).nodes[1].count; };
+        CHECK(left_count() == count / 2);  // the smallest boxes
+        settings.full_leaf = 34;
+        CHECK(std::min(left_count(), count - left_count()) <= 34);  // one leaf and two, not two and two
+        settings.full_leaf = 7;                                     // more than twelve leaves: split anywhere
+        CHECK(left_count() == count / 2);
+    }
+
     TEST_CASE("builder: three levels of a binary tree always collapse into one wide level") {
         const baker::LatticeMesh mesh = nearly_equal_boxes(5000);
         const baker::BinaryTree tree = baker::build_sah(mesh, baker::build_settings(5, 1));
