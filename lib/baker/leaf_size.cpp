@@ -59,8 +59,9 @@ unsigned most_strip_triangles(format::Profile profile) {
 }  // namespace
 
 unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles) {
-    if (profile == format::Profile::fast) return 0;
-    return std::min(most_strip_triangles(profile) * 7 / 8, max_leaf_triangles);
+    const unsigned most =
+        profile == format::Profile::fast ? format::plain_leaf::max_triangles : most_strip_triangles(profile) * 7 / 8;
+    return std::min(most, max_leaf_triangles);
 }
 
 std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips) {

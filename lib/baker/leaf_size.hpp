@@ -31,8 +31,8 @@ public:
 /// On a lattice of so many bits. `strips` is null for profile fast alone.
 [[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips);
 
-/// Returns the triangles of a full leaf, for the builder: seven eighths of the most, since the entries that join strips
-/// count too, but no more than `max_leaf_triangles`; 0 in profile fast, whose leaves are small for speed.
+/// Returns the triangles of a full leaf, for the builder: the most of a plain leaf, seven eighths of the most of a strip,
+/// since the entries that join strips count too, and no more than `max_leaf_triangles`.
 [[nodiscard]] unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles);
 
 /// How often a strip is tried when a leaf is planned, and when it is written: never more entries than planned.
