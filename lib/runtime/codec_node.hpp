@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
+#include <runtime/as_if_changed.hpp>
 #include <runtime/bytes.hpp>
 #include <runtime/small_code.hpp>
 #include <runtime/step_counter.hpp>
@@ -49,6 +50,22 @@ struct Node {
     [[nodiscard]] const std::byte* leaf_block(const BlobData& blob) const {
         return blob.leaves + 4 * std::size_t{load_u32(bytes + format::node::leaf_block_at)};
     }
+};
+
+/// Which children a node has, read as one word: read apart, its fields cost a walk two more loads and a shift from one
+/// node to the next. Small cores read single bytes.
+class NodeChildren {
+public:
+    explicit NodeChildren(Node node) : node_(node) {
+        if constexpr (!small_code) word_ = as_if_changed(load_u32(node.bytes + format::node::children_at));
+    }
+    [[nodiscard]] std::uint32_t first() const { return small_code ? node_.first_child() : word_ & 0xFFFFFFu; }
+    /// How many are nodes; the others are leaves.
+    [[nodiscard]] unsigned nodes() const { return small_code ? node_.node_children() : word_ >> 24 & 15u; }
+
+private:
+    Node node_;
+    std::uint32_t word_ = 0;
 };
 
 /// A bit for each child.

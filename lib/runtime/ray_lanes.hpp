@@ -6,6 +6,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
+#include <runtime/as_if_changed.hpp>
 #include <runtime/lattice_ray.hpp>
 
 namespace espalier::detail {
@@ -78,14 +79,6 @@ struct PreparedRayIn {
     [[nodiscard]] const Lanes& lanes() const { return in_lanes; }
 };
 using PreparedRay = PreparedRayIn<RayLanes>;
-
-/// The same pointer or number, as if it could be another one each time: what it leads to is in the cache, and fetched
-/// ahead of a loop it would overflow the registers and be kept on the stack a second time.
-template <class T>
-[[gnu::always_inline]] inline T as_if_changed(T x) {
-    __asm__ volatile("" : "+r"(x));
-    return x;
-}
 
 /// False when the ray can hit nothing.
 template <class Lanes>

@@ -69,22 +69,31 @@ struct NearestFirst {
 
     /// Second half: visits leaves until it is a node's turn. False when the walk is over.
     [[gnu::always_inline]] bool advance(const BlobData& blob, Visitor& visitor, unsigned mask) {
-        const Node tested = node_at(blob, index);
-        const unsigned node_children = tested.node_children();
-        unsigned leaves = mask >> node_children;
-        std::uint32_t parent = index;  // of the leaves
+        unsigned leaves = 0;
+        return descend(blob, mask, leaves) || visit_leaves(blob, visitor, leaves);
+    }
+    /// True when a node below is next, else the leaves of this one are. Apart from those: from node to node a walk then
+    /// keeps its numbers in registers.
+    [[gnu::always_inline]] bool descend(const BlobData& blob, unsigned mask, unsigned& leaves) {
+        const NodeChildren children(node_at(blob, index));
+        const unsigned node_children = children.nodes();
+        leaves = mask >> node_children;
         among = every_child;
-        if ((mask & ((1u << node_children) - 1u)) != 0) {
-            // Most often there is one: nothing to sort, and the next address does not wait for its key.
-            // mutant(- -> right side dropped) work: sorts a single child too and leaves nothing waiting
-            const unsigned child =
-                (mask & (mask - 1)) == 0 ? static_cast<unsigned>(std::countr_zero(mask)) : nearest_of(mask);
-            if (child < node_children) {
-                index = tested.first_child() + child;
-                return true;
-            }
-            leaves = 1u << (child - node_children);
+        if ((mask & ((1u << node_children) - 1u)) == 0) return false;
+        // Most often there is one: nothing to sort, and the next address does not wait for its key.
+        // mutant(- -> right side dropped) work: sorts a single child too and leaves nothing waiting
+        const unsigned child =
+            (mask & (mask - 1)) == 0 ? static_cast<unsigned>(std::countr_zero(mask)) : nearest_of(mask);
+        if (child < node_children) {
+            index = children.first() + child;
+            return true;
         }
+        leaves = 1u << (child - node_children);
+        return false;
+    }
+    /// Visits leaves until it is a node's turn. False when the walk is over.
+    [[gnu::always_inline]] bool visit_leaves(const BlobData& blob, Visitor& visitor, unsigned leaves) {
+        std::uint32_t parent = index;  // of the leaves
         for (;;) {
             for (; leaves != 0; leaves &= leaves - 1) {
                 const auto number = static_cast<unsigned>(std::countr_zero(leaves));
@@ -107,12 +116,12 @@ struct NearestFirst {
                 return true;
             }
             if (others != 0) stack[size++] = next.without_second();
-            const Node node = node_at(blob, parent);
-            if (child < node.node_children()) {
-                index = node.first_child() + child;
+            const NodeChildren children(node_at(blob, parent));
+            if (child < children.nodes()) {
+                index = children.first() + child;
                 return true;
             }
-            leaves = 1u << (child - node.node_children());
+            leaves = 1u << (child - children.nodes());
         }
     }
 
@@ -149,7 +158,11 @@ template <class Leaf, class Visitor>
                                                           std::uint32_t index = 0) {
     NearestFirst<Leaf, Visitor> walk;
     walk.begin(index);
-    while (walk.advance(blob, visitor, walk.test(blob, visitor))) {
+    for (;;) {
+        unsigned leaves = 0;
+        while (walk.descend(blob, walk.test(blob, visitor), leaves)) {
+        }
+        if (!walk.visit_leaves(blob, visitor, leaves)) return;
     }
 }
 
@@ -169,14 +182,15 @@ template <class Leaf, class Visitor>
         alignas(register_alignment) float keys[format::max_children];
         count_node_step();
         const unsigned mask = visitor.children(node, keys);
-        const unsigned node_children = node.node_children();
+        const NodeChildren children(node);
+        const unsigned node_children = children.nodes();
         for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1) {
             count_leaf_step();
             if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop)
                 return stop;
         }
         if (const unsigned nodes = mask & ((1u << node_children) - 1u); nodes != 0)
-            stack[depth++] = {node.first_child(), nodes};
+            stack[depth++] = {children.first(), nodes};
         if (depth == 0) return keep_going;
         Level& level = stack[depth - 1];
         index = level.first_child + static_cast<unsigned>(std::countr_zero(level.waiting));
