@@ -27,8 +27,7 @@ struct MayHit {
         counters.count_leaf();
         counters.count_triangles(leaf.triangle_count());
         for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
-            TriangleHit hit;
-            found = hits_slot(leaf, static_cast<unsigned>(std::countr_zero(candidates)), ray, hit);
+            found = is_hit(leaf, static_cast<unsigned>(std::countr_zero(candidates)), ray);
             if (found) return stop;
         }
         return keep_going;

@@ -41,30 +41,45 @@ inline typename Leaf::Slots ray_candidates(const Leaf& leaf, const LatticeRay& r
                                                  [&](auto groups) { return ray_candidates_of<groups>(leaf, ray); });
 }
 
-/// Whether the ray hits the triangle in a slot, which lanes did not reject. Apart from the walk, and the kernels for
-/// long edges apart from the one for short ones, which jumps to them: on the stack there is never more than one's need.
-template <class Leaf>
+/// Whether the ray hits the triangle in a slot, which lanes did not reject; with a TriangleHit to fill, in its window,
+/// else at any tau from 0 on. Apart from the walk, and the kernels for long edges apart from the one for short ones,
+/// which jumps to them: on the stack there is never more than one's need.
+template <class Leaf, class... Hit>
 [[gnu::noinline]] inline bool hits_slot_of_huge_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
-                                                     TriangleHit& hit) {
-    return ray_triangle::hits<Int128, Int128>(ray, relative_to(ray, leaf.triangle(slot)), hit);
+                                                     Hit&... hit) {
+    return ray_triangle::hits<Int128, Int128>(ray, relative_to(ray, leaf.triangle(slot)), hit...);
 }
-template <class Leaf>
+template <class Leaf, class... Hit>
 [[gnu::noinline]] inline bool hits_slot_of_large_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
-                                                      TriangleHit& hit) {
+                                                      Hit&... hit) {
     using namespace ray_triangle;
-    if (leaf.size_bits > middle_bits) return hits_slot_of_huge_leaf(leaf, slot, ray, hit);
+    if (leaf.size_bits > middle_bits) return hits_slot_of_huge_leaf(leaf, slot, ray, hit...);
     const OriginRelative t = relative_to(ray, leaf.triangle(slot));
-    if (edges_are_below<narrow_bits>(t)) return hits<std::int64_t, std::int64_t>(ray, t, hit);
-    return hits<std::int64_t, Int128>(ray, t, hit);
+    if (edges_are_below<narrow_bits>(t)) return hits<std::int64_t, std::int64_t>(ray, t, hit...);
+    return hits<std::int64_t, Int128>(ray, t, hit...);
 }
-template <class Leaf>
-[[gnu::noinline]] inline bool hits_slot(const Leaf& leaf, unsigned slot, const LatticeRay& ray, TriangleHit& hit) {
+template <class Leaf, class... Hit>
+[[gnu::noinline]] inline bool hits_slot(const Leaf& leaf, unsigned slot, const LatticeRay& ray, Hit&... hit) {
     using namespace ray_triangle;
     count_decision();
     if constexpr (has_native_int128) {
-        if (leaf.size_bits > narrow_bits) return hits_slot_of_large_leaf(leaf, slot, ray, hit);
-        return hits<std::int64_t, std::int64_t>(ray, relative_to(ray, leaf.triangle(slot)), hit);
+        if (leaf.size_bits > narrow_bits) return hits_slot_of_large_leaf(leaf, slot, ray, hit...);
+        return hits<std::int64_t, std::int64_t>(ray, relative_to(ray, leaf.triangle(slot)), hit...);
+    } else if constexpr (sizeof...(hit) != 0) {
+        return intersect(ray, leaf.triangle(slot), hit...);  // code is dearer than time
     } else {
-        return intersect(ray, leaf.triangle(slot), hit);  // code is dearer than time
+        TriangleHit unused;
+        return intersect(ray, leaf.triangle(slot), unused);
     }
+}
+/// Whether it takes less to decide that a ray without a window hits a triangle.
+inline constexpr bool decides_by_signs = true;
+/// Whether the ray hits the triangle in a slot in its window.
+template <class Leaf>
+inline bool is_hit(const Leaf& leaf, unsigned slot, const LatticeRay& ray) {
+    // By the bits: both are 0 or more.
+    if (std::bit_cast<std::uint32_t>(ray.tau_min) == 0 && std::bit_cast<std::uint32_t>(ray.tau_max) == infinity_bits)
+        return hits_slot(leaf, slot, ray);
+    TriangleHit hit;
+    return hits_slot(leaf, slot, ray, hit);
 }

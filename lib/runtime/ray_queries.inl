@@ -37,6 +37,20 @@ template <class Caller, class OnHit>
         blob, [&]<class Leaf>() __attribute__((always_inline)) { return every_hit_in<Leaf>(blob, world, on_hit); });
 }
 
+/// Whether there is any hit, whichever it is.
+template <class Leaf, class Caller>
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool any_hit_in(const BlobData& blob, const Caller& world) {
+    PreparedRay prepared;
+    if (!prepare(blob, world, prepared)) return false;
+    AnyHit<Leaf> visitor = {prepared.ray, prepared.lanes()};
+    return walk_in_storage_order<Leaf>(blob, visitor) == stop;
+}
+template <class Caller>
+[[gnu::always_inline]] inline bool find_any_hit(const BlobData& blob, const Caller& world) {
+    return with_leaves_of(
+        blob, [&]<class Leaf>() __attribute__((always_inline)) { return any_hit_in<Leaf>(blob, world); });
+}
+
 }  // namespace
 
 bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const TriangleFilter* filter) {
@@ -55,6 +69,8 @@ HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hi
 }
 
 bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
+    if constexpr (decides_by_signs)
+        if (filter == nullptr) return find_any_hit(blob, world);
     return visit_every_hit(blob, world, [filter](const LatticeRay&, const FoundHit& found) {
         return filter == nullptr || (*filter)(Triangle{found.index}) ? stop : keep_going;
     });
@@ -70,6 +86,4 @@ bool closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, RayHi
     return closest_hit_counting(blob, ray, hit, nullptr, no_counters);
 }
 
-bool any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) {
-    return visit_every_hit(blob, ray, [](const LatticeRay&, const FoundHit&) { return stop; });
-}
+bool any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) { return find_any_hit(blob, ray); }

@@ -74,6 +74,12 @@ template <class Leaf>
     for (unsigned i = 0; i < 3; ++i) place_vertex(leaf, leaf.corner(slot, i), ray, from_origin.corner[i]);
     return small_ray_triangle::hits(ray, from_origin, hit);
 }
+inline constexpr bool decides_by_signs = false;
+template <class Leaf>
+inline bool is_hit(const Leaf& leaf, unsigned slot, const SeenRay& ray) {
+    TriangleHit hit;
+    return hits_slot(leaf, slot, ray, hit);
+}
 using scalar::owner_index;
 
 namespace {  // what is called once becomes part of its caller

@@ -40,9 +40,11 @@ inline bool is_within(float quotient, float low, float high, Compare compare) {
     return quotient * slack < high || compare(high) <= 0;
 }
 
-/// `Volume` holds the products of the normal with the direction and with corner a, `Sum` the weights, which are larger.
-template <class Volume, class Sum>
-inline bool hits(const IntegerRay& ray, const OriginRelative& t, TriangleHit& hit) {
+/// False when the ray misses the triangle at every tau from 0 on, by signs alone; else what the callable returns, given
+/// the determinants. `Volume` holds the products of the normal with the direction and with corner a, `Sum` the weights,
+/// which are larger.
+template <class Volume, class Sum, class OnHit>
+[[gnu::always_inline]] inline bool decide(const IntegerRay& ray, const OriginRelative& t, OnHit on_hit) {
     const Integer3 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
     const Integer3 normal = cross(t.ab, t.ac);
     Volume volume = dot<Volume>(direction, normal);
@@ -58,18 +60,31 @@ inline bool hits(const IntegerRay& ray, const OriginRelative& t, TriangleHit& hi
     if (is_negative(b) || is_negative(c) || is_negative(numerator)) return false;
     const Sum denominator = Sum(volume) << ray.fraction_bits;
     if (denominator < b + c) return false;
-    hit.volume = to_float(volume) * power_of_two(ray.fraction_bits);
-    hit.tau = to_float(numerator) / hit.volume;
-    hit.whole_tau = ray.tau_offset + hit.tau;
-    hit.b = to_float(b);
-    hit.c = to_float(c);
-    hit.normal[0] = to_float(normal.x);
-    hit.normal[1] = to_float(normal.y);
-    hit.normal[2] = to_float(normal.z);
-    return is_within(hit.tau, ray.tau_min, ray.tau_max, [&](float bound) {
-        if (bound == 0.0f) return is_zero(numerator) ? 0 : 1;
-        return compare_quotient(numerator, denominator, bound);
-    });
+    return on_hit(normal, volume, numerator, denominator, b, c);
+}
+
+template <class Volume, class Sum>
+inline bool hits(const IntegerRay& ray, const OriginRelative& t, TriangleHit& hit) {
+    return decide<Volume, Sum>(
+        ray, t, [&](const Integer3& normal, Volume volume, Volume numerator, Sum denominator, Sum b, Sum c) {
+            hit.volume = to_float(volume) * power_of_two(ray.fraction_bits);
+            hit.tau = to_float(numerator) / hit.volume;
+            hit.whole_tau = ray.tau_offset + hit.tau;
+            hit.b = to_float(b);
+            hit.c = to_float(c);
+            hit.normal[0] = to_float(normal.x);
+            hit.normal[1] = to_float(normal.y);
+            hit.normal[2] = to_float(normal.z);
+            return is_within(hit.tau, ray.tau_min, ray.tau_max, [&](float bound) {
+                if (bound == 0.0f) return is_zero(numerator) ? 0 : 1;
+                return compare_quotient(numerator, denominator, bound);
+            });
+        });
+}
+/// Whether the ray hits the triangle at any tau from 0 on.
+template <class Volume, class Sum>
+inline bool hits(const IntegerRay& ray, const OriginRelative& t) {
+    return decide<Volume, Sum>(ray, t, [](const auto&...) { return true; });
 }
 
 /// Edges below 2^narrow_bits steps keep every determinant, and the sum of two that is formed of them, below 2^63; edges

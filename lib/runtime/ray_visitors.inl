@@ -83,6 +83,23 @@ struct FirstHitsOf {
     }
 };
 
+/// Whether there is any hit.
+template <class Leaf>
+struct AnyHit {
+    const LatticeRay& ray;
+    const RayLanes& lanes_;
+    Limit limit_ = window_limit(ray);
+
+    [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
+        return slab_test(node, lanes_, limit_, keys);
+    }
+    Visit visit_leaf(const Leaf& leaf) {
+        for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1)
+            if (is_hit(leaf, static_cast<unsigned>(std::countr_zero(candidates)), ray)) return stop;
+        return keep_going;
+    }
+};
+
 /// Hits in storage order, handed to a callable.
 template <class Leaf, class OnHit>
 struct EveryHit {
