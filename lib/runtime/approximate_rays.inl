@@ -23,10 +23,12 @@ struct MayHit {
         found = passes && passes_down_to(ray, blob, node);
         return found ? 0 : mask & ~small;
     }
-    Visit visit_leaf(const Leaf& leaf) {
+    Visit visit_leaf(const LeafPlace& place) {
+        RayLeaf<Leaf> leaf;
+        auto candidates = ray_candidates(place, ray, leaf);
         counters.count_leaf();
         counters.count_triangles(leaf.triangle_count());
-        for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
+        for (; candidates != 0; candidates &= candidates - 1) {
             found = is_hit(leaf, static_cast<unsigned>(std::countr_zero(candidates)), ray);
             if (found) return stop;
         }
@@ -41,7 +43,7 @@ bool may_hit(const BlobData& blob, const Ray& world, std::int32_t steps, QueryCo
     if (!prepare(blob, world, prepared)) return false;
     return with_leaves_of(blob, [&]<class Leaf>() {
         MayHit<Leaf> visitor = {blob, prepared.ray, prepared.lanes(), steps, counters};
-        (void)walk_in_storage_order<Leaf>(blob, visitor);
+        (void)walk_in_storage_order<LeafPlace>(blob, visitor);
         return visitor.found;
     });
 }

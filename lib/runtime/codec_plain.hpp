@@ -54,9 +54,9 @@ struct PlainLeaf : LeafVertices {
 };
 
 /// The leaf that is child `node.node_children() + number` of the node.
-ESPALIER_SHARED_CODE inline PlainLeaf plain_leaf(const BlobData& blob, Node node, unsigned number) {
+ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, Node node, unsigned number,
+                                                          PlainLeaf& leaf) {
     using namespace format::plain_leaf;
-    PlainLeaf leaf;
     leaf.node = node;
     leaf.number = static_cast<std::uint8_t>(number);
     leaf.blob = &blob;
@@ -70,12 +70,13 @@ ESPALIER_SHARED_CODE inline PlainLeaf plain_leaf(const BlobData& blob, Node node
     leaf.words = descriptors + descriptor_bytes * std::size_t{node.leaf_children()} +
                  2 * std::size_t{descriptor & ((1u << offset_bits) - 1u)};
     leaf.corner_row = leaf.words + std::size_t{6} * leaf.vertex_count;
-    return leaf;
 }
 
 template <>
 inline PlainLeaf leaf_at(const BlobData& blob, Node node, unsigned number) {
-    return plain_leaf(blob, node, number);
+    PlainLeaf leaf;
+    decode_leaf(blob, node, number, leaf);
+    return leaf;
 }
 
 }  // namespace espalier::detail

@@ -3,6 +3,7 @@
 // is what lets all windows be decoded at once.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -72,14 +73,19 @@ struct StripLeaf : LeafVertices {
         const unsigned reference = place - fresh;
         return static_cast<unsigned>(load_bits(marks, references_at + reference * reference_width, reference_width));
     }
+    /// The entries that are a triangle's corners.
+    [[nodiscard, gnu::always_inline]] std::array<unsigned, 3> window(unsigned slot) const {
+        const std::uint64_t behind = pivots & ((std::uint64_t{2} << slot) - 1);
+        const unsigned pivot = static_cast<unsigned>(std::bit_width(behind)) - 1;
+        // Each turn of a strip changes the order in which its entries go round the triangle.
+        const unsigned turned = static_cast<unsigned>(std::popcount(behind) + 1) % 2;
+        return {pivot, slot + 1 + turned, slot + 2 - turned};
+    }
     /// The vertex that is a triangle's corner 0, 1 or 2.
     [[nodiscard]] unsigned corner(unsigned slot, unsigned which) const { return corners(slot).vertex[which]; }
     [[nodiscard]] ESPALIER_SHARED_CODE LeafCorners corners(unsigned slot) const {
-        const std::uint64_t behind = pivots & ((std::uint64_t{2} << slot) - 1);
-        const unsigned a = entry(static_cast<unsigned>(std::bit_width(behind)) - 1);
-        const unsigned b = entry(slot + 1), c = entry(slot + 2);
-        // Each turn of a strip changes the order in which its entries go round the triangle.
-        return std::popcount(behind) % 2 != 0 ? LeafCorners(a, b, c) : LeafCorners(a, c, b);
+        const auto places = window(slot);
+        return {entry(places[0]), entry(places[1]), entry(places[2])};
     }
     [[nodiscard]] ESPALIER_SHARED_CODE LatticeTriangle triangle(unsigned slot) const {
         return triangle_of(*this, corners(slot));
@@ -87,9 +93,9 @@ struct StripLeaf : LeafVertices {
 };
 
 /// The leaf that is child `node.node_children() + number` of the node.
-ESPALIER_SHARED_CODE inline StripLeaf strip_leaf(const BlobData& blob, Node node, unsigned number) {
+ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, Node node, unsigned number,
+                                                          StripLeaf& leaf) {
     using namespace format::strip_leaf;
-    StripLeaf leaf;
     leaf.node = node;
     leaf.number = static_cast<std::uint8_t>(number);
     leaf.blob = &blob;
@@ -122,12 +128,13 @@ ESPALIER_SHARED_CODE inline StripLeaf strip_leaf(const BlobData& blob, Node node
         longest = width > longest ? width : longest;
     }
     leaf.size_bits = static_cast<std::uint8_t>(longest);
-    return leaf;
 }
 
 template <>
 inline StripLeaf leaf_at(const BlobData& blob, Node node, unsigned number) {
-    return strip_leaf(blob, node, number);
+    StripLeaf leaf;
+    decode_leaf(blob, node, number, leaf);
+    return leaf;
 }
 
 }  // namespace espalier::detail

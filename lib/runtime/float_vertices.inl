@@ -12,7 +12,6 @@ public:
         const float reach = 2.0f * static_cast<float>(1u << leaf.size_bits) + ray.shear_error;
         error_ = reach * (4.125f * ray.shear_error + reach * 0x1.2p-21f);
     }
-    static unsigned width_of(unsigned width) { return width; }
     static unsigned groups_of(unsigned vertex_count) { return Table<groups>::groups_of(vertex_count); }
     [[gnu::always_inline]] void set(unsigned group, Floats x, Floats y) {
         xs_.set(group, x);

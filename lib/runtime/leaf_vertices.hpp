@@ -17,6 +17,17 @@ namespace espalier::detail {
 template <class Leaf>
 Leaf leaf_at(const BlobData& blob, Node node, unsigned number);
 
+/// Where that leaf is: for walks whose visitors decode it themselves.
+struct LeafPlace {
+    const BlobData* blob;
+    Node node;
+    unsigned number;  ///< among the node's leaves
+};
+template <>
+inline LeafPlace leaf_at(const BlobData& blob, Node node, unsigned number) {
+    return {&blob, node, number};
+}
+
 /// The vertices of a triangle, by their numbers in its leaf.
 struct LeafCorners {
     std::uint8_t vertex[3];

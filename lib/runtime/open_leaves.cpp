@@ -61,7 +61,7 @@ bool take_plain_leaves(const Node& node, const std::byte* descriptor, OpenProgre
         const std::uint32_t fields = load_u32(descriptor);
         if (2 * (fields & ((1u << offset_bits) - 1u)) != seen.leaf_bytes - data) return false;
         if (fields >> first_shift != seen.triangles - first) return false;
-        const PlainLeaf leaf = plain_leaf(seen.blob, node, number);
+        const auto leaf = leaf_at<PlainLeaf>(seen.blob, node, number);
         const std::size_t bytes = data_bytes(leaf.vertex_count, leaf.slot_count, seen.blob.bits);
         if (take_stream(seen, 8 * static_cast<unsigned>(bytes)) == nullptr || !are_sound_coordinates(leaf, seen.blob))
             return false;
@@ -90,7 +90,7 @@ bool take_strip_leaves(const Node& node, const std::byte* descriptors, OpenProgr
         if ((descriptor & ((1u << offset_bits) - 1u)) != seen.leaf_bytes - data) return false;
         if ((descriptor >> entries_shift & 63u) + 3 > most_entries) return false;
         if (descriptor >> first_shift != seen.triangles - first) return false;
-        const StripLeaf leaf = strip_leaf(seen.blob, node, number);
+        const auto leaf = leaf_at<StripLeaf>(seen.blob, node, number);
         const std::uint32_t begin = seen.leaf_bytes;
         if (take_stream(seen, mark_bits(leaf.entry_count(), leaf.vertex_count)) == nullptr ||
             !take_vertices(leaf, seen) || seen.leaf_bytes == begin)  // three entries on one point have no data

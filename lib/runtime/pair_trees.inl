@@ -15,12 +15,6 @@ struct PairItem {
     [[nodiscard]] unsigned child() const { return packed >> child_shift & 7u; }
 };
 
-/// Child `number` of a node, which is a leaf.
-struct LeafPlace {
-    Node node;
-    unsigned number;  ///< among the node's leaves
-};
-
 /// What items stand for, in either tree.
 struct PairTrees {
     const BlobData* blob[2];
@@ -52,7 +46,7 @@ struct PairTrees {
     }
     [[nodiscard]] LeafPlace leaf(unsigned side, PairItem item) const {
         const Node node = node_at(*blob[side], item.parent());
-        return {node, item.child() - node.node_children()};
+        return {blob[side], node, item.child() - node.node_children()};
     }
 };
 

@@ -19,8 +19,6 @@ public:
         weight_ = is_small ? static_cast<std::int32_t>(error * 34.0f) + 1 : 0;
         always_allowed_ = is_small ? static_cast<std::int32_t>(error * error * 2.125f) + 2 : INT32_MAX;
     }
-    /// Of a stream. What is looked up for it stays out of the registers.
-    static unsigned width_of(unsigned width) { return as_if_changed(width); }
     static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
     [[gnu::always_inline]] void set(unsigned group, Floats x, Floats y) {
         const Floats scale = splat(scale_), rounder = splat(0x1.8p23f);  // the integers are in the low bits then

@@ -11,34 +11,44 @@ template <class Leaf>
 }
 
 /// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
-template <unsigned groups, class Leaf>
-inline typename Leaf::Slots ray_candidates_of(const Leaf& leaf, const LatticeRay& ray) {
+template <unsigned groups, class SomeLeaf>
+[[gnu::always_inline]] inline typename SomeLeaf::Slots ray_candidates_of(SomeLeaf& leaf, const LatticeRay& ray) {
+    const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
+    leaf.unpack_vertices(used);
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
     const Corner corner = corner_from_origin(leaf, ray);
     const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]), offset_z = splat(corner.at[kz]);
     const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
     SeenVertices<groups> vertices(leaf, ray);
-    for (unsigned group = 0; group < SeenVertices<groups>::groups_of(leaf.vertex_count); ++group) {
-        const auto coordinate = [&](unsigned k, Floats from) {
-            return add(to_floats(offsets_of(leaf, k, group, SeenVertices<groups>::width_of)), from);
-        };
+    for (unsigned group = 0; group < used; ++group) {
+        const auto coordinate = [&](unsigned k, Floats from) { return add(to_floats(leaf.vertices(k, group)), from); };
         const Floats z = coordinate(kz, offset_z);
         vertices.set(group, multiply_add(z, shear_x, coordinate(kx, offset_x)),
                      multiply_add(z, shear_y, coordinate(ky, offset_y)));
     }
-    typename Leaf::Slots mask = 0;
-    auto corners = corners_of(leaf);
+    typename SomeLeaf::Slots mask = 0;
+    auto corners = leaf.corners_in_lanes();
     for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
-        const typename Leaf::Slots hit = vertices.allow(corners.next());
+        const typename SomeLeaf::Slots hit = vertices.allow(corners.next());
         mask |= hit << first;
     }
     return mask & leaf.used_slots();
 }
 
-template <class Leaf>
-inline typename Leaf::Slots ray_candidates(const Leaf& leaf, const LatticeRay& ray) {
-    return with_table_groups<Leaf::max_vertices>(leaf.vertex_count,
-                                                 [&](auto groups) { return ray_candidates_of<groups>(leaf, ray); });
+/// The same, from where the leaf is. Apart from the walk, which then keeps its own numbers in registers. Decoded in
+/// place: a leaf that is copied is read in wider pieces than it was written in, and waits for them.
+template <class SomeLeaf>
+[[gnu::noinline]] inline typename SomeLeaf::Slots decode_candidates(const BlobData& blob, Node node, unsigned number,
+                                                                    const LatticeRay& ray, SomeLeaf& leaf) {
+    decode_leaf(blob, node, number, leaf);
+    return with_table_groups<SomeLeaf::max_vertices>(
+        leaf.vertex_count, [&](auto groups)
+                               __attribute__((always_inline)) { return ray_candidates_of<groups>(leaf, ray); });
+}
+template <class SomeLeaf>
+[[gnu::always_inline]] inline typename SomeLeaf::Slots ray_candidates(const LeafPlace& place, const LatticeRay& ray,
+                                                                      SomeLeaf& leaf) {
+    return decode_candidates(*place.blob, place.node, place.number, ray, leaf);
 }
 
 /// Whether the ray hits the triangle in a slot, which lanes did not reject; with a TriangleHit to fill, in its window,

@@ -50,7 +50,7 @@ private:
         std::uint32_t index = 0;
         for (;;) {
             if ((rays & (rays - 1)) == 0)  // alone: the rest of its way is walked without the others
-                traverse_nearest_first<Leaf>(blob, rays_[std::countr_zero(rays)].visitor, index);
+                traverse_nearest_first<LeafPlace>(blob, rays_[std::countr_zero(rays)].visitor, index);
             else visit(blob, node_at(blob, index), rays);
             do {
                 if (size_ == 0) return;
@@ -88,7 +88,7 @@ private:
         const unsigned node_children = node.node_children();
         for (unsigned number = 0; number < node.leaf_children(); ++number)
             if (const GroupMask those = rays_of(node_children + number); those != 0)
-                visit_leaf(leaf_at<Leaf>(blob, node, number), those);
+                visit_leaf({&blob, node, number}, those);
         const unsigned bottom = size_;
         // mutant(!= -> true) work: stores a child that no ray needs, which is dropped later
         for (unsigned child = 0; child < node_children; ++child)
@@ -113,8 +113,10 @@ private:
     }
 
     /// First what lanes can reject, for all rays, then the rest in integers: so the branches come together.
-    void visit_leaf(const Leaf& leaf, GroupMask rays) {
+    void visit_leaf(const LeafPlace& place, GroupMask rays) {
         count_leaf_step();
+        UnpackedLeaf<Leaf> leaf;
+        decode_leaf(*place.blob, place.node, place.number, leaf);
         typename Leaf::Slots candidates[rays_in_group];
         const GroupMask with_candidates = with_table_groups<Leaf::max_vertices>(
             leaf.vertex_count, [&](auto groups) { return reject<groups>(leaf, rays, candidates); });
@@ -125,14 +127,12 @@ private:
 
     /// ray_candidates, for several rays. Those who have any.
     template <unsigned groups>
-    GroupMask reject(const Leaf& leaf, GroupMask rays, typename Leaf::Slots* candidates) const {
+    GroupMask reject(UnpackedLeaf<Leaf>& leaf, GroupMask rays, typename Leaf::Slots* candidates) const {
         constexpr unsigned slots = 8 * sizeof(typename Leaf::Slots);
-        Floats decoded[3][(Leaf::max_vertices + lanes - 1) / lanes];
         CornerNumbers numbers[(slots + lanes - 1) / lanes];
         const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
-        for (unsigned k = 0; k < 3; ++k)
-            for (unsigned group = 0; group < used; ++group) decoded[k][group] = to_floats(offsets_of(leaf, k, group));
-        auto corners = corners_of(leaf);
+        leaf.unpack_vertices(used);
+        auto corners = leaf.corners_in_lanes();
         // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
         for (unsigned first = 0; first < leaf.slot_count; first += lanes) numbers[first / lanes] = corners.next();
         GroupMask result = 0;
@@ -145,9 +145,9 @@ private:
             const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
             SeenVertices<groups> vertices(leaf, ray);
             for (unsigned group = 0; group < used; ++group) {
-                const Floats z = add(decoded[kz][group], offset_z);
-                vertices.set(group, multiply_add(z, shear_x, add(decoded[kx][group], offset_x)),
-                             multiply_add(z, shear_y, add(decoded[ky][group], offset_y)));
+                const Floats z = add(to_floats(leaf.vertices(kz, group)), offset_z);
+                vertices.set(group, multiply_add(z, shear_x, add(to_floats(leaf.vertices(kx, group)), offset_x)),
+                             multiply_add(z, shear_y, add(to_floats(leaf.vertices(ky, group)), offset_y)));
             }
             typename Leaf::Slots mask = 0;
             // mutant(< -> <=) sanitizer: shifts by the width of the type where a leaf is full

@@ -22,14 +22,16 @@ template <class Leaf>
 struct BatchHit : ClosestHit<Leaf, Ray, const NoCounters> {
     bool any_will_do = false;
 
-    Visit visit_leaf(const Leaf& leaf) {
-        for (auto candidates = ray_candidates(leaf, this->ray); candidates != 0; candidates &= candidates - 1) {
+    Visit visit_leaf(const LeafPlace& place) {
+        RayLeaf<Leaf> leaf;
+        for (auto candidates = ray_candidates(place, this->ray, leaf); candidates != 0; candidates &= candidates - 1) {
             decide(leaf, static_cast<unsigned>(std::countr_zero(candidates)));
             if (is_over()) return stop;
         }
         return keep_going;
     }
-    void decide(const Leaf& leaf, unsigned slot) {
+    template <class SomeLeaf>
+    void decide(const SomeLeaf& leaf, unsigned slot) {
         ClosestHit<Leaf, Ray, const NoCounters>::decide(leaf, slot);
         if (is_over()) this->limit_ = -1.0f;  // no key is as small
     }

@@ -9,7 +9,7 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool closest_hit_in(const BlobData& blob, c
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
     ClosestHit<Leaf, Caller, Counters> visitor = {prepared.ray, prepared.lanes(), filter, counters, hit};
-    traverse_nearest_first<Leaf>(blob, visitor);
+    traverse_nearest_first<LeafPlace>(blob, visitor);
     if (!visitor.found()) return false;
     visitor.finish(world);
     return true;
@@ -29,7 +29,7 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool every_hit_in(const BlobData& blob, con
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
     EveryHit<Leaf, OnHit> visitor = {prepared.ray, prepared.lanes(), on_hit};
-    return walk_in_storage_order<Leaf>(blob, visitor) == stop;
+    return walk_in_storage_order<LeafPlace>(blob, visitor) == stop;
 }
 template <class Caller, class OnHit>
 [[gnu::always_inline]] inline bool visit_every_hit(const BlobData& blob, const Caller& world, OnHit on_hit) {
@@ -43,7 +43,7 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool any_hit_in(const BlobData& blob, const
     PreparedRay prepared;
     if (!prepare(blob, world, prepared)) return false;
     AnyHit<Leaf> visitor = {prepared.ray, prepared.lanes()};
-    return walk_in_storage_order<Leaf>(blob, visitor) == stop;
+    return walk_in_storage_order<LeafPlace>(blob, visitor) == stop;
 }
 template <class Caller>
 [[gnu::always_inline]] inline bool find_any_hit(const BlobData& blob, const Caller& world) {
@@ -63,7 +63,7 @@ HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hi
     FirstHits first(hits);
     with_leaves_of(blob, [&]<class Leaf>() {
         FirstHitsOf<Leaf> visitor = {prepared.ray, prepared.lanes(), filter, first};
-        traverse_nearest_first<Leaf>(blob, visitor);
+        traverse_nearest_first<LeafPlace>(blob, visitor);
     });
     return first.finish(prepared.ray, world, hits);
 }

@@ -74,6 +74,15 @@ template <class Leaf>
     for (unsigned i = 0; i < 3; ++i) place_vertex(leaf, leaf.corner(slot, i), ray, from_origin.corner[i]);
     return small_ray_triangle::hits(ray, from_origin, hit);
 }
+/// Small cores have no stack to keep what was unpacked.
+template <class Leaf>
+using RayLeaf = Leaf;
+template <class Leaf>
+[[gnu::always_inline]] inline typename Leaf::Slots ray_candidates(const LeafPlace& place, const SeenRay& ray,
+                                                                  Leaf& leaf) {
+    decode_leaf(*place.blob, place.node, place.number, leaf);
+    return ray_candidates(leaf, ray);
+}
 inline constexpr bool decides_by_signs = false;
 template <class Leaf>
 inline bool is_hit(const Leaf& leaf, unsigned slot, const SeenRay& ray) {

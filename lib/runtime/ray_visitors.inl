@@ -19,8 +19,9 @@ struct ClosestHit {
         counters.count_node();
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit visit_leaf(const Leaf& leaf) {
-        auto candidates = ray_candidates(leaf, ray);
+    Visit visit_leaf(const LeafPlace& place) {
+        RayLeaf<Leaf> leaf;
+        auto candidates = ray_candidates(place, ray, leaf);
         counters.count_leaf();
         counters.count_triangles(leaf.triangle_count());
         counters.count_candidates(static_cast<unsigned>(std::popcount(candidates)));
@@ -29,7 +30,8 @@ struct ClosestHit {
         return keep_going;
     }
     /// On the triangle in this slot, which lanes did not reject.
-    void decide(const Leaf& leaf, unsigned slot) {
+    template <class SomeLeaf>
+    void decide(const SomeLeaf& leaf, unsigned slot) {
         TriangleHit hit;
         if (!hits_slot(leaf, slot, ray, hit)) return;
         // By their bits: neither is negative.
@@ -65,8 +67,9 @@ struct FirstHitsOf {
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit visit_leaf(const Leaf& leaf) {
-        for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
+    Visit visit_leaf(const LeafPlace& place) {
+        RayLeaf<Leaf> leaf;
+        for (auto candidates = ray_candidates(place, ray, leaf); candidates != 0; candidates &= candidates - 1) {
             const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
             TriangleHit hit;
             if (!hits_slot(leaf, slot, ray, hit)) continue;
@@ -93,8 +96,9 @@ struct AnyHit {
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit visit_leaf(const Leaf& leaf) {
-        for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1)
+    Visit visit_leaf(const LeafPlace& place) {
+        RayLeaf<Leaf> leaf;
+        for (auto candidates = ray_candidates(place, ray, leaf); candidates != 0; candidates &= candidates - 1)
             if (is_hit(leaf, static_cast<unsigned>(std::countr_zero(candidates)), ray)) return stop;
         return keep_going;
     }
@@ -111,8 +115,9 @@ struct EveryHit {
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit visit_leaf(const Leaf& leaf) {
-        for (auto candidates = ray_candidates(leaf, ray); candidates != 0; candidates &= candidates - 1) {
+    Visit visit_leaf(const LeafPlace& place) {
+        RayLeaf<Leaf> leaf;
+        for (auto candidates = ray_candidates(place, ray, leaf); candidates != 0; candidates &= candidates - 1) {
             const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
             FoundHit found;
             if (!hits_slot(leaf, slot, ray, found.hit)) continue;

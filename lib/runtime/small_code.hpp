@@ -19,9 +19,12 @@
 #define ESPALIER_SHARED_CODE [[gnu::noinline]]
 /// Before a larger one that is asked for in one place: there a call is what costs.
 #define ESPALIER_PART_OF_CALLER [[gnu::always_inline]]
+/// Before one that is elsewhere compiled into each caller, for the instructions that the caller may use.
+#define ESPALIER_SHARED_OR_PART_OF_CALLER [[gnu::noinline]]
 #else
 #define ESPALIER_SHARED_CODE
 #define ESPALIER_PART_OF_CALLER
+#define ESPALIER_SHARED_OR_PART_OF_CALLER [[gnu::always_inline]]
 #endif
 
 namespace espalier::detail {

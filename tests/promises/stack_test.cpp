@@ -164,26 +164,26 @@ TEST_SUITE("stack") {
                      (void)open(blob.opened.bytes, opened);
                  });
              })},
-            {"raycast", 1024, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
-            {"raycast, every instruction set", 1152,
+            {"raycast", 1920, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
+            {"raycast, every instruction set", 2112,
              ray_path_row([&](const InstructionPath& path, const Blob& blob, const Ray& ray) {
                  path.closest_hit(blob.data(), ray, hit, nullptr);
              })},
             {"closest_point, every instruction set", 4096,
              point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
                                 const detail::LatticePoint& point) { path.closest_triangle(blob, point, found); })},
-            {"raycast, a rounded ray", 1408, ray_row([&](const Blob& blob, const Ray& ray) {
+            {"raycast, a rounded ray", 2176, ray_row([&](const Blob& blob, const Ray& ray) {
                  (void)raycast(blob, round_ray(lattice_of(blob), ray), hit);
              })},
-            {"occluded", 1024, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
+            {"occluded", 1792, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
             {"raycast, a batch", 12288,
              batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},
             {"occluded, a batch", 12288,
              batch_row([&](const Blob& blob, const Rays& rays) { occluded(blob, rays, answers); })},
-            {"for_each_hit", 1152, ray_row([](const Blob& blob, const Ray& ray) {
+            {"for_each_hit", 1984, ray_row([](const Blob& blob, const Ray& ray) {
                  for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
              })},
-            {"closest_hits", 1280, ray_row([&](const Blob& blob, const Ray& ray) { closest_hits(blob, ray, hits); })},
+            {"closest_hits", 2176, ray_row([&](const Blob& blob, const Ray& ray) { closest_hits(blob, ray, hits); })},
             {"collides", 4096,
              placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
                             const detail::PairFrame&) { collides(blob, blob, placement, inside); })},
@@ -215,7 +215,7 @@ TEST_SUITE("stack") {
                  (void)may_overlap(blob, sphere, sphere.radius);
                  distance_bounds(blob, sphere.center, sphere.radius, sphere.radius, bounds);
              })},
-            {"may_be_occluded", 1344, ray_row([](const Blob& blob, const Ray& ray) {
+            {"may_be_occluded", 2048, ray_row([](const Blob& blob, const Ray& ray) {
                  (void)may_be_occluded(blob, ray, 0.01f * (blob.bounds_max().x - blob.bounds_min().x));
              })},
             {"overlaps and pages, a capsule", 3584, volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},

@@ -26,6 +26,8 @@ using RayLanes = PlacedRayLanes;
 using PreparedRay = PreparedRayIn<PlacedRayLanes>;
 
 inline constexpr unsigned lanes = 8;
+/// Whether single rays unpack all of a leaf for the exact kernel too.
+inline constexpr bool keeps_unpacked = true;
 struct Floats {
     __m256 v;
 };
@@ -112,6 +114,7 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
 inline Ints load_ints(const std::uint32_t* from) {
     return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))};
 }
+inline void store(std::uint32_t* to, Ints a) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), a.v); }
 inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
 
 /// row . (x, y, z) + moved, of the even lanes.
@@ -195,8 +198,14 @@ public:
           bit_(leaf.references_at) {
         entries_ = next_entries();
     }
+    /// The vertices that all entries name, a byte each, as far as they have been decoded.
+    void keep_entries(std::uint8_t* to) {
+        kept_ = to;
+        keep(entries_);
+    }
     [[gnu::always_inline]] CornerNumbers next() {
         const std::uint64_t following = next_entries();
+        if (kept_ != nullptr) keep(following);
         const auto marked = static_cast<unsigned>(pivots_ & 255);
         const auto to_lanes = [](std::uint64_t bytes) {
             return Ints{_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(bytes)))};
@@ -216,6 +225,10 @@ public:
 private:
     static constexpr std::uint64_t ones = 0x0101010101010101;
 
+    void keep(std::uint64_t entries) {
+        __builtin_memcpy(kept_, &entries, sizeof entries);
+        kept_ += sizeof entries;
+    }
     std::uint64_t next_entries() {
         const std::uint64_t fresh = _pdep_u64(first_uses_, ones);
         const std::uint64_t fresh_bytes = (fresh << 8) - fresh;
@@ -237,6 +250,7 @@ private:
     std::uint64_t used_ = 0;
     std::uint64_t entries_;
     std::uint64_t pivot_ = 0;  ///< in its lowest byte
+    std::uint8_t* kept_ = nullptr;
 };
 
 #else

@@ -25,6 +25,8 @@ using avx2::PreparedRay;
 using avx2::RayLanes;
 
 inline constexpr unsigned lanes = 16;
+/// Whether single rays unpack all of a leaf for the exact kernel too.
+inline constexpr bool keeps_unpacked = true;
 struct Floats {
     __m512 v;
 };
@@ -51,6 +53,8 @@ inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
     return {_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), otherwise.v, then.v)};
 }
 inline unsigned at_most(Floats a, Floats b) { return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ); }
+inline Ints load_ints(const std::uint32_t* from) { return {_mm512_loadu_si512(from)}; }
+inline void store(std::uint32_t* to, Ints a) { _mm512_storeu_si512(to, a.v); }
 inline Floats to_floats(Ints a) { return {_mm512_cvtepi32_ps(a.v)}; }
 inline Ints add(Ints a, std::uint32_t b) { return {_mm512_add_epi32(a.v, _mm512_set1_epi32(static_cast<int>(b)))}; }
 inline Ints load_bytes(const std::byte* at) {
@@ -138,6 +142,8 @@ public:
             _mm512_mask_expand_epi8(_mm512_maskz_expand_epi8(leaf.first_uses, number), ~leaf.first_uses, references);
         number_ = number;
     }
+    /// The vertices that all entries name, a byte each.
+    void keep_entries(std::uint8_t* to) const { _mm512_storeu_si512(to, entries_); }
     [[gnu::always_inline]] CornerNumbers next() {
         // The last marked entry of this group that is not behind the window, or the last one of the groups before.
         const __m512i up_to_lane =

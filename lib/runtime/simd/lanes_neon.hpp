@@ -17,6 +17,8 @@
 namespace espalier::detail::neon {
 
 inline constexpr unsigned lanes = 4;
+/// Whether single rays unpack all of a leaf for the exact kernel too.
+inline constexpr bool keeps_unpacked = false;
 struct Floats {
     float32x4_t v;
 };
@@ -98,6 +100,7 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
     return {vmulq_n_s32(vpaddlq_s16(sum), weight)};
 }
 inline Ints load_ints(const std::uint32_t* from) { return {vld1q_u32(from)}; }
+inline void store(std::uint32_t* to, Ints a) { vst1q_u32(to, a.v); }
 inline void prefetch(const std::byte* at) { __builtin_prefetch(at); }
 
 /// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.

@@ -14,6 +14,8 @@
 namespace espalier::detail::scalar {
 
 inline constexpr unsigned lanes = 1;
+/// Whether single rays unpack all of a leaf for the exact kernel too.
+inline constexpr bool keeps_unpacked = false;
 using Floats = float;
 using Ints = std::uint32_t;
 using SignedInts = std::int32_t;
@@ -77,6 +79,7 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
     return (sum < 0xFFFF ? sum : 0xFFFF) * weight;
 }
 inline Ints load_ints(const std::uint32_t* from) { return *from; }
+inline void store(std::uint32_t* to, Ints a) { *to = a; }
 inline void prefetch(const std::byte*) {}
 
 /// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.

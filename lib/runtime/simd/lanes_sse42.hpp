@@ -22,6 +22,8 @@ ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
 namespace espalier::detail::sse42 {
 
 inline constexpr unsigned lanes = 4;
+/// Whether single rays unpack all of a leaf for the exact kernel too.
+inline constexpr bool keeps_unpacked = false;
 struct Floats {
     __m128 v;
 };
@@ -101,6 +103,7 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
     return {_mm_madd_epi16(sum, _mm_set1_epi16(static_cast<short>(weight)))};
 }
 inline Ints load_ints(const std::uint32_t* from) { return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))}; }
+inline void store(std::uint32_t* to, Ints a) { _mm_storeu_si128(reinterpret_cast<__m128i*>(to), a.v); }
 inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
 
 /// row . (x, y, z) + moved, of the even lanes.

@@ -15,6 +15,7 @@ inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepare
 #include <runtime/ray_nodes.inl>
 #include <runtime/float_vertices.inl>
 #include <runtime/pair_vertices.inl>
+#include <runtime/unpacked_leaf.inl>
 #include <runtime/ray_filter.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_in_batch.inl>

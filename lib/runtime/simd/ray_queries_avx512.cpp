@@ -22,6 +22,7 @@ using avx2::slab_test;
 /// Registers hold all of a leaf.
 template <unsigned groups>
 using SeenVertices = FloatVertices<groups>;
+#include <runtime/unpacked_leaf.inl>
 #include <runtime/ray_filter.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>

@@ -17,6 +17,7 @@ inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRay
 #include <runtime/ray_nodes.inl>
 #include <runtime/float_vertices.inl>
 #include <runtime/pair_vertices.inl>
+#include <runtime/unpacked_leaf.inl>
 #include <runtime/ray_filter.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>

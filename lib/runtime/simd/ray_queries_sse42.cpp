@@ -13,6 +13,7 @@ namespace espalier::detail::sse42 {
 #include <runtime/ray_nodes.inl>
 #include <runtime/float_vertices.inl>
 #include <runtime/pair_vertices.inl>
+#include <runtime/unpacked_leaf.inl>
 #include <runtime/ray_filter.inl>
 #include <runtime/ray_visitors.inl>
 #include <runtime/ray_queries.inl>
