@@ -9,7 +9,7 @@ struct PackedLeaf : Leaf {
     /// What is looked up for the width stays out of the registers.
     [[nodiscard, gnu::always_inline]] Ints vertices(unsigned axis, unsigned group) const {
         return offsets_of(static_cast<const Leaf&>(*this), axis, group,
-                          [](unsigned width) { return as_if_changed(width); });
+                          [](unsigned own_width) { return as_if_changed(own_width); });
     }
     [[nodiscard, gnu::always_inline]] auto corners_in_lanes() const { return corners_of(*this); }
 };
