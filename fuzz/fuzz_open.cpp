@@ -84,10 +84,13 @@ constexpr std::uint32_t hostile_integers[] = {0,          1,          2,        
 /// A word of the header, of a node or of the leaves: one more, one less, a bit, or a number that breaks careless code.
 void change_a_word(std::span<std::byte> blob, Random& random) {
     const std::uint32_t nodes = std::min(get(blob, header::node_count_at), 64u);
+    const auto profile = static_cast<format::Profile>(std::to_integer<std::uint8_t>(blob[header::profile_at]));
+    const std::size_t node_bytes = format::node_bytes(profile);
     std::size_t at = 4 * std::size_t{random.below(static_cast<std::uint32_t>(blob.size() / 4))};
     if (random.coin()) {
-        at = 4 * std::size_t{random.below(header::bytes / 4)};
-        if (random.coin()) at += header::bytes + format::node::bytes * std::size_t{random.below(nodes + 1)};
+        const bool is_in_node = random.coin();
+        at = 4 * std::size_t{random.below(static_cast<std::uint32_t>((is_in_node ? node_bytes : header::bytes) / 4))};
+        if (is_in_node) at += header::bytes + node_bytes * random.below(nodes + 1);
     }
     if (at + 4 > blob.size()) return;
     std::uint32_t word = get(blob, at);

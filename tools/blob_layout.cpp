@@ -14,6 +14,9 @@ std::uint32_t read_u8(std::span<const std::byte> bytes, std::size_t at) {
 std::uint32_t read_u16(std::span<const std::byte> bytes, std::size_t at) {
     return read_u8(bytes, at) | read_u8(bytes, at + 1) << 8;
 }
+std::uint32_t read_u24(std::span<const std::byte> bytes, std::size_t at) {
+    return read_u16(bytes, at) | read_u8(bytes, at + 2) << 16;
+}
 std::uint32_t read_u32(std::span<const std::byte> bytes, std::size_t at) {
     return read_u16(bytes, at) | read_u16(bytes, at + 2) << 16;
 }
@@ -40,7 +43,7 @@ std::vector<Section> sections_of(const Blob& blob) {
         at += bytes;
     };
     add("header", format::header::bytes);
-    add("nodes", std::size_t{data.node_count} * format::node::bytes);
+    add("nodes", data.node_count * format::node_bytes(data.profile));
     add("leaves", data.leaf_bytes);
     add("guard", format::guard_bytes);
     if ((data.features & format::feature::original_ids) != 0) {
@@ -76,39 +79,48 @@ const Section& section_named(const std::vector<Section>& sections, std::string_v
     throw CommandError(ExitCode::internal, "a section is missing: please report this blob.");
 }
 
-NodeFields read_node(std::span<const std::byte> bytes, std::size_t at) {
-    namespace field = format::node;
-    NodeFields node{};
-    const std::uint32_t shifts = read_u16(bytes, at + field::shifts_at);
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        node.base[axis] = read_u16(bytes, at + field::base_at + 2 * axis);
-        node.shifts[axis] = (shifts >> (5 * axis)) & 31u;
+NodeFields read_node(std::span<const std::byte> bytes, const Blob& blob, std::size_t node) {
+    NodeFields fields{};
+    fields.at = format::header::bytes + node * format::node_bytes(blob.profile());
+    if (format::has_plain_nodes(blob.profile())) {
+        namespace field = format::plain_node;
+        const std::uint32_t children = read_u32(bytes, fields.at + field::children_at);
+        fields.first_child = children & 0xFFFFFFu;
+        fields.node_children = children >> 24;
+        fields.leaves = read_u8(bytes, fields.at + field::leaf_children_at);
+        fields.leaf_block = read_u32(bytes, fields.at + field::leaf_block_at);
+    } else {
+        namespace field = format::packed_node;
+        const std::uint32_t children = read_u32(bytes, fields.at + field::children_at);
+        fields.first_child = children & 0xFFFFFFu;
+        fields.node_children = (children >> 24) & 15u;
+        fields.leaves = children >> 28;
+        fields.leaf_block = read_u32(bytes, fields.at + field::leaf_block_at);
     }
-    const std::uint32_t children = read_u32(bytes, at + field::children_at);
-    node.first_child = children & 0xFFFFFFu;
-    node.node_children = (children >> 24) & 15u;
-    node.leaves = children >> 28;
-    node.leaf_block = read_u32(bytes, at + field::leaf_block_at);
-    return node;
+    return fields;
 }
 
-std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t node, unsigned child, unsigned axis) {
-    const std::size_t at = format::header::bytes + node * format::node::bytes;
-    const std::size_t plane = format::max_children * axis + child;
-    const std::uint32_t planes =
-        read_u8(bytes, at + format::node::hi_at + plane) - read_u8(bytes, at + format::node::lo_at + plane);
-    return planes << read_node(bytes, at).shifts[axis];
+unsigned read_shift(std::span<const std::byte> bytes, std::size_t at, unsigned axis) {
+    return (read_u16(bytes, at + format::packed_node::shifts_at) >> (5 * axis)) & 31u;
 }
 
-LeafFields read_leaf(std::uint32_t descriptor) {
+std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t at, unsigned child, unsigned axis) {
+    namespace field = format::packed_node;
+    const std::size_t plane = at + field::row_bytes * axis + child;
+    const std::uint32_t planes = read_u8(bytes, plane + field::hi_at) - read_u8(bytes, plane + field::lo_at);
+    return planes << read_shift(bytes, at, axis);
+}
+
+LeafFields read_leaf(std::span<const std::byte> bytes, const Blob& blob, std::size_t at, unsigned leaf) {
     namespace field = format::plain_leaf;
-    LeafFields leaf{};
-    leaf.data_offset = std::size_t{2} * (descriptor & ((1u << field::offset_bits) - 1));
-    leaf.triangles = ((descriptor >> field::triangles_shift) & 15u) + 1;
-    leaf.vertices = ((descriptor >> field::vertices_shift) & 31u) + 1;
-    leaf.size_bits = descriptor >> field::size_shift & 31u;
-    leaf.first = descriptor >> field::first_shift;
-    return leaf;
+    const std::uint32_t descriptor =
+        read_u24(bytes, at + format::plain_node::leaves_at + field::descriptor_bytes * leaf);
+    LeafFields fields{};
+    fields.data_offset = descriptor & ((1u << field::offset_bits) - 1);
+    fields.triangles = ((descriptor >> field::triangles_shift) & 15u) + 1;
+    fields.vertices = ((descriptor >> field::vertices_shift) & 31u) + 1;
+    fields.size_bits = (descriptor >> field::size_shift) + field::least_size(blob.bits());
+    return fields;
 }
 
 StripFields read_strip(std::uint32_t descriptor) {
@@ -143,7 +155,7 @@ StripMarks read_marks(std::span<const std::byte> bytes, std::size_t at, unsigned
 std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob) {
     std::uint64_t count = 0;
     for (std::size_t node = 0; node < blob.data().node_count; ++node) {
-        count += read_node(bytes, format::header::bytes + node * format::node::bytes).leaves;
+        count += read_node(bytes, blob, node).leaves;
     }
     return count;
 }

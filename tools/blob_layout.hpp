@@ -15,6 +15,7 @@ namespace espalier::tools {
 
 std::uint32_t read_u8(std::span<const std::byte> bytes, std::size_t at);
 std::uint32_t read_u16(std::span<const std::byte> bytes, std::size_t at);
+std::uint32_t read_u24(std::span<const std::byte> bytes, std::size_t at);
 std::uint32_t read_u32(std::span<const std::byte> bytes, std::size_t at);
 float read_f32(std::span<const std::byte> bytes, std::size_t at);
 /// A field of up to 32 bits, low bits first.
@@ -30,31 +31,32 @@ struct Section {
 std::vector<Section> sections_of(const Blob& blob);
 const Section& section_named(const std::vector<Section>& sections, std::string_view name);
 
-/// One node's fields as they stand in the bytes.
+/// What every kind of node holds, as it stands in the bytes.
 struct NodeFields {
-    std::uint32_t base[3];
-    std::uint32_t shifts[3];
+    std::size_t at;  ///< of its first byte
     std::uint32_t first_child;
     unsigned node_children;
     unsigned leaves;
     std::uint32_t leaf_block;
 };
 
-/// The node whose bytes start at `at`.
-NodeFields read_node(std::span<const std::byte> bytes, std::size_t at);
-/// How many lattice steps the box of a child of a node reaches over.
-std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t node, unsigned child, unsigned axis);
+NodeFields read_node(std::span<const std::byte> bytes, const Blob& blob, std::size_t node);
+
+/// The shift of an axis of the packed node whose bytes begin at `at`.
+unsigned read_shift(std::span<const std::byte> bytes, std::size_t at, unsigned axis);
+/// How many lattice steps the box of a child of the packed node whose bytes begin at `at` reaches over.
+std::uint32_t side_of_child(std::span<const std::byte> bytes, std::size_t at, unsigned child, unsigned axis);
 
 /// The descriptor of a plain leaf, taken apart.
 struct LeafFields {
-    std::size_t data_offset;  ///< from the end of the block's descriptors
+    std::uint32_t data_offset;  ///< from the start of the block, in units of 4 bytes
     unsigned triangles;
     unsigned vertices;
-    unsigned size_bits;   ///< coordinates of an axis differ by less than 2^size_bits
-    std::uint32_t first;  ///< its first triangle, counted from the block's
+    unsigned size_bits;  ///< coordinates of an axis differ by less than 2^size_bits
 };
 
-LeafFields read_leaf(std::uint32_t descriptor);
+/// The leaf with this number among the leaves of the plain node whose bytes begin at `at`.
+LeafFields read_leaf(std::span<const std::byte> bytes, const Blob& blob, std::size_t at, unsigned leaf);
 
 /// The descriptor of a strip leaf, taken apart.
 struct StripFields {

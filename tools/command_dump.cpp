@@ -94,35 +94,69 @@ void list_header(Bytes bytes, ByteListing& listing) {
     }
 }
 
-std::string octets(Bytes bytes, std::size_t at, unsigned count) {
-    std::string result;
-    for (unsigned i = 0; i < count; ++i) result += text(' ', read_u8(bytes, at + i));
-    return result;
-}
-
-void list_node(Bytes bytes, std::size_t number, ByteListing& listing) {
-    const NodeFields node = read_node(bytes, listing.at());
-    const unsigned children = std::min(node.node_children + node.leaves, format::max_children);
-    listing.field(6, text("node ", number, ": base ", node.base[0], ' ', node.base[1], ' ', node.base[2]));
-    listing.field(2, text("shifts ", node.shifts[0], ' ', node.shifts[1], ' ', node.shifts[2]));
-    listing.field(4, text("first child node ", node.first_child, ", ", node.node_children, " node children, ",
-                          node.leaves, " leaves"));
-    listing.field(4, text("leaf block at 4 x ", node.leaf_block));
-    for (const char* side : {"low", "high"}) {
-        for (const char axis : {'x', 'y', 'z'}) {
-            listing.field(format::max_children, text(side, ' ', axis, octets(bytes, listing.at(), children)));
+/// A row of planes for each axis, of `plane_bytes` each.
+void list_planes(Bytes bytes, const char* side, unsigned children, std::size_t row_bytes, std::size_t plane_bytes,
+                 ByteListing& listing) {
+    for (const char axis : {'x', 'y', 'z'}) {
+        std::string planes;
+        for (std::size_t i = 0; i < children; ++i) {
+            const std::size_t at = listing.at() + plane_bytes * i;
+            planes += text(' ', plane_bytes == 1 ? read_u8(bytes, at) : read_u16(bytes, at));
         }
+        listing.field(row_bytes, text(side, ' ', axis, planes));
     }
 }
 
-void list_leaves(Bytes bytes, const Blob& blob, const Section& nodes, const Section& leaves, ByteListing& listing) {
+void list_plain_node(Bytes bytes, const Blob& blob, std::size_t number, ByteListing& listing) {
+    namespace field = format::plain_node;
+    const NodeFields node = read_node(bytes, blob, number);
+    const unsigned children = node.node_children + node.leaves;
+    listing.heading(text("node ", number));
+    list_planes(bytes, "low", children, field::row_bytes, 2, listing);
+    list_planes(bytes, "high", children, field::row_bytes, 2, listing);
+    listing.field(4, text("first child node ", node.first_child, ", ", node.node_children, " node children"));
+    listing.field(4, text("leaf block at 4 x ", node.leaf_block));
+    for (unsigned i = 0; i < node.leaves; ++i) {
+        const LeafFields leaf = read_leaf(bytes, blob, node.at, i);
+        listing.field(
+            format::plain_leaf::descriptor_bytes,
+            text("leaf ", i, ": data at 4 x ", leaf.data_offset, " of the block, ", counted(leaf.triangles, "triangle"),
+                 ", ", counted(leaf.vertices, "vertex"), ", size below 2^", leaf.size_bits));
+    }
+    listing.field_up_to(node.at + field::leaf_children_at, "no more leaves");
+    listing.field(1, text(node.leaves, " leaves"));
+    listing.field_up_to(node.at + field::bytes, "reserved");
+}
+
+void list_packed_node(Bytes bytes, const Blob& blob, std::size_t number, ByteListing& listing) {
+    namespace field = format::packed_node;
+    const NodeFields node = read_node(bytes, blob, number);
+    const unsigned children = node.node_children + node.leaves;
+    const auto base = [&](unsigned axis) { return read_u16(bytes, node.at + field::base_at + 2 * axis); };
+    const auto shift = [&](unsigned axis) { return read_shift(bytes, node.at, axis); };
+    listing.field(6, text("node ", number, ": base ", base(0), ' ', base(1), ' ', base(2)));
+    listing.field(2, text("shifts ", shift(0), ' ', shift(1), ' ', shift(2)));
+    listing.field(4, text("first child node ", node.first_child, ", ", node.node_children, " node children, ",
+                          node.leaves, " leaves"));
+    listing.field(4, text("leaf block at 4 x ", node.leaf_block));
+    list_planes(bytes, "low", children, field::row_bytes, 1, listing);
+    list_planes(bytes, "high", children, field::row_bytes, 1, listing);
+}
+
+void list_nodes(Bytes bytes, const Blob& blob, ByteListing& listing) {
+    const auto list_node = format::has_plain_nodes(blob.profile()) ? list_plain_node : list_packed_node;
+    for (std::size_t node = 0; node < blob.data().node_count && !listing.full(); ++node)
+        list_node(bytes, blob, node, listing);
+}
+
+void list_leaves(Bytes bytes, const Blob& blob, const Section& leaves, ByteListing& listing) {
     struct Block {
         std::size_t at;
         std::size_t node;
     };
     std::vector<Block> blocks;
-    for (std::size_t node = 0; node < nodes.bytes / format::node::bytes; ++node) {
-        const NodeFields fields = read_node(bytes, nodes.at + node * format::node::bytes);
+    for (std::size_t node = 0; node < blob.data().node_count; ++node) {
+        const NodeFields fields = read_node(bytes, blob, node);
         if (fields.leaves > 0) blocks.push_back({leaves.at + std::size_t{4} * fields.leaf_block, node});
     }
     std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.at < b.at; });
@@ -248,16 +282,15 @@ void list_k_dop(Bytes bytes, ByteListing& listing) {
     }
 }
 
-void list_section(Bytes bytes, const Blob& blob, const std::vector<Section>& sections, const Section& section,
-                  ByteListing& listing) {
+void list_section(Bytes bytes, const Blob& blob, const Section& section, ByteListing& listing) {
     const std::string_view name = section.name;
     const detail::BlobData& data = blob.data();
     if (name == "header") return list_header(bytes, listing);
     listing.heading(section.name);
     if (name == "nodes") {
-        for (std::size_t node = 0; node < data.node_count && !listing.full(); ++node) list_node(bytes, node, listing);
+        list_nodes(bytes, blob, listing);
     } else if (name == "leaves") {
-        list_leaves(bytes, blob, section_named(sections, "nodes"), section, listing);
+        list_leaves(bytes, blob, section, listing);
     } else if (name == "guard") {
         listing.field(section.bytes, "zeros, so that wide loads stay inside");
     } else if (name == "sources") {
@@ -295,9 +328,8 @@ ExitCode run_dump(const DumpArguments& arguments) {
         return listing.finish(&refusal);
     }
     ByteListing listing(bytes, arguments.limit, arguments.json);
-    const std::vector<Section> sections = sections_of(blob);
-    for (const Section& section : sections) {
-        if (section.bytes > 0 && !listing.full()) list_section(bytes, blob, sections, section, listing);
+    for (const Section& section : sections_of(blob)) {
+        if (section.bytes > 0 && !listing.full()) list_section(bytes, blob, section, listing);
     }
     return listing.finish();
 }

@@ -33,21 +33,15 @@ void list_plain_leaf(Bytes bytes, const LeafFields& leaf, unsigned bits, ByteLis
 }
 
 void list_plain_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, std::size_t number,
-                       std::uint32_t triangle, ByteListing& listing) {
-    std::vector<LeafFields> fields;
-    for (unsigned i = 0; i < node.leaves; ++i) {
-        fields.push_back(read_leaf(read_u32(bytes, listing.at())));
-        const LeafFields& leaf = fields.back();
-        listing.field(format::plain_leaf::descriptor_bytes,
-                      text("leaf ", i, ": data at ", leaf.data_offset, ", ", counted(leaf.triangles, "triangle"), ", ",
-                           counted(leaf.vertices, "vertex"), ", size below 2^", leaf.size_bits, ", triangles from ",
-                           triangle, " + ", leaf.first));
-    }
-    const std::size_t data = listing.at();
+                       ByteListing& listing) {
+    const std::size_t block = listing.at();
     for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
-        listing.field_up_to(data + fields[i].data_offset, "padding");
-        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle + fields[i].first));
-        list_plain_leaf(bytes, fields[i], blob.bits(), listing);
+        const LeafFields leaf = read_leaf(bytes, blob, node.at, i);
+        listing.field_up_to(block + std::size_t{4} * leaf.data_offset, "padding");
+        const std::uint32_t triangle = read_u32(bytes, listing.at());
+        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle));
+        listing.field(4, text("  first triangle ", triangle));
+        list_plain_leaf(bytes, leaf, blob.bits(), listing);
     }
 }
 
@@ -74,7 +68,9 @@ std::string marks_text(const StripMarks& marks) {
 }
 
 void list_strip_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, std::size_t number,
-                       std::uint32_t triangle, ByteListing& listing) {
+                       ByteListing& listing) {
+    const std::uint32_t triangle = read_u32(bytes, listing.at());
+    listing.field(4, text("leaves of node ", number, ": first triangle ", triangle));
     std::vector<StripFields> fields;
     for (unsigned i = 0; i < node.leaves; ++i) {
         fields.push_back(read_strip(read_u32(bytes, listing.at())));
@@ -91,7 +87,7 @@ void list_strip_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, st
         listing.field((marks.bits + 7) / 8, marks_text(marks));
         for (unsigned axis = 0; axis < 3; ++axis) {
             const unsigned width = format::strip_leaf::coordinate_width(
-                side_of_child(bytes, number, node.node_children + i, axis), blob.bits());
+                side_of_child(bytes, node.at, node.node_children + i, axis), blob.bits());
             list_numbers(bytes, text("  ", "xyz"[axis]), marks.vertices, width, listing);
         }
     }
@@ -100,13 +96,11 @@ void list_strip_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, st
 }  // namespace
 
 void list_leaf_block(std::span<const std::byte> bytes, const Blob& blob, std::size_t node, ByteListing& listing) {
-    const NodeFields fields = read_node(bytes, format::header::bytes + node * format::node::bytes);
-    const std::uint32_t triangle = read_u32(bytes, listing.at());
-    listing.field(4, text("leaves of node ", node, ": first triangle ", triangle));
-    if (blob.profile() == format::Profile::fast) {
-        list_plain_leaves(bytes, blob, fields, node, triangle, listing);
+    const NodeFields fields = read_node(bytes, blob, node);
+    if (format::has_plain_nodes(blob.profile())) {
+        list_plain_leaves(bytes, blob, fields, node, listing);
     } else {
-        list_strip_leaves(bytes, blob, fields, node, triangle, listing);
+        list_strip_leaves(bytes, blob, fields, node, listing);
     }
 }
 

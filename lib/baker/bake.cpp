@@ -98,7 +98,7 @@ Result<Baked, BakeError> bake_in_stages(const TreeMaker& make_tree, std::span<co
     if (options.profile != format::Profile::fast) strips.emplace(mesh, tree);
     const StripMaker* const strips_if_any = strips ? &*strips : nullptr;
     const auto sizes = leaf_sizes(options.profile, mesh.lattice.bits, strips_if_any);
-    const CollapsePlan plan(mesh, tree, *sizes, {options.cost_model, options.max_leaf_triangles});
+    const CollapsePlan plan(mesh, tree, *sizes, {options.profile, options.cost_model, options.max_leaf_triangles});
 
     progress.begin(stages::order);
     const WideTree wide = put_in_order(mesh, tree, plan, strips_if_any);

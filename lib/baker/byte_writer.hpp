@@ -26,6 +26,10 @@ inline void set_u16(std::byte* at, std::uint32_t value) {
     set_u8(at, value & 0xFF);
     set_u8(at + 1, value >> 8 & 0xFF);
 }
+inline void set_u24(std::byte* at, std::uint32_t value) {
+    set_u16(at, value & 0xFFFF);
+    set_u8(at + 2, value >> 16);
+}
 inline void set_u32(std::byte* at, std::uint32_t value) {
     set_u16(at, value & 0xFFFF);
     set_u16(at + 2, value >> 16);

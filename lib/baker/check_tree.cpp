@@ -8,9 +8,14 @@ namespace {
 
 constexpr const char* axis_names[3] = {"x", "y", "z"};
 
-/// Where a box of an asset of this extent does not end any more. No node spans more than the extent, so none needs
-/// planes farther apart than 255 of them need to be to reach it; outward rounding adds less than one such distance.
-std::int32_t end_of_boxes(std::int32_t extent) {
+/// Where a box of an asset of this extent does not end any more. Plain nodes round to whole units. No packed node spans
+/// more than the extent, so none needs planes farther apart than 255 of them need to be to reach it; outward rounding
+/// adds less than one such distance.
+std::int32_t end_of_boxes(std::int32_t extent, const TreeBytes& tree) {
+    if (format::has_plain_nodes(tree.profile)) {
+        const unsigned unit = format::unit_shift(tree.bits);
+        return ((extent >> unit) + 1) << unit;
+    }
     unsigned shift = 0;
     while (255 << shift < extent) ++shift;
     return extent + (1 << shift);
@@ -20,7 +25,7 @@ class TreeWalk {
 public:
     TreeWalk(const TreeBytes& tree, LeafCheck check_leaf, TreeCounts& counts)
         : tree_(tree), check_leaf_(check_leaf), counts_(counts) {
-        std::transform(tree.extent.begin(), tree.extent.end(), ends_.begin(), end_of_boxes);
+        for (std::size_t axis = 0; axis < 3; ++axis) ends_[axis] = end_of_boxes(tree.extent[axis], tree);
     }
 
     /// False after a complaint. `content` becomes the box of all vertices below. No deeper than format::max_depth.
@@ -62,12 +67,12 @@ private:
                             "has its leaves at byte " + std::to_string(node.leaf_block) + " of the leaf section");
         }
         if (node.leaves == 0) return true;
-        std::size_t end = 0;
+        std::size_t end = tree_.first_leaf_at(node);
         for (unsigned i = 0; i < node.leaves; ++i) {
             DecodedLeaf leaf;
             if (!tree_.decode_leaf(node, i, leaf)) return complain(number, "has a leaf that cannot be read");
             if (leaf.first_triangle != counts_.triangles ||
-                (i != 0 && leaf.at != (end + tree_.leaf_unit() - 1) / tree_.leaf_unit() * tree_.leaf_unit())) {
+                leaf.at != (end + tree_.leaf_unit() - 1) / tree_.leaf_unit() * tree_.leaf_unit()) {
                 return complain(number, "has a leaf out of its place");
             }
             contents[node.node_children + i] = leaf.box();
@@ -96,7 +101,7 @@ private:
     }
 
     bool complain(std::uint32_t number, const std::string& what) {
-        const std::size_t at = format::header::bytes + std::size_t{number} * format::node::bytes;
+        const std::size_t at = format::header::bytes + number * format::node_bytes(tree_.profile);
         complaint = "node " + std::to_string(number) + " (byte " + std::to_string(at) + ") " + what;
         return false;
     }
@@ -131,7 +136,7 @@ std::optional<std::string> check_tree(const TreeBytes& tree, LeafCheck check_lea
         TreeWalk walk(tree, check_leaf, counts);
         if (!walk.visit(0, 1, everywhere, all)) return walk.complaint;
     }
-    if (counts.nodes * format::node::bytes != tree.nodes.size()) {
+    if (counts.nodes * format::node_bytes(tree.profile) != tree.nodes.size()) {
         return "the tree has " + std::to_string(counts.nodes) + " nodes, the node section " +
                std::to_string(tree.nodes.size()) + " bytes";
     }

@@ -29,6 +29,7 @@ struct Children {
 };
 
 struct CollapseSettings {
+    format::Profile profile = format::Profile::fast;
     CostModel cost_model;
     unsigned max_leaf_triangles = format::max_leaf_triangles;  ///< at least 1
 };
@@ -51,7 +52,8 @@ private:
     [[nodiscard]] Child child_for(std::uint32_t binary_node) const;
 
     const BinaryTree& tree_;
-    std::vector<std::uint32_t> choices_;  // for each binary node, see `Choice`
+    unsigned most_children_;              // of a wide node
+    std::vector<std::uint64_t> choices_;  // for each binary node, see `Choice`
 };
 
 }  // namespace espalier::baker

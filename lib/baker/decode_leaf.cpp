@@ -7,23 +7,20 @@ namespace espalier::baker {
 
 bool TreeBytes::decode_plain_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const {
     namespace layout = format::plain_leaf;
-    const std::size_t data =
-        node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{node.leaves};
-    if (data > leaves.size()) return false;
-    const std::uint32_t descriptor =
-        read(leaves, node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{index}, 4);
-    leaf.first_triangle = read(leaves, node.leaf_block, 4) + (descriptor >> layout::first_shift);
+    const std::uint32_t descriptor = node.descriptors[index];
     leaf.triangle_count = (descriptor >> layout::triangles_shift & 15) + 1;
     leaf.vertex_count = (descriptor >> layout::vertices_shift & 31) + 1;
-    leaf.at = data + 2 * std::size_t{descriptor & ((1u << layout::offset_bits) - 1)};
+    leaf.at = node.leaf_block + 4 * std::size_t{descriptor & ((1u << layout::offset_bits) - 1)};
 
-    // Three rows of words, three of corners, and on a lattice of more than 16 bits three of the bytes above the words.
-    const std::size_t words = leaf.at;
+    // The first triangle; three rows of words, three of corners, and on a lattice of more than 16 bits three of the
+    // bytes above the words.
+    const std::size_t words = leaf.at + 4;
     const std::size_t corners = words + 6 * std::size_t{leaf.vertex_count};
     const std::size_t bytes_above = corners + 3 * std::size_t{leaf.triangle_count};
     const std::size_t end = bytes_above + (bits > 16 ? 3 * std::size_t{leaf.vertex_count} : 0);
     leaf.bytes = end - leaf.at;
     if (end > leaves.size()) return false;
+    leaf.first_triangle = read(leaves, leaf.at, 4);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i < leaf.vertex_count; ++i) {
             const std::size_t place = axis * leaf.vertex_count + i;
@@ -43,8 +40,7 @@ bool TreeBytes::decode_plain_leaf(const DecodedNode& node, unsigned index, Decod
 
 bool TreeBytes::decode_strip_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const {
     namespace layout = format::strip_leaf;
-    const std::size_t data =
-        node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{node.leaves};
+    const std::size_t data = first_leaf_at(node);
     if (data > leaves.size()) return false;
     const std::uint32_t descriptor =
         read(leaves, node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{index}, 4);

@@ -27,6 +27,8 @@ struct DecodedNode {
     unsigned node_children = 0;
     unsigned leaves = 0;
     std::array<DecodedBox, format::max_children> boxes{};
+    std::array<std::uint32_t, format::max_children>
+        descriptors{};  ///< of its plain leaves; those of strips are in the block
 
     [[nodiscard]] unsigned children() const { return node_children + leaves; }
 };
@@ -52,16 +54,20 @@ struct TreeBytes {
     bool has_copies = false;  ///< the blob has split references
     Coordinates extent{};
 
-    /// Node `number`; false when there is none or when it has more than max_children.
+    /// Node `number`; false when there is none or when it has more children than its profile allows.
     [[nodiscard]] bool decode_node(std::uint32_t number, DecodedNode& node) const;
 
     /// Leaf `index` of a node; false when any of it lies outside, or a corner is no vertex.
     [[nodiscard]] bool decode_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
 
+    /// Where the data of a node's first leaf belongs.
+    [[nodiscard]] std::size_t first_leaf_at(const DecodedNode& node) const;
     /// Leaves lie one after the other at multiples of this.
-    [[nodiscard]] std::size_t leaf_unit() const { return profile == format::Profile::fast ? 2 : 1; }
+    [[nodiscard]] std::size_t leaf_unit() const { return profile == format::Profile::fast ? 4 : 1; }
 
 private:
+    [[nodiscard]] bool decode_plain_node(std::span<const std::byte> bytes, DecodedNode& node) const;
+    [[nodiscard]] bool decode_packed_node(std::span<const std::byte> bytes, DecodedNode& node) const;
     [[nodiscard]] bool decode_plain_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
     [[nodiscard]] bool decode_strip_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
 };

@@ -143,7 +143,7 @@ Result<std::vector<std::byte>, BakeError> encode(const Source& source, const Lat
                                                  const WideTree& wide, const BakeOptions& options,
                                                  const Properties& properties, const OptionalSections& sections) {
     if (auto error = check_limits(wide, 0)) return *error;
-    const EncodedTree encoded = encode_tree(mesh, tree, wide);
+    const EncodedTree encoded = encode_tree(mesh, tree, wide, options.profile);
 
     std::vector<std::byte> blob(format::header::bytes);
     blob.reserve(format::header::bytes + encoded.nodes.size() + encoded.leaves.size() + format::guard_bytes);

@@ -17,17 +17,17 @@ struct LeafBox {
     std::array<std::int32_t, 3> side;
 };
 
-/// The block of a node's leaves, as far as it is written.
-struct LeafBlock {
+/// The block of a node's strips, as far as it is written.
+struct StripBlock {
     std::size_t data;              ///< where the data of its first leaf begins
     std::uint32_t first_triangle;  ///< storage index
 };
 
-/// Appends the data of leaf `number` of the wide tree; returns its descriptor.
+/// Append the data of leaf `number` of the wide tree; return its descriptor.
 [[nodiscard]] std::uint32_t put_plain_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
-                                           const LeafBlock& block, std::vector<std::byte>& bytes);
+                                           std::size_t block, std::vector<std::byte>& bytes);
 [[nodiscard]] std::uint32_t put_strip_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
-                                           const LeafBox& box, const LeafBlock& block, std::vector<std::byte>& bytes);
+                                           const LeafBox& box, const StripBlock& block, std::vector<std::byte>& bytes);
 
 [[nodiscard]] inline std::int32_t coordinate_of(const LatticePoint& point, std::size_t axis) {
     return axis == 0 ? point.x : axis == 1 ? point.y : point.z;

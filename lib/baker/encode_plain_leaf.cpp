@@ -48,27 +48,33 @@ struct NumberedVertices {
     }
 };
 
+/// The least size of a descriptor that is true.
+unsigned size_field(std::uint32_t largest_side, unsigned bits) {
+    const auto size = static_cast<unsigned>(std::bit_width(largest_side));
+    return std::max(size, least_size(bits)) - least_size(bits);
+}
+
 }  // namespace
 
-std::uint32_t put_plain_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
-                             const LeafBlock& block, std::vector<std::byte>& bytes) {
-    pad_to(bytes, 2);
+std::uint32_t put_plain_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number, std::size_t block,
+                             std::vector<std::byte>& bytes) {
     const Leaf& leaf = wide.leaves[number];
+    const unsigned bits = mesh.lattice.bits;
     const NumberedVertices numbered(mesh, std::span(wide.triangles).subspan(leaf.first, leaf.count));
-    const auto offset = static_cast<std::uint32_t>((bytes.size() - block.data) / 2);
+    const auto offset = static_cast<std::uint32_t>((bytes.size() - block) / 4);
     const auto for_each_coordinate = [&](auto put) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (unsigned i = 0; i < numbered.count; ++i)
                 put(static_cast<std::uint32_t>(coordinate_of(mesh.vertices[numbered.vertices[i]], axis)));
     };
+    put_u32(bytes, leaf.first);
     for_each_coordinate([&](std::uint32_t coordinate) { put_u16(bytes, coordinate & 0xFFFF); });
     for (std::size_t corner = 0; corner < 3; ++corner)
         for (std::uint32_t i = 0; i < leaf.count; ++i) put_u8(bytes, numbered.corners[i][corner]);
-    if (has_high_bytes(mesh.lattice.bits))
-        for_each_coordinate([&](std::uint32_t coordinate) { put_u8(bytes, coordinate >> 16); });
+    if (has_high_bytes(bits)) for_each_coordinate([&](std::uint32_t coordinate) { put_u8(bytes, coordinate >> 16); });
+    pad_to(bytes, 4);
     return offset | (leaf.count - 1) << triangles_shift | (numbered.count - 1) << vertices_shift |
-           static_cast<std::uint32_t>(std::bit_width(numbered.size(mesh))) << size_shift |
-           (leaf.first - block.first_triangle) << first_shift;
+           size_field(numbered.size(mesh), bits) << size_shift;
 }
 
 }  // namespace espalier::baker

@@ -35,7 +35,7 @@ struct NumberedEntries {
 }  // namespace
 
 std::uint32_t put_strip_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number, const LeafBox& box,
-                             const LeafBlock& block, std::vector<std::byte>& bytes) {
+                             const StripBlock& block, std::vector<std::byte>& bytes) {
     const Strip& strip = wide.strips[number];
     const NumberedEntries numbered(strip);
     const std::uint32_t descriptor = static_cast<std::uint32_t>(bytes.size() - block.data) |

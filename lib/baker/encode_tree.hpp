@@ -15,6 +15,7 @@ struct EncodedTree {
     std::vector<std::byte> leaves;
 };
 
-[[nodiscard]] EncodedTree encode_tree(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide);
+[[nodiscard]] EncodedTree encode_tree(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide,
+                                      format::Profile profile);
 
 }  // namespace espalier::baker

@@ -18,7 +18,7 @@ public:
     [[nodiscard]] LeafSize of(const BinaryNode& node, unsigned vertices) const override {
         using namespace format::plain_leaf;
         if (vertices > max_vertices) return {};
-        return {true, node.count, descriptor_bytes + (data_bytes(vertices, node.count, bits_) + 1) / 2 * 2};
+        return {true, node.count, padded_bytes(vertices, node.count, bits_)};
     }
     [[nodiscard]] unsigned most_triangles() const override { return format::plain_leaf::max_triangles; }
     [[nodiscard]] float byte_weight() const override { return 1.0f; }

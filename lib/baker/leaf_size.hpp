@@ -13,7 +13,7 @@ namespace espalier::baker {
 struct LeafSize {
     bool fits = false;      ///< the profile allows such a leaf
     unsigned slots = 0;     ///< tested for each ray: triangles, and what joins strips
-    std::size_t bytes = 0;  ///< close to it: only its box in the node, and with it a width, may turn out a bit larger
+    std::size_t bytes = 0;  ///< of a strip close to it: its box in the node may turn out larger, and a width with it
 };
 
 /// Leaves of one profile.
@@ -31,8 +31,8 @@ public:
 /// On a lattice of so many bits. `strips` is null for profile fast alone.
 [[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips);
 
-/// Returns the triangles of a full leaf, for the builder: the most of a plain leaf, seven eighths of the most of a strip,
-/// since the entries that join strips count too, and no more than `max_leaf_triangles`.
+/// Returns the triangles of a full leaf, for the builder: the most of a plain leaf, seven eighths of the most of a
+/// strip, since the entries that join strips count too, and no more than `max_leaf_triangles`.
 [[nodiscard]] unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles);
 
 /// How often a strip is tried when a leaf is planned, and when it is written: never more entries than planned.

@@ -120,7 +120,7 @@ std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
     Blob blob;
     if (const Status status = open(bytes, blob); status != Status::ok) return describe(status);
     const detail::BlobData& data = blob.data();
-    const std::size_t node_bytes = std::size_t{data.node_count} * format::node::bytes;
+    const std::size_t node_bytes = data.node_count * format::node_bytes(data.profile);
     const std::size_t leaves_at = format::header::bytes + node_bytes;
     const auto extent_of = [&](std::size_t axis) { return static_cast<std::int32_t>(data.extent[axis]); };
     const TreeBytes tree{bytes.subspan(format::header::bytes, node_bytes),

@@ -530,7 +530,7 @@ typedef struct ESPALIER_SHARED_ espalier_tree_child {
     uint32_t count;
 } espalier_tree_child;
 
-#define ESPALIER_MAX_CHILDREN 8
+#define ESPALIER_MAX_CHILDREN 16
 
 typedef struct ESPALIER_SHARED_ espalier_tree_node {
     uint32_t number;

@@ -18,8 +18,8 @@ inline constexpr int max_bits = 24;             ///< lattice bits per axis: inte
 inline constexpr int min_step_exponent = -100;  ///< step = 2^exponent
 inline constexpr int max_step_exponent = 100;
 inline constexpr std::uint32_t max_nodes = 1u << 24;
-inline constexpr unsigned max_depth = 16;  ///< nodes on the longest way down; sizes every query's stack
-inline constexpr unsigned max_children = 8;
+inline constexpr unsigned max_depth = 16;           ///< nodes on the longest way down; sizes every query's stack
+inline constexpr unsigned max_children = 16;        ///< of any profile
 inline constexpr unsigned max_leaf_triangles = 54;  ///< of any profile
 inline constexpr unsigned max_leaf_vertices = 56;
 inline constexpr std::uint32_t max_triangles = 0x7FFFFFFFu;
@@ -52,11 +52,11 @@ inline constexpr std::size_t bytes = 128;
 static_assert(reserved_at < bytes && bytes % 64 == 0);
 }  // namespace header
 
-/// How leaves are coded, and how large they may become. Nodes are the same in all profiles.
+/// How nodes and leaves are coded, and how large leaves may become.
 enum class Profile : std::uint8_t {
-    fast = 0,      ///< plain leaves
-    balanced = 1,  ///< strip leaves of at most max_balanced_entries
-    small = 2,     ///< strip leaves of at most max_small_entries
+    fast = 0,      ///< plain nodes, plain leaves
+    balanced = 1,  ///< packed nodes, strip leaves of at most max_balanced_entries
+    small = 2,     ///< packed nodes, strip leaves of at most max_small_entries
 };
 
 /// Bits of the features field. An optional section is there exactly when its bit is set; they follow in bit order.
@@ -184,44 +184,73 @@ constexpr std::size_t bytes(std::uint32_t features) {
 }
 }  // namespace bounds
 
-// ---- a node is one cache line -------------------------------------------------------------------------------------
+// ---- nodes --------------------------------------------------------------------------------------------------------
 // Children are numbered nodes first, then leaves. The node children are contiguous; blocks of siblings stand in depth-
-// first order. Child boxes are base + plane * 2^shift per axis, rounded outward.
-namespace node {
-inline constexpr std::size_t base_at = 0;      // 3 x u16, in units of 2^max(0, bits - 16)
+// first order. Boxes are rounded outward.
+
+/// Lattice steps that the base of a packed node and the planes of a plain one count in, as a power of two.
+constexpr unsigned unit_shift(unsigned bits) { return bits > 16 ? bits - 16 : 0; }
+
+/// Profiles balanced and small: a node is one cache line. Child boxes are base + plane * 2^shift per axis.
+namespace packed_node {
+inline constexpr unsigned max_children = 8;
+inline constexpr std::size_t base_at = 0;      // 3 x u16, in units of 2^unit_shift
 inline constexpr std::size_t shifts_at = 6;    // u16: 5 bits x, 5 bits y, 5 bits z, a zero
 inline constexpr std::size_t children_at = 8;  // u32: 24 bits first child node, 4 bits node children, 4 bits leaves
 inline constexpr std::size_t leaf_block_at =
     12;  // u32, in units of 4 bytes from the start of the leaf section; 0 without leaves
-inline constexpr std::size_t lo_at = 16;  // u8 [axis][child]
-inline constexpr std::size_t hi_at = 40;  // u8 [axis][child]
+inline constexpr std::size_t lo_at = 16;     // u8 [axis][child]
+inline constexpr std::size_t hi_at = 40;     // u8 [axis][child]
+inline constexpr std::size_t row_bytes = 8;  // of the planes of an axis
 inline constexpr std::size_t bytes = 64;
 inline constexpr unsigned max_shift = 17;
-static_assert(hi_at + 3 * max_children == bytes);
-}  // namespace node
+static_assert(hi_at + 3 * row_bytes == bytes);
+}  // namespace packed_node
+
+/// Profile fast: numbers in whole bytes, as lanes load them. A child's box is from lo * 2^unit_shift to
+/// (hi + 1) * 2^unit_shift - 1 on each axis.
+namespace plain_node {
+inline constexpr unsigned max_children = 16;
+inline constexpr std::size_t lo_at = 0;               // u16 [axis][child]
+inline constexpr std::size_t hi_at = 96;              // u16 [axis][child]
+inline constexpr std::size_t row_bytes = 32;          // of the planes of an axis
+inline constexpr std::size_t children_at = 192;       // u32: 24 bits first child node, 8 bits node children
+inline constexpr std::size_t leaf_block_at = 196;     // u32, in units of 4 bytes from the start of the leaf section
+inline constexpr std::size_t leaves_at = 200;         // u24 for each leaf: its descriptor, see `plain_leaf`; else 0
+inline constexpr std::size_t leaf_children_at = 248;  // u8
+inline constexpr std::size_t reserved_at = 249;       // zero up to the end
+inline constexpr std::size_t bytes = 256;
+static_assert(hi_at == 3 * row_bytes && children_at == 6 * row_bytes && row_bytes == 2 * max_children);
+}  // namespace plain_node
 
 // ---- profile fast: plain leaves ------------------------------------------------------------------------------------
-// A node's leaves lie together in one block: u32 storage index of the first triangle, a u32 descriptor for each leaf,
-// then each leaf's data, at even offsets. A block is padded with zeros to 4 bytes.
+// A node's leaves lie together in one block, each at a multiple of 4 bytes. Their descriptors are in the node.
 namespace plain_leaf {
 inline constexpr unsigned max_triangles = 16;
 inline constexpr unsigned max_vertices = 32;
-inline constexpr std::size_t descriptors_at = 4;
-inline constexpr std::size_t descriptor_bytes = 4;
-inline constexpr unsigned offset_bits = 11;      // of the data, in units of 2 bytes from the end of the descriptors
+// The descriptor, 24 bits.
+inline constexpr std::size_t descriptor_bytes = 3;
+inline constexpr unsigned offset_bits = 11;      // of the data, in units of 4 bytes from the start of the block
 inline constexpr unsigned triangles_shift = 11;  // 4 bits: triangles - 1
 inline constexpr unsigned vertices_shift = 15;   // 5 bits: vertices - 1
-inline constexpr unsigned size_shift = 20;   // 5 bits: coordinates of an axis differ by less than 2^size, none smaller
-inline constexpr unsigned first_shift = 25;  // 7 bits: first triangle, counted from the block's
-// Data, where lattice coordinates count from 0: the low 16 bits of x of each vertex (u16), of y, of z; the first corner
-// of each triangle (u8, a vertex number), the second, the third; on a lattice of more than 16 bits then bits 16 to 23
-// of x of each vertex (u8), of y, of z. The size depends on the counts alone.
+inline constexpr unsigned size_shift = 20;       // 4 bits: size - least_size
+/// Coordinates of an axis differ by less than 2^size: the least that the descriptor can hold and that is true.
+constexpr unsigned least_size(unsigned bits) { return 1 + unit_shift(bits); }
+// Data: the storage index of the first triangle (u32). Then, where lattice coordinates count from 0: the low 16 bits of
+// x of each vertex (u16), of y, of z; the first corner of each triangle (u8, a vertex number), the second, the third;
+// on a lattice of more than 16 bits then bits 16 to 23 of x of each vertex (u8), of y, of z. Padded with zeros to 4
+// bytes. The size depends on the counts alone.
+inline constexpr std::size_t first_at = 0;
+inline constexpr std::size_t words_at = 4;
 constexpr bool has_high_bytes(unsigned bits) { return bits > 16; }
 constexpr std::size_t data_bytes(unsigned vertex_count, unsigned triangle_count, unsigned bits) {
-    return std::size_t{3} * ((has_high_bytes(bits) ? 3 : 2) * vertex_count + triangle_count);
+    return words_at + std::size_t{3} * ((has_high_bytes(bits) ? 3 : 2) * vertex_count + triangle_count);
 }
-static_assert((max_children - 1) * data_bytes(max_vertices, max_triangles, max_bits) / 2 < 1u << offset_bits);
-static_assert((max_children - 1) * max_triangles < 1u << (32 - first_shift));
+constexpr std::size_t padded_bytes(unsigned vertex_count, unsigned triangle_count, unsigned bits) {
+    return (data_bytes(vertex_count, triangle_count, bits) + 3) / 4 * 4;
+}
+static_assert((plain_node::max_children - 1) * padded_bytes(max_vertices, max_triangles, max_bits) / 4 <
+              1u << offset_bits);
 }  // namespace plain_leaf
 
 // ---- profiles balanced and small: strip leaves ---------------------------------------------------------------------
@@ -266,6 +295,15 @@ constexpr unsigned coordinate_width(std::uint32_t side, unsigned bits) {
     return width < bits ? width : bits;
 }
 }  // namespace strip_leaf
+
+constexpr bool has_plain_nodes(Profile profile) { return profile == Profile::fast; }
+constexpr unsigned max_node_children(Profile profile) {
+    return has_plain_nodes(profile) ? plain_node::max_children : packed_node::max_children;
+}
+constexpr std::size_t node_bytes(Profile profile) {
+    return has_plain_nodes(profile) ? plain_node::bytes : packed_node::bytes;
+}
+static_assert(plain_node::max_children == max_children && packed_node::max_children <= max_children);
 
 // ---- the remap file, beside a blob ---------------------------------------------------------------------------------
 // A header of 16 bytes, then for each storage index u32 file, mesh, triangle and first corner: what OriginalTriangle

@@ -9,11 +9,12 @@ struct MayOverlap {
     QueryCounters& counters;
     bool found = false;
 
+    template <class Node>
     unsigned children(const Node& node, float* keys) {
         if (found) return 0;
         counters.count_node();
         const unsigned mask = exactly.children(node, keys);
-        found = (mask & children_no_larger(node, steps)) != 0;
+        found = (mask & children_no_larger(node, steps, exactly.blob.bits)) != 0;
         return found ? 0 : mask;
     }
     Visit visit_leaf(const Leaf& leaf) {
@@ -36,10 +37,11 @@ struct ClosestBounds {
     SquaredBounds bounds = {};
 
     [[nodiscard]] float limit() const { return limit_; }
+    template <class Node>
     unsigned children(const Node& node, float* keys) {
         counters.count_node();
         const unsigned mask = distance_test(node, point, blob, limit_, keys);
-        const unsigned small = mask & children_no_larger(node, steps);
+        const unsigned small = mask & children_no_larger(node, steps, blob.bits);
         for (unsigned left = small; left != 0; left &= left - 1) {
             const auto child = static_cast<unsigned>(std::countr_zero(left));
             add(keys[child], farthest_squared(node, blob.bits, child, point));

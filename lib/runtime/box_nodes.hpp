@@ -1,4 +1,5 @@
-// Boxes of a node against integer bounds: eight children at once, a byte each, with no float and no vector registers.
+// Boxes of a node against integer bounds, with no float and no vector registers: of a packed node eight children at
+// once, a byte each.
 #pragma once
 
 #include <bit>
@@ -53,7 +54,7 @@ constexpr unsigned tops_of(std::uint64_t bytes) {
 }
 
 /// The children for which something holds along every axis, one by one.
-template <class Holds>
+template <class Node, class Holds>
 inline unsigned children_where(const Node& node, Holds holds) {
     unsigned mask = 0;
     for (unsigned left = all_children(node); left != 0; left &= left - 1) {
@@ -65,11 +66,7 @@ inline unsigned children_where(const Node& node, Holds holds) {
 
 /// The children whose box meets the bounds, exactly: the bounds are moved into the node's grid once, outward from its
 /// planes.
-ESPALIER_SHARED_CODE inline unsigned children_within(const Node& node, unsigned bits, const IntegerBounds& bounds) {
-    if constexpr (small_code)
-        return children_where(node, [&](int k, unsigned child) {
-            return node.low(k, child, bits) <= bounds.high[k] && bounds.low[k] <= node.high(k, child, bits);
-        });
+inline unsigned children_within_in_words(const PackedNode& node, unsigned bits, const IntegerBounds& bounds) {
     std::uint64_t inside = ~std::uint64_t{0};
     for (int k = 0; k < 3; ++k) {
         const std::int32_t base = node.base(k, bits);
@@ -84,9 +81,47 @@ ESPALIER_SHARED_CODE inline unsigned children_within(const Node& node, unsigned 
     }
     return tops_of(inside) & all_children(node);
 }
+/// For words of two bytes: of the four in a number the top bits where a >= b.
+inline constexpr std::uint64_t word_tops = 0x8000800080008000u;
+constexpr std::uint64_t four_of(std::int32_t word) { return static_cast<std::uint64_t>(word) * 0x0001000100010001u; }
+constexpr std::uint64_t words_at_least(std::uint64_t a, std::uint64_t b) {
+    const std::uint64_t low_bits = (a | word_tops) - (b & ~word_tops);  // no word borrows from the next
+    return (a & ~b) | (~(a ^ b) & low_bits);
+}
+/// Top bits of four words, side by side: word i becomes bit i.
+constexpr unsigned word_tops_of(std::uint64_t words) {
+    return static_cast<unsigned>(((words & word_tops) >> 15) * 0x0001000200040008u >> 48) & 15u;
+}
+inline unsigned children_within_in_words(const PlainNode& node, unsigned bits, const IntegerBounds& bounds) {
+    const unsigned unit = format::unit_shift(bits);
+    std::uint64_t inside[PlainNode::max_children / 4];
+    for (std::uint64_t& four : inside) four = ~std::uint64_t{0};
+    for (int k = 0; k < 3; ++k) {
+        // A high plane stands for all coordinates up to the next one's.
+        const std::int32_t high = bounds.high[k] >> unit, low = bounds.low[k] >> unit;
+        if (high < 0 || low > 65535) return 0;
+        const std::uint64_t highest = four_of(high < 65535 ? high : 65535), lowest = four_of(low > 0 ? low : 0);
+        for (unsigned i = 0; i < PlainNode::max_children / 4; ++i) {
+            inside[i] &= words_at_least(highest, load_u64(node.low_planes(k) + 8 * std::size_t{i}));
+            inside[i] &= words_at_least(load_u64(node.high_planes(k) + 8 * std::size_t{i}), lowest);
+        }
+    }
+    unsigned mask = 0;
+    for (unsigned i = 0; i < PlainNode::max_children / 4; ++i) mask |= word_tops_of(inside[i]) << 4 * i;
+    return mask & all_children(node);
+}
+/// The same, by whichever code is shorter or faster.
+template <class Node>
+ESPALIER_SHARED_CODE inline unsigned children_within(const Node& node, unsigned bits, const IntegerBounds& bounds) {
+    if constexpr (small_code)
+        return children_where(node, [&](int k, unsigned child) {
+            return node.low(k, child, bits) <= bounds.high[k] && bounds.low[k] <= node.high(k, child, bits);
+        });
+    else return children_within_in_words(node, bits, bounds);
+}
 
 /// The children whose box is at most that many steps long along every axis; none for a negative number.
-ESPALIER_SHARED_CODE inline unsigned children_no_larger(const Node& node, std::int32_t steps) {
+ESPALIER_SHARED_CODE inline unsigned children_no_larger(const PackedNode& node, std::int32_t steps, unsigned) {
     if (steps < 0) return 0;
     if constexpr (small_code)
         return children_where(node, [&](int k, unsigned child) {
@@ -103,6 +138,10 @@ ESPALIER_SHARED_CODE inline unsigned children_no_larger(const Node& node, std::i
         small &= bytes_at_least(eight_of(most < 255 ? most : 255), sides);
     }
     return tops_of(small) & all_children(node);
+}
+ESPALIER_SHARED_CODE inline unsigned children_no_larger(const PlainNode& node, std::int32_t steps, unsigned bits) {
+    return children_where(
+        node, [&](int k, unsigned child) { return node.high(k, child, bits) - node.low(k, child, bits) <= steps; });
 }
 
 }  // namespace espalier::detail

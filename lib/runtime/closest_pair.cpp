@@ -18,6 +18,7 @@ struct NearShape {
     float limit_ = shape.radius * shape.radius * distance_slack;
 
     [[nodiscard]] float limit() const { return limit_; }
+    template <class Node>
     unsigned children(const Node& node, float* keys) const {
         unsigned mask = 0;
         for (unsigned left = all_children(node); left != 0; left &= left - 1) {

@@ -15,7 +15,7 @@
 namespace espalier::detail {
 
 /// One leaf: where its streams are and how wide their fields. Its slots are its windows.
-struct StripLeaf : LeafVertices {
+struct StripLeaf : LeafVertices<PackedNode> {
     using Slots = std::uint64_t;  ///< a bit for each slot
     static constexpr unsigned max_vertices = format::strip_leaf::max_small_entries;
     static constexpr unsigned max_slots = format::strip_leaf::max_small_entries - 2;
@@ -93,7 +93,7 @@ struct StripLeaf : LeafVertices {
 };
 
 /// The leaf that is child `node.node_children() + number` of the node.
-ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, Node node, unsigned number,
+ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, PackedNode node, unsigned number,
                                                           StripLeaf& leaf) {
     using namespace format::strip_leaf;
     leaf.node = node;
@@ -128,13 +128,6 @@ ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, 
         longest = width > longest ? width : longest;
     }
     leaf.size_bits = static_cast<std::uint8_t>(longest);
-}
-
-template <>
-inline StripLeaf leaf_at(const BlobData& blob, Node node, unsigned number) {
-    StripLeaf leaf;
-    decode_leaf(blob, node, number, leaf);
-    return leaf;
 }
 
 }  // namespace espalier::detail

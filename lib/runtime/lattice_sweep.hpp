@@ -198,7 +198,8 @@ inline QueryStatus round_sweep(const BlobData& blob, const Box& world, const Vec
 
 /// The box around the shape as a ray, t running from 0 to 1: a plane is met when that side of the shape meets it which
 /// is ahead, and left when the other one does. Like spread_ray; the sides round once more.
-inline RayLanes spread_sweep(const BlobData& blob, const LatticeSweep& sweep) {
+template <class Lanes>
+inline Lanes spread_sweep(const BlobData& blob, const LatticeSweep& sweep) {
     const float step = power_of_two(-sweep.fraction_bits);
     const Integer3 &low = sweep.low, &high = sweep.high, &way = sweep.displacement;
     const float lows[3] = {to_float(low.x) * step, to_float(low.y) * step, to_float(low.z) * step};
@@ -210,8 +211,8 @@ inline RayLanes spread_sweep(const BlobData& blob, const LatticeSweep& sweep) {
         reach = maximum(maximum(absolute(blob.extent_steps[k] - lows[k]), absolute(blob.extent_steps[k] - highs[k])),
                         reach);
     }
-    const float slack_steps = slab_slack(reach);
-    RayLanes lanes{};
+    const float slack_steps = slab_slack(reach) + Lanes::box_slack(blob);
+    Lanes lanes{};
     unsigned signs = 0;
     for (unsigned k = 0; k < 3; ++k) {
         const bool runs_down = ways[k] < 0.0f;
@@ -223,7 +224,7 @@ inline RayLanes spread_sweep(const BlobData& blob, const LatticeSweep& sweep) {
         signs |= (runs_down ? 1u : 0u) << k;
     }
     lanes.tau_min = 0.0f;
-    lanes.planes = &plane_orders[signs];
+    lanes.planes = Lanes::plane_orders()[signs];
     return lanes;
 }
 

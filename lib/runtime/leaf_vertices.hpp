@@ -13,19 +13,30 @@
 
 namespace espalier::detail {
 
-/// The leaf of a kind that is child `node.node_children() + number` of the node.
-template <class Leaf>
-Leaf leaf_at(const BlobData& blob, Node node, unsigned number);
-
-/// Where that leaf is: for walks whose visitors decode it themselves.
+/// Where a leaf is: for walks whose visitors decode it themselves.
+template <class NodeKind>
 struct LeafPlace {
+    using Node = NodeKind;
+
     const BlobData* blob;
     Node node;
     unsigned number;  ///< among the node's leaves
 };
-template <>
-inline LeafPlace leaf_at(const BlobData& blob, Node node, unsigned number) {
-    return {&blob, node, number};
+template <class Leaf>
+using PlaceOf = LeafPlace<typename Leaf::Node>;
+
+template <class Node>
+[[gnu::always_inline]] inline void decode_leaf(const BlobData& blob, Node node, unsigned number,
+                                               LeafPlace<Node>& place) {
+    place = {&blob, node, number};
+}
+
+/// The leaf of a kind that is child `node.node_children() + number` of the node.
+template <class Leaf>
+inline Leaf leaf_at(const BlobData& blob, typename Leaf::Node node, unsigned number) {
+    Leaf leaf;
+    decode_leaf(blob, node, number, leaf);
+    return leaf;
 }
 
 /// The vertices of a triangle, by their numbers in its leaf.
@@ -39,7 +50,10 @@ struct LeafCorners {
 /// Each kind of leaf adds: `anchor(axis)`, what its coordinates count from; `offset(axis, vertex)`, what a vertex adds
 /// to that; `counts_from_zero`, whether anchors are 0; `may_have_copies`, whether blobs with such leaves may have
 /// copies of triangles (docs/format.md, `copies`).
+template <class NodeKind>
 struct LeafVertices {
+    using Node = NodeKind;
+
     Node node;  ///< whose child the leaf is
     const BlobData* blob;
     std::uint8_t vertex_count;

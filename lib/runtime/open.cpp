@@ -17,24 +17,36 @@ namespace espalier {
 namespace detail {
 namespace {
 
-/// One to eight children, and a box for each of them.
-bool has_sound_boxes(const Node& node) {
-    const unsigned children = node.node_children() + node.leaf_children();
-    if (children == 0 || children > format::max_children) return false;
-    if (load_u16(node.bytes + format::node::shifts_at) >> 15 != 0) return false;
-    for (unsigned shifts = load_u16(node.bytes + format::node::shifts_at); shifts != 0; shifts >>= 5)
-        if ((shifts & 31u) > format::node::max_shift) return false;
-    for (unsigned plane = 0; plane < 3 * format::max_children; ++plane) {
-        const std::uint32_t low = load_u8(node.bytes + format::node::lo_at + plane);
-        const std::uint32_t high = load_u8(node.bytes + format::node::hi_at + plane);
-        if (low > high || (plane % format::max_children >= children && high != 0)) return false;
+/// A box for each child. There is at least one, and there are no more than a node holds.
+bool has_sound_boxes(const PackedNode& node, unsigned children, const BlobData&) {
+    using namespace format::packed_node;
+    if (load_u16(node.bytes + shifts_at) >> 15 != 0) return false;
+    for (unsigned shifts = load_u16(node.bytes + shifts_at); shifts != 0; shifts >>= 5)
+        if ((shifts & 31u) > max_shift) return false;
+    for (unsigned plane = 0; plane < 3 * max_children; ++plane) {
+        const std::uint32_t low = load_u8(node.bytes + lo_at + plane);
+        const std::uint32_t high = load_u8(node.bytes + hi_at + plane);
+        if (low > high || (plane % max_children >= children && high != 0)) return false;
     }
     return true;
+}
+bool has_sound_boxes(const PlainNode& node, unsigned children, const BlobData& blob) {
+    using namespace format::plain_node;
+    for (int k = 0; k < 3; ++k) {
+        const std::uint32_t most = static_cast<std::uint32_t>(blob.extent[k]) >> format::unit_shift(blob.bits);
+        for (unsigned child = 0; child < max_children; ++child) {
+            const std::uint32_t low = load_u16(node.low_planes(k) + 2 * std::size_t{child});
+            const std::uint32_t high = load_u16(node.high_planes(k) + 2 * std::size_t{child});
+            if (low > high || high > (child < children ? most : 0)) return false;
+        }
+    }
+    return is_zero(node.bytes + reserved_at, bytes - reserved_at);
 }
 
 /// Every node exactly once, children after their parents, in depth-first order with a stack as deep as the format
 /// allows.
-Status check_tree(const BlobData& blob) {
+template <class Node>
+Status check_tree_of(const BlobData& blob) {
     struct Siblings {
         std::uint32_t next;
         std::uint32_t end;
@@ -54,20 +66,27 @@ Status check_tree(const BlobData& blob) {
         if (depth > blob.depth) return Status::bad_node;
         // mutant(> -> >=) equivalent: both sides are equal then
         seen_depth = depth > seen_depth ? depth : seen_depth;
-        const Node node = node_at(blob, siblings.next++);
+        const auto node = node_at<Node>(blob, siblings.next++);
         const unsigned nodes = node.node_children();
         const unsigned leaves = node.leaf_children();
-        if (!has_sound_boxes(node) || node.first_child() != (nodes == 0 ? 0 : seen_nodes) ||
-            nodes > blob.node_count - seen_nodes ||
-            load_u32(node.bytes + format::node::leaf_block_at) != (leaves == 0 ? 0 : seen.leaf_bytes / 4))
+        const unsigned children = nodes + leaves;
+        if (children == 0 || children > Node::max_children || !has_sound_boxes(node, children, blob) ||
+            node.first_child() != (nodes == 0 ? 0 : seen_nodes) || nodes > blob.node_count - seen_nodes ||
+            node.leaf_block_place() != (leaves == 0 ? 0 : seen.leaf_bytes / 4))
             return Status::bad_node;
-        if (leaves != 0 && !take_leaves(node, seen)) return Status::bad_leaf;
+        if (!take_leaves(node, seen)) return Status::bad_leaf;
         stack[depth++] = {seen_nodes, seen_nodes + nodes};
         seen_nodes += nodes;
     }
     if (seen_nodes != blob.node_count || seen_depth != blob.depth) return Status::bad_node;
     if (seen.triangles != blob.triangle_count || seen.leaf_bytes != blob.leaf_bytes) return Status::bad_leaf;
     return Status::ok;
+}
+
+Status check_tree(const BlobData& blob) {
+    if constexpr (!reads_strip_leaves) return check_tree_of<PlainNode>(blob);
+    else if constexpr (!reads_plain_leaves) return check_tree_of<PackedNode>(blob);
+    else return has_plain_leaves(blob.profile) ? check_tree_of<PlainNode>(blob) : check_tree_of<PackedNode>(blob);
 }
 
 /// Whether a block's bits end before `bit_count`, and every number that they lead to is one that the sources can have.

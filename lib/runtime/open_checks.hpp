@@ -31,7 +31,8 @@ struct OpenProgress {
     std::uint32_t leaf_bytes = 0;  ///< at most those of the section
 };
 
-/// The leaves of a node that has some: inside the section, every vertex inside the asset, every corner a vertex.
-bool take_leaves(Node node, OpenProgress& seen);
+/// The leaves of a node: inside the section, every vertex inside the asset, every corner a vertex.
+bool take_leaves(PackedNode node, OpenProgress& seen);
+bool take_leaves(PlainNode node, OpenProgress& seen);
 
 }  // namespace espalier::detail

@@ -124,7 +124,7 @@ Status read_header(BlobData& blob) {
 Status locate_sections(BlobData& blob, bool looks_at_padding) {
     const std::byte* const end = blob.bytes + blob.size;
     Bytes rest = {blob.bytes + format::header::bytes, end, looks_at_padding};
-    blob.nodes = rest.take(blob.node_count, 8 * format::node::bytes);
+    blob.nodes = rest.take(blob.node_count, 8 * format::node_bytes(blob.profile));
     blob.leaves = rest.take(blob.leaf_bytes, 8);
     rest.take(format::guard_bytes, 8);
     if ((blob.features & format::feature::original_ids) != 0) {

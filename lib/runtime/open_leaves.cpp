@@ -1,5 +1,7 @@
 // The part of `open` that proves the leaves, stream by stream: no byte is looked at before it is known to be inside the
 // section, but for the few that the guard behind the section is there for.
+#include <bit>
+
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/open_checks.hpp>
 
@@ -35,7 +37,7 @@ ESPALIER_SHARED_CODE inline bool take_padding(OpenProgress& seen, std::uint32_t 
 
 /// Whether all coordinates of a leaf are inside the asset, and differ along an axis by as much as the leaf's size says.
 bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
-    const std::byte* word = leaf.words;
+    const std::byte* word = leaf.words();
     const std::byte* high_byte = leaf.high_bytes();
     std::uint32_t differences = 0;  // as many bits as the largest
     for (int k = 0; k < 3; ++k) {
@@ -49,27 +51,10 @@ bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
         if (most > blob.extent[k]) return false;
         differences |= static_cast<std::uint32_t>(most - least);
     }
-    return 2 * differences >> leaf.size_bits == (leaf.size_bits != 0 ? 1u : 0u);
-}
-
-bool take_plain_leaves(const Node& node, const std::byte* descriptor, OpenProgress& seen) {
-    using namespace format::plain_leaf;
-    const std::uint32_t first = seen.triangles;
-    const std::uint32_t data = seen.leaf_bytes;
-    for (unsigned number = 0; number < node.leaf_children(); ++number, descriptor += descriptor_bytes) {
-        if (!take_padding(seen, 2)) return false;
-        const std::uint32_t fields = load_u32(descriptor);
-        if (2 * (fields & ((1u << offset_bits) - 1u)) != seen.leaf_bytes - data) return false;
-        if (fields >> first_shift != seen.triangles - first) return false;
-        const auto leaf = leaf_at<PlainLeaf>(seen.blob, node, number);
-        const std::size_t bytes = data_bytes(leaf.vertex_count, leaf.slot_count, seen.blob.bits);
-        if (take_stream(seen, 8 * static_cast<unsigned>(bytes)) == nullptr || !are_sound_coordinates(leaf, seen.blob))
-            return false;
-        for (unsigned corner = 0; corner < 3u * leaf.slot_count; ++corner)
-            if (load_u8(leaf.corner_row + corner) >= leaf.vertex_count) return false;
-        seen.triangles += leaf.slot_count;
-    }
-    return true;
+    // The least size that is true, as far as a descriptor can hold it.
+    const unsigned least_size = format::plain_leaf::least_size(blob.bits);
+    const auto size = static_cast<unsigned>(std::bit_width(differences));
+    return leaf.size_bits == (size > least_size ? size : least_size);
 }
 
 /// Takes the vertices of a strip, which must be inside the asset.
@@ -79,7 +64,7 @@ bool take_vertices(const StripLeaf& leaf, OpenProgress& seen) {
     return true;
 }
 
-bool take_strip_leaves(const Node& node, const std::byte* descriptors, OpenProgress& seen) {
+bool take_strip_leaves(const PackedNode& node, const std::byte* descriptors, OpenProgress& seen) {
     using namespace format::strip_leaf;
     const unsigned most_entries =
         seen.blob.profile == format::Profile::balanced ? max_balanced_entries : max_small_entries;
@@ -107,17 +92,39 @@ bool take_strip_leaves(const Node& node, const std::byte* descriptors, OpenProgr
 
 }  // namespace
 
-bool take_leaves(Node node, OpenProgress& seen) {
-    using namespace format::plain_leaf;  // blocks of both kinds begin alike
-    static_assert(descriptors_at == format::strip_leaf::descriptors_at &&
-                  descriptor_bytes == format::strip_leaf::descriptor_bytes);
+bool take_leaves(PackedNode node, OpenProgress& seen) {
+    using namespace format::strip_leaf;
+    if (node.leaf_children() == 0) return true;
     const std::size_t head = descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()};
     const std::byte* const block = take_stream(seen, 8 * static_cast<unsigned>(head));
     if (block == nullptr || load_u32(block) != seen.triangles) return false;
-    const bool good = has_plain_leaves(seen.blob.profile) ? take_plain_leaves(node, block + descriptors_at, seen)
-                                                          : take_strip_leaves(node, block + descriptors_at, seen);
-    // Here already, block by block: a sum at the end could have gone around in 32 bits.
-    return good && seen.triangles <= seen.blob.triangle_count && take_padding(seen, 4);
+    // The number of triangles here already, block by block: a sum at the end could have gone around in 32 bits.
+    return take_strip_leaves(node, block + descriptors_at, seen) && seen.triangles <= seen.blob.triangle_count &&
+           take_padding(seen, 4);
+}
+
+bool take_leaves(PlainNode node, OpenProgress& seen) {
+    using namespace format::plain_leaf;
+    const std::uint32_t block = seen.leaf_bytes;
+    const unsigned leaves = node.leaf_children();
+    for (unsigned number = 0; number < PlainNode::max_children; ++number) {
+        const std::uint32_t descriptor = node.leaf_descriptor(number) & ((1u << 8 * descriptor_bytes) - 1u);
+        if (number >= leaves) {
+            if (descriptor != 0) return false;
+            continue;
+        }
+        if (4 * (descriptor & ((1u << offset_bits) - 1u)) != seen.leaf_bytes - block) return false;
+        const auto leaf = leaf_at<PlainLeaf>(seen.blob, node, number);
+        const std::size_t bytes = data_bytes(leaf.vertex_count, leaf.slot_count, seen.blob.bits);
+        if (take_stream(seen, 8 * static_cast<unsigned>(bytes)) == nullptr || leaf.first() != seen.triangles ||
+            !are_sound_coordinates(leaf, seen.blob) || !take_padding(seen, 4))
+            return false;
+        for (unsigned corner = 0; corner < 3u * leaf.slot_count; ++corner)
+            if (load_u8(leaf.corner_row + corner) >= leaf.vertex_count) return false;
+        seen.triangles += leaf.slot_count;
+        if (seen.triangles > seen.blob.triangle_count) return false;
+    }
+    return true;
 }
 
 }  // namespace espalier::detail

@@ -143,10 +143,10 @@ template <class LeafA, class LeafB, class Visitor>
 
 /// Calls visit_pair for the triangles of two leaves that may be within the visitor's limit of each other.
 template <class LeafA, class LeafB, class Visitor>
-[[gnu::noinline]] Visit visit_near(const PairFrame& frame, const LeafPlace& a_place, const LeafPlace& b_place,
-                                   const TwiceBox& a_box, Visitor& visitor) {
-    const auto a = leaf_at<LeafA>(*frame.a, a_place.node, a_place.number);
-    const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
+[[gnu::noinline]] Visit visit_near(const PairFrame& frame, PairLeaf a_place, PairLeaf b_place, const TwiceBox& a_box,
+                                   Visitor& visitor) {
+    const auto a = leaf_of_pair<LeafA>(*frame.a, a_place);
+    const auto b = leaf_of_pair<LeafB>(*frame.b, b_place);
     const PlacedBox box(a_box, frame);
     auto corners = corners_of(b);
     const auto visit = [&](unsigned a_slot, unsigned b_slot) {

@@ -16,6 +16,7 @@ struct TwiceBox {
     float half[3];
 };
 
+template <class Node>
 ESPALIER_SHARED_CODE inline TwiceBox load_twice_box(const Node& node, unsigned child, const BlobData& blob) {
     TwiceBox box;
     for (int k = 0; k < 3; ++k) {
@@ -133,22 +134,61 @@ ESPALIER_SHARED_CODE inline Floats gap_along(const PairAxes& axes, const LaneBox
 /// far up have no gap.
 inline constexpr float share_of_centers = 0x1p-4f;
 
-/// The children of a node that are within the squared distance, and what orders them: for contacts how far the centers
-/// are apart, for distances the gap and a share of that.
-[[gnu::always_inline]] inline unsigned children_near_if(bool touching, const Node& node, const BlobData& blob,
-                                                        const SeenBox& seen, const PairSide& side, const PairAxes& axes,
-                                                        float limit, float* keys) {
-    const Frame frame = load_frame(node, blob);
-    unsigned mask = 0;
-    for (unsigned first = 0; first < format::max_children; first += lanes) {
+/// The boxes of a node's children on their side's grid.
+template <class Node>
+struct SideBoxes;
+template <>
+struct SideBoxes<PackedNode> {
+    PackedNode node;
+    Frame frame;
+    float own_scale;
+
+    SideBoxes(const PackedNode& of, const BlobData& blob, const PairSide& side)
+        : node(of), frame(load_frame(of, blob)), own_scale(side.own_scale) {}
+    [[nodiscard, gnu::always_inline]] LaneBoxes at(unsigned first) const {
         LaneBoxes boxes;
         for (int k = 0; k < 3; ++k) {
             const Floats low = bytes_to_floats(node.low_planes(k) + first);
             const Floats high = bytes_to_floats(node.high_planes(k) + first);
-            const Floats scale = multiply(frame.scale[k], splat(0.5f * side.own_scale));
-            boxes.center[k] = add(multiply(add(low, high), scale), multiply(frame.base[k], splat(side.own_scale)));
+            const Floats scale = multiply(frame.scale[k], splat(0.5f * own_scale));
+            boxes.center[k] = add(multiply(add(low, high), scale), multiply(frame.base[k], splat(own_scale)));
             boxes.half[k] = multiply(subtract(high, low), scale);
         }
+        return boxes;
+    }
+};
+template <>
+struct SideBoxes<PlainNode> {
+    PlainNode node;
+    float scale;  ///< of half a unit
+    float above;  ///< what half of a high plane's unit adds
+
+    SideBoxes(const PlainNode& of, const BlobData& blob, const PairSide& side)
+        : node(of),
+          scale(0.5f * side.own_scale * blob.base_unit),
+          above(0.5f * side.own_scale * (blob.base_unit - 1.0f)) {}
+    [[nodiscard, gnu::always_inline]] LaneBoxes at(unsigned first) const {
+        LaneBoxes boxes;
+        for (int k = 0; k < 3; ++k) {
+            const Floats low = to_floats(load_words(node.low_planes(k) + 2 * std::size_t{first}));
+            const Floats high = to_floats(load_words(node.high_planes(k) + 2 * std::size_t{first}));
+            boxes.center[k] = add(multiply(add(low, high), splat(scale)), splat(above));
+            boxes.half[k] = add(multiply(subtract(high, low), splat(scale)), splat(above));
+        }
+        return boxes;
+    }
+};
+
+/// The children of a node that are within the squared distance, and what orders them: for contacts how far the centers
+/// are apart, for distances the gap and a share of that.
+template <class Node>
+[[gnu::always_inline]] inline unsigned children_near_if(bool touching, const Node& node, const BlobData& blob,
+                                                        const SeenBox& seen, const PairSide& side, const PairAxes& axes,
+                                                        float limit, float* keys) {
+    const SideBoxes<Node> all(node, blob, side);
+    unsigned mask = 0;
+    for (unsigned first = 0; first < Node::max_children; first += lanes) {
+        const LaneBoxes boxes = all.at(first);
         Floats apart[3];
         Floats gap = gap_to(boxes, seen, side, limit, apart);
         if constexpr (lanes == 1)
@@ -165,9 +205,9 @@ inline constexpr float share_of_centers = 0x1p-4f;
         }
         mask |= near << first;
     }
-    return mask & ((1u << (node.node_children() + node.leaf_children())) - 1u);
+    return mask & all_children(node);
 }
-template <bool touching>
+template <bool touching, class Node>
 [[gnu::noinline]] unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen,
                                          const PairSide& side, const PairAxes& axes, float limit, float* keys) {
     return children_near_if(touching, node, blob, seen, side, axes, limit, keys);

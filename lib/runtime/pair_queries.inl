@@ -12,12 +12,13 @@ struct TouchingPairs {
     const PairFrame& frame;
     OnTouching visit;
 
+    template <class Node>
     unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
         const PairSide& view = frame.sides[side];
         return children_near<true>(node, side == 0 ? *frame.a : *frame.b, see_box(other, view), view, PairAxes{}, 0.0f,
                                    keys);
     }
-    Visit visit_leaves(const LeafPlace& a, const LeafPlace& b, const TwiceBox& a_box) {
+    Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
         return with_leaf_kinds(
             frame, [&]<class LeafA, class LeafB>() { return visit_touching<LeafA, LeafB>(frame, a, b, a_box, visit); });
     }
@@ -30,13 +31,14 @@ QueryStatus touching_pairs(const PairFrame& frame, OnTouching visit, std::uint64
 
 /// The pair that is least apart, in lanes.
 struct NearestPair : LeastDistance {
+    template <class Node>
     unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
         const PairSide& view = frame.sides[side];
         const float unit = view.common_size;
         return children_near<false>(node, side == 0 ? *frame.a : *frame.b, see_box(other, view), view, axes_[side],
                                     limit_ / (unit * unit), keys);
     }
-    Visit visit_leaves(const LeafPlace& a, const LeafPlace& b, const TwiceBox& a_box) {
+    Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
         return with_leaf_kinds(
             frame, [&]<class LeafA, class LeafB>() { return visit_near<LeafA, LeafB>(frame, a, b, a_box, *this); });
     }

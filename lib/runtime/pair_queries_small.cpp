@@ -96,6 +96,7 @@ struct PairVisitor {
 
     [[nodiscard]] float limit() const { return least != nullptr ? least->limit() : 0.0f; }
 
+    template <class Node>
     [[gnu::noinline]] unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
         const PairSide& view = frame.sides[side];
         const BlobData& blob = side == 0 ? *frame.a : *frame.b;
@@ -107,11 +108,11 @@ struct PairVisitor {
                                 least != nullptr ? least->limit_ / (unit * unit) : 0.0f, keys);
     }
 
-    Visit visit_leaves(const LeafPlace& a_place, const LeafPlace& b_place, const TwiceBox& a_box) const {
+    Visit visit_leaves(PairLeaf a_place, PairLeaf b_place, const TwiceBox& a_box) const {
         return scalar_walk::with_leaves_of(*frame.a, [&]<class LeafA>() {
             return scalar_walk::with_leaves_of(*frame.b, [&]<class LeafB>() {
-                const auto a = leaf_at<LeafA>(*frame.a, a_place.node, a_place.number);
-                const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
+                const auto a = leaf_of_pair<LeafA>(*frame.a, a_place);
+                const auto b = leaf_of_pair<LeafB>(*frame.b, b_place);
                 const PlacedBox box(a_box, frame);
                 SlotPair<LeafA, LeafB> pair(frame, a, b);
                 return least != nullptr ? visit_near(pair, box) : visit_touching(pair, box);

@@ -115,10 +115,10 @@ template <class LeafA, class LeafB>
 /// Calls visit with the storage indices of each pair of triangles of the leaves that touches: b's in storage order, for
 /// each of them a's.
 template <class LeafA, class LeafB, class Visitor>
-[[gnu::noinline]] Visit visit_touching(const PairFrame& frame, const LeafPlace& a_place, const LeafPlace& b_place,
+[[gnu::noinline]] Visit visit_touching(const PairFrame& frame, PairLeaf a_place, PairLeaf b_place,
                                        const TwiceBox& a_box, const Visitor& visit) {
-    const auto a = leaf_at<LeafA>(*frame.a, a_place.node, a_place.number);
-    const auto b = leaf_at<LeafB>(*frame.b, b_place.node, b_place.number);
+    const auto a = leaf_of_pair<LeafA>(*frame.a, a_place);
+    const auto b = leaf_of_pair<LeafB>(*frame.b, b_place);
     const PlacedBox box(a_box, frame);
     auto corners = corners_of(b);
     for (unsigned first = 0; first < b.slot_count; first += columns) {

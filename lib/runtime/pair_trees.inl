@@ -4,16 +4,33 @@
 /// A box of a tree: that of a node's child, or the one around everything.
 struct PairItem {
     static constexpr unsigned child_shift = 24;
-    static constexpr std::uint32_t leaf_bit = 1u << 27, root_bit = 1u << 28;
-    static_assert(format::max_nodes <= 1u << child_shift && format::max_children <= 8);
+    static constexpr std::uint32_t leaf_bit = 1u << 28, root_bit = 1u << 29;
+    static_assert(format::max_nodes <= 1u << child_shift && format::max_children <= 16);
 
     std::uint32_t packed = root_bit;
 
     [[nodiscard]] bool is_leaf() const { return (packed & leaf_bit) != 0; }
     [[nodiscard]] bool is_root() const { return (packed & root_bit) != 0; }
     [[nodiscard]] std::uint32_t parent() const { return packed & ((1u << child_shift) - 1u); }
-    [[nodiscard]] unsigned child() const { return packed >> child_shift & 7u; }
+    [[nodiscard]] unsigned child() const { return packed >> child_shift & 15u; }
 };
+
+/// Where a leaf of one of the trees is.
+struct PairLeaf {
+    std::uint32_t node;
+    unsigned number;  ///< among the node's leaves
+};
+template <class Leaf>
+inline Leaf leaf_of_pair(const BlobData& blob, PairLeaf place) {
+    return leaf_at<Leaf>(blob, node_at<typename Leaf::Node>(blob, place.node), place.number);
+}
+/// Calls the function with the node of that index.
+template <class Function>
+[[gnu::always_inline]] inline auto with_node(const BlobData& blob, std::uint32_t index, Function function) {
+    return with_leaves_of(
+        blob, [&]<class Leaf>()
+                  __attribute__((always_inline)) { return function(node_at<typename Leaf::Node>(blob, index)); });
+}
 
 /// What items stand for, in either tree.
 struct PairTrees {
@@ -24,7 +41,9 @@ struct PairTrees {
         : blob{frame.a, frame.b}, unit{frame.a_scale, frame.sides[1].common_size} {}
 
     [[nodiscard]] TwiceBox box(unsigned side, PairItem item) const {
-        if (!item.is_root()) return load_twice_box(node_at(*blob[side], item.parent()), item.child(), *blob[side]);
+        if (!item.is_root())
+            return with_node(*blob[side], item.parent(),
+                             [&](const auto& node) { return load_twice_box(node, item.child(), *blob[side]); });
         TwiceBox whole;
         for (int k = 0; k < 3; ++k) whole.center[k] = whole.half[k] = blob[side]->extent_steps[k];
         return whole;
@@ -38,15 +57,21 @@ struct PairTrees {
     }
     /// The index of the node in an item's box.
     [[nodiscard]] std::uint32_t node_in(unsigned side, PairItem item) const {
-        return item.is_root() ? 0 : node_at(*blob[side], item.parent()).first_child() + item.child();
+        if (item.is_root()) return 0;
+        return with_node(*blob[side], item.parent(), [](const auto& node) { return node.first_child(); }) +
+               item.child();
     }
     [[nodiscard]] PairItem child_of(unsigned side, std::uint32_t node, unsigned child) const {
-        const bool is_leaf = child >= node_at(*blob[side], node).node_children();
+        const bool is_leaf = child >= node_children(side, node);
         return {node | child << PairItem::child_shift | (is_leaf ? PairItem::leaf_bit : 0u)};
     }
-    [[nodiscard]] LeafPlace leaf(unsigned side, PairItem item) const {
-        const Node node = node_at(*blob[side], item.parent());
-        return {blob[side], node, item.child() - node.node_children()};
+    [[nodiscard]] PairLeaf leaf(unsigned side, PairItem item) const {
+        return {item.parent(), item.child() - node_children(side, item.parent())};
+    }
+
+private:
+    [[nodiscard]] unsigned node_children(unsigned side, std::uint32_t index) const {
+        return with_node(*blob[side], index, [](const auto& node) { return node.node_children(); });
     }
 };
 
@@ -65,7 +90,10 @@ ESPALIER_SHARED_CODE inline OpenedBox open_larger(const PairFrame& frame, const 
     const unsigned side = trees.side_to_open(items, boxes);
     const std::uint32_t node = trees.node_in(side, items[side]);
     count_node_step();
-    return {side, node, visitor.children(side, node_at(*trees.blob[side], node), boxes[1 - side], keys)};
+    const unsigned children = with_node(*trees.blob[side], node, [&](const auto& opened) {
+        return visitor.children(side, opened, boxes[1 - side], keys);
+    });
+    return {side, node, children};
 }
 
 /// Two leaves against each other.

@@ -60,7 +60,7 @@ inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlo
     lanes.tau_min = ray.tau_min + 0.0f;
     lanes.base_shift = placed::base_shift(blob.bits);
     lanes.plane_shift = placed::plane_shift(blob.bits);
-    lanes.planes = plane_orders[signs];
+    lanes.planes = packed_plane_orders[signs];
 }
 
 /// Whether the ray meets the asset's box, widened like the planes of a node.

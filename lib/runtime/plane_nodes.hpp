@@ -17,7 +17,7 @@ struct LatticePlane {
 
 /// The children, of those in the mask, whose box reaches into the half-space: its corner farthest against the normal
 /// does.
-inline unsigned children_behind(const Node& node, unsigned bits, const LatticePlane& plane, unsigned mask) {
+inline unsigned children_behind(const PackedNode& node, unsigned bits, const LatticePlane& plane, unsigned mask) {
     std::int64_t room = plane.offset;
     std::int64_t scale[3];
     const std::byte* deepest[3];
@@ -38,7 +38,23 @@ inline unsigned children_behind(const Node& node, unsigned bits, const LatticePl
     return behind;
 }
 
+inline unsigned children_behind(const PlainNode& node, unsigned bits, const LatticePlane& plane, unsigned mask) {
+    unsigned behind = 0;
+    for (unsigned left = mask; left != 0; left &= left - 1) {
+        const auto child = static_cast<unsigned>(std::countr_zero(left));
+        std::int64_t reached = 0;
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t along = plane.normal[k];
+            // mutant(< -> <=) equivalent: an axis along which the normal is 0 adds nothing from either plane
+            reached += along * (along < 0 ? node.high(k, child, bits) : node.low(k, child, bits));
+        }
+        behind |= (reached <= plane.offset ? 1u : 0u) << child;
+    }
+    return behind;
+}
+
 /// Whether the whole box of a child is that deep in the half-space.
+template <class Node>
 inline bool is_wholly_behind(const Node& node, unsigned bits, unsigned child, const LatticePlane& plane,
                              std::int64_t depth) {
     std::int64_t reached = 0;

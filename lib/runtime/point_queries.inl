@@ -75,7 +75,10 @@ struct EveryOverlap {
     OnOverlap on_overlap;
     unsigned inside = 0;  ///< the children of the node at hand that are, box and all
 
-    unsigned children(const Node& node, float*) { return overlap_test(node, point, blob, inside); }
+    template <class Node>
+    unsigned children(const Node& node, float*) {
+        return overlap_test(node, point, blob, inside);
+    }
     Visit visit_leaf(const Leaf& leaf) {
         // mutant(without 1, != -> true) equivalent: every leaf ends after 0
         if (first != 0 && storage_index(leaf, 0) + leaf.triangle_count() <= first) return keep_going;
@@ -159,7 +162,10 @@ struct ClosestTriangle {
     bool found = false;
 
     [[nodiscard]] float limit() const { return limit_; }
-    unsigned children(const Node& node, float* keys) { return distance_test(node, point, blob, limit_, keys); }
+    template <class Node>
+    unsigned children(const Node& node, float* keys) {
+        return distance_test(node, point, blob, limit_, keys);
+    }
     Visit visit_leaf(const Leaf& leaf) {
         decide_nearest_first(
             leaf, point, [&] { return limit_; }, [&](unsigned slot) { decide(leaf, slot); });
@@ -188,7 +194,10 @@ struct ClosestTriangles {
     float limit_;
 
     [[nodiscard]] float limit() const { return limit_; }
-    unsigned children(const Node& node, float* keys) { return distance_test(node, point, blob, limit_, keys); }
+    template <class Node>
+    unsigned children(const Node& node, float* keys) {
+        return distance_test(node, point, blob, limit_, keys);
+    }
     Visit visit_leaf(const Leaf& leaf) {
         decide_nearest_first(
             leaf, point, [&] { return limit_; }, [&](unsigned slot) { decide(leaf, slot); });

@@ -10,6 +10,7 @@
 namespace espalier::detail::scalar {
 
 #include <runtime/squared_distance.inl>
+#include <runtime/node_boxes.inl>
 #include <runtime/point_nodes.inl>
 
 namespace {
@@ -31,6 +32,7 @@ struct NearTriangles {
     [[nodiscard]] float limit() const { return limit_; }
     void lower_limit(float squared) { limit_ = minimum(squared * distance_slack, limit_); }
 
+    template <class Node>
     unsigned children(const Node& node, float* keys) const {
         // mutant(never) work: no box is nearer than a limit below 0
         if (limit_ < 0.0f) return 0;
@@ -38,7 +40,7 @@ struct NearTriangles {
         const unsigned mask = distance_test(node, point, blob, limit_, keys);
         // mutant(never) equivalent: no box is small then, since small_steps is -1
         if (on_small_box == nullptr) return mask;
-        const unsigned small = mask & children_no_larger(node, small_steps);
+        const unsigned small = mask & children_no_larger(node, small_steps, blob.bits);
         for (unsigned left = small; left != 0; left &= left - 1) {
             const auto child = static_cast<unsigned>(std::countr_zero(left));
             (*on_small_box)(keys[child], farthest_squared(node, blob.bits, child, point));

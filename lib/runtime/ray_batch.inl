@@ -11,7 +11,7 @@ template <class Leaf>
     constexpr unsigned most_under_way = 6;
     struct UnderWay {
         RayInBatch<Leaf> ray;
-        NearestFirst<LeafPlace, BatchHit<Leaf>> walk;
+        NearestFirst<PlaceOf<Leaf>, BatchHit<Leaf>> walk;
         std::size_t number;  // of the ray
         unsigned mask;       // of the node's children
     };

@@ -4,9 +4,12 @@
 // bounds the errors.
 
 /// What a leaf's coordinates count from, seen from the ray's origin.
+struct ZeroCorner {
+    const float* at;
+};
 template <class Leaf>
-[[gnu::always_inline]] inline Corner corner_from_origin(const Leaf& leaf, const LatticeRay& ray) {
-    if constexpr (Leaf::counts_from_zero) return load_zero_corner(ray);
+[[gnu::always_inline]] inline auto corner_from_origin(const Leaf& leaf, const LatticeRay& ray) {
+    if constexpr (Leaf::counts_from_zero) return ZeroCorner{ray.zero};
     else return load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray);
 }
 
@@ -16,7 +19,7 @@ template <unsigned groups, class SomeLeaf>
     const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
     leaf.unpack_vertices(used);
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
-    const Corner corner = corner_from_origin(leaf, ray);
+    const auto corner = corner_from_origin(leaf, ray);
     const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]), offset_z = splat(corner.at[kz]);
     const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
     SeenVertices<groups> vertices(leaf, ray);
@@ -38,16 +41,17 @@ template <unsigned groups, class SomeLeaf>
 /// The same, from where the leaf is. Apart from the walk, which then keeps its own numbers in registers. Decoded in
 /// place: a leaf that is copied is read in wider pieces than it was written in, and waits for them.
 template <class SomeLeaf>
-[[gnu::noinline]] inline typename SomeLeaf::Slots decode_candidates(const BlobData& blob, Node node, unsigned number,
-                                                                    const LatticeRay& ray, SomeLeaf& leaf) {
+[[gnu::noinline]] inline typename SomeLeaf::Slots decode_candidates(const BlobData& blob, typename SomeLeaf::Node node,
+                                                                    unsigned number, const LatticeRay& ray,
+                                                                    SomeLeaf& leaf) {
     decode_leaf(blob, node, number, leaf);
     return with_table_groups<SomeLeaf::max_vertices>(
         leaf.vertex_count, [&](auto groups)
                                __attribute__((always_inline)) { return ray_candidates_of<groups>(leaf, ray); });
 }
 template <class SomeLeaf>
-[[gnu::always_inline]] inline typename SomeLeaf::Slots ray_candidates(const LeafPlace& place, const LatticeRay& ray,
-                                                                      SomeLeaf& leaf) {
+[[gnu::always_inline]] inline typename SomeLeaf::Slots ray_candidates(const PlaceOf<SomeLeaf>& place,
+                                                                      const LatticeRay& ray, SomeLeaf& leaf) {
     return decode_candidates(*place.blob, place.node, place.number, ray, leaf);
 }
 

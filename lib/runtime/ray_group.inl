@@ -11,18 +11,6 @@ inline void for_each_bit(Mask mask, Function function) {
     for (; mask != 0; mask &= mask - 1) function(static_cast<unsigned>(std::countr_zero(mask)));
 }
 
-/// Children by ray, a byte each, become rays by child (Warren, Hacker's Delight, 7-3).
-inline std::uint64_t transpose_8_by_8(std::uint64_t bits) {
-    const auto swap = [&](unsigned distance, std::uint64_t mask) {
-        const std::uint64_t changed = (bits ^ (bits >> distance)) & mask;
-        bits ^= changed ^ (changed << distance);
-    };
-    swap(7, 0x00AA00AA00AA00AAu);
-    swap(14, 0x0000CCCC0000CCCCu);
-    swap(28, 0x00000000F0F0F0F0u);
-    return bits;
-}
-
 template <class Leaf>
 class RayGroup {
 public:
@@ -50,8 +38,8 @@ private:
         std::uint32_t index = 0;
         for (;;) {
             if ((rays & (rays - 1)) == 0)  // alone: the rest of its way is walked without the others
-                traverse_nearest_first<LeafPlace>(blob, rays_[std::countr_zero(rays)].visitor, index);
-            else visit(blob, node_at(blob, index), rays);
+                traverse_nearest_first<PlaceOf<Leaf>>(blob, rays_[std::countr_zero(rays)].visitor, index);
+            else visit(blob, node_at<typename Leaf::Node>(blob, index), rays);
             do {
                 if (size_ == 0) return;
                 const Waiting& next = stack_[--size_];
@@ -73,17 +61,15 @@ private:
         return result;
     }
 
-    void visit(const BlobData& blob, const Node& node, GroupMask rays) {
-        std::uint64_t by_ray[rays_in_group / 8] = {};
+    void visit(const BlobData& blob, const typename Leaf::Node& node, GroupMask rays) {
+        GroupMask by_child[Leaf::Node::max_children] = {};
         for_each_bit(rays, [&](unsigned number) {
             count_node_step();
-            by_ray[number / 8] |= std::uint64_t{rays_[number].visitor.children(node, keys_[number])} << number % 8 * 8;
+            for_each_bit(rays_[number].visitor.children(node, keys_[number]),
+                         [&](unsigned child) { by_child[child] |= GroupMask{1} << number; });
         });
-        static_assert(rays_in_group == 16);
-        const std::uint64_t low = transpose_8_by_8(by_ray[0]), high = transpose_8_by_8(by_ray[1]);
         const auto rays_of = [&](unsigned child) {
-            const auto wanted = static_cast<GroupMask>((low >> 8 * child & 255u) | (high >> 8 * child & 255u) << 8);
-            return still_interested(wanted, [&](unsigned number) { return keys_[number][child]; });
+            return still_interested(by_child[child], [&](unsigned number) { return keys_[number][child]; });
         };
         const unsigned node_children = node.node_children();
         for (unsigned number = 0; number < node.leaf_children(); ++number)
@@ -96,7 +82,8 @@ private:
     }
 
     /// On the stack, the nearer ones on top.
-    void put_aside(const BlobData& blob, const Node& node, unsigned child, GroupMask rays, unsigned bottom) {
+    void put_aside(const BlobData& blob, const typename Leaf::Node& node, unsigned child, GroupMask rays,
+                   unsigned bottom) {
         std::uint32_t key = infinity_bits;
         for_each_bit(rays, [&](unsigned number) {
             const auto own = std::bit_cast<std::uint32_t>(keys_[number][child]);
@@ -104,7 +91,7 @@ private:
             key = own < key ? own : key;
         });
         const std::uint32_t index = node.first_child() + child;
-        prefetch(node_at(blob, index).bytes);
+        prefetch(node_at<typename Leaf::Node>(blob, index).bytes);
         const Waiting waits = {std::uint64_t{key} << 32 | index, rays};
         unsigned place = size_++;
         // mutant(< -> <=) equivalent: no two entries are equal, since each contains the number of its node
@@ -113,7 +100,7 @@ private:
     }
 
     /// First what lanes can reject, for all rays, then the rest in integers: so the branches come together.
-    void visit_leaf(const LeafPlace& place, GroupMask rays) {
+    void visit_leaf(const PlaceOf<Leaf>& place, GroupMask rays) {
         count_leaf_step();
         UnpackedLeaf<Leaf> leaf;
         decode_leaf(*place.blob, place.node, place.number, leaf);
@@ -139,7 +126,7 @@ private:
         for_each_bit(rays, [&](unsigned number) {
             const LatticeRay& ray = rays_[number].prepared.ray;
             const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
-            const Corner corner = corner_from_origin(leaf, ray);
+            const auto corner = corner_from_origin(leaf, ray);
             const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]);
             const Floats offset_z = splat(corner.at[kz]);
             const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
@@ -161,9 +148,9 @@ private:
     }
 
     RayInBatch<Leaf> rays_[rays_in_group];
-    Waiting stack_[(format::max_depth - 1) * (format::max_children - 1) + 1];  ///< enough as in NearestFirst
+    Waiting stack_[(format::max_depth - 1) * (Leaf::Node::max_children - 1) + 1];  ///< enough as in NearestFirst
     unsigned size_ = 0;
-    alignas(32) float keys_[rays_in_group][format::max_children];  ///< of the node at hand, by ray
+    alignas(32) float keys_[rays_in_group][Leaf::Node::max_children];  ///< of the node at hand, by ray
 };
 
 /// For whole groups of rays.

@@ -22,7 +22,7 @@ template <class Leaf>
 struct BatchHit : ClosestHit<Leaf, Ray, const NoCounters> {
     bool any_will_do = false;
 
-    Visit visit_leaf(const LeafPlace& place) {
+    Visit visit_leaf(const PlaceOf<Leaf>& place) {
         RayLeaf<Leaf> leaf;
         for (auto candidates = ray_candidates(place, this->ray, leaf); candidates != 0; candidates &= candidates - 1) {
             decide(leaf, static_cast<unsigned>(std::countr_zero(candidates)));
@@ -40,7 +40,7 @@ struct BatchHit : ClosestHit<Leaf, Ray, const NoCounters> {
 
 template <class Leaf>
 struct RayInBatch {
-    PreparedRay prepared = {};
+    PreparedRayIn<RayLanesOf<typename Leaf::Node>> prepared = {};
     RayHit best;
     BatchHit<Leaf> visitor = {{prepared.ray, prepared.lanes(), nullptr, no_counters, best}};
 

@@ -7,6 +7,7 @@
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
 #include <runtime/as_if_changed.hpp>
+#include <runtime/codec_node.hpp>
 #include <runtime/lattice_ray.hpp>
 
 namespace espalier::detail {
@@ -18,44 +19,59 @@ struct alignas(8) PlaneOrder {
     std::uint8_t far_at[3];
 };
 /// By the signs of the direction: bit k is set where axis k runs down.
-inline constexpr std::array<PlaneOrder, 8> plane_orders = [] {
-    using namespace format::node;
+constexpr std::array<PlaneOrder, 8> order_planes(std::size_t lo_at, std::size_t hi_at, std::size_t row_bytes) {
     // mutant(< -> <= 1) compiler: writes behind a table at compile time, which is an error
     std::array<PlaneOrder, 8> orders{};
     for (unsigned signs = 0; signs < 8; ++signs)
         for (unsigned k = 0; k < 3; ++k) {
             const bool down = (signs >> k & 1u) != 0;
-            orders[signs].near_at[k] = static_cast<std::uint8_t>((down ? hi_at : lo_at) + 8 * k);
-            orders[signs].far_at[k] = static_cast<std::uint8_t>((down ? lo_at : hi_at) + 8 * k);
+            orders[signs].near_at[k] = static_cast<std::uint8_t>((down ? hi_at : lo_at) + row_bytes * k);
+            orders[signs].far_at[k] = static_cast<std::uint8_t>((down ? lo_at : hi_at) + row_bytes * k);
         }
     return orders;
-}();
+}
+inline constexpr std::array<PlaneOrder, 8> packed_plane_orders =
+    order_planes(format::packed_node::lo_at, format::packed_node::hi_at, format::packed_node::row_bytes);
+inline constexpr std::array<PlaneOrder, 8> plain_plane_orders =
+    order_planes(format::plain_node::lo_at, format::plain_node::hi_at, format::plain_node::row_bytes);
 
 /// tau of a plane is (base + plane * 2^shift - origin) * inverse; here it is plane * (2^shift * inverse) + (base *
 /// inverse + offset), with offsets that move the planes outward by more than all of it can round (docs/numerics.md):
 /// then a box that contains the hit is never refused. Vectors have a fourth element that means nothing.
 struct RayLanes {
     alignas(16) float inverse[4];
-    alignas(16) float base_inverse[4];  ///< the same for the units that a node's base counts in
+    alignas(16) float base_inverse[4];  ///< the same for the units that a node's base or planes count in
     alignas(16) float near_offset[4];
     alignas(16) float far_offset[4];
-    float tau_min;
-    const PlaneOrder* planes;
+    float tau_min;  ///< not -0
+    PlaneOrder planes;
+
+    static constexpr const std::array<PlaneOrder, 8>& plane_orders() { return packed_plane_orders; }
+    /// How far boxes reach beyond their planes, in lattice steps.
+    static float box_slack(const BlobData&) { return 0.0f; }
+};
+/// The same for plain nodes: a plane is a coordinate, tau is plane * base_inverse + offset.
+struct PlainRayLanes : RayLanes {
+    static constexpr const std::array<PlaneOrder, 8>& plane_orders() { return plain_plane_orders; }
+    /// High planes stand for all coordinates up to the next one's.
+    static float box_slack(const BlobData& blob) { return blob.base_unit - 1.0f; }
 };
 
-inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope, RayLanes& lanes) {
+template <class Lanes>
+inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope, Lanes& lanes) {
+    const float slack_steps = slope.slack_steps + Lanes::box_slack(blob);
     unsigned signs = 0;
     for (unsigned k = 0; k < 3; ++k) {
         const float middle = -origin_steps(ray, k) * slope.inverse[k];
-        const float slack = absolute(slope.inverse[k]) * slope.slack_steps;
+        const float slack = absolute(slope.inverse[k]) * slack_steps;
         lanes.inverse[k] = slope.inverse[k];
         lanes.base_inverse[k] = slope.inverse[k] * blob.base_unit;
         lanes.near_offset[k] = middle - slack;
         lanes.far_offset[k] = middle + slack;
         signs |= (static_cast<std::uint32_t>(ray.direction[k]) >> 31) << k;
     }
-    lanes.tau_min = ray.tau_min;
-    lanes.planes = &plane_orders[signs];
+    lanes.tau_min = ray.tau_min + 0.0f;
+    lanes.planes = Lanes::plane_orders()[signs];
 }
 
 /// Whether the ray meets the asset's box, widened like the planes of a node.
@@ -70,6 +86,20 @@ inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const RayLa
     return enter <= leave;
 }
 
+/// What the slab tests of a kind of node need, where an instruction set has no way of its own.
+template <class Node>
+struct RayLanesFor {
+    using Type = RayLanes;
+};
+template <>
+struct RayLanesFor<PlainNode> {
+    using Type = PlainRayLanes;
+};
+
+inline void set_zero(LatticeRay& ray) {
+    for (unsigned k = 0; k < 3; ++k) ray.zero[k] = -origin_steps(ray, k);
+}
+
 /// All that the queries need of a ray; `Lanes` are what the slab test needs.
 template <class Lanes>
 struct PreparedRayIn {
@@ -78,13 +108,13 @@ struct PreparedRayIn {
 
     [[nodiscard]] const Lanes& lanes() const { return in_lanes; }
 };
-using PreparedRay = PreparedRayIn<RayLanes>;
 
 /// False when the ray can hit nothing.
 template <class Lanes>
 inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
     RaySlope slope;
     if (!round_ray(blob, world, prepared.ray, slope)) return false;
+    set_zero(prepared.ray);
     spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
     return meets_asset(blob, prepared.ray, prepared.in_lanes);
 }
@@ -98,6 +128,7 @@ inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, Prepare
     for (unsigned k = 0; k < 3; ++k) origin[k] = origin_steps(given.ray, k);
     RaySlope slope;
     set_slope(prepared.ray, std::bit_cast<float>(lattice_ray::reach_bits(origin, blob)), slope);
+    set_zero(prepared.ray);
     spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
     return meets_asset(blob, prepared.ray, prepared.in_lanes);
 }

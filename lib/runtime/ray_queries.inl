@@ -2,14 +2,17 @@
 
 namespace {
 
+template <class Node>
+using PreparedRayOf = PreparedRayIn<RayLanesOf<Node>>;
+
 /// One function for each kind of leaf, the walk inside of it: one frame on the stack. For a Ray or a RayOnLattice.
 template <class Leaf, class Caller, class Counters>
 ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool closest_hit_in(const BlobData& blob, const Caller& world, RayHit& hit,
                                                          const TriangleFilter* filter, Counters& counters) {
-    PreparedRay prepared;
+    PreparedRayOf<typename Leaf::Node> prepared;
     if (!prepare(blob, world, prepared)) return false;
     ClosestHit<Leaf, Caller, Counters> visitor = {prepared.ray, prepared.lanes(), filter, counters, hit};
-    traverse_nearest_first<LeafPlace>(blob, visitor);
+    traverse_nearest_first<PlaceOf<Leaf>>(blob, visitor);
     if (!visitor.found()) return false;
     visitor.finish(world);
     return true;
@@ -26,10 +29,10 @@ template <class Caller, class Counters>
 /// The same. True when the callable, which is told of the ray and the hit, stopped it.
 template <class Leaf, class Caller, class OnHit>
 ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool every_hit_in(const BlobData& blob, const Caller& world, OnHit on_hit) {
-    PreparedRay prepared;
+    PreparedRayOf<typename Leaf::Node> prepared;
     if (!prepare(blob, world, prepared)) return false;
     EveryHit<Leaf, OnHit> visitor = {prepared.ray, prepared.lanes(), on_hit};
-    return walk_in_storage_order<LeafPlace>(blob, visitor) == stop;
+    return walk_in_storage_order<PlaceOf<Leaf>>(blob, visitor) == stop;
 }
 template <class Caller, class OnHit>
 [[gnu::always_inline]] inline bool visit_every_hit(const BlobData& blob, const Caller& world, OnHit on_hit) {
@@ -40,10 +43,10 @@ template <class Caller, class OnHit>
 /// Whether there is any hit, whichever it is.
 template <class Leaf, class Caller>
 ESPALIER_FOR_ONE_KIND_OF_LEAF inline bool any_hit_in(const BlobData& blob, const Caller& world) {
-    PreparedRay prepared;
+    PreparedRayOf<typename Leaf::Node> prepared;
     if (!prepare(blob, world, prepared)) return false;
     AnyHit<Leaf> visitor = {prepared.ray, prepared.lanes()};
-    return walk_in_storage_order<LeafPlace>(blob, visitor) == stop;
+    return walk_in_storage_order<PlaceOf<Leaf>>(blob, visitor) == stop;
 }
 template <class Caller>
 [[gnu::always_inline]] inline bool find_any_hit(const BlobData& blob, const Caller& world) {
@@ -58,14 +61,14 @@ bool closest_hit(const BlobData& blob, const Ray& world, RayHit& hit, const Tria
 }
 
 HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter) {
-    PreparedRay prepared;
-    if (!prepare(blob, world, prepared)) return {};
-    FirstHits first(hits);
-    with_leaves_of(blob, [&]<class Leaf>() {
+    return with_leaves_of(blob, [&]<class Leaf>() -> HitCount {
+        PreparedRayOf<typename Leaf::Node> prepared;
+        if (!prepare(blob, world, prepared)) return {};
+        FirstHits first(hits);
         FirstHitsOf<Leaf> visitor = {prepared.ray, prepared.lanes(), filter, first};
-        traverse_nearest_first<LeafPlace>(blob, visitor);
+        traverse_nearest_first<PlaceOf<Leaf>>(blob, visitor);
+        return first.finish(prepared.ray, world, hits);
     });
-    return first.finish(prepared.ray, world, hits);
 }
 
 bool any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {

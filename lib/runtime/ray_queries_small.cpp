@@ -12,19 +12,21 @@ namespace espalier::detail::small {
 
 using LatticeRay = SeenRay;
 /// Boxes need no more than the ray itself.
-using RayLanes = SeenRay;
-struct PreparedRay {
+template <class Node>
+using RayLanesOf = SeenRay;
+template <class Lanes>
+struct PreparedRayIn {
     SeenRay ray;
 
-    [[nodiscard]] const RayLanes& lanes() const { return ray; }
+    [[nodiscard]] const SeenRay& lanes() const { return ray; }
 };
-inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+inline bool prepare(const BlobData& blob, const Ray& world, PreparedRayIn<SeenRay>& prepared) {
     float reach = 0.0f;
     if (!round_ray(blob, world, prepared.ray, reach)) return false;
     prepared.ray.look_ahead(blob);
     return true;
 }
-inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
+inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<SeenRay>& prepared) {
     static_cast<IntegerRay&>(prepared.ray) = given.ray;
     prepared.ray.look_ahead(blob);
     return true;
@@ -41,8 +43,9 @@ using Limit = std::int32_t;
 
 #include <runtime/small_walk.inl>
 
-[[gnu::always_inline]] inline unsigned slab_test(const Node& node, const RayLanes& lanes, Limit limit, Keys keys) {
-    return seen_children(lanes, node.bytes, limit, keys.among & all_children(node));
+template <class Node>
+[[gnu::always_inline]] inline unsigned slab_test(const Node& node, const SeenRay& lanes, Limit limit, Keys keys) {
+    return seen_children(lanes, node, limit, keys.among & all_children(node));
 }
 
 /// The triangles of a leaf that the ray may hit. Apart from the walk, as the kernel is: of their needs only the larger
@@ -78,7 +81,7 @@ template <class Leaf>
 template <class Leaf>
 using RayLeaf = Leaf;
 template <class Leaf>
-[[gnu::always_inline]] inline typename Leaf::Slots ray_candidates(const LeafPlace& place, const SeenRay& ray,
+[[gnu::always_inline]] inline typename Leaf::Slots ray_candidates(const PlaceOf<Leaf>& place, const SeenRay& ray,
                                                                   Leaf& leaf) {
     decode_leaf(*place.blob, place.node, place.number, leaf);
     return ray_candidates(leaf, ray);

@@ -6,7 +6,7 @@
 template <class Leaf, class Caller, class Counters>
 struct ClosestHit {
     const LatticeRay& ray;
-    const RayLanes& lanes_;
+    const RayLanesOf<typename Leaf::Node>& lanes_;
     const TriangleFilter* filter;
     Counters& counters;
     RayHit& best;  ///< the caller's, undivided
@@ -15,11 +15,12 @@ struct ClosestHit {
 
     [[nodiscard]] bool found() const { return volume_bits != 0; }
     [[nodiscard]] Limit limit() const { return limit_; }
+    template <class Node>
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         counters.count_node();
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit visit_leaf(const LeafPlace& place) {
+    Visit visit_leaf(const PlaceOf<Leaf>& place) {
         RayLeaf<Leaf> leaf;
         auto candidates = ray_candidates(place, ray, leaf);
         counters.count_leaf();
@@ -58,16 +59,17 @@ struct ClosestHit {
 template <class Leaf>
 struct FirstHitsOf {
     const LatticeRay& ray;
-    const RayLanes& lanes_;
+    const RayLanesOf<typename Leaf::Node>& lanes_;
     const TriangleFilter* filter;
     FirstHits& hits;
     Limit limit_ = window_limit(ray);
 
     [[nodiscard]] Limit limit() const { return limit_; }
+    template <class Node>
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit visit_leaf(const LeafPlace& place) {
+    Visit visit_leaf(const PlaceOf<Leaf>& place) {
         RayLeaf<Leaf> leaf;
         for (auto candidates = ray_candidates(place, ray, leaf); candidates != 0; candidates &= candidates - 1) {
             const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
@@ -90,13 +92,14 @@ struct FirstHitsOf {
 template <class Leaf>
 struct AnyHit {
     const LatticeRay& ray;
-    const RayLanes& lanes_;
+    const RayLanesOf<typename Leaf::Node>& lanes_;
     Limit limit_ = window_limit(ray);
 
+    template <class Node>
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit visit_leaf(const LeafPlace& place) {
+    Visit visit_leaf(const PlaceOf<Leaf>& place) {
         RayLeaf<Leaf> leaf;
         for (auto candidates = ray_candidates(place, ray, leaf); candidates != 0; candidates &= candidates - 1)
             if (is_hit(leaf, static_cast<unsigned>(std::countr_zero(candidates)), ray)) return stop;
@@ -108,14 +111,15 @@ struct AnyHit {
 template <class Leaf, class OnHit>
 struct EveryHit {
     const LatticeRay& ray;
-    const RayLanes& lanes_;
+    const RayLanesOf<typename Leaf::Node>& lanes_;
     OnHit on_hit;
     Limit limit_ = window_limit(ray);
 
+    template <class Node>
     [[gnu::always_inline]] unsigned children(const Node& node, Keys keys) {
         return slab_test(node, lanes_, limit_, keys);
     }
-    Visit visit_leaf(const LeafPlace& place) {
+    Visit visit_leaf(const PlaceOf<Leaf>& place) {
         RayLeaf<Leaf> leaf;
         for (auto candidates = ray_candidates(place, ray, leaf); candidates != 0; candidates &= candidates - 1) {
             const auto slot = static_cast<unsigned>(std::countr_zero(candidates));

@@ -21,6 +21,8 @@ using own_copy::with_leaves_of;
 template <class Leaf>
 struct AnyVisitor {
     void* visitor;
+    using Node = typename Leaf::Node;
+
     unsigned (*children_of)(void*, const Node&, float*);
     Visit (*visit)(void*, const Leaf&);
     float (*limit_of)(const void*);
@@ -32,7 +34,9 @@ struct AnyVisitor {
 template <class Leaf, class Visitor>
 AnyVisitor<Leaf> any_visitor(Visitor& visitor) {
     return {&visitor,
-            [](void* self, const Node& node, float* keys) { return static_cast<Visitor*>(self)->children(node, keys); },
+            [](void* self, const typename Leaf::Node& node, float* keys) {
+                return static_cast<Visitor*>(self)->children(node, keys);
+            },
             [](void* self, const Leaf& leaf) { return static_cast<Visitor*>(self)->visit_leaf(leaf); },
             [](const void* self) {
                 if constexpr (requires { static_cast<const Visitor*>(self)->limit(); })

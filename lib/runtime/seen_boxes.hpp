@@ -11,10 +11,11 @@
 namespace espalier::detail {
 
 /// Children of a node, a bit each, and above them the number of the one that the ray can be in first.
+template <class Node>
 struct SeenChildren {
-    static unsigned pack(unsigned children, unsigned nearest) { return nearest << format::max_children | children; }
-    static unsigned children(unsigned packed) { return packed & ((1u << format::max_children) - 1u); }
-    static unsigned nearest(unsigned packed) { return packed >> format::max_children; }
+    static unsigned pack(unsigned children, unsigned nearest) { return nearest << Node::max_children | children; }
+    static unsigned children(unsigned packed) { return packed & every_child_of<Node>; }
+    static unsigned nearest(unsigned packed) { return packed >> Node::max_children; }
 };
 
 /// The planes of a node along an axis across, as a ray sees them: in 2^-fine of a step, in which they are within 2^28.
@@ -31,9 +32,10 @@ struct SeenPlanes {
 #endif
 /// Children of `among` whose boxes the ray may meet no farther than `last_ahead`. Apart from the walk: its room on the
 /// stack is free again when a leaf is visited.
-[[gnu::noinline]] inline unsigned seen_children(const SeenRay& ray, const std::byte* node, std::int32_t last_ahead,
+[[gnu::noinline]] inline unsigned seen_children(const SeenRay& ray, const PackedNode& packed, std::int32_t last_ahead,
                                                 unsigned among) {
-    using namespace format::node;
+    using namespace format::packed_node;
+    const std::byte* const node = packed.bytes;
     SeenPlanes across[2];
     // Ahead, along the ray: where plane 0 is along the axis, -1 and 255 where the ray runs down along it.
     std::int32_t base_ahead, down_ahead, flip;
@@ -64,7 +66,7 @@ struct SeenPlanes {
         const int fine = 20 - (shift > ahead_shift ? shift : ahead_shift);
         const int finer = fine - ray.fraction_bits;
         // Planes that are much farther apart than the asset is large tell nothing.
-        if (finer < 0) return SeenChildren::pack(among, static_cast<unsigned>(std::countr_zero(among)));
+        if (finer < 0) return SeenChildren<PackedNode>::pack(among, static_cast<unsigned>(std::countr_zero(among)));
         const std::int32_t seen = SeenRay::negated_if(down, ray.across(i, base, base_ahead));
         // Plane 0 is no more than 2^30 away from a box that is met.
         // mutant(>> -> one less 1) equivalent: differs only in the lowest bit, which is shifted out
@@ -112,10 +114,50 @@ struct SeenPlanes {
         }
     missed:;
     }
-    return SeenChildren::pack(met, nearest & 7u);
+    return SeenChildren<PackedNode>::pack(met, nearest & 7u);
 }
 #if !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
+
+/// The same of a plain node, plane by plane: they are coordinates.
+[[gnu::noinline]] inline unsigned seen_children(const SeenRay& ray, const PlainNode& node, std::int32_t last_ahead,
+                                                unsigned among) {
+    const unsigned bits = ray.bits;
+    // A plane from the ray's origin; along the axis ahead it counts in the ray's own sense.
+    const auto place = [&](unsigned k, bool is_high, unsigned child) {
+        const auto axis = static_cast<int>(k);
+        const std::int32_t steps = is_high ? node.high(axis, child, bits) : node.low(axis, child, bits);
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(steps) << ray.fraction_bits) - ray.origin[k];
+    };
+    const std::int32_t down_ahead = ray.down(ray.axis[2]);
+    unsigned met = 0;
+    unsigned nearest = 0;
+    std::int32_t nearest_begin = INT32_MAX;
+    for (unsigned child = 0; among >> child != 0; ++child) {
+        if ((among >> child & 1u) == 0) continue;
+        const std::int32_t from = place(ray.axis[2], down_ahead != 0, child);
+        const std::int32_t to = place(ray.axis[2], down_ahead == 0, child);
+        std::int32_t begin = SeenRay::negated_if(down_ahead, from);
+        if (begin > last_ahead || SeenRay::negated_if(down_ahead, to) < ray.first_ahead) continue;
+        count_axes(2);
+        bool is_met = true;
+        for (unsigned i = 0; i < 2 && is_met; ++i) {
+            // The ray has passed the near plane when the box ends, and not yet the far one when it begins.
+            const unsigned k = ray.axis[i];
+            const std::int32_t down = ray.down(k);
+            const std::int32_t near = SeenRay::negated_if(down, ray.across(i, place(k, down != 0, child), to));
+            const std::int32_t far = SeenRay::negated_if(down, ray.across(i, place(k, down == 0, child), from));
+            is_met = near <= SeenRay::off && far >= -SeenRay::off;
+        }
+        if (!is_met) continue;
+        met |= 1u << child;
+        if (begin < nearest_begin) {
+            nearest_begin = begin;
+            nearest = child;
+        }
+    }
+    return SeenChildren<PlainNode>::pack(met, nearest);
+}
 
 }  // namespace espalier::detail

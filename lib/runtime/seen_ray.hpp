@@ -21,6 +21,7 @@ struct SeenRay : IntegerRay {
     std::int32_t slope[2];     ///< along axis[0] and axis[1] for each unit along axis[2], in 2^-slope_bits, towards 0
     std::int32_t first_ahead;  ///< nothing before that is hit
     int base_shift;            ///< from a node's base to the ray's units
+    unsigned bits;             ///< of the lattice
     float ahead_per_tau;
 
     void look_ahead(const BlobData& blob) {
@@ -31,8 +32,8 @@ struct SeenRay : IntegerRay {
                                                  power_of_two(slope_bits));
         ahead_per_tau = absolute(forth) * power_of_two(fraction_bits);
         first_ahead = ahead_at(tau_min) - off;
-        // mutant(> -> >=) equivalent: both sides are equal then
-        base_shift = fraction_bits + (blob.bits > 16 ? blob.bits - 16 : 0);
+        base_shift = fraction_bits + static_cast<int>(format::unit_shift(blob.bits));
+        bits = blob.bits;
     }
     /// -1 for an axis that the ray runs down along, 0 for another one.
     // mutant(>> -> one less) equivalent: directions are below 2^25, so bit 30 equals the sign

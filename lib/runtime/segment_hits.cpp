@@ -21,6 +21,7 @@ struct SegmentHits {
 
     [[nodiscard]] float limit() const { return key_of(segment.steps_left); }
 
+    template <class Node>
     unsigned children(const Node& node, float* keys) const {
         unsigned mask = children_within(node, blob.bits, segment.bounds);
         if (mask != 0) mask = children_on_line(segment, node, blob.bits, mask);

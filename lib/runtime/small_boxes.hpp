@@ -20,6 +20,7 @@ inline std::int32_t steps_in(const BlobData& blob, float accuracy) {
 }
 
 /// The squared distance from the point to the farthest point of a child's box, within 5 roundings.
+template <class Node>
 inline float farthest_squared(const Node& node, unsigned bits, unsigned child, const LatticePoint& point) {
     float sum = 0.0f;
     for (int k = 0; k < 3; ++k) {
@@ -69,6 +70,7 @@ inline float farthest_squared(const Node& node, unsigned bits, unsigned child, c
 }
 
 /// The same of a child's box.
+template <class Node>
 inline bool passes_through(const IntegerRay& ray, const Node& node, unsigned bits, unsigned child) {
     std::int32_t low[3], high[3];
     for (int k = 0; k < 3; ++k) {
@@ -80,13 +82,13 @@ inline bool passes_through(const IntegerRay& ray, const Node& node, unsigned bit
 
 /// The same of the asset's box and of every one on the way to a node. Boxes may stick out of those above them, and
 /// whether a ray just beside one of those was let through to here depends on the machine.
-[[gnu::noinline]] inline bool passes_down_to(const IntegerRay& ray, const BlobData& blob, const Node& target) {
+template <class Node>
+[[gnu::noinline]] bool passes_down_to(const IntegerRay& ray, const BlobData& blob, const Node& target) {
     constexpr std::int32_t low[3] = {0, 0, 0};
     if (!passes_through(ray, low, blob.extent)) return false;
     // mutant(- -> +) equivalent: pointers cannot be added, so the mutant is the original
-    const auto index = static_cast<std::uint32_t>(static_cast<std::size_t>(target.bytes - blob.nodes) /
-                                                  std::size_t{format::node::bytes});
-    Node node = node_at(blob, 0);
+    const auto index = static_cast<std::uint32_t>(static_cast<std::size_t>(target.bytes - blob.nodes) / Node::size);
+    Node node = node_at<Node>(blob, 0);
     // mutant(without 2, < -> <=) equivalent: in an opened blob the way down ends earlier; this guards bytes that were
     // not opened
     for (unsigned depth = 0; node.bytes != target.bytes && depth < format::max_depth; ++depth) {
@@ -97,12 +99,12 @@ inline bool passes_through(const IntegerRay& ray, const Node& node, unsigned bit
         } else {
             // Depth first: what is below a node begins with its first child and ends before what is below the next one.
             for (unsigned each = 0; each < node.node_children(); ++each) {
-                const std::uint32_t begin = node_at(blob, first + each).first_child();
+                const std::uint32_t begin = node_at<Node>(blob, first + each).first_child();
                 if (begin != 0 && begin <= index) child = each;
             }
         }
         if (!passes_through(ray, node, blob.bits, child)) return false;
-        node = node_at(blob, first + child);
+        node = node_at<Node>(blob, first + child);
     }
     return true;
 }

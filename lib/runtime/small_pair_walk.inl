@@ -1,4 +1,4 @@
-// The way through two trees at once where stack is dear: step by step that of traverse_pair.inl, in two bytes a level.
+// The way through two trees at once where stack is dear: step by step that of traverse_pair.inl, in one word a level.
 // The nodes on it are not remembered but found again from the roots. Included after pair_trees.inl.
 
 /// The steps that led to a pair of boxes.
@@ -24,16 +24,19 @@ public:
     }
 
 private:
-    static constexpr unsigned child_shift = 8, side_shift = 11;
-    static_assert(format::max_children <= 8);
-    static std::uint16_t packed(unsigned side, unsigned child, unsigned waiting) {
-        return static_cast<std::uint16_t>(side << side_shift | child << child_shift | waiting);
+    static constexpr unsigned most_children = reads_plain_leaves ? PlainNode::max_children : PackedNode::max_children;
+    using Step = std::conditional_t<most_children <= 8, std::uint16_t, std::uint32_t>;
+    static constexpr unsigned child_shift = most_children;
+    static constexpr unsigned side_shift = child_shift + std::bit_width(most_children - 1);
+    static_assert(side_shift < 8 * sizeof(Step));
+    static Step packed(unsigned side, unsigned child, unsigned waiting) {
+        return static_cast<Step>(side << side_shift | child << child_shift | waiting);
     }
     [[nodiscard]] unsigned side_at(unsigned i) const { return steps_[i] >> side_shift; }
-    [[nodiscard]] unsigned child_at(unsigned i) const { return steps_[i] >> child_shift & 7u; }
-    [[nodiscard]] unsigned waiting_at(unsigned i) const { return steps_[i] & 255u; }
+    [[nodiscard]] unsigned child_at(unsigned i) const { return steps_[i] >> child_shift & (most_children - 1); }
+    [[nodiscard]] unsigned waiting_at(unsigned i) const { return steps_[i] & ((1u << most_children) - 1u); }
 
-    std::uint16_t steps_[2 * format::max_depth];
+    Step steps_[2 * format::max_depth];
     unsigned size_ = 0;
 };
 

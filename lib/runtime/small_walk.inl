@@ -6,27 +6,23 @@
 struct Keys {
     unsigned among;
 };
-inline constexpr unsigned every_child = (1u << format::max_children) - 1u;
 
 /// Nodes on the way down of which some children have not had their turn.
+template <class Node>
 class WaitingNodes {
 public:
-    [[gnu::always_inline]] void push(std::uint32_t node, unsigned children) {
-        waiting_[size_++] = children << 24 | node;
-    }
+    [[gnu::always_inline]] void push(std::uint32_t node, unsigned children) { waiting_[size_++] = {node, children}; }
     /// False when there are none.
     [[gnu::always_inline]] bool pop(std::uint32_t& node, unsigned& children) {
         if (size_ == 0) return false;
-        const std::uint32_t last = waiting_[--size_];
-        // mutant(<< -> one less) huge: the bit for nodes beyond the first eight million
-        node = last & ((1u << 24) - 1u);
-        children = last >> 24;
+        const NodeAndChildren<Node> last = waiting_[--size_];
+        node = last.node();
+        children = last.children();
         return true;
     }
 
 private:
-    static_assert(format::max_nodes <= 1u << 24 && format::max_children <= 8);
-    std::uint32_t waiting_[format::max_depth - 1];  ///< the deepest nodes have leaves alone
+    NodeAndChildren<Node> waiting_[format::max_depth - 1];  ///< the deepest nodes have leaves alone
     unsigned size_ = 0;
 };
 
@@ -34,22 +30,23 @@ private:
 /// visited, the others are tested again: that is more exact by then, and no keys need to wait.
 template <class Leaf, class Visitor>
 [[gnu::always_inline]] inline void traverse_nearest_first(const BlobData& blob, Visitor& visitor) {
-    WaitingNodes waiting;
+    using Node = typename Leaf::Node;
+    WaitingNodes<Node> waiting;
     std::uint32_t index = 0;
-    unsigned among = every_child;
+    unsigned among = every_child_of<Node>;
     do {
         count_node_step();
-        const Node node = node_at(blob, index);
+        const Node node = node_at<Node>(blob, index);
         const unsigned seen = visitor.children(node, {among});
-        among = SeenChildren::children(seen);
+        among = SeenChildren<Node>::children(seen);
         if (among == 0) continue;
-        const unsigned nearest = SeenChildren::nearest(seen);
+        const unsigned nearest = SeenChildren<Node>::nearest(seen);
         among &= ~(1u << nearest);
         const unsigned node_children = node.node_children();
         if (nearest < node_children) {
             if (among != 0) waiting.push(index, among);
             index = node.first_child() + nearest;
-            among = every_child;
+            among = every_child_of<Node>;
         } else {
             count_leaf_step();
             if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, nearest - node_children)) == stop) return;
@@ -60,12 +57,13 @@ template <class Leaf, class Visitor>
 /// Children in storage order. `stop` when the visitor said so.
 template <class Leaf, class Visitor>
 [[gnu::always_inline]] inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
-    WaitingNodes waiting;
+    using Node = typename Leaf::Node;
+    WaitingNodes<Node> waiting;
     std::uint32_t index = 0;
     for (;;) {
         count_node_step();
-        const Node node = node_at(blob, index);
-        const unsigned mask = SeenChildren::children(visitor.children(node, {every_child}));
+        const Node node = node_at<Node>(blob, index);
+        const unsigned mask = SeenChildren<Node>::children(visitor.children(node, {every_child_of<Node>}));
         const unsigned node_children = node.node_children();
         for (unsigned number = 0; mask >> node_children >> number != 0; ++number) {
             if ((mask >> node_children >> number & 1u) == 0) continue;

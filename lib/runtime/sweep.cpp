@@ -13,18 +13,21 @@ namespace {
 namespace scalar_sweep {
 using namespace scalar;
 #include <runtime/ray_nodes.inl>
+#include <runtime/ray_plain_nodes.inl>
 #include <runtime/sweep_candidates.inl>
 }  // namespace scalar_sweep
 
 /// The triangle that is touched first; of those that are touched in the same tick the lowest index.
+template <class Lanes>
 struct FirstTouched {
-    RayLanes lanes_;
+    Lanes lanes_;
     FirstContactOf contact_of;
     const TriangleFilter* filter;
     FoundContact best = {};
     float limit_ = 1.0f;
 
     [[nodiscard]] float limit() const { return limit_; }
+    template <class Node>
     unsigned children(const Node& node, float* keys) const {
         return scalar_sweep::slab_test(node, lanes_, limit_, keys);
     }
@@ -82,9 +85,12 @@ bool sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacement,
 
 FoundContact first_contact(const BlobData& blob, const LatticeSweep& sweep, FirstContactOf contact_of,
                            const TriangleFilter* filter) {
-    FirstTouched visitor = {spread_sweep(blob, sweep), contact_of, filter};
-    scalar_walk::with_leaves_of(blob, [&]<class Leaf>() { scalar_walk::traverse_nearest_first<Leaf>(blob, visitor); });
-    return visitor.best;
+    return scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+        using Lanes = typename RayLanesFor<typename Leaf::Node>::Type;
+        FirstTouched<Lanes> visitor = {spread_sweep<Lanes>(blob, sweep), contact_of, filter};
+        scalar_walk::traverse_nearest_first<Leaf>(blob, visitor);
+        return visitor.best;
+    });
 }
 
 }  // namespace detail

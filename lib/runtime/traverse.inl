@@ -12,31 +12,48 @@ using Limit = float;
 
 /// What waits at a node on the way down: the second nearest of its children worth a visit, how near that is, and which
 /// others there are, none of them nearer. Keys are not negative, so that their bits order like integers; the lowest
-/// three make room for the child's number, which keeps the order of any two keys or makes them equal. Once the second
+/// bits make room for the child's number, which keeps the order of any two keys or makes them equal. Once the second
 /// has had its turn, a child of the others stands in its place.
-struct Waiting {
+template <class Node>
+struct WaitingChildren {
     static constexpr unsigned node_bits = 24;
-    static constexpr std::uint32_t child_mask = 7;
-    static_assert(format::max_nodes <= 1u << node_bits && format::max_children <= child_mask + 1);
+    static constexpr std::uint32_t child_mask = Node::max_children - 1;
+    static_assert(format::max_nodes <= 1u << node_bits && std::has_single_bit(Node::max_children));
     static constexpr std::uint32_t entry(float key, unsigned child) {
         return (std::bit_cast<std::uint32_t>(key) & ~child_mask) | child;
     }
 
-    std::uint64_t packed;
+    std::uint64_t second_and_node;
+    /// The others: with few children they have room above the node.
+    struct Nothing {};
+    [[no_unique_address]] std::conditional_t<Node::max_children <= 8, Nothing, std::uint32_t> more;
 
+    WaitingChildren() = default;
+    [[gnu::always_inline]] WaitingChildren(std::uint32_t second, unsigned others, std::uint32_t node)
+        : second_and_node(std::uint64_t{second} << 32 | node) {
+        set_others(others);
+    }
     [[nodiscard]] bool is_within(float limit) const {
-        return static_cast<std::uint32_t>(packed >> 32) <= (std::bit_cast<std::uint32_t>(limit) | child_mask);
+        return static_cast<std::uint32_t>(second_and_node >> 32) <= (std::bit_cast<std::uint32_t>(limit) | child_mask);
     }
-    [[nodiscard]] unsigned child() const { return static_cast<unsigned>(packed >> 32) & child_mask; }
-    [[nodiscard]] unsigned others() const { return static_cast<unsigned>(packed >> node_bits) & 255u; }
-    [[nodiscard]] std::uint32_t node() const { return static_cast<std::uint32_t>(packed) & ((1u << node_bits) - 1u); }
+    [[nodiscard]] unsigned child() const { return static_cast<unsigned>(second_and_node >> 32) & child_mask; }
+    [[nodiscard]] unsigned others() const {
+        if constexpr (Node::max_children <= 8) return static_cast<unsigned>(second_and_node >> node_bits) & 255u;
+        else return more;
+    }
+    [[nodiscard]] std::uint32_t node() const {
+        return static_cast<std::uint32_t>(second_and_node) & ((1u << node_bits) - 1u);
+    }
+    /// A child of the others in its place.
+    void drop_second() {
+        const auto from_others = static_cast<std::uint32_t>(std::countr_zero(others()));
+        second_and_node = (second_and_node & ~(std::uint64_t{child_mask} << 32)) | std::uint64_t{from_others} << 32;
+    }
 
-    static constexpr std::uint64_t pack(std::uint32_t second, unsigned others, std::uint32_t node) {
-        return std::uint64_t{second} << 32 | others << node_bits | node;
-    }
-    [[nodiscard]] std::uint64_t without_second() const {
-        const std::uint64_t from_others = std::uint64_t{static_cast<unsigned>(std::countr_zero(others()))} << 32;
-        return (packed & ~(std::uint64_t{child_mask} << 32)) | from_others;
+private:
+    void set_others(unsigned others) {
+        if constexpr (Node::max_children <= 8) second_and_node |= others << node_bits;
+        else more = others;
     }
 };
 
@@ -47,13 +64,15 @@ struct Waiting {
 /// batches can test the nodes of several rays before they branch on any.
 template <class Leaf, class Visitor>
 struct NearestFirst {
-    static constexpr unsigned every_child = (1u << format::max_children) - 1u;
+    using Node = typename Leaf::Node;
+    using Waiting = WaitingChildren<Node>;
+    static constexpr unsigned every_child = every_child_of<Node>;
 
-    std::uint64_t stack[format::max_depth];  // packed
+    Waiting stack[format::max_depth];
     unsigned size = 0;
     std::uint32_t index = 0;       ///< of the node that is next
     unsigned among = every_child;  ///< the children of it that are still to be visited
-    alignas(register_alignment) float keys[format::max_children];
+    alignas(register_alignment) float keys[Node::max_children];
 
     void begin(std::uint32_t node) {
         size = 0;
@@ -64,7 +83,7 @@ struct NearestFirst {
     /// First half: which children are worth a visit.
     [[gnu::always_inline]] unsigned test(const BlobData& blob, Visitor& visitor) {
         count_node_step();
-        return visitor.children(node_at(blob, index), keys) & among;
+        return visitor.children(node_at<Node>(blob, index), keys) & among;
     }
 
     /// Second half: visits leaves until it is a node's turn. False when the walk is over.
@@ -75,7 +94,7 @@ struct NearestFirst {
     /// True when a node below is next, else the leaves of this one are. Apart from those: from node to node a walk then
     /// keeps its numbers in registers.
     [[gnu::always_inline]] bool descend(const BlobData& blob, unsigned mask, unsigned& leaves) {
-        const NodeChildren children(node_at(blob, index));
+        const NodeChildren children(node_at<Node>(blob, index));
         const unsigned node_children = children.nodes();
         leaves = mask >> node_children;
         among = every_child;
@@ -97,7 +116,7 @@ struct NearestFirst {
         for (;;) {
             for (; leaves != 0; leaves &= leaves - 1) {
                 const auto number = static_cast<unsigned>(std::countr_zero(leaves));
-                const Node node = node_at(blob, parent);
+                const Node node = node_at<Node>(blob, parent);
                 if (parent == index && is_beyond(keys[node.node_children() + number], visitor.limit())) continue;
                 count_leaf_step();
                 if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, number)) == stop) return false;
@@ -105,7 +124,7 @@ struct NearestFirst {
             Waiting next;
             do {
                 if (size == 0) return false;
-                next = {stack[--size]};
+                next = stack[--size];
             } while (!next.is_within(visitor.limit()));
             parent = next.node();
             const unsigned others = next.others();
@@ -115,8 +134,11 @@ struct NearestFirst {
                 among = others;
                 return true;
             }
-            if (others != 0) stack[size++] = next.without_second();
-            const NodeChildren children(node_at(blob, parent));
+            if (others != 0) {
+                next.drop_second();
+                stack[size++] = next;
+            }
+            const NodeChildren children(node_at<Node>(blob, parent));
             if (child < children.nodes()) {
                 index = children.first() + child;
                 return true;
@@ -147,7 +169,7 @@ private:
         }
         const unsigned others =
             mask & ~(1u << (nearest & Waiting::child_mask)) & ~(1u << (second & Waiting::child_mask));
-        stack[size++] = Waiting::pack(second, others, index);
+        stack[size++] = Waiting(second, others, index);
         return nearest & Waiting::child_mask;
     }
 };
@@ -170,6 +192,7 @@ template <class Leaf, class Visitor>
 /// said so. In the caller's frame.
 template <class Leaf, class Visitor>
 [[gnu::always_inline]] inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
+    using Node = typename Leaf::Node;
     struct Level {
         std::uint32_t first_child;
         std::uint32_t waiting;
@@ -178,8 +201,8 @@ template <class Leaf, class Visitor>
     unsigned depth = 0;
     std::uint32_t index = 0;
     for (;;) {
-        const Node node = node_at(blob, index);
-        alignas(register_alignment) float keys[format::max_children];
+        const Node node = node_at<Node>(blob, index);
+        alignas(register_alignment) float keys[Node::max_children];
         count_node_step();
         const unsigned mask = visitor.children(node, keys);
         const NodeChildren children(node);

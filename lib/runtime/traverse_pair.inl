@@ -4,13 +4,13 @@
 //   unsigned children(unsigned side, const Node&, const TwiceBox& other, float* keys)
 //       mask of the children of a node of tree `side` that are worth a visit beside a box of the other tree, and for
 //       each how near it is: the nearest goes first, the others in storage order
-//   Visit visit_leaves(const LeafPlace& a, const LeafPlace& b, const TwiceBox& a_box)      stop ends the walk
+//   Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box)      stop ends the walk
 
 /// A node whose children wait, and the box of the other tree that they wait beside.
 struct PairLevel {
-    static constexpr unsigned waiting_shift = 24;
     static constexpr std::uint32_t side_bit = 1u << 31;
-    std::uint32_t node_and_waiting;
+    std::uint32_t node;
+    std::uint32_t waiting;  ///< a bit for each child
     std::uint32_t other_and_side;
 };
 
@@ -37,19 +37,19 @@ template <class Visitor>
             side = trees.side_to_open(items, boxes);
             index = trees.node_in(side, items[side]);
             count_node_step();
-            mask = visitor.children(side, node_at(*trees.blob[side], index), boxes[1 - side], keys);
+            mask = with_node(*trees.blob[side], index,
+                             [&](const auto& node) { return visitor.children(side, node, boxes[1 - side], keys); });
         }
         while (mask == 0) {
             if (depth == 0) return QueryStatus::ok;
             PairLevel& level = stack[depth - 1];
             side = (level.other_and_side & PairLevel::side_bit) != 0 ? 1u : 0u;
-            // mutant(<< -> one less) huge: matters from eight million nodes on, half a gigabyte
-            index = level.node_and_waiting & ((1u << PairLevel::waiting_shift) - 1u);
-            mask = level.node_and_waiting >> PairLevel::waiting_shift;
+            index = level.node;
+            mask = level.waiting;
             items[1 - side] = {level.other_and_side & ~PairLevel::side_bit};
             boxes[1 - side] = trees.box(1 - side, items[1 - side]);
             const unsigned rest = mask & (mask - 1);
-            level.node_and_waiting = index | rest << PairLevel::waiting_shift;
+            level.waiting = rest;
             if (rest == 0) --depth;
             mask ^= rest;
         }
@@ -61,8 +61,7 @@ template <class Visitor>
         }
         // mutant(!= -> true 1) work: pushes an empty set, which is popped again
         if (const unsigned rest = mask & ~(1u << best); rest != 0)
-            stack[depth++] = {index | rest << PairLevel::waiting_shift,
-                              items[1 - side].packed | (side != 0 ? PairLevel::side_bit : 0u)};
+            stack[depth++] = {index, rest, items[1 - side].packed | (side != 0 ? PairLevel::side_bit : 0u)};
         items[side] = trees.child_of(side, index, best);
         boxes[side] = trees.box(side, items[side]);
     }

@@ -94,6 +94,7 @@ struct TrianglesIn {
     std::uint32_t first;
     FunctionRef<Visit(Triangle)> visit;
 
+    template <class Node>
     [[nodiscard]] unsigned children(const Node& node, float*) const {
         unsigned mask = volume.bounded ? children_within(node, blob.bits, volume.bounds) : all_children(node);
         for (unsigned i = 0; i < volume.plane_count && mask != 0; ++i)
@@ -158,11 +159,12 @@ struct MayMeet {
     QueryCounters& counters;
     bool found = false;
 
+    template <class Node>
     unsigned children(const Node& node, float* keys) {
         if (found) return 0;
         counters.count_node();
         const unsigned mask = exactly.children(node, keys);
-        found = (mask & children_no_larger(node, steps)) != 0;
+        found = (mask & children_no_larger(node, steps, exactly.blob.bits)) != 0;
         return found ? 0 : mask;
     }
     Visit visit_leaf(const Leaf& leaf) {

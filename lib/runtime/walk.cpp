@@ -20,8 +20,9 @@ struct EveryTriangle {
     const BlobData& blob;
     FunctionRef<Visit(Triangle, const Corners&)> visit;
 
+    template <class Node>
     static unsigned children(const Node& node, float*) {
-        return (1u << (node.node_children() + node.leaf_children())) - 1u;
+        return all_children(node);
     }
     template <class Leaf>
     [[nodiscard]] Visit visit_leaf(const Leaf& leaf) const {
@@ -41,10 +42,11 @@ struct EveryNode {
     unsigned depth = 1;
     std::uint8_t waiting[format::max_depth + 1] = {0, 1};
 
+    template <class Node>
     [[nodiscard]] TreeNode describe(const Node& node) const {
         TreeNode seen;
         // mutant(- -> +) equivalent: pointers cannot be added, so the mutant is the original
-        seen.number = static_cast<std::uint32_t>((node.bytes - blob.nodes) / static_cast<int>(format::node::bytes));
+        seen.number = static_cast<std::uint32_t>((node.bytes - blob.nodes) / static_cast<int>(Node::size));
         seen.depth = depth;
         const unsigned nodes = node.node_children();
         seen.child_count = nodes + node.leaf_children();
@@ -64,6 +66,7 @@ struct EveryNode {
         }
         return seen;
     }
+    template <class Node>
     unsigned children(const Node& node, float*) {
         if (stopped) return 0;
         --waiting[depth];

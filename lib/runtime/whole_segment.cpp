@@ -95,31 +95,55 @@ LineSide::LineSide(const WholeSegment& segment, int turn, const LineGrid& grid) 
     base_ = static_cast<std::int32_t>(base > far_beside ? far_beside : base < -far_beside ? -far_beside : base);
 }
 
-unsigned children_on_line(const WholeSegment& segment, const Node& node, unsigned bits, unsigned mask) {
+namespace {
+
+/// `load_plane(axis, is_high, child)` returns a plane, on the grid.
+template <class LoadPlane>
+unsigned children_on_line_in(const WholeSegment& segment, const LineGrid& grid, unsigned mask, LoadPlane load_plane) {
+    const int m = segment.longest;
+    for (int turn = 1; turn <= 2; ++turn) {
+        const LineSide side(segment, turn, grid);
+        for (unsigned left = mask; left != 0; left &= left - 1) {
+            const auto child = static_cast<unsigned>(std::countr_zero(left));
+            // The corners of the rectangle that lie farthest above and below of the line.
+            const std::int32_t above =
+                side.place(load_plane(side.axis, true, child), load_plane(m, !side.rises(), child));
+            const std::int32_t below =
+                side.place(load_plane(side.axis, false, child), load_plane(m, side.rises(), child));
+            if (side.is_below(above) || side.is_above(below)) mask &= ~(1u << child);
+        }
+    }
+    return mask;
+}
+
+}  // namespace
+
+unsigned children_on_line(const WholeSegment& segment, const PackedNode& node, unsigned bits, unsigned mask) {
     LineGrid grid;
     grid.bits = 8;
     for (int k = 0; k < 3; ++k) {
         grid.base[k] = node.base(k, bits);
         grid.shift[k] = static_cast<int>(node.shift(k));
     }
-    const int m = segment.longest;
-    for (int turn = 1; turn <= 2; ++turn) {
-        const LineSide side(segment, turn, grid);
-        // The corners of the rectangle that lie farthest above and below of the line.
-        const std::byte* const above = side.rises() ? node.low_planes(m) : node.high_planes(m);
-        const std::byte* const below = side.rises() ? node.high_planes(m) : node.low_planes(m);
-        for (unsigned left = mask; left != 0; left &= left - 1) {
-            const auto child = static_cast<unsigned>(std::countr_zero(left));
-            const auto place = [&](const std::byte* plane, const std::byte* plane_m) {
-                return side.place(static_cast<std::int32_t>(load_u8(plane + child)),
-                                  static_cast<std::int32_t>(load_u8(plane_m + child)));
-            };
-            if (side.is_below(place(node.high_planes(side.axis), above)) ||
-                side.is_above(place(node.low_planes(side.axis), below)))
-                mask &= ~(1u << child);
-        }
+    return children_on_line_in(segment, grid, mask, [&](int axis, bool is_high, unsigned child) {
+        return static_cast<std::int32_t>(load_u8((is_high ? node.high_planes(axis) : node.low_planes(axis)) + child));
+    });
+}
+
+unsigned children_on_line(const WholeSegment& segment, const PlainNode& node, unsigned bits, unsigned mask) {
+    LineGrid grid;
+    grid.bits = 17;
+    const unsigned unit = format::unit_shift(bits);
+    for (int k = 0; k < 3; ++k) {
+        grid.base[k] = 0;
+        grid.shift[k] = static_cast<int>(unit);
     }
-    return mask;
+    // A high plane stands for all coordinates up to the next one's.
+    const std::int32_t more = unit == 0 ? 0 : 1;
+    return children_on_line_in(segment, grid, mask, [&](int axis, bool is_high, unsigned child) {
+        const std::byte* const planes = is_high ? node.high_planes(axis) : node.low_planes(axis);
+        return static_cast<std::int32_t>(load_u16(planes + 2 * std::size_t{child})) + (is_high ? more : 0);
+    });
 }
 
 bool crosses(const WholeSegment& segment, const LatticeTriangle& triangle, Crossing& crossing) {

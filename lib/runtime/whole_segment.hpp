@@ -63,7 +63,10 @@ private:
 };
 
 /// The children, of those in the mask, whose box the segment's line may pass. None that it does pass is left out.
-[[nodiscard]] unsigned children_on_line(const WholeSegment& segment, const Node& node, unsigned bits, unsigned mask);
+[[nodiscard]] unsigned children_on_line(const WholeSegment& segment, const PackedNode& node, unsigned bits,
+                                        unsigned mask);
+[[nodiscard]] unsigned children_on_line(const WholeSegment& segment, const PlainNode& node, unsigned bits,
+                                        unsigned mask);
 
 /// Whether the segment hits the triangle, exactly.
 [[nodiscard]] bool crosses(const WholeSegment& segment, const LatticeTriangle& triangle, Crossing& crossing);

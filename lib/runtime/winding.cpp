@@ -36,7 +36,10 @@ struct CountCrossings {
     const IntegerBounds& way;
     Winding result = {};
 
-    unsigned children(const Node& node, float*) const { return children_within(node, blob.bits, way); }
+    template <class Node>
+    unsigned children(const Node& node, float*) const {
+        return children_within(node, blob.bits, way);
+    }
     template <class Leaf>
     Visit visit_leaf(const Leaf& leaf) {
         return scalar_walk::for_each_triangle_of(

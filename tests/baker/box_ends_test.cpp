@@ -14,6 +14,7 @@
 #include <baker/verify.hpp>
 
 #include "../support/baking.hpp"
+#include "../support/blob_edits.hpp"
 #include "../support/blob_encoder.hpp"
 #include "../support/checksum.hpp"
 #include "../support/profiles.hpp"
@@ -27,6 +28,7 @@ using namespace espalier::tests;
 namespace {
 
 /// One triangle in one leaf, `extent` long on one axis and 3 steps on the others, whose box ends on a plane of choice.
+/// In profile `fast` planes count units of the lattice, else 2^shift.
 PlainBlob make_one_box(format::Profile profile, unsigned bits, std::size_t axis, std::int32_t extent, unsigned shift,
                        unsigned plane) {
     const std::size_t second = (axis + 1) % 3, third = (axis + 2) % 3;
@@ -46,8 +48,9 @@ PlainBlob make_one_box(format::Profile profile, unsigned bits, std::size_t axis,
         leaf.entries = {{0, true, true}, {1, false, false}, {2, false, false}};
     }
     PlainChild child;
-    child.high.fill(3);
-    child.high[axis] = static_cast<std::uint8_t>(plane);
+    const bool has_units = profile == format::Profile::fast && bits > 16;
+    child.high.fill(has_units ? static_cast<std::uint16_t>(3 >> (bits - 16)) : 3);
+    child.high[axis] = static_cast<std::uint16_t>(plane);
     child.leaf = leaf;
     PlainNode node;
     node.shift[axis] = shift;
@@ -89,6 +92,8 @@ bool has_farthest_box(DecodedBlob decoded) {
     }
     return false;
 }
+
+constexpr format::Profile packed_profiles[] = {format::Profile::balanced, format::Profile::small};
 
 std::string verdict(const std::vector<std::byte>& blob) { return baker::verify_deep(blob).value_or(""); }
 
@@ -161,7 +166,8 @@ TEST_SUITE("box ends") {
             {24, 254 << 16, 16, 255, false}, {24, 255 << 16, 17, 128, false}, {24, (255 << 16) + 1, 17, 128, true},
             {24, largest, 17, 128, true},    {24, largest, 17, 129, false}};
         // clang-format on
-        for_each_profile([&](format::Profile profile) {
+        for (const format::Profile profile : packed_profiles) {
+            CAPTURE(name_of(profile));
             for (const Ending& ending : endings) {
                 for (unsigned bits = ending.least_bits; bits <= format::max_bits; ++bits) {
                     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -183,11 +189,35 @@ TEST_SUITE("box ends") {
                     }
                 }
             }
-        });
+        }
+    }
+
+    TEST_CASE("format: a box of a plain node that ends in another unit than the extent is refused") {
+        for (unsigned bits = 2; bits <= format::max_bits; ++bits) {
+            const unsigned unit = format::unit_shift(bits);
+            const std::int32_t largest = (1 << bits) - 1;
+            for (const std::int32_t extent : {3, 4, 255, 256, 257, largest / 2, largest / 2 + 1, largest}) {
+                if (extent > largest) continue;
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    CAPTURE(bits);
+                    CAPTURE(extent);
+                    CAPTURE(axis);
+                    const auto last = static_cast<unsigned>(extent >> unit);
+                    const auto good = encode(make_one_box(format::Profile::fast, bits, axis, extent, 0, last));
+                    CHECK(opens(good));
+                    CHECK(is_sound(good));
+                    CHECK(verdict(good) == "");
+                    if (last == 0xFFFF) continue;
+                    const auto bad = encode(make_one_box(format::Profile::fast, bits, axis, extent, 0, last + 1));
+                    CHECK_FALSE(opens(bad));
+                    CHECK_FALSE(is_sound(bad));
+                }
+            }
+        }
     }
 
     TEST_CASE("format: a box of a node must end near the extent whatever the boxes below do") {
-        for_each_profile([](format::Profile profile) {
+        for (const format::Profile profile : packed_profiles) {
             const auto below = encode(make_two_boxes(profile, false)), above = encode(make_two_boxes(profile, true));
             CHECK(opens(below));
             CHECK(opens(above));
@@ -195,7 +225,7 @@ TEST_SUITE("box ends") {
             CHECK_FALSE(is_sound(above));
             CHECK(contains(verdict(below), "node 1 (byte 192) has a box that ends too far beyond the asset: on y"));
             CHECK(contains(verdict(above), "node 0 (byte 128) has a box that ends too far beyond the asset: on y"));
-        });
+        }
     }
 
     TEST_CASE("format: a box with parts of triangles must end near the extent") {
@@ -204,11 +234,11 @@ TEST_SUITE("box ends") {
         REQUIRE(has_copies(decode(blob)));
         REQUIRE(verdict(blob) == "");
         REQUIRE(boxes_end_near_asset(decode(blob)));
-        blob[format::header::bytes + format::node::hi_at] = std::byte{129};  // of 4 steps
-        repair_checksum(blob);
-        CHECK(opens(blob));
+        const std::size_t plane = format::header::bytes + format::plain_node::hi_at;
+        CHECK(status_with(blob, plane, 511, 2) == Status::ok);
+        CHECK(status_with(blob, plane, 512, 2) == Status::bad_node);
+        put(blob, plane, 512, 2);
         CHECK_FALSE(boxes_end_near_asset(decode(blob)));
-        CHECK(contains(verdict(blob), "node 0 (byte 128) has a box that ends too far beyond the asset: on x"));
     }
 
     TEST_CASE("format: boxes of baked blobs end near the extent on every lattice and some as far as allowed") {
@@ -217,7 +247,8 @@ TEST_SUITE("box ends") {
         for (unsigned bits = 1; bits <= format::max_bits; ++bits) {
             const std::uint32_t largest = (1u << bits) - 1;
             std::vector<std::uint32_t> extents = {0u, 1u, 254u, 255u, 256u, largest};
-            for (unsigned shift = 0; shift <= format::node::max_shift; ++shift)  // planes of 2^shift reach, or just not
+            for (unsigned shift = 0; shift <= format::packed_node::max_shift;
+                 ++shift)  // planes of 2^shift reach, or just not
                 extents.insert(extents.end(), {(200u << shift) + 1, 255u << shift, (255u << shift) + 1});
             std::erase_if(extents, [&](std::uint32_t extent) { return extent > largest; });
             const auto any_extent = [&] { return extents[random.below(static_cast<std::uint32_t>(extents.size()))]; };

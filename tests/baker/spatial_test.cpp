@@ -15,6 +15,7 @@
 #include <espalier/walk.hpp>
 
 #include "../support/baking.hpp"
+#include "../support/blob_edits.hpp"
 #include "../support/checksum.hpp"
 #include "../support/differences.hpp"
 #include "../support/mesh_makers.hpp"
@@ -298,9 +299,9 @@ TEST_SUITE("spatial") {
         const OpenedBlob opened(crossed_by_beams(60, 600, 1), with_splits());
         auto bytes = opened.bytes;
         // The highest plane of the root's first child, one lower: whatever reached up to it is now cut off.
-        const std::size_t plane = format::header::bytes + format::node::hi_at + 8;
-        REQUIRE(std::to_integer<int>(bytes[plane]) > 0);
-        bytes[plane] = static_cast<std::byte>(std::to_integer<int>(bytes[plane]) / 2);
+        const std::size_t plane = format::header::bytes + format::plain_node::hi_at + format::plain_node::row_bytes;
+        REQUIRE(get(bytes, plane, 2) > get(bytes, plane - 96, 2) + 1);
+        put(bytes, plane, (get(bytes, plane, 2) + get(bytes, plane - 96, 2)) / 2, 2);
         repair_checksum(bytes);
         Blob blob;
         REQUIRE(open(bytes, blob) == Status::ok);

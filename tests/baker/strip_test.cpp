@@ -197,7 +197,8 @@ TEST_SUITE("strip") {
         const DecodedBlob decoded = decode(result->blob);
         REQUIRE(decoded.triangles_in_leaf.size() == 1);
         CHECK(decoded.triangles_in_leaf[0] == 50);
-        const std::size_t descriptor = format::header::bytes + format::node::bytes + format::strip_leaf::descriptors_at;
+        const std::size_t descriptor =
+            format::header::bytes + format::packed_node::bytes + format::strip_leaf::descriptors_at;
         const std::size_t marks = descriptor + format::strip_leaf::descriptor_bytes;
         unsigned pivots = 0;
         for (unsigned entry = 0; entry < 49; ++entry) {

@@ -177,7 +177,7 @@ TEST_SUITE("tree") {
         const unsigned least_levels = (height_of(tree) + 2) / 3;
         for (const CostModel& model : {CostModel{}, CostModel{0.001f, 1.0f, 0.0f, 1.0f, 0.0f}}) {
             const auto sizes = baker::leaf_sizes(format::Profile::fast, 16, nullptr);
-            const baker::CollapsePlan plan(mesh, tree, *sizes, {model});
+            const baker::CollapsePlan plan(mesh, tree, *sizes, {format::Profile::fast, model});
             for (unsigned levels = least_levels; levels <= format::max_depth; ++levels) {
                 CHECK(wide_depth(plan, 0, levels) <= levels);
             }
@@ -226,6 +226,16 @@ TEST_SUITE("tree") {
             CHECK(decoded.triangles.size() == mesh.triangles.size());
             CHECK(*std::max_element(decoded.triangles_in_leaf.begin(), decoded.triangles_in_leaf.end()) == most);
         }
+    }
+
+    TEST_CASE("builder: nodes have as many children as their profile allows and never more") {
+        const Mesh mesh = make_terrain(60, 3);
+        for_each_profile([&](format::Profile profile) {
+            std::size_t most = 0;
+            for (const DecodedNode& node : decode(bake_or_throw(mesh, with_profile(profile))).nodes)
+                most = std::max(most, node.children.size());
+            CHECK(most == (profile == format::Profile::fast ? 16 : 8));
+        });
     }
 
     TEST_CASE("builder: a senseless leaf size or cost is refused by name") {

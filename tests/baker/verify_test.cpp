@@ -8,6 +8,7 @@
 #include "../support/baking.hpp"
 #include "../support/checksum.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/node_edits.hpp"
 #include "../support/profiles.hpp"
 #include "baking_support.hpp"
 
@@ -49,10 +50,11 @@ TEST_SUITE("verify") {
             const DecodedBlob decoded = decode(good);
             unsigned found = 0;
             for (std::size_t node = 0; node < decoded.nodes.size(); ++node) {
-                for (std::size_t plane = 0; plane < 3 * format::max_children; plane += 5) {
-                    const std::size_t at =
-                        format::header::bytes + node * format::node::bytes + format::node::hi_at + plane;
-                    if (plane % 8 >= decoded.nodes[node].children.size() || std::to_integer<int>(good[at]) < 2)
+                const NodeLayout layout = layout_of(profile);
+                for (std::size_t plane = 0; plane < 3 * layout.max_children; plane += 5) {
+                    const std::size_t at = node_of(good, node) + layout.hi_at + layout.plane_bytes * plane;
+                    if (plane % layout.max_children >= decoded.nodes[node].children.size() ||
+                        std::to_integer<int>(good[at]) < 2)
                         continue;
                     auto bad = good;
                     add_to(bad, at, -2);  // two planes lower: below what outward rounding may have left
@@ -60,8 +62,7 @@ TEST_SUITE("verify") {
                     if (!contains(message, "does not hold what is below")) continue;
                     ++found;
                     CHECK(contains(message, "node " + std::to_string(node) + " (byte " +
-                                                std::to_string(format::header::bytes + node * format::node::bytes) +
-                                                ")"));
+                                                std::to_string(node_of(good, node)) + ")"));
                 }
             }
             CHECK(found > decoded.nodes.size());
@@ -95,8 +96,7 @@ TEST_SUITE("verify") {
         const auto good = bake_or_throw(quad, with_profile(format::Profile::fast, with_bits(1)));
         const DecodedBlob decoded = decode(good);
         REQUIRE(decoded.triangles.size() == 2);
-        const std::size_t leaves_at = format::header::bytes + format::node::bytes;
-        const std::size_t data = leaves_at + format::plain_leaf::descriptors_at + format::plain_leaf::descriptor_bytes;
+        const std::size_t data = leaf_data_of(good, format::header::bytes, 0) + format::plain_leaf::words_at;
         using Triangle = std::array<unsigned, 3>;
         const auto with_corners = [&](const Triangle& first, const Triangle& second) {
             auto bad = good;
@@ -116,8 +116,8 @@ TEST_SUITE("verify") {
     }
 
     TEST_CASE("verify: an unused vertex of a strip and a strip triangle without area are found") {
-        const std::size_t marks_at = format::header::bytes + format::node::bytes + format::strip_leaf::descriptors_at +
-                                     format::strip_leaf::descriptor_bytes;
+        const std::size_t marks_at = format::header::bytes + format::packed_node::bytes +
+                                     format::strip_leaf::descriptors_at + format::strip_leaf::descriptor_bytes;
         // Three triangles over five vertices: the marks are two bits each of pivots, windows and first uses.
         Mesh fan;
         fan.positions = {{0, 0, 0}, {4, 0, 0}, {3, 3, 0}, {0, 4, 0}, {-3, 3, 0}};

@@ -23,6 +23,7 @@
 #include "../support/calls.hpp"
 #include "../support/instruction_paths.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/node_kinds.hpp"
 #include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
 #include "../support/real_meshes.hpp"
@@ -235,7 +236,8 @@ struct StepBox {
     }
 };
 
-StepBox box_of(const detail::BlobData& blob, const detail::Node& node, unsigned child) {
+template <class Node>
+StepBox box_of(const detail::BlobData& blob, const Node& node, unsigned child) {
     StepBox box;
     for (int k = 0; k < 3; ++k) {
         box.low[k] = node.low(k, child, blob.bits);
@@ -245,15 +247,16 @@ StepBox box_of(const detail::BlobData& blob, const detail::Node& node, unsigned 
 }
 
 /// A box of the tree, and another one on the way to it: that of its node, or the asset's.
+template <class Node>
 void pick_boxes(const detail::BlobData& blob, Random& random, StepBox& upper, StepBox& lower) {
-    const detail::Node node = detail::node_at(blob, random.below(blob.node_count));
+    const Node node = detail::node_at<Node>(blob, random.below(blob.node_count));
     if (node.node_children() == 0 || random.coin()) {
         upper = {{0, 0, 0}, {blob.extent[0], blob.extent[1], blob.extent[2]}};
         lower = box_of(blob, node, random.below(node.node_children() + node.leaf_children()));
         return;
     }
     const unsigned child = random.below(node.node_children());
-    const detail::Node below = detail::node_at(blob, node.first_child() + child);
+    const Node below = detail::node_at<Node>(blob, node.first_child() + child);
     upper = box_of(blob, node, child);
     lower = box_of(blob, below, random.below(below.node_children() + below.leaf_children()));
 }
@@ -265,7 +268,7 @@ Ray ray_beside_a_box(const detail::BlobData& blob, Random& random, std::int32_t&
     std::uint32_t side = 0;
     bool is_high = false;
     for (int tries = 0; tries < 50; ++tries) {
-        pick_boxes(blob, random, upper, lower);
+        with_node_kind(blob.profile, [&]<class Node>() { pick_boxes<Node>(blob, random, upper, lower); });
         side = random.below(3);
         is_high = random.coin();
         if (is_high ? lower.high[side] > upper.high[side] : lower.low[side] < upper.low[side]) break;
@@ -384,7 +387,7 @@ TEST_SUITE("approximate") {
         check_test_blobs(check_rays_beside_boxes, 87, scaled_share(2'000), awkward).check();
     }
     TEST_CASE("approximate: a sphere is near where it touches a triangle or a small box and nowhere else") {
-        for_each_profile([](format::Profile profile) {
+        for_each_node_kind([]<class Node>(format::Profile profile) {
             const OpenedBlob opened(make_terrain(40, 5), {.bits = 10, .profile = profile});
             const detail::BlobData& data = opened.blob.data();
             const float step = std::ldexp(1.0f, data.step_exponent);
@@ -400,7 +403,7 @@ TEST_SUITE("approximate") {
                 bool is_small = false, is_on_border = false;
                 std::vector<std::uint32_t> nodes = {0};
                 while (!nodes.empty()) {
-                    const detail::Node node = detail::node_at(data, nodes.back());
+                    const Node node = detail::node_at<Node>(data, nodes.back());
                     nodes.pop_back();
                     for (unsigned child = 0; child < node.node_children() + node.leaf_children(); ++child) {
                         std::int32_t longest = 0;

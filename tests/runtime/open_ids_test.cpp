@@ -10,9 +10,9 @@
 #include <espalier/original.hpp>
 
 #include "../support/baking.hpp"
-#include "../support/blob_edits.hpp"
 #include "../support/guarded_pages.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/node_edits.hpp"
 #include "../support/profiles.hpp"
 
 using namespace espalier;
@@ -65,8 +65,8 @@ struct Section {
         BakeOptions options = with_profile(profile);
         options.original_ids = true;
         Bytes bytes = bake_or_throw(make_plane_grid(side), options);
-        const std::size_t begin = at::bytes + get(bytes, at::node_count_at, 4) * format::node::bytes +
-                                  get(bytes, at::leaf_bytes_at, 4) + format::guard_bytes + format::source::bytes;
+        const std::size_t begin =
+            leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4) + format::guard_bytes + format::source::bytes;
         bytes.resize(begin);
         const auto append = [&](std::uint32_t value) {
             bytes.resize(bytes.size() + 4);

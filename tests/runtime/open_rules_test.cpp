@@ -11,9 +11,9 @@
 #include <espalier/espalier.hpp>
 
 #include "../support/baking.hpp"
-#include "../support/blob_edits.hpp"
 #include "../support/guarded_pages.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/node_edits.hpp"
 #include "../support/profiles.hpp"
 #include "../support/random.hpp"
 
@@ -59,8 +59,6 @@ Bytes without(Bytes bytes, std::size_t first, std::size_t count) {
     bytes.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
     return bytes;
 }
-
-std::size_t leaves_of(const Bytes& bytes) { return at::bytes + get(bytes, at::node_count_at, 4) * format::node::bytes; }
 
 /// Where the first optional section begins.
 std::size_t sections_of(const Bytes& bytes) {
@@ -145,7 +143,8 @@ TEST_SUITE("open rules") {
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const std::size_t extent_at = at::extent_at + 4 * axis;
                 const std::uint64_t extent = get(bytes, extent_at, 4);
-                CHECK(status_with(bytes, extent_at, extent - 1, 4) == Status::bad_leaf);
+                CHECK(status_with(bytes, extent_at, extent - 1, 4) ==
+                      (profile == format::Profile::fast ? Status::bad_node : Status::bad_leaf));
             }
         });
     }
@@ -154,7 +153,7 @@ TEST_SUITE("open rules") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = plain_blob(profile);
             const std::size_t end = leaves_of(bytes);
-            bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(end), format::node::bytes, std::byte{});
+            bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(end), format::node_bytes(profile), std::byte{});
             put(bytes, at::node_count_at, get(bytes, at::node_count_at, 4) + 1, 4);
             CHECK(status_resized(bytes) == Status::bad_node);
         });
@@ -167,12 +166,12 @@ TEST_SUITE("open rules") {
             for (unsigned side = 4; side <= 16; ++side) {
                 const Bytes bytes = bake_or_throw(make_plane_grid(side), with_profile(profile));
                 const std::uint64_t nodes = get(bytes, at::node_count_at, 4);
-                const std::uint64_t of_root = get(bytes, at::bytes + format::node::children_at, 4) >> 24 & 15u;
+                const std::uint64_t of_root = counts_of(bytes, at::bytes).nodes;
                 if (of_root == 0 || nodes != 1 + of_root) continue;
                 ++found;
                 Bytes changed = bytes;
                 put(changed, at::node_count_at, nodes - 1, 4);
-                put(changed, at::leaf_bytes_at, get(bytes, at::leaf_bytes_at, 4) + format::node::bytes, 4);
+                put(changed, at::leaf_bytes_at, get(bytes, at::leaf_bytes_at, 4) + format::node_bytes(profile), 4);
                 CHECK(status_resized(changed) == Status::bad_node);
             }
             CHECK(found > 0);
@@ -182,8 +181,9 @@ TEST_SUITE("open rules") {
     TEST_CASE("open: a node without children is refused also without planes") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
-            put(bytes, at::bytes + format::node::children_at, 0, 4);
-            for (std::size_t plane = format::node::lo_at; plane < format::node::bytes; ++plane)
+            put_counts(bytes, at::bytes, {});
+            const NodeLayout layout = layout_of(profile);
+            for (std::size_t plane = layout.lo_at; plane < layout.hi_at + 3 * layout.row_bytes; ++plane)
                 put(bytes, at::bytes + plane, 0, 1);
             CHECK(status_resized(bytes) == Status::bad_node);
         });
@@ -193,10 +193,8 @@ TEST_SUITE("open rules") {
         for_each_profile([](format::Profile profile) {
             constexpr std::uint32_t nodes = 100000;  // so many levels are no part of any stack
             Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
-            bytes.insert(bytes.begin() + at::bytes, std::size_t{nodes} * format::node::bytes, std::byte{});
-            for (std::uint32_t i = 0; i < nodes; ++i)
-                put(bytes, at::bytes + std::size_t{i} * format::node::bytes + format::node::children_at,
-                    (i + 1) | 1u << 24, 4);
+            bytes.insert(bytes.begin() + at::bytes, nodes * format::node_bytes(profile), std::byte{});
+            for (std::uint32_t i = 0; i < nodes; ++i) put_counts(bytes, node_of(bytes, i), {i + 1, 1, 0});
             put(bytes, at::node_count_at, nodes + 1, 4);
             put(bytes, at::depth_at, format::max_depth, 1);
             CHECK(status_resized(bytes) == Status::bad_node);
@@ -210,8 +208,10 @@ TEST_SUITE("open rules") {
             BakeOptions options = with_profile(profile);
             options.bits = 24;
             const Bytes bytes = bake_or_throw(make_plane_grid(1), options);
-            const std::size_t descriptor_at = leaves_of(bytes) + plain::descriptors_at;
-            const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
+            const std::size_t descriptor_at = descriptor_of(bytes, at::bytes, 0);
+            const unsigned size = descriptor_bytes_of(bytes);
+            const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, size));
+            const std::size_t data = leaf_data_of(bytes, at::bytes, 0);
             const auto is_refused = [](Bytes changed) {
                 repair_checksum(changed);
                 const GuardedPages pages(changed, true);
@@ -221,16 +221,15 @@ TEST_SUITE("open rules") {
             const bool has_strips = profile != format::Profile::fast;
             if (!has_strips) {  // a corner that is just no vertex
                 Bytes changed = bytes;
-                put(changed, descriptor_at + plain::descriptor_bytes + 6 * 4, 4, 1);
+                put(changed, data + plain::words_at + 6 * 4, 4, 1);
                 CHECK(is_refused(changed));
             }
             // Its data far behind the end.
             Bytes elsewhere = bytes;
-            put(elsewhere, descriptor_at, descriptor | ((1u << plain::offset_bits) - 1u), 4);
+            put(elsewhere, descriptor_at, descriptor | ((1u << plain::offset_bits) - 1u), size);
             CHECK(is_refused(elsewhere));
             // More data than there is, of the widest vertices, all of them in one corner.
             Bytes longer = bytes;
-            const std::size_t data = descriptor_at + plain::descriptor_bytes;
             for (std::size_t i = data; i < leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4); ++i)
                 put(longer, i, 0, 1);
             if (has_strips) {
@@ -238,21 +237,25 @@ TEST_SUITE("open rules") {
                 for (std::size_t i = 0; i < 11; ++i) put(longer, data + i, 0xFF, 1);
                 put(longer, data + 11, 0x1F, 1);  // 3 * 31 marks
             } else {
-                put(longer, descriptor_at, (descriptor & ~(31u << plain::size_shift)) | 31u << plain::vertices_shift,
-                    4);
+                put(longer, descriptor_at, (descriptor & ~(15u << plain::size_shift)) | 31u << plain::vertices_shift,
+                    size);
             }
             CHECK(is_refused(longer));
             // No data at all: in its place is the guard, which would do for a few vertices in one corner.
             Bytes shorter = bytes;
-            if (!has_strips) put(shorter, descriptor_at, descriptor & ~(31u << plain::size_shift), 4);
+            if (!has_strips) put(shorter, descriptor_at, descriptor & ~(15u << plain::size_shift), size);
             const std::size_t end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
             put(shorter, at::leaf_bytes_at, data - leaves_of(bytes), 4);
             if (has_strips) put(shorter, at::triangle_count_at, 1, 4);
             shorter = without(shorter, data, end - data);
             CHECK(status_resized(shorter) == Status::bad_leaf);
-            // A section that ends among the descriptors, and the first of them says that there is much data.
-            put(shorter, at::bytes + format::node::children_at, 8u << 28, 4);
-            put(shorter, descriptor_at, descriptor | 31u << plain::vertices_shift, 4);
+            // More leaves than there are, and the first descriptor states much data.
+            put_counts(shorter, at::bytes, {0, 0, 8});
+            for (std::size_t axis = 0; axis < 3 && !has_strips; ++axis)
+                for (std::size_t leaf = 1; leaf < 8; ++leaf)
+                    put(shorter, at::bytes + format::plain_node::hi_at + 32 * axis + 2 * leaf,
+                        get(shorter, at::bytes + format::plain_node::hi_at + 32 * axis, 2), 2);
+            put(shorter, descriptor_at, descriptor | 31u << plain::vertices_shift, size);
             put(shorter, at::total_bytes_at, shorter.size(), 4);
             CHECK((has_strips || is_refused(shorter)));
         });
@@ -265,23 +268,21 @@ TEST_SUITE("open rules") {
             BakeOptions options = with_profile(profile);
             options.bits = 24;
             const Bytes bytes = bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}), options);
-            std::size_t block = 0, leaves = 0;  // of the block that lies last
-            for (std::size_t node = at::bytes; node < leaves_of(bytes); node += format::node::bytes) {
-                const std::size_t here = 4 * get(bytes, node + format::node::leaf_block_at, 4);
-                if (here < block) continue;
-                block = here;
-                leaves = get(bytes, node + format::node::children_at, 4) >> 28;
+            std::size_t block = 0, last = 0;  // the block that lies last, and its node
+            for (std::size_t node = at::bytes; node < leaves_of(bytes); node += format::node_bytes(profile)) {
+                if (counts_of(bytes, node).leaves == 0 || leaf_block_of(bytes, node) < block) continue;
+                block = leaf_block_of(bytes, node);
+                last = node;
             }
-            REQUIRE(block > 0);
+            REQUIRE(block > leaves_of(bytes));
+            const std::size_t leaves = counts_of(bytes, last).leaves;
             REQUIRE(leaves > 1);
-            const std::size_t descriptors = leaves_of(bytes) + block + plain::descriptors_at;
-            const std::size_t descriptor_at = descriptors + plain::descriptor_bytes * (leaves - 1);
-            auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
-            std::size_t data = descriptors + plain::descriptor_bytes * leaves;
+            const std::size_t descriptor_at = descriptor_of(bytes, last, leaves - 1);
+            const unsigned size = descriptor_bytes_of(bytes);
+            auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, size));
+            const std::size_t data = leaf_data_of(bytes, last, leaves - 1);
             Bytes longer = bytes;
             const bool has_strips = profile != format::Profile::fast;
-            data += has_strips ? descriptor & ((1u << strips::offset_bits) - 1u)
-                               : 2 * (descriptor & ((1u << plain::offset_bits) - 1u));
             for (std::size_t i = data; i < leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4); ++i)
                 put(longer, i, 0, 1);
             if (has_strips) {
@@ -290,9 +291,9 @@ TEST_SUITE("open rules") {
                 for (std::size_t i = 0; i < 11; ++i) put(longer, data + i, 0xFF, 1);
                 put(longer, data + 11, 0x1F, 1);
             } else {
-                descriptor = (descriptor & ~(31u << plain::size_shift)) | 31u << plain::vertices_shift;
+                descriptor = (descriptor & ~(15u << plain::size_shift)) | 31u << plain::vertices_shift;
             }
-            put(longer, descriptor_at, descriptor, 4);
+            put(longer, descriptor_at, descriptor, size);
             repair_checksum(longer);
             const GuardedPages pages(longer, true);
             Blob blob;
@@ -304,9 +305,11 @@ TEST_SUITE("open rules") {
         for_each_profile([](format::Profile profile) {
             const Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));  // one leaf
             for (std::size_t axis = 0; axis < 3; ++axis) {
+                const NodeLayout layout = layout_of(profile);
+                const std::size_t plane = at::bytes + layout.row_bytes * axis + layout.plane_bytes;
                 Bytes changed = bytes;
-                put(changed, at::bytes + format::node::lo_at + 8 * axis + 1, 1, 1);
-                put(changed, at::bytes + format::node::hi_at + 8 * axis + 1, 1, 1);
+                put(changed, plane + layout.lo_at, 1, 1);
+                put(changed, plane + layout.hi_at, 1, 1);
                 CHECK(status_resized(changed) == Status::bad_node);
             }
         });
@@ -315,7 +318,7 @@ TEST_SUITE("open rules") {
     TEST_CASE("open: more triangles than in the header are refused at their leaves") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = plain_blob(profile);
-            put(bytes, leaves_of(bytes) - format::node::bytes + format::node::children_at, 0, 4);  // behind them
+            put_counts(bytes, leaves_of(bytes) - format::node_bytes(profile), {});  // behind them
             CHECK(status_resized(bytes) == Status::bad_node);
             put(bytes, at::triangle_count_at, 1, 4);
             CHECK(status_resized(bytes) == Status::bad_leaf);
@@ -604,38 +607,37 @@ TEST_SUITE("open rules") {
             options.bits = bits;
             const Bytes bytes = bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}), options);
             REQUIRE(get(bytes, at::bits_at, 1) == bits);
-            const std::size_t end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
             std::size_t blocks = 0, without_block = 0, gaps = 0, later = 0;
-            for (std::size_t node = at::bytes; node < leaves_of(bytes); node += format::node::bytes) {
-                const std::uint64_t children = get(bytes, node + format::node::children_at, 4);
-                const std::size_t leaves = children >> 28;
-                const std::uint64_t words = get(bytes, node + format::node::leaf_block_at, 4);
+            for (std::size_t node = at::bytes; node < leaves_of(bytes); node += format::plain_node::bytes) {
+                const std::size_t leaves = counts_of(bytes, node).leaves;
                 if (leaves == 0) {  // then it has no block either
-                    CHECK(status_with(bytes, node + format::node::leaf_block_at, 1, 4) == Status::bad_node);
+                    CHECK(status_with(bytes, node + format::plain_node::leaf_block_at, 1, 4) == Status::bad_node);
                     ++without_block;
                     continue;
                 }
                 ++blocks;
-                const std::size_t descriptors = leaves_of(bytes) + 4 * words + leaf::descriptors_at;
-                const std::size_t data = descriptors + leaf::descriptor_bytes * leaves;
                 for (std::size_t number = 0; number < leaves; ++number) {
-                    const std::size_t descriptor_at = descriptors + leaf::descriptor_bytes * number;
-                    const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
+                    const std::size_t descriptor_at = descriptor_of(bytes, node, number);
+                    const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 3));
                     const std::size_t vertices = (descriptor >> leaf::vertices_shift & 31u) + 1;
                     const std::size_t slots = (descriptor >> leaf::triangles_shift & 15u) + 1;
-                    const std::size_t begin = data + 2 * (descriptor & ((1u << leaf::offset_bits) - 1u));
-                    for (const unsigned shift : {0u, leaf::size_shift, leaf::first_shift}) {
-                        CHECK(status_with(bytes, descriptor_at, descriptor + (1u << shift), 4) == Status::bad_leaf);
-                        CHECK(status_with(bytes, descriptor_at, descriptor - (1u << shift), 4) == Status::bad_leaf);
+                    const std::size_t begin = leaf_data_of(bytes, node, number);
+                    for (const unsigned shift : {0u, leaf::size_shift}) {
+                        CHECK(status_with(bytes, descriptor_at, descriptor + (1u << shift), 3) == Status::bad_leaf);
+                        CHECK(status_with(bytes, descriptor_at, descriptor - (1u << shift), 3) == Status::bad_leaf);
                     }
-                    if (descriptor >> leaf::first_shift != 0) ++later;
-                    const std::size_t corners = begin + 6 * vertices;
+                    const std::uint64_t first = get(bytes, begin + leaf::first_at, 4);
+                    CHECK(status_with(bytes, begin + leaf::first_at, first + 1, 4) == Status::bad_leaf);
+                    CHECK(status_with(bytes, begin + leaf::first_at, first - 1, 4) == Status::bad_leaf);
+                    if (number != 0) ++later;
+                    const std::size_t corners = begin + leaf::words_at + 6 * vertices;
                     for (const std::size_t corner : {std::size_t{0}, slots - 1, 3 * slots - 1})
                         CHECK(status_with(bytes, corners + corner, vertices, 1) == Status::bad_leaf);
                     const std::size_t leaf_end = corners + 3 * slots + (bits > 16 ? 3 * vertices : 0);
-                    if ((leaf_end - data) % 2 == 0 || leaf_end == end) continue;
-                    ++gaps;  // the next leaf, or the end of the block
-                    CHECK(status_with(bytes, leaf_end, 1, 1) == Status::bad_leaf);
+                    const std::size_t padding = (4 - (leaf_end - begin) % 4) % 4;  // to the next leaf or the end
+                    gaps += padding;
+                    for (std::size_t i = 0; i < padding; ++i)
+                        CHECK(status_with(bytes, leaf_end + i, 1, 1) == Status::bad_leaf);
                 }
             }
             CHECK(blocks > 4);
@@ -653,7 +655,7 @@ TEST_SUITE("open rules") {
             const Bytes bytes = bake_or_throw(make_plane_grid(1), options);  // 4 vertices whose z is 0, 2 triangles
             REQUIRE(get(bytes, at::bits_at, 1) == bits);
             REQUIRE(get(bytes, at::extent_at + 8, 4) == 0);
-            const std::size_t data = leaves_of(bytes) + leaf::descriptors_at + leaf::descriptor_bytes;
+            const std::size_t data = leaf_data_of(bytes, at::bytes, 0) + leaf::words_at;
             const std::size_t bytes_above = data + 6 * 4 + 3 * 2;
             for (unsigned bit = 0; bit < (bits > 16 ? 24u : 16u); ++bit) {
                 Bytes moved = bytes;

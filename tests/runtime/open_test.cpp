@@ -8,13 +8,13 @@
 
 #include <espalier/espalier.hpp>
 
-#include "../support/blob_edits.hpp"
 #include "../support/checksum.hpp"
 #include "../support/decoder.hpp"
 #include "../support/exact_buffer.hpp"
 #include "../support/exercise.hpp"
 #include "../support/guarded_pages.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/node_edits.hpp"
 #include "../support/profiles.hpp"
 #include "../support/soundness.hpp"
 #include "../support/strip_shapes.hpp"
@@ -264,10 +264,11 @@ TEST_SUITE("open") {
                   Status::bad_leaf);
             // A child plane above its box, a leaf whose first triangle is another one, a bit in the guard, an unsorted
             // source.
-            const std::size_t nodes_at = at::bytes;
-            CHECK(status_with(bytes, nodes_at + format::node::lo_at, 255, 1) == Status::bad_node);
-            CHECK(status_with(bytes, nodes_at + format::node::shifts_at + 1, 0x80, 1) == Status::bad_node);
-            const std::size_t leaves_at = nodes_at + get(bytes, at::node_count_at, 4) * format::node::bytes;
+            changed = bytes;
+            break_node(changed, at::bytes);
+            repair_checksum(changed);
+            CHECK(status_of(changed) == Status::bad_node);
+            const std::size_t leaves_at = leaves_of(bytes);
             CHECK(status_with(bytes, leaves_at, 1, 4) == Status::bad_leaf);
             const std::size_t guard_at = leaves_at + get(bytes, at::leaf_bytes_at, 4);
             CHECK(status_with(bytes, guard_at + 63, 1, 1) == Status::bad_section);
@@ -342,43 +343,101 @@ TEST_SUITE("open") {
         });
     }
 
-    TEST_CASE("open: each rule of nodes and plain leaves is enforced") {
+    TEST_CASE("open: each rule of packed nodes is enforced") {
+        namespace node = format::packed_node;
+        constexpr std::size_t root = format::header::bytes;
+        for (const format::Profile profile : {format::Profile::balanced, format::Profile::small}) {
+            CAPTURE(name_of(profile));
+            const Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));  // one node with one leaf
+            REQUIRE(status_of(bytes) == Status::ok);
+            const auto is_refused = [&](std::size_t at, std::uint64_t value, unsigned size) {
+                return status_with(bytes, root + at, value, size) == Status::bad_node;
+            };
+            CHECK(is_refused(node::children_at, 1u << 28 | 1u, 4));             // a first child
+            CHECK(is_refused(node::children_at, 1u << 28 | 1u << 24 | 1u, 4));  // no such
+            CHECK(is_refused(node::children_at, 0, 4));                         // no child at all
+            CHECK(is_refused(node::children_at, 9u << 28, 4));                  // nine leaves
+            CHECK(is_refused(node::leaf_block_at, 1, 4));                       // not the next block
+            CHECK(is_refused(node::lo_at + 1, 1, 1));                           // an unused plane
+            CHECK(is_refused(node::hi_at + 7, 1, 1));
+            CHECK(is_refused(node::lo_at, 255, 1));  // above the high plane
+            CHECK(is_refused(node::shifts_at, node::max_shift + 1, 2));
+            CHECK(is_refused(node::shifts_at + 1, 0x80, 1));
+        }
+    }
+
+    TEST_CASE("open: each rule of plain nodes is enforced") {
+        namespace node = format::plain_node;
+        constexpr std::size_t root = format::header::bytes;
+        for (const unsigned bits : {12u, 20u}) {
+            CAPTURE(bits);
+            BakeOptions options = with_profile(format::Profile::fast);
+            options.bits = bits;
+            const Bytes bytes = bake_or_throw(make_plane_grid(1), options);  // one node with one leaf
+            REQUIRE(status_of(bytes) == Status::ok);
+            REQUIRE(get(bytes, format::header::bits_at, 1) == bits);
+            const auto is_refused = [&](std::size_t at, std::uint64_t value, unsigned size) {
+                return status_with(bytes, root + at, value, size) == Status::bad_node;
+            };
+            CHECK(is_refused(node::children_at, 1, 4));              // a first child
+            CHECK(is_refused(node::children_at, 1u << 24, 4));       // no such
+            CHECK(is_refused(node::children_at, 1u << 24 | 1u, 4));  // no such
+            CHECK(is_refused(node::children_at + 3, 255, 1));        // 256 children
+            CHECK(is_refused(node::children_at + 3, 16, 1));         // 17
+            CHECK(is_refused(node::leaf_children_at, 0, 1));         // no child at all
+            CHECK(is_refused(node::leaf_children_at, 17, 1));        // 17 leaves
+            CHECK(is_refused(node::leaf_children_at, 255, 1));
+            CHECK(is_refused(node::leaf_block_at, 1, 4));  // not the next block
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                CAPTURE(axis);
+                const std::size_t low_at = node::lo_at + node::row_bytes * axis;
+                const std::size_t high_at = node::hi_at + node::row_bytes * axis;
+                const std::uint64_t extent = get(bytes, format::header::extent_at + 4 * axis, 4);
+                const std::uint64_t most = extent >> format::unit_shift(bits);
+                REQUIRE(get(bytes, root + low_at, 2) == 0);
+                REQUIRE(get(bytes, root + high_at, 2) == most);
+                CHECK(is_refused(high_at, most + 1, 2));  // beyond the extent
+                CHECK(is_refused(high_at, 0xFFFF, 2));
+                CHECK(is_refused(low_at, most + 1, 2));  // above the high plane
+                CHECK(status_with(bytes, root + low_at, most, 2) == Status::ok);
+                for (std::size_t child = 1; child < node::max_children; ++child) {  // unused planes
+                    CHECK(is_refused(low_at + 2 * child, 1, 2));
+                    CHECK(is_refused(high_at + 2 * child, 1, 2));
+                    CHECK(is_refused(high_at + 2 * child, 0x100, 2));
+                }
+            }
+            for (std::size_t at = node::reserved_at; at < node::bytes; ++at) CHECK(is_refused(at, 1, 1));
+            for (std::size_t leaf = 1; leaf < node::max_children; ++leaf)  // a descriptor of no leaf
+                for (std::size_t i = 0; i < 3; ++i)
+                    CHECK(status_with(bytes, root + node::leaves_at + 3 * leaf + i, 1, 1) == Status::bad_leaf);
+        }
+    }
+
+    TEST_CASE("open: each rule of plain leaves is enforced") {
         // Two triangles over four vertices: one node with one leaf.
         const Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(format::Profile::fast));
         REQUIRE(status_of(bytes) == Status::ok);
-        namespace node = format::node;
         namespace leaf = format::plain_leaf;
-        constexpr std::size_t root = format::header::bytes;
-        CHECK(status_with(bytes, root + node::children_at, 1u << 28 | 1u, 4) == Status::bad_node);  // a first child
-        CHECK(status_with(bytes, root + node::children_at, 1u << 28 | 1u << 24 | 1u, 4) ==
-              Status::bad_node);                                                               // no such
-        CHECK(status_with(bytes, root + node::children_at, 0, 4) == Status::bad_node);         // no child at all
-        CHECK(status_with(bytes, root + node::children_at, 9u << 28, 4) == Status::bad_node);  // nine leaves
-        CHECK(status_with(bytes, root + node::leaf_block_at, 1, 4) == Status::bad_node);       // not the next block
-        CHECK(status_with(bytes, root + node::lo_at + 1, 1, 1) == Status::bad_node);           // an unused plane
-        CHECK(status_with(bytes, root + node::hi_at + 7, 1, 1) == Status::bad_node);
-        CHECK(status_with(bytes, root + node::shifts_at, node::max_shift + 1, 2) == Status::bad_node);
-
-        constexpr std::size_t block = root + node::bytes;
-        constexpr std::size_t descriptor_at = block + leaf::descriptors_at;
-        const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
+        constexpr std::size_t block = format::header::bytes + format::plain_node::bytes;
+        constexpr std::size_t descriptor_at = format::header::bytes + format::plain_node::leaves_at;
+        const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 3));
         REQUIRE((descriptor >> leaf::triangles_shift & 15u) == 1);
         REQUIRE((descriptor >> leaf::vertices_shift & 31u) == 3);
-        CHECK(status_with(bytes, descriptor_at, descriptor, 4) == Status::ok);
-        CHECK(status_with(bytes, descriptor_at, descriptor + 1, 4) == Status::bad_leaf);  // data somewhere else
-        CHECK(status_with(bytes, descriptor_at, descriptor + (1u << leaf::triangles_shift), 4) == Status::bad_leaf);
-        CHECK(status_with(bytes, descriptor_at, descriptor - (1u << leaf::triangles_shift), 4) == Status::bad_leaf);
-        CHECK(status_with(bytes, descriptor_at, descriptor | 31u << leaf::vertices_shift, 4) == Status::bad_leaf);
-        for (std::uint32_t size = 0; size < 32; ++size) {
-            const std::uint32_t others = descriptor & ~(31u << leaf::size_shift);
+        CHECK(status_with(bytes, descriptor_at, descriptor, 3) == Status::ok);
+        CHECK(status_with(bytes, descriptor_at, descriptor + 1, 3) == Status::bad_leaf);  // data somewhere else
+        CHECK(status_with(bytes, descriptor_at, descriptor + (1u << leaf::triangles_shift), 3) == Status::bad_leaf);
+        CHECK(status_with(bytes, descriptor_at, descriptor - (1u << leaf::triangles_shift), 3) == Status::bad_leaf);
+        CHECK(status_with(bytes, descriptor_at, descriptor | 31u << leaf::vertices_shift, 3) == Status::bad_leaf);
+        for (std::uint32_t size = 0; size < 16; ++size) {
+            const std::uint32_t others = descriptor & ~(15u << leaf::size_shift);
             const bool is_right = others + (size << leaf::size_shift) == descriptor;
-            CHECK(status_with(bytes, descriptor_at, others | size << leaf::size_shift, 4) ==
+            CHECK(status_with(bytes, descriptor_at, others | size << leaf::size_shift, 3) ==
                   (is_right ? Status::ok : Status::bad_leaf));
         }
-        for (unsigned bit = leaf::first_shift; bit < 32; ++bit)  // another first triangle
-            CHECK(status_with(bytes, descriptor_at, descriptor | 1u << bit, 4) == Status::bad_leaf);
+        for (const std::uint32_t first : {1u, 2u, 1u << 31})  // another first triangle
+            CHECK(status_with(bytes, block + leaf::first_at, first, 4) == Status::bad_leaf);
 
-        constexpr std::size_t corners_at = descriptor_at + leaf::descriptor_bytes + 4 * 6;
+        constexpr std::size_t corners_at = block + leaf::words_at + 4 * 6;
         for (std::size_t corner = 0; corner < 6; ++corner) {
             CHECK(status_with(bytes, corners_at + corner, 3, 1) == Status::ok);  // another mesh, no harm
             for (const unsigned no_vertex : {4u, 32u, 255u})
@@ -391,7 +450,7 @@ TEST_SUITE("open") {
 
     TEST_CASE("open: each rule of strip leaves is enforced") {
         namespace leaf = format::strip_leaf;
-        constexpr std::size_t block = format::header::bytes + format::node::bytes;
+        constexpr std::size_t block = format::header::bytes + format::packed_node::bytes;
         constexpr std::size_t descriptor_at = block + leaf::descriptors_at;
         constexpr std::size_t marks_at = descriptor_at + leaf::descriptor_bytes;
         // Two tetrahedra, each a path of 4 triangles over 4 vertices: one node with one leaf of 12 entries.
@@ -405,7 +464,7 @@ TEST_SUITE("open") {
             const Bytes bytes = bake_or_throw(mesh, options);
             REQUIRE(status_of(bytes) == Status::ok);
             REQUIRE(get(bytes, format::header::node_count_at, 4) == 1);
-            REQUIRE(get(bytes, format::node::children_at + format::header::bytes, 4) == 1u << 28);
+            REQUIRE(get(bytes, format::packed_node::children_at + format::header::bytes, 4) == 1u << 28);
             const auto descriptor = static_cast<std::uint32_t>(get(bytes, descriptor_at, 4));
             REQUIRE((descriptor >> leaf::entries_shift & 63u) == 12 - 3);
             const auto with_descriptor = [&](std::uint32_t changed) {
@@ -461,7 +520,7 @@ TEST_SUITE("open") {
             }
             const std::uint64_t other = profile == format::Profile::small ? 1 : 2;
             CHECK(status_with(bytes, format::header::profile_at, other, 1) == Status::ok);
-            CHECK(status_with(bytes, format::header::profile_at, 0, 1) == Status::bad_leaf);
+            CHECK(status_with(bytes, format::header::profile_at, 0, 1) == Status::bad_section);  // other nodes
         }
     }
 
@@ -472,7 +531,7 @@ TEST_SUITE("open") {
         const Bytes too_long = bake_or_throw(make_fan(format::strip_leaf::max_balanced_entries - 1, false), options);
         for (const Bytes* bytes : {&fits, &too_long}) {
             REQUIRE(status_of(*bytes) == Status::ok);
-            REQUIRE(get(*bytes, format::header::bytes + format::node::children_at, 4) == 1u << 28);  // one leaf
+            REQUIRE(get(*bytes, format::header::bytes + format::packed_node::children_at, 4) == 1u << 28);  // one leaf
             CHECK(status_with(*bytes, format::header::profile_at, 1, 1) ==
                   (bytes == &fits ? Status::ok : Status::bad_leaf));
         }

@@ -19,14 +19,15 @@ namespace {
 using namespace espalier;
 
 TEST_SUITE("packed walk") {
-    TEST_CASE("walk: a packed level returns the node and the children that were stored") {
-        using detail::scalar::Waiting;
+    TEST_CASE_TEMPLATE("walk: a packed level returns the node and the children that were stored", Node,
+                       detail::PackedNode, detail::PlainNode) {
+        using Waiting = detail::scalar::WaitingChildren<Node>;
         for (const std::uint32_t node : {0u, 1u, 0x555555u, 0x7FFFFFu, 0x800000u, 0xFFFFFFu})
             for (const float key : {0.0f, 0x1p-100f, 1.5f, 0x1p100f})
-                for (unsigned second = 0; second < 8; ++second)
-                    for (unsigned others = 0; others < 256; ++others) {
+                for (unsigned second = 0; second < Node::max_children; ++second)
+                    for (unsigned others = 0; others <= detail::every_child_of<Node>; ++others) {
                         if ((others >> second & 1) != 0) continue;
-                        const Waiting waiting{Waiting::pack(Waiting::entry(key, second), others, node)};
+                        const Waiting waiting(Waiting::entry(key, second), others, node);
                         REQUIRE(waiting.node() == node);
                         REQUIRE(waiting.others() == others);
                         REQUIRE(waiting.child() == second);
@@ -34,7 +35,8 @@ TEST_SUITE("packed walk") {
                         REQUIRE(waiting.is_within(key * 2.0f));
                         REQUIRE((key == 0.0f || !waiting.is_within(key * 0.5f)));
                         if (others == 0) continue;
-                        const Waiting rest{waiting.without_second()};
+                        Waiting rest = waiting;
+                        rest.drop_second();
                         REQUIRE(rest.node() == node);
                         REQUIRE(rest.others() == others);
                         REQUIRE((others >> rest.child() & 1) != 0);
@@ -48,7 +50,7 @@ TEST_SUITE("packed walk") {
         REQUIRE(PairItem{}.is_root());
         REQUIRE_FALSE(PairItem{}.is_leaf());
         for (const std::uint32_t node : {0u, 1u, 0x555555u, 0x7FFFFFu, 0x800000u, 0xFFFFFFu})
-            for (std::uint32_t child = 0; child < 8; ++child)
+            for (std::uint32_t child = 0; child < format::max_children; ++child)
                 for (const std::uint32_t leaf : {0u, PairItem::leaf_bit}) {
                     const PairItem item{node | child << PairItem::child_shift | leaf};
                     REQUIRE(item.parent() == node);

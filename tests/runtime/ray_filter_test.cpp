@@ -69,10 +69,15 @@ PlainBlob make_blob(Random& random, format::Profile profile, unsigned width, uns
         const bool is_at_end = random.coin();
         node.base[k] = is_at_end ? ((1u << bits) - (1u << std::max(width, unit))) >> unit : 0;
         node.shift[k] = width > 8 ? width - 8 : 0;
-        child.high[k] = static_cast<std::uint8_t>((1u << std::min(width, 8u)) - 1);
+        child.high[k] = static_cast<std::uint16_t>((1u << std::min(width, 8u)) - 1);
         low[k] = static_cast<std::int32_t>(node.base[k] << unit);
     }
-    child.leaf = make_leaf(random, profile, low, static_cast<std::int32_t>(child.high[0]) << node.shift[0]);
+    const std::int32_t reach = child.high[0] << node.shift[0];
+    for (std::size_t k = 0; k < 3 && profile == format::Profile::fast; ++k) {
+        child.low[k] = static_cast<std::uint16_t>(low[k] >> unit);
+        child.high[k] = static_cast<std::uint16_t>((low[k] + reach) >> unit);
+    }
+    child.leaf = make_leaf(random, profile, low, reach);
     node.children = {child};
     blob.decoded.vertex_count = static_cast<std::uint32_t>(child.leaf->vertices.size());
     blob.nodes = {node};

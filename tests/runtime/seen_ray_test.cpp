@@ -30,6 +30,8 @@ detail::SeenVertex seen_vertex(std::int32_t x, std::int32_t y) {
     return (static_cast<std::uint32_t>(x) & 0xFFFFu) | static_cast<std::uint32_t>(y) << 16;
 }
 
+using Seen = detail::SeenChildren<detail::PackedNode>;
+
 std::int32_t cross(std::array<std::int32_t, 2> p, std::array<std::int32_t, 2> q) { return p[0] * q[1] - p[1] * q[0]; }
 
 }  // namespace
@@ -51,10 +53,10 @@ TEST_SUITE("seen ray") {
             for (int k = 0; k < 2; ++k) {
                 const unsigned among = k == 0 ? 255u : 1u + random.below(255);
                 const std::int32_t limit = k == 0 ? ray.last_ahead(ray.tau_max) : random.between(-5, 1 << 24);
-                const unsigned seen = detail::seen_children(ray, boxes.bytes.data(), limit, among);
-                sum.add(detail::SeenChildren::children(seen));
-                if (detail::SeenChildren::children(seen) != 0) sum.add(detail::SeenChildren::nearest(seen));
-                (detail::SeenChildren::children(seen) != 0 ? met : missed) += 1;
+                const unsigned seen = detail::seen_children(ray, boxes.node, limit, among);
+                sum.add(Seen::children(seen));
+                if (Seen::children(seen) != 0) sum.add(Seen::nearest(seen));
+                (Seen::children(seen) != 0 ? met : missed) += 1;
             }
             const detail::SeenLeaf leaf(random.between(0, 31));
             sum.add(static_cast<std::uint32_t>(leaf.finer));
@@ -63,8 +65,8 @@ TEST_SUITE("seen ray") {
             for (std::int32_t& coordinate : place) coordinate = random.between(-(1 << 24), 1 << 24);
             sum.add(leaf.vertex(ray, place));
         };
-        for_each_ray(400, true, look);
-        for_each_ray(100, false, look);
+        for_each_ray<EightBoxes>(400, true, look);
+        for_each_ray<EightBoxes>(100, false, look);
         CHECK(rays > 25'000);
         CHECK(met > 10'000);
         CHECK(missed > 10'000);
@@ -72,27 +74,29 @@ TEST_SUITE("seen ray") {
     }
 
     TEST_CASE("small code: no box that the ray passes through is left out") {
-        std::uint32_t passed = 0, rejected = 0;
-        for_each_ray(100, true,
-                     [&](const detail::BlobData& asset, const EightBoxes& boxes, const detail::IntegerRay& rounded,
-                         Random& random) {
-                         const detail::SeenRay ray = look_along(rounded, asset);
-                         const std::int32_t limit = random.coin()
-                                                        ? ray.last_ahead(ray.tau_max)
-                                                        : random.between(0, asset.extent[0] << ray.fraction_bits);
-                         const unsigned seen =
-                             detail::SeenChildren::children(detail::seen_children(ray, boxes.bytes.data(), limit, 255));
-                         for (unsigned child = 0; child < children; ++child) {
-                             const bool is_seen = (seen >> child & 1u) != 0;
-                             rejected += is_seen ? 0u : 1u;
-                             if (!passes_exactly(ray, boxes.node, asset.bits, child, &limit)) continue;
-                             ++passed;
-                             CHECK(is_seen);
-                         }
-                     });
-        MESSAGE(passed << " boxes passed through, " << rejected << " left out");
-        CHECK(passed > 3'000);
-        CHECK(rejected > 3'000);
+        for_each_full_node([]<class Boxes>() {
+            std::uint32_t passed = 0, rejected = 0;
+            for_each_ray<Boxes>(
+                100, true,
+                [&](const detail::BlobData& asset, const Boxes& boxes, const detail::IntegerRay& rounded,
+                    Random& random) {
+                    const detail::SeenRay ray = look_along(rounded, asset);
+                    const std::int32_t limit = random.coin() ? ray.last_ahead(ray.tau_max)
+                                                             : random.between(0, asset.extent[0] << ray.fraction_bits);
+                    const unsigned seen =
+                        detail::seen_children(ray, boxes.node, limit, Boxes::every_child) & Boxes::every_child;
+                    for (unsigned child = 0; child < Boxes::children; ++child) {
+                        const bool is_seen = (seen >> child & 1u) != 0;
+                        rejected += is_seen ? 0u : 1u;
+                        if (!passes_exactly(ray, boxes.node, asset.bits, child, &limit)) continue;
+                        ++passed;
+                        CHECK(is_seen);
+                    }
+                });
+            MESSAGE(passed << " boxes passed through, " << rejected << " left out");
+            CHECK(passed > 3'000);
+            CHECK(rejected > 3'000);
+        });
     }
 
     TEST_CASE("small code: a box is left out only beyond the reach of rounding") {
@@ -118,9 +122,9 @@ TEST_SUITE("seen ray") {
                             rounded.origin[axis] = side;
                             const detail::SeenRay ray = look_along(rounded, asset);
                             const unsigned seen =
-                                detail::seen_children(ray, boxes.bytes.data(), ray.last_ahead(ray.tau_max), 255);
+                                detail::seen_children(ray, boxes.node, ray.last_ahead(ray.tau_max), 255);
                             CAPTURE(side);
-                            CHECK(detail::SeenChildren::children(seen) == (away <= 133 ? 255u : 0u));
+                            CHECK(Seen::children(seen) == (away <= 133 ? 255u : 0u));
                         }
                     }
                 }

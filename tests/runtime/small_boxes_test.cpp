@@ -14,7 +14,7 @@
 #include "../support/baking.hpp"
 #include "../support/boxes_on_ray.hpp"
 #include "../support/mesh_makers.hpp"
-#include "../support/profiles.hpp"
+#include "../support/node_kinds.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -25,7 +25,8 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Turns the ray so that it meets corners, sides and borders of its window at whole fractions of steps: along an axis
 /// or a diagonal, from or to a corner of the child's box, ulps beside it or none.
-void turn_to_border(const EightBoxes& boxes, unsigned bits, unsigned child, Random& random, detail::IntegerRay& ray) {
+template <class Boxes>
+void turn_to_border(const Boxes& boxes, unsigned bits, unsigned child, Random& random, detail::IntegerRay& ray) {
     for (std::int32_t& way : ray.direction) way = random.between(-1, 1) * (1 << 23);
     ray.direction[random.below(3)] = random.coin() ? 1 << 23 : -(1 << 23);
     const std::int32_t back = random.between(-3, 40) << ray.fraction_bits;
@@ -49,25 +50,27 @@ void turn_to_border(const EightBoxes& boxes, unsigned bits, unsigned child, Rand
 
 TEST_SUITE("small boxes") {
     TEST_CASE("approximate: a ray passes through a small box exactly where exact arithmetic does") {
-        std::uint32_t passed = 0, missed = 0;
-        for_each_ray(
-            100, true,
-            [&](const detail::BlobData& asset, const EightBoxes& boxes, detail::IntegerRay& ray, Random& random) {
-                const unsigned child = random.below(children);
-                if (random.coin()) turn_to_border(boxes, asset.bits, child, random, ray);
-                for (unsigned other : {child, random.below(children)}) {
-                    const bool passes = detail::passes_through(ray, boxes.node, asset.bits, other);
-                    (passes ? passed : missed) += 1;
-                    CHECK(passes == passes_exactly(ray, boxes.node, asset.bits, other));
-                }
-            });
-        CHECK(passed > 1'000);
-        CHECK(missed > 1'000);
+        for_each_full_node([]<class Boxes>() {
+            std::uint32_t passed = 0, missed = 0;
+            for_each_ray<Boxes>(
+                100, true,
+                [&](const detail::BlobData& asset, const Boxes& boxes, detail::IntegerRay& ray, Random& random) {
+                    const unsigned child = random.below(Boxes::children);
+                    if (random.coin()) turn_to_border(boxes, asset.bits, child, random, ray);
+                    for (unsigned other : {child, random.below(Boxes::children)}) {
+                        const bool passes = detail::passes_through(ray, boxes.node, asset.bits, other);
+                        (passes ? passed : missed) += 1;
+                        CHECK(passes == passes_exactly(ray, boxes.node, asset.bits, other));
+                    }
+                });
+            CHECK(passed > 1'000);
+            CHECK(missed > 1'000);
+        });
     }
 
     TEST_CASE("approximate: a ray reaches a node exactly when it passes every box above it") {
         std::uint32_t passed = 0, missed = 0;
-        for_each_profile([&](format::Profile profile) {
+        for_each_node_kind([&]<class Node>(format::Profile profile) {
             const OpenedBlob opened(make_torus(120, 60, 3.0, 1.0), {.bits = 11, .profile = profile});
             const detail::BlobData& data = opened.blob.data();
             struct Step {
@@ -76,7 +79,7 @@ TEST_SUITE("small boxes") {
             };
             std::vector<Step> steps(data.node_count);
             for (std::uint32_t index = 0; index < data.node_count; ++index) {
-                const detail::Node node = detail::node_at(data, index);
+                const Node node = detail::node_at<Node>(data, index);
                 for (unsigned child = 0; child < node.node_children(); ++child)
                     steps[node.first_child() + child] = {index, child};
             }
@@ -85,7 +88,7 @@ TEST_SUITE("small boxes") {
                 for (int i = 0; i < 10; ++i) {
                     // From somewhere to some corner of the target's own box, or nearly.
                     Ray world{random.in_cube(12.0f), {}};
-                    const detail::Node parent = detail::node_at(data, steps[target].parent);
+                    const Node parent = detail::node_at<Node>(data, steps[target].parent);
                     float at[3];
                     for (int k = 0; k < 3; ++k) {
                         const std::int32_t low = parent.low(k, steps[target].child, data.bits);
@@ -100,10 +103,10 @@ TEST_SUITE("small boxes") {
                     constexpr std::int32_t zero[3] = {0, 0, 0};
                     bool expected = passes_exactly(ray, zero, data.extent);
                     for (std::uint32_t below = target; below != 0; below = steps[below].parent)
-                        expected = expected && passes_exactly(ray, detail::node_at(data, steps[below].parent),
+                        expected = expected && passes_exactly(ray, detail::node_at<Node>(data, steps[below].parent),
                                                               data.bits, steps[below].child);
                     (expected ? passed : missed) += 1;
-                    CHECK(detail::passes_down_to(ray, data, detail::node_at(data, target)) == expected);
+                    CHECK(detail::passes_down_to(ray, data, detail::node_at<Node>(data, target)) == expected);
                 }
         });
         CHECK(passed > 500);
@@ -136,27 +139,29 @@ TEST_SUITE("small boxes") {
     }
 
     TEST_CASE("approximate: the farthest point of a box is its farthest corner") {
-        for_each_ray(
-            50, true,
-            [](const detail::BlobData& asset, const EightBoxes& boxes, const detail::IntegerRay&, Random& random) {
-                detail::LatticePoint point{};
-                for (int k = 0; k < 3; ++k)
-                    point.steps[k] = static_cast<float>(random.between(-100, asset.extent[k] + 100));
-                const unsigned child = random.below(children);
-                double farthest = 0.0;
-                for (unsigned corner = 0; corner < 8; ++corner) {
-                    double sum = 0.0;
-                    for (int k = 0; k < 3; ++k) {
-                        const bool is_high = (corner >> k & 1u) != 0;
-                        const std::int32_t steps =
-                            is_high ? boxes.node.high(k, child, asset.bits) : boxes.node.low(k, child, asset.bits);
-                        const double off = steps - static_cast<double>(point.steps[k]);
-                        sum += off * off;
+        for_each_full_node([]<class Boxes>() {
+            for_each_ray<Boxes>(
+                50, true,
+                [](const detail::BlobData& asset, const Boxes& boxes, const detail::IntegerRay&, Random& random) {
+                    detail::LatticePoint point{};
+                    for (int k = 0; k < 3; ++k)
+                        point.steps[k] = static_cast<float>(random.between(-100, asset.extent[k] + 100));
+                    const unsigned child = random.below(Boxes::children);
+                    double farthest = 0.0;
+                    for (unsigned corner = 0; corner < 8; ++corner) {
+                        double sum = 0.0;
+                        for (int k = 0; k < 3; ++k) {
+                            const bool is_high = (corner >> k & 1u) != 0;
+                            const std::int32_t steps =
+                                is_high ? boxes.node.high(k, child, asset.bits) : boxes.node.low(k, child, asset.bits);
+                            const double off = steps - static_cast<double>(point.steps[k]);
+                            sum += off * off;
+                        }
+                        farthest = std::max(farthest, sum);
                     }
-                    farthest = std::max(farthest, sum);
-                }
-                const double answer = double(detail::farthest_squared(boxes.node, asset.bits, child, point));
-                CHECK(std::abs(answer - farthest) <= farthest * 5 * 0x1p-24);
-            });
+                    const double answer = double(detail::farthest_squared(boxes.node, asset.bits, child, point));
+                    CHECK(std::abs(answer - farthest) <= farthest * 5 * 0x1p-24);
+                });
+        });
     }
 }

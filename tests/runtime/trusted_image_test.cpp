@@ -13,9 +13,9 @@
 #include <runtime/float_bits.hpp>
 
 #include "../support/baking.hpp"
-#include "../support/blob_edits.hpp"
 #include "../support/exact_buffer.hpp"
 #include "../support/mesh_makers.hpp"
+#include "../support/node_edits.hpp"
 #include "../support/profiles.hpp"
 #include "../support/test_blobs.hpp"
 
@@ -125,7 +125,7 @@ TEST_SUITE("trusted image") {
             repair_checksum(bytes);
             CHECK(open_trusted_image(bytes, blob) == Status::ok);
             CHECK(open(bytes, blob) == Status::bad_section);
-            put(bytes, at::bytes + format::node::shifts_at, 0xFFFF, 2);
+            break_node(bytes, at::bytes);
             repair_checksum(bytes);
             CHECK(open(bytes, blob) == Status::bad_node);
         });
@@ -135,7 +135,7 @@ TEST_SUITE("trusted image") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = make_blob_with_every_section(profile);
             put(bytes, at::checksum_at, get(bytes, at::checksum_at, 4) ^ 1, 4);
-            put(bytes, at::bytes + format::node::shifts_at, 0xFFFF, 2);
+            break_node(bytes, at::bytes);
             Blob blob;
             CHECK(open(bytes, blob) == Status::bad_checksum);
             CHECK(open_trusted_image(bytes, blob) == Status::ok);

@@ -16,6 +16,7 @@
 #include <runtime/plane_nodes.hpp>
 
 #include "../support/mesh_makers.hpp"
+#include "../support/node_kinds.hpp"
 #include "../support/profiles.hpp"
 #include "../support/random.hpp"
 #include "../support/shape_maker.hpp"
@@ -198,35 +199,37 @@ TEST_SUITE("volume edges") {
         for (const TestBlob& blob : small_test_blobs()) {
             const detail::BlobData& data = blob.opened.blob.data();
             for (std::uint64_t i = 0; i < scaled_share(600); ++i) {
-                const detail::Node node = detail::node_at(data, random.below(data.node_count));
-                detail::IntegerBounds bounds;
-                detail::LatticePlane plane;
-                plane.offset = 0;
-                for (int k = 0; k < 3; ++k) {
-                    bounds.low[k] = random.between(-2, data.extent[k] + 2);
-                    bounds.high[k] = bounds.low[k] + random.between(-1, data.extent[k] / 4 + 1);
-                    if (random.below(4) == 0) bounds.high[k] = detail::bounds_limit;
-                    plane.normal[k] = random.between(-(1 << 24), 1 << 24);
-                    plane.offset += std::int64_t{plane.normal[k]} * random.between(0, data.extent[k]);
-                }
-                const std::int32_t size = random.between(-1, data.extent[0] / 2);
-                unsigned within = 0, behind = 0, small = 0;
-                for (unsigned c = 0; c < node.node_children() + node.leaf_children(); ++c) {
-                    bool meets = true, is_small = true;
-                    std::int64_t deepest = 0;
+                with_node_kind(data.profile, [&]<class Node>() {
+                    const Node node = detail::node_at<Node>(data, random.below(data.node_count));
+                    detail::IntegerBounds bounds;
+                    detail::LatticePlane plane;
+                    plane.offset = 0;
                     for (int k = 0; k < 3; ++k) {
-                        const std::int32_t low = node.low(k, c, data.bits), high = node.high(k, c, data.bits);
-                        meets = meets && low <= bounds.high[k] && high >= bounds.low[k];
-                        is_small = is_small && high - low <= size;
-                        deepest += std::int64_t{plane.normal[k]} * (plane.normal[k] < 0 ? high : low);
+                        bounds.low[k] = random.between(-2, data.extent[k] + 2);
+                        bounds.high[k] = bounds.low[k] + random.between(-1, data.extent[k] / 4 + 1);
+                        if (random.below(4) == 0) bounds.high[k] = detail::bounds_limit;
+                        plane.normal[k] = random.between(-(1 << 24), 1 << 24);
+                        plane.offset += std::int64_t{plane.normal[k]} * random.between(0, data.extent[k]);
                     }
-                    within |= (meets ? 1u : 0u) << c;
-                    small |= (is_small ? 1u : 0u) << c;
-                    behind |= (deepest <= plane.offset ? 1u : 0u) << c;
-                }
-                REQUIRE(detail::children_within(node, data.bits, bounds) == within);
-                REQUIRE(detail::children_behind(node, data.bits, plane, detail::all_children(node)) == behind);
-                REQUIRE(detail::children_no_larger(node, size) == small);
+                    const std::int32_t size = random.between(-1, data.extent[0] / 2);
+                    unsigned within = 0, behind = 0, small = 0;
+                    for (unsigned c = 0; c < node.node_children() + node.leaf_children(); ++c) {
+                        bool meets = true, is_small = true;
+                        std::int64_t deepest = 0;
+                        for (int k = 0; k < 3; ++k) {
+                            const std::int32_t low = node.low(k, c, data.bits), high = node.high(k, c, data.bits);
+                            meets = meets && low <= bounds.high[k] && high >= bounds.low[k];
+                            is_small = is_small && high - low <= size;
+                            deepest += std::int64_t{plane.normal[k]} * (plane.normal[k] < 0 ? high : low);
+                        }
+                        within |= (meets ? 1u : 0u) << c;
+                        small |= (is_small ? 1u : 0u) << c;
+                        behind |= (deepest <= plane.offset ? 1u : 0u) << c;
+                    }
+                    REQUIRE(detail::children_within(node, data.bits, bounds) == within);
+                    REQUIRE(detail::children_behind(node, data.bits, plane, detail::all_children(node)) == behind);
+                    REQUIRE(detail::children_no_larger(node, size, data.bits) == small);
+                });
             }
         }
     }

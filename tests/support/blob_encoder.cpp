@@ -77,46 +77,63 @@ private:
         node_count_ += node_children;
         nodes_.resize(node_count_);
 
+        const std::uint32_t block = leaf_children == 0 ? 0 : static_cast<std::uint32_t>(leaves_.bytes.size() / 4);
+        Writer descriptors;
+        if (leaf_children != 0) put_block(node, descriptors);
         Writer out;
-        for (const std::uint32_t base : node.base) out.put(base, 2);
-        out.put(node.shift[0] | node.shift[1] << 5 | node.shift[2] << 10, 2);
-        out.put(first | node_children << 24 | leaf_children << 28, 4);
-        out.put(leaf_children == 0 ? 0 : leaves_.bytes.size() / 4, 4);
-        for (const bool high : {false, true})
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                for (std::size_t i = 0; i < 8; ++i) {
-                    const bool there = i < node.children.size();
-                    out.put(!there ? 0 : high ? node.children[i].high[axis] : node.children[i].low[axis], 1);
-                }
+        if (has_strips()) {
+            for (const std::uint32_t base : node.base) out.put(base, 2);
+            out.put(node.shift[0] | node.shift[1] << 5 | node.shift[2] << 10, 2);
+            out.put(first | node_children << 24 | leaf_children << 28, 4);
+            out.put(block, 4);
+            put_planes(out, node, 8, 1);
+        } else {
+            put_planes(out, node, 16, 2);
+            out.put(first | node_children << 24, 4);
+            out.put(block, 4);
+            descriptors.bytes.resize(48);
+            out.append(descriptors);
+            out.put(leaf_children, 8);
+        }
         nodes_[number] = std::move(out);
 
-        if (leaf_children != 0) put_block(node);
         std::uint32_t next = first;
         for (const PlainChild& child : node.children)
             if (!child.leaf) visit(child.node, next++, depth + 1);
     }
 
-    void put_block(const PlainNode& node) {
-        const bool has_strips = head_.profile != format::Profile::fast;
-        Writer descriptors, data;
-        std::uint32_t first = 0;
-        leaves_.put(triangles_, 4);
+    [[nodiscard]] bool has_strips() const { return head_.profile != format::Profile::fast; }
+
+    static void put_planes(Writer& out, const PlainNode& node, std::size_t places, unsigned size) {
+        for (const bool high : {false, true})
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                for (std::size_t i = 0; i < places; ++i) {
+                    const bool there = i < node.children.size();
+                    out.put(!there ? 0 : high ? node.children[i].high[axis] : node.children[i].low[axis], size);
+                }
+    }
+
+    /// Descriptors of strips become part of the block, those of other leaves part of the node.
+    void put_block(const PlainNode& node, Writer& descriptors) {
+        Writer data;
+        const std::uint32_t first = triangles_;
         for (const PlainChild& child : node.children) {
             if (!child.leaf) continue;
             const PlainLeaf& leaf = *child.leaf;
-            const GridBox box = node.box_of(child, head_.bits);
-            if (has_strips) put_strip(descriptors, data, leaf, box, first);
-            else put_triangles(descriptors, data, leaf, first);
-            first += static_cast<std::uint32_t>(leaf.corners().size());
+            const GridBox box = node.box_of(child, head_.profile, head_.bits);
+            if (has_strips()) put_strip(descriptors, data, leaf, box, triangles_ - first);
+            else put_triangles(descriptors, data, leaf);
+            triangles_ += static_cast<std::uint32_t>(leaf.corners().size());
         }
-        triangles_ += first;
-        leaves_.append(descriptors);
+        if (has_strips()) {
+            leaves_.put(first, 4);
+            leaves_.append(descriptors);
+        }
         leaves_.append(data);
         leaves_.pad_to(4);
     }
 
-    void put_triangles(Writer& descriptors, Writer& data, const PlainLeaf& leaf, std::uint32_t first) const {
-        data.pad_to(2);
+    void put_triangles(Writer& descriptors, Writer& data, const PlainLeaf& leaf) const {
         const auto triangles = static_cast<std::uint32_t>(leaf.triangles.size());
         const auto vertices = static_cast<std::uint32_t>(leaf.vertices.size());
         std::uint32_t size = 0;
@@ -126,9 +143,12 @@ private:
                     size = a[axis] - b[axis] > static_cast<std::int32_t>(size)
                                ? static_cast<std::uint32_t>(a[axis] - b[axis])
                                : size;
-        descriptors.put(static_cast<std::uint32_t>(data.bytes.size() / 2) | (triangles - 1) << 11 |
-                            (vertices - 1) << 15 | bits_for(size) << 20 | first << 25,
-                        4);
+        const unsigned least = head_.bits > 16 ? head_.bits - 15 : 1;
+        const unsigned field = bits_for(size) > least ? bits_for(size) - least : 0;
+        descriptors.put(static_cast<std::uint32_t>(data.bytes.size() / 4) | (triangles - 1) << 11 |
+                            (vertices - 1) << 15 | field << 20,
+                        3);
+        data.put(triangles_, 4);
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (const GridPoint& vertex : leaf.vertices)
                 data.put(static_cast<std::uint32_t>(vertex[axis]) & 0xFFFFu, 2);
@@ -136,6 +156,7 @@ private:
             for (const auto& triangle : leaf.triangles) data.put(triangle[corner], 1);
         for (std::size_t axis = 0; axis < 3 && head_.bits > 16; ++axis)
             for (const GridPoint& vertex : leaf.vertices) data.put(static_cast<std::uint32_t>(vertex[axis]) >> 16, 1);
+        data.pad_to(4);
     }
 
     void put_strip(Writer& descriptors, Writer& data, const PlainLeaf& leaf, const GridBox& box,
@@ -245,7 +266,8 @@ private:
     }
 
     void put_header(Writer& out, std::size_t section_bytes) const {
-        const std::size_t total = 128 + std::size_t{64} * node_count_ + leaves_.bytes.size() + 64 + section_bytes;
+        const std::size_t total =
+            128 + std::size_t{has_strips() ? 64u : 256u} * node_count_ + leaves_.bytes.size() + 64 + section_bytes;
         out.put(0x4C505345u, 4);
         out.put(2, 2);
         out.put(0, 2);
@@ -302,10 +324,15 @@ std::vector<GridTriangle> PlainLeaf::corners() const {
     return result;
 }
 
-GridBox PlainNode::box_of(const PlainChild& child, unsigned bits) const {
+GridBox PlainNode::box_of(const PlainChild& child, format::Profile profile, unsigned bits) const {
     GridBox box{};
     const unsigned unit = bits > 16 ? bits - 16 : 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (profile == format::Profile::fast) {
+            box.low[axis] = child.low[axis] << unit;
+            box.high[axis] = ((child.high[axis] + 1) << unit) - 1;
+            continue;
+        }
         const std::uint32_t from = base[axis] << unit;
         box.low[axis] = static_cast<std::int32_t>(from + (std::uint32_t{child.low[axis]} << shift[axis]));
         box.high[axis] = static_cast<std::int32_t>(from + (std::uint32_t{child.high[axis]} << shift[axis]));

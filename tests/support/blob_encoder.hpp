@@ -28,20 +28,21 @@ struct PlainLeaf {
     [[nodiscard]] std::vector<GridTriangle> corners() const;
 };
 
-/// A child's box in planes of its node; below it a node or a leaf.
+/// A child's box in planes of its node; below it a node or a leaf. Planes are below 256 in profiles with strips.
 struct PlainChild {
-    std::array<std::uint8_t, 3> low{};
-    std::array<std::uint8_t, 3> high{};
+    std::array<std::uint16_t, 3> low{};
+    std::array<std::uint16_t, 3> high{};
     std::size_t node = 0;  ///< of a node: its place in PlainBlob::nodes
     std::optional<PlainLeaf> leaf;
 };
 
+/// A node of either kind: up to 16 children in profile `fast`, else 8.
 struct PlainNode {
-    std::array<std::uint32_t, 3> base{};  ///< in units of 2^max(0, bits - 16)
-    std::array<unsigned, 3> shift{};
-    std::vector<PlainChild> children;  ///< nodes first
+    std::array<std::uint32_t, 3> base{};  ///< in units of 2^max(0, bits - 16); not in profile `fast`
+    std::array<unsigned, 3> shift{};      ///< not in profile `fast`
+    std::vector<PlainChild> children;     ///< nodes first
 
-    [[nodiscard]] GridBox box_of(const PlainChild& child, unsigned bits) const;
+    [[nodiscard]] GridBox box_of(const PlainChild& child, format::Profile profile, unsigned bits) const;
 };
 
 /// How a step from id to id may be written.

@@ -65,7 +65,7 @@ std::vector<GridTriangle> read_plain_leaf(const Bytes& bytes, const Leaf& leaf, 
     namespace layout = format::plain_leaf;
     const std::size_t triangle_count = (leaf.descriptor >> layout::triangles_shift & 15u) + 1;
     std::vector<GridPoint> vertices((leaf.descriptor >> layout::vertices_shift & 31u) + 1);
-    std::size_t at = leaf.at;
+    std::size_t at = leaf.at + 4;
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (GridPoint& vertex : vertices) {
             vertex[axis] = static_cast<std::int32_t>(bytes.u16(at));
@@ -81,7 +81,9 @@ std::vector<GridTriangle> read_plain_leaf(const Bytes& bytes, const Leaf& leaf, 
     for (const GridPoint& a : vertices)
         for (const GridPoint& b : vertices)
             for (std::size_t axis = 0; axis < 3; ++axis) size = std::max(size, std::int64_t{a[axis]} - b[axis]);
-    if (bits_of(static_cast<std::uint32_t>(size)) != (leaf.descriptor >> layout::size_shift & 31u))
+    unsigned field = 0;
+    for (const unsigned least = bits > 16 ? bits - 15 : 1; size >= std::int64_t{1} << (field + least);) ++field;
+    if (field != (leaf.descriptor >> layout::size_shift & 15u))
         throw std::runtime_error("decoder: a leaf's size is another one than its descriptor says");
     std::vector<GridTriangle> triangles;
     for (std::size_t i = 0; i < triangle_count; ++i) {
@@ -185,7 +187,7 @@ private:
         id_kind_bits_ = bytes_.u8(at::id_kind_bits_at);
         source_count_ = bytes_.u32(at::source_count_at);
         decoded_.source_triangles = bytes_.u32(at::source_triangles_at);
-        leaves_at_ = at::bytes + std::size_t{node_count_} * format::node::bytes;
+        leaves_at_ = at::bytes + std::size_t{node_count_} * (has_strips_ ? 64 : 256);
     }
 
     // Leaf blocks hold consecutive storage indices but are reached in the order of the nodes, so each leaf's triangles
@@ -204,64 +206,119 @@ private:
         for (const auto& [first, count] : leaf_sizes) decoded_.triangles_in_leaf.push_back(count);
     }
 
-    void read_node(std::uint32_t node, std::vector<std::pair<std::uint32_t, std::uint8_t>>& leaf_sizes,
-                   std::size_t& filled) {
-        namespace layout = format::node;
-        const std::size_t at = format::header::bytes + std::size_t{node} * layout::bytes;
+    /// What nodes of both kinds hold.
+    struct Node {
+        std::size_t at = 0;
+        std::uint32_t first_node = 0;
+        std::uint32_t nodes = 0;
+        std::uint32_t leaves = 0;
+        std::size_t block = 0;  // of its leaves
+        std::vector<GridBox> boxes;
+    };
+
+    void count_children(Node& node, std::uint32_t nodes, std::uint32_t leaves) const {
+        if (nodes + leaves > (has_strips_ ? 8u : 16u))
+            throw std::runtime_error("decoder: a node has more children than its profile allows");
+        node.nodes = nodes;
+        node.leaves = leaves;
+        node.boxes.resize(nodes + leaves);
+    }
+
+    [[nodiscard]] Node read_plain_node(std::size_t at) const {
+        namespace layout = format::plain_node;
+        Node node;
+        node.at = at;
         const std::uint32_t children = bytes_.u32(at + layout::children_at);
-        const std::uint32_t first_node = children & 0xFFFFFFu;
-        const std::uint32_t nodes = children >> 24 & 15u;
-        const std::uint32_t leaves = children >> 28;
-        if (nodes + leaves > format::max_children) throw std::runtime_error("decoder: a node has more than 8 children");
+        node.first_node = children & 0xFFFFFFu;
+        count_children(node, children >> 24, bytes_.u8(at + layout::leaf_children_at));
+        node.block = leaves_at_ + std::size_t{4} * bytes_.u32(at + layout::leaf_block_at);
+        const std::uint32_t unit = decoded_.bits > 16 ? 1u << (decoded_.bits - 16) : 1u;
+        for (unsigned child = 0; child < node.boxes.size(); ++child) {
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                const std::size_t plane = at + 32 * std::size_t{axis} + 2 * std::size_t{child};
+                const std::uint32_t low = bytes_.u16(plane + layout::lo_at), high = bytes_.u16(plane + layout::hi_at);
+                node.boxes[child].low[axis] = static_cast<std::int32_t>(low * unit);
+                node.boxes[child].high[axis] = static_cast<std::int32_t>((high + 1) * unit - 1);
+            }
+        }
+        return node;
+    }
+
+    [[nodiscard]] Node read_packed_node(std::size_t at) const {
+        namespace layout = format::packed_node;
+        Node node;
+        node.at = at;
+        const std::uint32_t children = bytes_.u32(at + layout::children_at);
+        node.first_node = children & 0xFFFFFFu;
+        count_children(node, children >> 24 & 15u, children >> 28);
+        node.block = leaves_at_ + std::size_t{4} * bytes_.u32(at + layout::leaf_block_at);
         const std::uint32_t shifts = bytes_.u16(at + layout::shifts_at);
         const unsigned unit = decoded_.bits > 16 ? decoded_.bits - 16 : 0;
         const auto plane = [&](std::size_t planes_at, unsigned axis, unsigned child) {
             const std::uint32_t base = bytes_.u16(at + layout::base_at + 2 * axis) << unit;
-            const std::uint32_t steps = bytes_.u8(at + planes_at + format::max_children * axis + child);
+            const std::uint32_t steps = bytes_.u8(at + planes_at + 8 * axis + child);
             return static_cast<std::int32_t>(base + (steps << (shifts >> (5 * axis) & 31u)));
         };
-        const std::size_t block = leaves_at_ + std::size_t{4} * bytes_.u32(at + layout::leaf_block_at);
-        std::uint32_t triangle = leaves > 0 ? bytes_.u32(block) : 0;
-        for (unsigned child = 0; child < nodes + leaves; ++child) {
-            DecodedChild out;
+        for (unsigned child = 0; child < node.boxes.size(); ++child) {
             for (unsigned axis = 0; axis < 3; ++axis) {
-                out.box.low[axis] = plane(layout::lo_at, axis, child);
-                out.box.high[axis] = plane(layout::hi_at, axis, child);
+                node.boxes[child].low[axis] = plane(layout::lo_at, axis, child);
+                node.boxes[child].high[axis] = plane(layout::hi_at, axis, child);
             }
-            if (child < nodes) {
+        }
+        return node;
+    }
+
+    /// The triangles of leaf `number` of a node, and the storage index that its bytes state for the first of them.
+    struct LeafTriangles {
+        std::uint32_t first = 0;
+        std::vector<GridTriangle> triangles;
+    };
+
+    [[nodiscard]] LeafTriangles read_leaf(const Node& node, std::uint32_t number) const {
+        const GridBox& box = node.boxes[node.nodes + number];
+        if (!has_strips_) {
+            const std::size_t place = node.at + format::plain_node::leaves_at + 3 * std::size_t{number};
+            const std::uint32_t descriptor = bytes_.u16(place) | bytes_.u8(place + 2) << 16;
+            const std::size_t at = node.block + 4 * std::size_t{descriptor & 0x7FFu};
+            return {bytes_.u32(at), read_plain_leaf(bytes_, {descriptor, at, box}, decoded_.bits)};
+        }
+        namespace layout = format::strip_leaf;
+        const std::size_t descriptors = node.block + layout::descriptors_at;
+        const std::size_t data = descriptors + 4 * std::size_t{node.leaves};
+        const std::uint32_t descriptor = bytes_.u32(descriptors + 4 * std::size_t{number});
+        return {bytes_.u32(node.block) + (descriptor >> layout::first_shift),
+                read_strip_leaf(bytes_, {descriptor, data + (descriptor & 0x1FFFu), box}, decoded_.bits)};
+    }
+
+    void read_node(std::uint32_t number, std::vector<std::pair<std::uint32_t, std::uint8_t>>& leaf_sizes,
+                   std::size_t& filled) {
+        const std::size_t at = format::header::bytes + std::size_t{number} * (has_strips_ ? 64 : 256);
+        const Node node = has_strips_ ? read_packed_node(at) : read_plain_node(at);
+        std::uint32_t triangle = 0;
+        for (unsigned child = 0; child < node.boxes.size(); ++child) {
+            DecodedChild out;
+            out.box = node.boxes[child];
+            if (child < node.nodes) {
                 out.is_node = true;
-                out.node = first_node + child;
+                out.node = node.first_node + child;
                 if (out.node >= node_count_) throw std::runtime_error("decoder: a child node is out of range");
-                decoded_.nodes[out.node].depth = decoded_.nodes[node].depth + 1;
+                decoded_.nodes[out.node].depth = decoded_.nodes[number].depth + 1;
             } else {
-                // Both kinds of block begin alike.
-                namespace layout = format::strip_leaf;
-                const std::size_t descriptors = block + layout::descriptors_at;
-                const std::size_t data = descriptors + layout::descriptor_bytes * std::size_t{leaves};
-                const std::uint32_t descriptor =
-                    bytes_.u32(descriptors + layout::descriptor_bytes * std::size_t{child - nodes});
-                const std::vector<GridTriangle> triangles =
-                    has_strips_
-                        ? read_strip_leaf(bytes_, {descriptor, data + (descriptor & 0x1FFFu), out.box}, decoded_.bits)
-                        : read_plain_leaf(bytes_, {descriptor, data + 2 * (descriptor & 0x7FFu), out.box},
-                                          decoded_.bits);
-                const std::uint32_t first =
-                    descriptor >> (has_strips_ ? layout::first_shift : format::plain_leaf::first_shift);
-                if (bytes_.u32(block) + first != triangle) {
-                    throw std::runtime_error(
-                        "decoder: a leaf's first triangle is another one than its descriptor says");
+                const LeafTriangles leaf = read_leaf(node, child - node.nodes);
+                if (child > node.nodes && leaf.first != triangle) {
+                    throw std::runtime_error("decoder: a leaf's first triangle does not follow the leaf before it");
                 }
-                out.first_triangle = triangle;
-                out.triangle_count = static_cast<std::uint32_t>(triangles.size());
-                if (std::size_t{triangle} + triangles.size() > decoded_.triangles.size()) {
+                out.first_triangle = leaf.first;
+                out.triangle_count = static_cast<std::uint32_t>(leaf.triangles.size());
+                if (std::size_t{leaf.first} + leaf.triangles.size() > decoded_.triangles.size()) {
                     throw std::runtime_error("decoder: a leaf's storage indices are out of range");
                 }
-                std::copy(triangles.begin(), triangles.end(), decoded_.triangles.begin() + triangle);
-                leaf_sizes.emplace_back(triangle, static_cast<std::uint8_t>(triangles.size()));
-                filled += triangles.size();
-                triangle += out.triangle_count;
+                std::copy(leaf.triangles.begin(), leaf.triangles.end(), decoded_.triangles.begin() + leaf.first);
+                leaf_sizes.emplace_back(leaf.first, static_cast<std::uint8_t>(leaf.triangles.size()));
+                filled += leaf.triangles.size();
+                triangle = leaf.first + out.triangle_count;
             }
-            decoded_.nodes[node].children.push_back(out);
+            decoded_.nodes[number].children.push_back(out);
         }
     }
 

@@ -15,7 +15,9 @@ class MeasuredBlob {
 public:
     explicit MeasuredBlob(const Blob& blob) : blob_(blob) {
         for (std::uint32_t i = 0; i < blob.data().node_count; ++i)
-            leaves_ += detail::node_at(blob.data(), i).leaf_children();
+            leaves_ += format::has_plain_nodes(blob.profile())
+                           ? detail::node_at<detail::PlainNode>(blob.data(), i).leaf_children()
+                           : detail::node_at<detail::PackedNode>(blob.data(), i).leaf_children();
     }
 
     /// For a query that walks the tree once, as nearly all do. The one before is measured then.
@@ -23,7 +25,7 @@ public:
     /// For one that may walk so many times: a batch, once for each ray.
     [[nodiscard]] const Blob& for_walks(std::uint64_t walks) const {
         // How often a node's children are asked about at most; a leaf is visited at most once. Small code asks again.
-        constexpr std::uint64_t times = detail::small_code ? format::max_children : 4;
+        const std::uint64_t times = detail::small_code ? format::max_node_children(blob_.profile()) : 4;
         return allow(times * walks * blob_.data().node_count, walks * leaves_);
     }
     /// For two blobs under a limit of work; a pair that touches may be looked up once more, each of its triangles by

@@ -36,11 +36,18 @@ GridBox shared(const GridBox& a, const GridBox& b) {
 bool boxes_end_near_asset(const DecodedBlob& decoded) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::int64_t extent = decoded.extent[k];
-        std::int64_t spacing = 1;  // of the finest 256 planes from 0 that reach the extent
-        while (spacing * 255 < extent) spacing *= 2;
+        std::int64_t end = 0;
+        if (decoded.profile == format::Profile::fast) {
+            const std::int64_t unit = decoded.bits > 16 ? std::int64_t{1} << (decoded.bits - 16) : 1;
+            end = (extent / unit + 1) * unit;
+        } else {
+            std::int64_t spacing = 1;  // of the finest 256 planes from 0 that reach the extent
+            while (spacing * 255 < extent) spacing *= 2;
+            end = extent + spacing;
+        }
         for (const DecodedNode& node : decoded.nodes)
             for (const DecodedChild& child : node.children)
-                if (child.box.high[k] >= extent + spacing) return false;
+                if (child.box.high[k] >= end) return false;
     }
     return true;
 }

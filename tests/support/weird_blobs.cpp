@@ -106,21 +106,26 @@ private:
         return part;
     }
 
+    [[nodiscard]] bool has_plain_nodes() const { return head_.profile == format::Profile::fast; }
+    /// Of bases and of the planes of plain nodes, as a power of two.
+    [[nodiscard]] unsigned unit() const { return head_.bits > 16 ? head_.bits - 16 : 0; }
+
+    void make_frame(PlainNode& node, const GridBox& region) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            node.base[axis] = static_cast<std::uint32_t>(region.low[axis]) >> unit();
+            if (random_.below(16) == 0) node.base[axis] = random_.below(node.base[axis] + 1);
+            const auto reach = static_cast<std::uint32_t>(region.high[axis]) - (node.base[axis] << unit());
+            while (255u << node.shift[axis] < reach) ++node.shift[axis];
+            if (random_.below(16) == 0) node.shift[axis] = choose(Size::any, node.shift[axis], 17);
+        }
+    }
+
     std::size_t make_node(const GridBox& region, unsigned depth) {
         const std::size_t place = blob_.nodes.size();
         blob_.nodes.emplace_back();
         PlainNode node;
-        const unsigned unit = head_.bits > 16 ? head_.bits - 16 : 0;
-        std::array<std::int32_t, 3> from{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            node.base[axis] = static_cast<std::uint32_t>(region.low[axis]) >> unit;
-            if (random_.below(16) == 0) node.base[axis] = random_.below(node.base[axis] + 1);
-            from[axis] = static_cast<std::int32_t>(node.base[axis] << unit);
-            const auto reach = static_cast<std::uint32_t>(region.high[axis] - from[axis]);
-            while (255u << node.shift[axis] < reach) ++node.shift[axis];
-            if (random_.below(16) == 0) node.shift[axis] = choose(Size::any, node.shift[axis], 17);
-        }
-        std::uint32_t count = choose(children_, 1, 8);
+        if (!has_plain_nodes()) make_frame(node, region);
+        std::uint32_t count = choose(children_, 1, has_plain_nodes() ? 16 : 8);
         std::uint32_t nodes = depth == deepest_ ? 0 : choose(some_size(), 1, count);
         nodes = std::min(nodes, node_budget_);
         node_budget_ -= nodes;
@@ -132,13 +137,18 @@ private:
             const GridBox part = part_of(region);
             PlainChild child;
             for (std::size_t axis = 0; axis < 3; ++axis) {
+                if (has_plain_nodes()) {
+                    child.low[axis] = static_cast<std::uint16_t>(part.low[axis] >> unit());
+                    child.high[axis] = static_cast<std::uint16_t>(part.high[axis] >> unit());
+                    continue;
+                }
+                const auto from = static_cast<std::int32_t>(node.base[axis] << unit());
                 const std::int32_t round_up = (1 << node.shift[axis]) - 1;
-                child.low[axis] = static_cast<std::uint8_t>((part.low[axis] - from[axis]) >> node.shift[axis]);
-                child.high[axis] =
-                    static_cast<std::uint8_t>((part.high[axis] - from[axis] + round_up) >> node.shift[axis]);
+                child.low[axis] = static_cast<std::uint16_t>((part.low[axis] - from) >> node.shift[axis]);
+                child.high[axis] = static_cast<std::uint16_t>((part.high[axis] - from + round_up) >> node.shift[axis]);
             }
             if (i < nodes) child.node = make_node(part, depth + 1);
-            else child.leaf = make_leaf(part, node.box_of(child, head_.bits));
+            else child.leaf = make_leaf(part, node.box_of(child, head_.profile, head_.bits));
             node.children.push_back(std::move(child));
         }
         blob_.nodes[place] = std::move(node);

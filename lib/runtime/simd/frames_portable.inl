@@ -5,7 +5,7 @@
 struct Corner {
     float at[3];
 };
-inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& blob, const LatticeRay& ray) {
+inline Corner load_low_corner(const PackedNode& node, unsigned child, const BlobData& blob, const LatticeRay& ray) {
     Corner corner;
     // mutant(< -> <=) sanitizer: writes a fourth coordinate behind three, which is never read
     for (int k = 0; k < 3; ++k)
@@ -13,17 +13,12 @@ inline Corner load_low_corner(const Node& node, unsigned child, const BlobData& 
     return corner;
 }
 
-/// Lattice point 0 0 0, seen from a ray's origin.
-inline Corner load_zero_corner(const LatticeRay& ray) {
-    return {{-origin_steps(ray, 0), -origin_steps(ray, 1), -origin_steps(ray, 2)}};
-}
-
 /// A node's frame: plane * scale + base is a lattice coordinate, exactly.
 struct Frame {
     Floats scale[3];
     Floats base[3];
 };
-inline Frame load_frame(const Node& node, const BlobData& blob) {
+inline Frame load_frame(const PackedNode& node, const BlobData& blob) {
     Frame frame;
     for (int k = 0; k < 3; ++k) {
         frame.scale[k] = splat(power_of_two(static_cast<int>(node.shift(k))));
@@ -38,7 +33,7 @@ struct SlabFrame {
     Floats near_offset[3];
     Floats far_offset[3];
 };
-inline SlabFrame load_slab_frame(const Node& node, const RayLanes& ray) {
+inline SlabFrame load_slab_frame(const PackedNode& node, const RayLanes& ray) {
     SlabFrame frame;
     for (int k = 0; k < 3; ++k) {
         const float base = static_cast<float>(node.base(k, 0)) * ray.base_inverse[k];

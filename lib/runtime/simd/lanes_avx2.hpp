@@ -22,8 +22,10 @@
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace espalier::detail::avx2 {
 
-using RayLanes = PlacedRayLanes;
-using PreparedRay = PreparedRayIn<PlacedRayLanes>;
+/// What the slab tests of a kind of node need.
+template <class Node>
+using RayLanesOf =
+    std::conditional_t<std::is_same_v<Node, PackedNode>, PlacedRayLanes, typename RayLanesFor<Node>::Type>;
 
 inline constexpr unsigned lanes = 8;
 /// Whether single rays unpack all of a leaf for the exact kernel too.
@@ -53,6 +55,17 @@ inline Floats negate(Floats a) { return {_mm256_xor_ps(a.v, _mm256_set1_ps(-0.0f
 inline Floats magnitude(Floats a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
 inline Floats smaller(Floats a, Floats b) { return {_mm256_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
+/// The same of floats that are not negative, or beside one that is not: by their bits, which is faster.
+inline Floats later(Floats a, Floats b) {
+    return {_mm256_castsi256_ps(_mm256_max_epi32(_mm256_castps_si256(a.v), _mm256_castps_si256(b.v)))};
+}
+inline Floats sooner(Floats a, Floats b) {
+    return {_mm256_castsi256_ps(_mm256_min_epi32(_mm256_castps_si256(a.v), _mm256_castps_si256(b.v)))};
+}
+inline unsigned not_after(Floats a, Floats b) {
+    const __m256i is_after = _mm256_cmpgt_epi32(_mm256_castps_si256(a.v), _mm256_castps_si256(b.v));
+    return 255u & ~static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(is_after)));
+}
 inline Floats divide(Floats a, Floats b) { return {_mm256_div_ps(a.v, b.v)}; }
 inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
     return {_mm256_blendv_ps(otherwise.v, then.v, _mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ))};

@@ -16,6 +16,10 @@
 
 namespace espalier::detail::neon {
 
+/// What the slab tests of a kind of node need.
+template <class Node>
+using RayLanesOf = typename RayLanesFor<Node>::Type;
+
 inline constexpr unsigned lanes = 4;
 /// Whether single rays unpack all of a leaf for the exact kernel too.
 inline constexpr bool keeps_unpacked = false;
@@ -46,6 +50,9 @@ inline Floats magnitude(Floats a) { return {vabsq_f32(a.v)}; }
 inline Floats smaller(Floats a, Floats b) { return {vminnmq_f32(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {vmaxnmq_f32(a.v, b.v)}; }
 inline Floats divide(Floats a, Floats b) { return {vdivq_f32(a.v, b.v)}; }
+/// The same of floats that are not negative, or beside one that is not.
+inline Floats later(Floats a, Floats b) { return larger(a, b); }
+inline Floats sooner(Floats a, Floats b) { return smaller(a, b); }
 inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
     return {vbslq_f32(vcleq_f32(a.v, b.v), then.v, otherwise.v)};
 }
@@ -57,6 +64,7 @@ inline Ints load_bytes(const std::byte* at) {
     const uint8x8_t bytes = vreinterpret_u8_u32(vdup_n_u32(load_u32(at)));
     return {vmovl_u16(vget_low_u16(vmovl_u8(bytes)))};
 }
+inline unsigned not_after(Floats a, Floats b) { return at_most(a, b); }
 inline Floats bytes_to_floats(const std::byte* at) { return {vcvtq_f32_u32(load_bytes(at).v)}; }
 inline Ints add(Ints a, std::uint32_t b) { return {vaddq_u32(a.v, vdupq_n_u32(b))}; }
 inline Floats to_floats(Ints a) { return {vcvtq_f32_u32(a.v)}; }

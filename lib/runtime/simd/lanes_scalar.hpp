@@ -13,6 +13,10 @@
 
 namespace espalier::detail::scalar {
 
+/// What the slab tests of a kind of node need.
+template <class Node>
+using RayLanesOf = typename RayLanesFor<Node>::Type;
+
 inline constexpr unsigned lanes = 1;
 /// Whether single rays unpack all of a leaf for the exact kernel too.
 inline constexpr bool keeps_unpacked = false;
@@ -38,9 +42,13 @@ inline Floats magnitude(Floats a) { return absolute(a); }
 inline Floats smaller(Floats a, Floats b) { return minimum(a, b); }
 inline Floats larger(Floats a, Floats b) { return maximum(a, b); }
 inline Floats divide(Floats a, Floats b) { return a / b; }
+/// The same of floats that are not negative, or beside one that is not.
+inline Floats later(Floats a, Floats b) { return larger(a, b); }
+inline Floats sooner(Floats a, Floats b) { return smaller(a, b); }
 inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) { return a <= b ? then : otherwise; }
 /// One bit a lane: a <= b.
 inline unsigned at_most(Floats a, Floats b) { return a <= b ? 1u : 0u; }
+inline unsigned not_after(Floats a, Floats b) { return at_most(a, b); }
 inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
 inline Ints add(Ints a, std::uint32_t b) { return a + b; }
 inline Floats to_floats(Ints a) { return static_cast<float>(a); }

@@ -21,6 +21,10 @@
 ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
 namespace espalier::detail::sse42 {
 
+/// What the slab tests of a kind of node need.
+template <class Node>
+using RayLanesOf = typename RayLanesFor<Node>::Type;
+
 inline constexpr unsigned lanes = 4;
 /// Whether single rays unpack all of a leaf for the exact kernel too.
 inline constexpr bool keeps_unpacked = false;
@@ -50,10 +54,14 @@ inline Floats magnitude(Floats a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.
 inline Floats smaller(Floats a, Floats b) { return {_mm_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm_max_ps(a.v, b.v)}; }
 inline Floats divide(Floats a, Floats b) { return {_mm_div_ps(a.v, b.v)}; }
+/// The same of floats that are not negative, or beside one that is not.
+inline Floats later(Floats a, Floats b) { return larger(a, b); }
+inline Floats sooner(Floats a, Floats b) { return smaller(a, b); }
 inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
     return {_mm_blendv_ps(otherwise.v, then.v, _mm_cmple_ps(a.v, b.v))};
 }
 inline unsigned at_most(Floats a, Floats b) { return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.v, b.v))); }
+inline unsigned not_after(Floats a, Floats b) { return at_most(a, b); }
 inline Floats bytes_to_floats(const std::byte* at) {
     return {_mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(at)))))};
 }
@@ -184,7 +192,7 @@ struct SlabFrame {
     Floats near_offset[3];
     Floats far_offset[3];
 };
-inline SlabFrame load_slab_frame(const Node& node, const RayLanes& ray) {
+inline SlabFrame load_slab_frame(const PackedNode& node, const RayLanes& ray) {
     // Adding a shift to the exponent multiplies by its power of two.
     const __m128i inverse = _mm_load_si128(reinterpret_cast<const __m128i*>(ray.inverse));
     const __m128 slope = _mm_load_ps(ray.base_inverse);

@@ -11,7 +11,7 @@ template <class LoadWidth>
 template <class LoadWidth>
 [[gnu::always_inline]] inline Ints offsets_of(const PlainLeaf& leaf, unsigned axis, unsigned group, LoadWidth) {
     const std::size_t place = std::size_t{axis} * leaf.vertex_count + std::size_t{group} * lanes;
-    const Ints words = load_words(leaf.words + 2 * place);
+    const Ints words = load_words(leaf.words() + 2 * place);
     return leaf.has_high_bytes() ? with_high_bytes(words, load_bytes(leaf.high_bytes() + place)) : words;
 }
 template <class Leaf>
@@ -36,7 +36,7 @@ private:
 inline PlainCorners corners_of(const PlainLeaf& leaf) { return PlainCorners(leaf); }
 inline StripCorners corners_of(const StripLeaf& leaf) { return StripCorners(leaf); }
 
-inline std::uint32_t storage_index(const PlainLeaf& leaf, unsigned slot) { return leaf.first + slot; }
+inline std::uint32_t storage_index(const PlainLeaf& leaf, unsigned slot) { return leaf.first() + slot; }
 inline std::uint32_t storage_index(const StripLeaf& leaf, unsigned slot) {
     const StripLeaf::Slots before = leaf.windows & ((StripLeaf::Slots{1} << slot) - 1);
     return leaf.first + static_cast<std::uint32_t>(std::popcount(before));

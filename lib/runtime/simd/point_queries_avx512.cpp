@@ -9,6 +9,7 @@
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace espalier::detail::avx2 {
 #include <runtime/squared_distance.inl>
+#include <runtime/node_boxes.inl>
 #include <runtime/point_nodes.inl>
 }  // namespace espalier::detail::avx2
 ESPALIER_END_TARGET

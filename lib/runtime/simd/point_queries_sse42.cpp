@@ -10,6 +10,7 @@ ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
 namespace espalier::detail::sse42 {
 #include <runtime/traverse.inl>
 #include <runtime/squared_distance.inl>
+#include <runtime/node_boxes.inl>
 #include <runtime/point_nodes.inl>
 #include <runtime/point_bounds.inl>
 #include <runtime/point_queries.inl>

@@ -3,19 +3,21 @@
 // does.
 
 /// What spread_ray writes, of all axes at once.
+template <class Lanes>
 inline void spread_in_lanes(const BlobData& blob, __m128 minus_origin, __m128 inverse, float slack_steps,
-                            const PlaneOrder& planes, detail::RayLanes& lanes_) {
+                            unsigned signs, Lanes& lanes_) {
+    const float whole_slack = slack_steps + Lanes::box_slack(blob);
     const __m128 middle = _mm_mul_ps(minus_origin, inverse);
-    const __m128 slack = _mm_mul_ps(_mm_andnot_ps(_mm_set1_ps(-0.0f), inverse), _mm_set1_ps(slack_steps));
+    const __m128 slack = _mm_mul_ps(_mm_andnot_ps(_mm_set1_ps(-0.0f), inverse), _mm_set1_ps(whole_slack));
     _mm_store_ps(lanes_.inverse, inverse);
     _mm_store_ps(lanes_.base_inverse, _mm_mul_ps(inverse, _mm_set1_ps(blob.base_unit)));
     _mm_store_ps(lanes_.near_offset, _mm_sub_ps(middle, slack));
     _mm_store_ps(lanes_.far_offset, _mm_add_ps(middle, slack));
     lanes_.tau_min = 0.0f;
-    lanes_.planes = &planes;
+    lanes_.planes = Lanes::plane_orders()[signs];
 }
 inline void spread_in_lanes(const BlobData& blob, __m128 minus_origin, __m128 inverse, float slack_steps,
-                            const PlaneOrder& planes, PlacedRayLanes& lanes_) {
+                            unsigned signs, PlacedRayLanes& lanes_) {
     const __m128 placed_inverse = _mm_mul_ps(inverse, _mm_set1_ps(placed::steps_to_one(blob.bits)));
     const __m128 middle = _mm_sub_ps(_mm_mul_ps(minus_origin, inverse), placed_inverse);
     const float whole_slack = slack_steps + placed::slack_units * placed::unit(blob.bits);
@@ -26,11 +28,11 @@ inline void spread_in_lanes(const BlobData& blob, __m128 minus_origin, __m128 in
     lanes_.tau_min = 0.0f;
     lanes_.base_shift = placed::base_shift(blob.bits);
     lanes_.plane_shift = placed::plane_shift(blob.bits);
-    lanes_.planes = planes;
+    lanes_.planes = packed_plane_orders[signs];
 }
 
 /// Coordinate 0 of each axis, times the inverse.
-inline __m128 asset_low(const detail::RayLanes&) { return _mm_setzero_ps(); }
+inline __m128 asset_low(const RayLanes&) { return _mm_setzero_ps(); }
 inline __m128 asset_low(const PlacedRayLanes& lanes_) { return _mm_load_ps(lanes_.inverse); }
 /// meets_asset, for a window from 0 on.
 template <class Lanes>
@@ -110,9 +112,10 @@ template <class Lanes>
     const __m128 one_unit = _mm_castsi128_ps(_mm_sub_epi32(_mm_set1_epi32(2 * 127 << 23), fraction_scale));
     const __m128 minus_origin = _mm_xor_ps(_mm_mul_ps(_mm_cvtepi32_ps(fine), one_unit), _mm_set1_ps(-0.0f));
     const auto signs = static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(integers)));
-    spread_in_lanes(blob, minus_origin, inverse, slab_slack(reach_steps), plane_orders[signs], lanes_);
+    spread_in_lanes(blob, minus_origin, inverse, slab_slack(reach_steps), signs, lanes_);
     if (!meets_asset_in_lanes(blob, inverse, lanes_)) return Prepared::misses;
 
+    _mm_store_ps(ray.zero, minus_origin);
     ray.tau_offset = 0.0f;
     // Each fills its register together with the number behind it.
     _mm_store_si128(reinterpret_cast<__m128i*>(ray.direction), _mm_insert_epi32(integers, t_exponent, 3));
@@ -128,10 +131,12 @@ template <class Lanes>
     return Prepared::yes;
 }
 
-[[gnu::noinline]] inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+template <class Lanes>
+[[gnu::noinline]] bool prepare(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
     const Prepared result = prepare_ordinary(blob, world, prepared.ray, prepared.in_lanes);
     return result == Prepared::not_ordinary ? prepare_ray(blob, world, prepared) : result == Prepared::yes;
 }
-[[gnu::noinline]] inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
+template <class Lanes>
+[[gnu::noinline]] bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
     return prepare_ray(blob, given, prepared);
 }

@@ -12,6 +12,7 @@ namespace espalier::detail::avx2 {
 #include <runtime/simd/prepare_ray_x86.inl>
 #include <runtime/traverse.inl>
 #include <runtime/simd/ray_nodes_avx2.inl>
+#include <runtime/ray_plain_nodes.inl>
 #include <runtime/float_vertices.inl>
 #include <runtime/pair_vertices.inl>
 #include <runtime/unpacked_leaf.inl>

@@ -19,6 +19,7 @@ namespace espalier::detail::avx512 {
 using avx2::prepare;
 using avx2::slab_test;
 #include <runtime/traverse.inl>
+#include <runtime/ray_plain_nodes.inl>
 #include <runtime/float_vertices.inl>
 /// Registers hold all of a leaf.
 template <unsigned groups>

@@ -13,6 +13,7 @@ inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepare
 }
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
+#include <runtime/ray_plain_nodes.inl>
 #include <runtime/float_vertices.inl>
 #include <runtime/pair_vertices.inl>
 #include <runtime/unpacked_leaf.inl>

@@ -40,12 +40,12 @@ inline __m256i splat_bytes_at(const std::byte* at) {
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
 /// Floats are compared by their bits, as integers: neither end of the window is negative.
-[[gnu::always_inline]] inline unsigned slab_test(const Node& node, const PlacedRayLanes& lanes_, float limit,
+[[gnu::always_inline]] inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& lanes_, float limit,
                                                  float* near) {
     const PlacedRayLanes& ray = *as_if_changed(&lanes_);
     const SlabConstants& all = *as_if_changed(&slab_constants);
     __asm__ volatile("" : "+x"(limit));  // as if it could change: spread ahead of a loop it would need 32 bytes
-    const __m256i shifts = splat_word_at(node.bytes + format::node::shifts_at);
+    const __m256i shifts = splat_word_at(node.bytes + format::packed_node::shifts_at);
     const __m256i plane_shift = _mm256_set1_epi32(static_cast<int>(ray.plane_shift));
     const __m256i base_shift = _mm256_set1_epi32(static_cast<int>(ray.base_shift));
     __m256i enter = _mm256_castps_si256(_mm256_set1_ps(ray.tau_min));
@@ -55,7 +55,7 @@ inline __m256i splat_bytes_at(const std::byte* at) {
             _mm256_sub_epi32(plane_shift,
                              _mm256_and_si256(_mm256_srli_epi32(shifts, 5 * k), load_lanes(all.field_mask))),
             load_lanes(all.least_shift));
-        const std::byte* const base_at = node.bytes + format::node::base_at + 2 * static_cast<std::size_t>(k);
+        const std::byte* const base_at = node.bytes + format::packed_node::base_at + 2 * static_cast<std::size_t>(k);
         const __m256i steps =
             _mm256_sllv_epi32(_mm256_and_si256(splat_word_at(base_at), load_lanes(all.base_mask)), base_shift);
         const __m256i base = _mm256_add_epi32(steps, load_lanes(all.one));

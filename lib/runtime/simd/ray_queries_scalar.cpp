@@ -6,14 +6,17 @@
 #include <runtime/simd/lanes_scalar.hpp>
 
 namespace espalier::detail::scalar {
-inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+template <class Lanes>
+bool prepare(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
     return prepare_ray(blob, world, prepared);
 }
-inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
+template <class Lanes>
+bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
     return prepare_ray(blob, given, prepared);
 }
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
+#include <runtime/ray_plain_nodes.inl>
 #include <runtime/float_vertices.inl>
 #include <runtime/pair_vertices.inl>
 #include <runtime/unpacked_leaf.inl>
