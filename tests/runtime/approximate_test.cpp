@@ -442,7 +442,7 @@ TEST_SUITE("approximate") {
         const OpenedBlob sphere(make_icosphere(5, 1.0, {0.0f, 0.0f, 0.0f}));
         const float nan = std::numeric_limits<float>::quiet_NaN();
         std::uint64_t before = ~std::uint64_t{0};
-        for (const float accuracy : {0.0f, 0.5f, 1.5f, 4.0f}) {
+        for (const float accuracy : {0.0f, 0.5f, 1.0f, 4.0f}) {
             QueryCounters counters;
             DistanceBounds bounds;
             for (int i = 0; i < 100; ++i) {
