@@ -15,7 +15,7 @@ double decoding_factor(format::Profile profile) {
             return 1.0;
         case format::Profile::balanced:
         case format::Profile::small:
-            return 1.06;
+            return 1.11;
     }
     return 1.0;
 }
