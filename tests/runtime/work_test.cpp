@@ -114,40 +114,40 @@ TEST_SUITE("work") {
         const OpenedBlob landscape(make_terrain(24, 7), {.bits = 18, .profile = format::Profile::fast});
         check_work(
             landscape.blob, detail::InstructionSet::scalar,
-            {{"closest hits", platform::ask_closest_hits, 200, {962, 770, 2055}, {1341, 777, 2286, 9354}},
-             {"filtered and any hits", platform::ask_filtered_hits, 100, {1071, 778, 1527}, {1287, 784, 1689, 12846}},
-             {"all hits", platform::ask_all_hits, 100, {488, 443, 1178}, {499, 448, 1309, 4516}},
-             {"first hits", platform::ask_first_hits, 50, {517, 341, 770}, {671, 343, 821, 6020}},
-             {"batches", platform::ask_batches, 60, {3893, 2357, 3588}, {5001, 2432, 4148, 49934}},
-             {"sweeps", platform::ask_sweeps, 20, {573, 776, 474}, {573, 776, 511}},
-             {"spheres", platform::ask_spheres, 100, {580, 437, 1120}, {580, 437, 1808}},
-             {"pages", ask_pages, 100, {6003, 28057, 1131}, {6003, 28057, 8643}},
-             {"volumes", platform::ask_volumes, 30, {2615, 2097, 3536}, {2615, 2087, 4497}},
-             {"approximate queries", platform::ask_approximately, 50, {641, 654, 3982}, {641, 658, 4261, 1300}},
-             {"closest points", platform::ask_closest_points, 100, {715, 1167, 8868}, {715, 1167, 9287}},
-             {"segments and boxes", platform::ask_closest_pairs, 25, {196, 211, 127}, {196, 211, 138}},
-             {"contacts", ask_contacts, 40, {1078, 471, 0, 61716}, {1078, 471, 0, 61716}},
-             {"distances", ask_distances, 10, {212, 170, 0, 9267}, {212, 170, 0, 9267}}});
+            {{"closest hits", platform::ask_closest_hits, 200, {955, 708, 1859}, {1323, 724, 2117, 8764}},
+             {"filtered and any hits", platform::ask_filtered_hits, 100, {1030, 681, 1312}, {1240, 696, 1498, 11750}},
+             {"all hits", platform::ask_all_hits, 100, {481, 396, 1019}, {499, 404, 1147, 4220}},
+             {"first hits", platform::ask_first_hits, 50, {510, 334, 616}, {671, 346, 690, 5764}},
+             {"batches", platform::ask_batches, 60, {3624, 2402, 3374}, {4668, 2405, 3987, 44230}},
+             {"sweeps", platform::ask_sweeps, 20, {593, 727, 370}, {593, 727, 412}},
+             {"spheres", platform::ask_spheres, 100, {547, 429, 1097}, {547, 429, 1769}},
+             {"pages", ask_pages, 100, {5643, 23781, 1104}, {5643, 23781, 8754}},
+             {"volumes", platform::ask_volumes, 30, {2516, 2174, 4419}, {2511, 2174, 5405}},
+             {"approximate queries", platform::ask_approximately, 50, {625, 611, 3891}, {626, 615, 4119, 1240}},
+             {"closest points", platform::ask_closest_points, 100, {696, 1024, 8567}, {696, 1024, 8915}},
+             {"segments and boxes", platform::ask_closest_pairs, 25, {172, 152, 125}, {172, 152, 136}},
+             {"contacts", ask_contacts, 40, {1152, 525, 0, 64191}, {1152, 525, 0, 64191}},
+             {"distances", ask_distances, 10, {245, 126, 0, 10179}, {245, 126, 0, 10179}}});
     }
 
     TEST_CASE("work: queries of a closed body visit the recorded numbers of nodes and leaves") {
         const OpenedBlob body(make_torus(32, 16, 3.0, 1.0), {.bits = 12, .profile = format::Profile::balanced});
         check_work(
             body.blob, detail::InstructionSet::scalar,
-            {{"closest hits", platform::ask_closest_hits, 200, {687, 747, 1391}, {1139, 725, 2194, 7944}},
-             {"filtered and any hits", platform::ask_filtered_hits, 100, {865, 919, 1257}, {1134, 943, 2097, 11630}},
-             {"all hits", platform::ask_all_hits, 100, {382, 501, 845}, {391, 517, 1456, 4376}},
-             {"first hits", platform::ask_first_hits, 50, {383, 361, 474}, {587, 350, 837, 5364}},
-             {"batches", platform::ask_batches, 60, {3009, 2731, 3649}, {4199, 2750, 5564, 40944}},
-             {"sweeps", platform::ask_sweeps, 20, {439, 759, 155}, {439, 759, 266}},
-             {"spheres", platform::ask_spheres, 100, {434, 368, 577}, {434, 368, 1458}},
-             {"pages", ask_pages, 100, {2901, 13335, 580}, {2901, 13335, 9789}},
-             {"volumes", platform::ask_volumes, 30, {2077, 2393, 3716}, {2077, 2389, 4790}},
-             {"approximate queries", platform::ask_approximately, 50, {455, 606, 5216}, {457, 613, 5816, 1190}},
-             {"closest points", platform::ask_closest_points, 100, {987, 1916, 21048}, {987, 1916, 22117}},
-             {"segments and boxes", platform::ask_closest_pairs, 25, {140, 216, 70}, {140, 216, 149}},
-             {"contacts", ask_contacts, 40, {569, 303, 0, 39960}, {569, 303, 0, 39960}},
-             {"distances", ask_distances, 10, {187, 184, 0, 8211}, {187, 184, 0, 8211}}});
+            {{"closest hits", platform::ask_closest_hits, 200, {702, 667, 1302}, {1087, 669, 2059, 7518}},
+             {"filtered and any hits", platform::ask_filtered_hits, 100, {850, 796, 1173}, {1069, 823, 2013, 10446}},
+             {"all hits", platform::ask_all_hits, 100, {395, 464, 812}, {401, 481, 1422, 4206}},
+             {"first hits", platform::ask_first_hits, 50, {375, 302, 459}, {542, 308, 778, 4686}},
+             {"batches", platform::ask_batches, 60, {2885, 2494, 3837}, {4049, 2524, 5667, 37458}},
+             {"sweeps", platform::ask_sweeps, 20, {461, 741, 150}, {461, 741, 246}},
+             {"spheres", platform::ask_spheres, 100, {423, 364, 557}, {423, 364, 1440}},
+             {"pages", ask_pages, 100, {3039, 12344, 537}, {3039, 12344, 9911}},
+             {"volumes", platform::ask_volumes, 30, {2066, 2335, 3705}, {2066, 2333, 4735}},
+             {"approximate queries", platform::ask_approximately, 50, {447, 546, 5168}, {449, 551, 5683, 1070}},
+             {"closest points", platform::ask_closest_points, 100, {962, 1751, 20889}, {962, 1751, 22028}},
+             {"segments and boxes", platform::ask_closest_pairs, 25, {146, 176, 57}, {146, 176, 144}},
+             {"contacts", ask_contacts, 40, {688, 376, 0, 44781}, {688, 376, 0, 44781}},
+             {"distances", ask_distances, 10, {168, 191, 0, 7293}, {168, 191, 0, 7293}}});
     }
 
 #if ESPALIER_X86
@@ -155,20 +155,20 @@ TEST_SUITE("work") {
         if (detail::detect_instruction_set() < detail::InstructionSet::sse42) return;
         const OpenedBlob landscape(make_terrain(24, 7), {.bits = 18, .profile = format::Profile::fast});
         check_work(landscape.blob, detail::InstructionSet::sse42,
-                   {{"closest hits", platform::ask_closest_hits, 200, {962, 770, 838}},
-                    {"batches", platform::ask_batches, 60, {3719, 2020, 2339}},
-                    {"spheres", platform::ask_spheres, 100, {580, 437, 436}},
-                    {"closest points", platform::ask_closest_points, 100, {715, 1167, 7691}},
-                    {"contacts", ask_contacts, 40, {1078, 471, 0, 25923}},
-                    {"distances", ask_distances, 10, {212, 170, 0, 3540}}});
+                   {{"closest hits", platform::ask_closest_hits, 200, {955, 708, 751}},
+                    {"batches", platform::ask_batches, 60, {3664, 1962, 2460}},
+                    {"spheres", platform::ask_spheres, 100, {547, 429, 412}},
+                    {"closest points", platform::ask_closest_points, 100, {696, 1024, 7517}},
+                    {"contacts", ask_contacts, 40, {1152, 525, 0, 27009}},
+                    {"distances", ask_distances, 10, {245, 126, 0, 3993}}});
         const OpenedBlob body(make_torus(32, 16, 3.0, 1.0), {.bits = 12, .profile = format::Profile::balanced});
         check_work(body.blob, detail::InstructionSet::sse42,
-                   {{"closest hits", platform::ask_closest_hits, 200, {687, 747, 894}},
-                    {"batches", platform::ask_batches, 60, {3167, 2445, 3160}},
-                    {"spheres", platform::ask_spheres, 100, {434, 368, 342}},
-                    {"closest points", platform::ask_closest_points, 100, {987, 1916, 18807}},
-                    {"contacts", ask_contacts, 40, {569, 303, 0, 15297}},
-                    {"distances", ask_distances, 10, {187, 184, 0, 3021}}});
+                   {{"closest hits", platform::ask_closest_hits, 200, {702, 667, 862}},
+                    {"batches", platform::ask_batches, 60, {2968, 2177, 3280}},
+                    {"spheres", platform::ask_spheres, 100, {423, 364, 338}},
+                    {"closest points", platform::ask_closest_points, 100, {962, 1751, 18751}},
+                    {"contacts", ask_contacts, 40, {688, 376, 0, 17913}},
+                    {"distances", ask_distances, 10, {168, 191, 0, 2655}}});
     }
 
     TEST_CASE("work: batches of alike rays walk together as far as recorded") {
@@ -231,7 +231,7 @@ TEST_SUITE("work") {
             }
             ask(rays, count);
         }
-        CHECK(work.value() == 15051628476312709797u);
+        CHECK(work.value() == 18418056017184363791u);
     }
 #endif
 }
