@@ -61,8 +61,7 @@ ESPALIER_SHARED_CODE inline Floats gap_to(const LaneBoxes& boxes, const SeenBox&
         const Floats gap = larger(subtract(subtract(magnitude(apart[k]), boxes.half[k]), splat(seen.reach[k])), zero);
         own = add(own, multiply(gap, gap));
     }
-    if constexpr (lanes == 1)
-        if (at_most(own, splat(limit)) == 0) return own;
+    if (at_most(own, splat(limit)) == 0) return own;
     Floats others = zero;
     count_axes(3);
     for (int j = 0; j < 3; ++j) {
@@ -191,8 +190,7 @@ template <class Node>
         const LaneBoxes boxes = all.at(first);
         Floats apart[3];
         Floats gap = gap_to(boxes, seen, side, limit, apart);
-        if constexpr (lanes == 1)
-            if (at_most(gap, splat(limit)) == 0) continue;
+        if (at_most(gap, splat(limit)) == 0) continue;
         if (!touching) gap = larger(gap, gap_along(axes, boxes, seen, side, apart));
         unsigned near = at_most(gap, splat(limit));
         const Floats between =
