@@ -35,7 +35,7 @@ struct PlainLeaf : LeafVertices<PlainNode> {
     [[nodiscard]] const std::byte* high_bytes() const { return corner_row + std::size_t{3} * slot_count; }
 
     static constexpr std::int32_t anchor(int) { return 0; }
-    [[nodiscard]] std::int32_t offset(int axis, unsigned vertex) const {
+    [[nodiscard, gnu::always_inline]] std::int32_t offset(int axis, unsigned vertex) const {
         const std::size_t place = static_cast<std::size_t>(axis) * vertex_count + vertex;
         const std::uint32_t low = load_u16(words() + 2 * place);
         return static_cast<std::int32_t>(has_high_bytes() ? low | load_u8(high_bytes() + place) << 16 : low);

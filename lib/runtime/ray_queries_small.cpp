@@ -1,6 +1,7 @@
 // Ray queries for small cores: few bytes of code and stack, and hardly a float.
 #include <bit>
 
+#include <runtime/as_if_changed.hpp>
 #include <runtime/ray_queries.hpp>
 #include <runtime/seen_boxes.hpp>
 #include <runtime/seen_triangles.hpp>
@@ -48,18 +49,32 @@ template <class Node>
     return seen_children(lanes, node, limit, keys.among & all_children(node));
 }
 
+/// A vertex of a leaf as the ray sees it. A strip's fields are read in one place, for a call each; words are read here.
+template <class Leaf>
+[[gnu::always_inline]] inline SeenVertex see_vertex(const Leaf& leaf, unsigned vertex, const SeenRay& ray,
+                                                    const SeenLeaf& seen) {
+    if constexpr (Leaf::counts_from_zero) {
+        const auto place = [&](unsigned k) __attribute__((always_inline)) {
+            return (leaf.offset(static_cast<int>(k), vertex) << ray.fraction_bits) - ray.origin[k];
+        };
+        return seen.vertex(ray, place(ray.axis[0]), place(ray.axis[1]), place(ray.axis[2]));
+    } else {
+        std::int32_t place[3];
+        place_vertex(leaf, vertex, ray, place);
+        return seen.vertex(ray, place[ray.axis[0]], place[ray.axis[1]], place[ray.axis[2]]);
+    }
+}
+
 /// The triangles of a leaf that the ray may hit. Apart from the walk, as the kernel is: of their needs only the larger
 /// one is ever on the stack.
 template <class Leaf>
 [[gnu::noinline]] typename Leaf::Slots ray_candidates(const Leaf& leaf, const SeenRay& ray) {
     const SeenLeaf seen(leaf.size_bits + ray.fraction_bits);
-    SeenVertex vertices[Leaf::max_vertices];
+    SeenVertex room[Leaf::max_vertices];
+    SeenVertex* const vertices = as_if_changed(&room[0]);  // in a register: counted from the frame, each look-up adds
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
-    for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
-        std::int32_t place[3];
-        place_vertex(leaf, vertex, ray, place);
-        vertices[vertex] = seen.vertex(ray, place);
-    }
+    for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex)
+        vertices[vertex] = see_vertex(leaf, vertex, ray, seen);
     typename Leaf::Slots mask = 0;
     auto corners = scalar::corners_of(leaf);
     // mutant(< -> <=) sanitizer: shifts by the width of the type where a leaf is full
@@ -83,7 +98,8 @@ using RayLeaf = Leaf;
 template <class Leaf>
 [[gnu::always_inline]] inline typename Leaf::Slots ray_candidates(const PlaceOf<Leaf>& place, const SeenRay& ray,
                                                                   Leaf& leaf) {
-    decode_leaf(*place.blob, place.node, place.number, leaf);
+    // A node of its own: GCC keeps a copied one on the stack for as long as the walk takes.
+    decode_leaf(*place.blob, Node{place.node.bytes}, place.number, leaf);
     return ray_candidates(leaf, ray);
 }
 inline constexpr bool decides_by_signs = false;

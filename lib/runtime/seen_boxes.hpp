@@ -94,8 +94,8 @@ struct SeenPlanes {
     for (unsigned child = 0; among >> child != 0; ++child) {
         if ((among >> child & 1u) == 0) continue;
         std::int32_t begin = plane(begins, child) ^ flip;
+        if (begin > last) continue;
         const std::int32_t end = plane(ends, child) ^ flip;
-        if (begin > last || end < first) continue;
         count_axes(2);
         for (const SeenPlanes& planes : across) {
             // The ray has passed the near plane when the box ends, and not yet the far one when it begins.
@@ -105,7 +105,7 @@ struct SeenPlanes {
             if (far < begin * planes.slope) goto missed;
             if (near > begin * planes.slope) begin = near / planes.slope;
         }
-        if (begin <= last) {
+        if (begin <= last && end >= first) {
             met |= 1u << child;
             // mutant(<< -> one more) equivalent: the order of keys and the three bits of the child stay
             const unsigned key = static_cast<unsigned>(begin) << 3 | child;

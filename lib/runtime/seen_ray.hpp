@@ -14,7 +14,7 @@ namespace espalier::detail {
 
 /// A ray, and how it looks at the lattice. The axis ahead is axis[2].
 struct SeenRay : IntegerRay {
-    static constexpr int slope_bits = 28;
+    static constexpr int slope_bits = 30;
     /// By how many units at most what is seen is off its place.
     static constexpr std::int32_t off = 4;
 
@@ -43,9 +43,12 @@ struct SeenRay : IntegerRay {
         return static_cast<std::int32_t>((static_cast<std::uint32_t>(number) ^ static_cast<std::uint32_t>(down)) -
                                          static_cast<std::uint32_t>(down));
     }
-    /// Where a place along axis[i] is seen across, which is `forth` along axis[2]; all from the origin.
+    /// Where a place along axis[i] is seen across, which is `forth` along axis[2]; all from the origin. The product of
+    /// slope and 4 * forth has what is wanted in its high word.
     [[nodiscard]] std::int32_t across(unsigned i, std::int32_t place, std::int32_t forth) const {
-        const auto away = static_cast<std::uint32_t>((std::int64_t{slope[i]} * forth) >> slope_bits);
+        static_assert(slope_bits == 30);
+        const auto scaled = static_cast<std::int32_t>(static_cast<std::uint32_t>(forth) << 2);
+        const auto away = static_cast<std::uint32_t>((std::int64_t{slope[i]} * scaled) >> 32);
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(place) - away);
     }
     /// How far ahead the ray is at tau, give or take `off`. Nothing on the lattice is 2^26 ahead.

@@ -43,14 +43,12 @@ struct SeenLeaf {
         const std::int32_t off = 1 + ((1 << 15) >> bits);
         error = off * ((1 << 16) + 6 * off);
     }
-    /// A vertex, from the ray's origin.
-    [[nodiscard]] SeenVertex vertex(const SeenRay& ray, const std::int32_t* place) const {
-        std::uint32_t seen[2];
-        for (unsigned i = 0; i < 2; ++i) {
-            const std::int32_t across = ray.across(i, place[ray.axis[i]], place[ray.axis[2]]);
-            seen[i] = (static_cast<std::uint32_t>(across) << finer) + (1u << 15);  // half of what is cut off
-        }
-        return seen[0] >> 16 | (seen[1] & 0xFFFF0000u);
+    /// A vertex, from the ray's origin: across and ahead.
+    [[nodiscard]] SeenVertex vertex(const SeenRay& ray, std::int32_t x, std::int32_t y, std::int32_t ahead) const {
+        constexpr std::uint32_t half = 1u << 15;  // of what is cut off
+        const std::uint32_t seen_x = (static_cast<std::uint32_t>(ray.across(0, x, ahead)) << finer) + half;
+        const std::uint32_t seen_y = (static_cast<std::uint32_t>(ray.across(1, y, ahead)) << finer) + half;
+        return seen_x >> 16 | (seen_y & 0xFFFF0000u);
     }
     /// Whether a triangle with these corners may be hit.
     [[nodiscard]] bool allows(SeenVertex a, SeenVertex b, SeenVertex c) const {
