@@ -27,14 +27,17 @@ ESPALIER_LOAD float load_f32(const std::byte* at) { return std::bit_cast<float>(
 
 #undef ESPALIER_LOAD
 
-/// Field `index` of a stream of `width`-bit fields, low bits first; width at most 25. Reads the 4 bytes from the one in
-/// which the field begins: the format's guard keeps that inside the blob.
+/// `count` bits from bit `bit` of a stream on, low bits first; count at most 25. Reads the 4 bytes from the one in
+/// which the bits begin: the format's guard keeps that inside the blob.
+[[gnu::always_inline]] inline std::uint32_t load_few_bits(const std::byte* stream, unsigned bit, unsigned count) {
+    return (load_u32(stream + bit / 8) >> (bit % 8)) & ((1u << count) - 1u);
+}
+/// Field `index` of a stream of fields with that many bits.
 inline std::uint32_t load_field(const std::byte* stream, unsigned width, unsigned index) {
-    const unsigned bit = width * index;
-    return (load_u32(stream + bit / 8) >> (bit % 8)) & ((1u << width) - 1u);
+    return load_few_bits(stream, width * index, width);
 }
 
-/// `count` bits from bit `bit` of a stream on, low bits first; count at most 57. Reads 8 bytes, as above.
+/// The same for at most 57 bits. Reads 8 bytes.
 inline std::uint64_t load_bits(const std::byte* stream, unsigned bit, unsigned count) {
     return (load_u64(stream + bit / 8) >> (bit % 8)) & ((std::uint64_t{1} << count) - 1u);
 }

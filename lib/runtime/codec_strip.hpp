@@ -46,17 +46,14 @@ struct StripLeaf : LeafVertices<PackedNode> {
 #if ESPALIER_SMALL_CODE
         return kept_anchor[axis];
 #else
-        return find_anchor(axis);
-#endif
-    }
-    /// Small code has it in one place, and keeps it.
-    void keep_anchor([[maybe_unused]] int axis) {
-#if ESPALIER_SMALL_CODE
-        kept_anchor[axis] = find_anchor(axis);
-#endif
-    }
-    [[nodiscard]] std::int32_t find_anchor(int axis) const {
         return node.plane(axis, node.low_planes(axis) + child(), blob->bits);
+#endif
+    }
+    /// Small code keeps it.
+    void keep_anchor([[maybe_unused]] int axis, [[maybe_unused]] std::int32_t found) {
+#if ESPALIER_SMALL_CODE
+        kept_anchor[axis] = found;
+#endif
     }
     [[nodiscard]] std::int32_t offset(int axis, unsigned vertex) const {
         return static_cast<std::int32_t>(load_field(coordinates[axis], width[axis], vertex));
@@ -71,7 +68,7 @@ struct StripLeaf : LeafVertices<PackedNode> {
         const auto fresh = static_cast<unsigned>(std::popcount(first_uses & before));
         if ((first_uses >> place & 1) != 0) return fresh;
         const unsigned reference = place - fresh;
-        return static_cast<unsigned>(load_bits(marks, references_at + reference * reference_width, reference_width));
+        return load_few_bits(marks, references_at + reference * reference_width, reference_width);
     }
     /// The entries that are a triangle's corners.
     [[nodiscard, gnu::always_inline]] std::array<unsigned, 3> window(unsigned slot) const {
@@ -82,7 +79,7 @@ struct StripLeaf : LeafVertices<PackedNode> {
         return {pivot, slot + 1 + turned, slot + 2 - turned};
     }
     /// The vertex that is a triangle's corner 0, 1 or 2.
-    [[nodiscard]] unsigned corner(unsigned slot, unsigned which) const { return corners(slot).vertex[which]; }
+    [[nodiscard]] unsigned corner(unsigned slot, unsigned which) const { return entry(window(slot)[which]); }
     [[nodiscard]] ESPALIER_SHARED_CODE LeafCorners corners(unsigned slot) const {
         const auto places = window(slot);
         return {entry(places[0]), entry(places[1]), entry(places[2])};
@@ -115,15 +112,19 @@ ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, 
     leaf.references_at = static_cast<std::uint8_t>(3 * marked);
     leaf.reference_width = static_cast<std::uint8_t>(reference_width(leaf.vertex_count));
     const std::byte* at = leaf.marks + (mark_bits(marked + 3, leaf.vertex_count) + 7) / 8;
+    const std::uint32_t vertex_count = leaf.vertex_count;
+    const unsigned bits = blob.bits;
+    const unsigned child = node.node_children() + number;
     std::uint32_t longest = 0;
     for (int k = 0; k < 3; ++k) {
-        const std::uint32_t planes =
-            load_u8(node.high_planes(k) + leaf.child()) - load_u8(node.low_planes(k) + leaf.child());
-        const unsigned width = coordinate_width(planes << node.shift(k), blob.bits);
+        const std::uint32_t low = load_u8(node.low_planes(k) + child);
+        const std::uint32_t planes = load_u8(node.high_planes(k) + child) - low;
+        const unsigned shift = node.shift(k);
+        const unsigned width = coordinate_width(planes << shift, bits);
         leaf.width[k] = static_cast<std::uint8_t>(width);
         leaf.coordinates[k] = at;
-        leaf.keep_anchor(k);
-        at += (leaf.vertex_count * width + 7) / 8;
+        leaf.keep_anchor(k, node.base(k, bits) + static_cast<std::int32_t>(low << shift));
+        at += (vertex_count * width + 7) / 8;
         // mutant(> -> >=) equivalent: both sides are equal then
         longest = width > longest ? width : longest;
     }

@@ -4,7 +4,7 @@
 class StripCorners {
 public:
     explicit StripCorners(const StripLeaf& leaf)
-        : leaf_(leaf), pivots_(leaf.pivots), first_uses_(leaf.first_uses), bit_(leaf.references_at) {
+        : pivots_(leaf.pivots), first_uses_(leaf.first_uses), leaf_(leaf), bit_(leaf.references_at) {
         before_ = next_entry();
         middle_ = next_entry();
     }
@@ -27,14 +27,14 @@ private:
         const bool fresh = (first_uses_ & 1) != 0;
         first_uses_ >>= 1;
         if (fresh) return used_++;
-        const auto number = static_cast<std::uint32_t>(load_bits(leaf_.marks, bit_, leaf_.reference_width));
+        const std::uint32_t number = load_few_bits(leaf_.marks, bit_, leaf_.reference_width);
         bit_ += leaf_.reference_width;
         return number;
     }
 
-    const StripLeaf& leaf_;
     std::uint64_t pivots_;
     std::uint64_t first_uses_;
+    const StripLeaf& leaf_;
     unsigned bit_;
     std::uint32_t used_ = 0;
     std::uint32_t before_ = 0, middle_ = 0, pivot_ = 0;
