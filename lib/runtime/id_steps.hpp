@@ -8,6 +8,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
 #include <runtime/leaf_kinds.hpp>
+#include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 
@@ -52,7 +53,7 @@ struct StepFields {
 };
 
 /// 2^number_bits - 1: the smallest mask that holds every number.
-inline std::uint32_t number_mask(const BlobData& blob) {
+ESPALIER_SHARED_CODE inline std::uint32_t number_mask(const BlobData& blob) {
     const std::uint32_t limit = number_limit(blob);
     return limit <= 1 ? 0 : ~std::uint32_t{0} >> std::countl_zero(limit - 1);
 }
