@@ -99,7 +99,7 @@ template <class Leaf>
 [[gnu::always_inline]] inline typename Leaf::Slots ray_candidates(const PlaceOf<Leaf>& place, const SeenRay& ray,
                                                                   Leaf& leaf) {
     // A node of its own: GCC keeps a copied one on the stack for as long as the walk takes.
-    decode_leaf(*place.blob, Node{place.node.bytes}, place.number, leaf);
+    decode_leaf(*place.blob, typename Leaf::Node{place.node.bytes}, place.number, leaf);
     return ray_candidates(leaf, ray);
 }
 inline constexpr bool decides_by_signs = false;
