@@ -18,15 +18,18 @@ PARTS = {
         "runtime/open.cpp", "runtime/open_checks.hpp", "runtime/open_header.cpp", "runtime/open_leaves.cpp",
         "runtime/open_trusted_image.cpp"],
     "decode": [
-        "runtime/bytes.hpp", "runtime/codec_node.hpp", "runtime/codec_plain.hpp", "runtime/codec_strip.hpp",
+        "runtime/bytes.hpp", "runtime/codec_node.hpp", "runtime/codec_packed_node.hpp", "runtime/codec_plain_node.hpp",
+        "runtime/codec_plain.hpp", "runtime/codec_strip.hpp",
         "runtime/leaf_vertices.hpp", "runtime/copies.hpp", "runtime/id_steps.hpp", "espalier/format.hpp",
         "runtime/simd/frames_portable.inl", "runtime/simd/leaf_corners.inl", "runtime/simd/strip_corners_portable.inl",
         "runtime/float_vertices.inl"],
     "quantiser": [
         "baker/lattice.hpp", "baker/lattice.cpp", "baker/fit_lattice.cpp", "baker/snap.cpp", "baker/float_rounding.hpp",
-        "baker/encode_tree.cpp", "baker/encode_plain_leaf.cpp", "baker/encode_strip_leaf.cpp", "baker/closed.cpp"],
+        "baker/encode_tree.cpp", "baker/encode_packed_node.cpp", "baker/encode_plain_node.cpp",
+        "baker/encode_plain_leaf.cpp", "baker/encode_strip_leaf.cpp", "baker/closed.cpp"],
     "traversal": [
-        "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_lanes.hpp", "runtime/placed_planes.hpp",
+        "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_plain_nodes.inl", "runtime/node_boxes.inl",
+        "runtime/ray_lanes.hpp", "runtime/placed_planes.hpp",
         "runtime/box_nodes.hpp", "runtime/point_nodes.inl", "runtime/point_bounds.inl", "runtime/squared_distance.inl",
         "runtime/plane_nodes.hpp", "runtime/pair_nodes.inl", "runtime/pair_trees.inl",
         "runtime/traverse_pair.inl"],

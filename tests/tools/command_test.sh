@@ -877,7 +877,10 @@ claim "dump shows every byte once and in order"
 "$espalier" bake sheet.obj -o strips.espl -q --ids --materials 16 --profile balanced || fail "no strips"
 "$espalier" bake sheet.obj -o split.espl -q --ids --profile fast --builder spatial_splits || fail "no splits"
 run 0 dump split.espl
-out_has "ids of triangles from 0:"
+for word in "low x 0" "node children" "leaf 0: data at 4 x 0 of the block" "no more leaves" "first triangle 0" "corner a, 8 bits: 0" \
+    "ids of triangles from 0:"; do
+    out_has "$word"
+done
 for blob in box sheet two empty strips split; do
     "$espalier" dump $blob.espl | grep -v '^--' | cut -c 11-57 | tr -d ' \n' >dumped
     od -A n -v -t x1 $blob.espl | tr -d ' \n' >expected

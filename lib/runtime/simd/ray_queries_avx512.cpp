@@ -15,10 +15,8 @@ ESPALIER_END_TARGET
 
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX512)
 namespace espalier::detail::avx512 {
-using avx2::prepare;
-using avx2::slab_test;
 #include <runtime/traverse.inl>
-#include <runtime/ray_plain_nodes.inl>
+#include <runtime/simd/ray_nodes_avx512.inl>
 #include <runtime/float_vertices.inl>
 /// Registers hold all of a leaf.
 template <unsigned groups>
