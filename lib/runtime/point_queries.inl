@@ -16,7 +16,7 @@ template <unsigned groups, class Leaf, class OnGroup>
     auto corners = corners_of(leaf);
     for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
         const auto numbers = corners.next();
-        const auto look_up = [&](Ints number) {
+        const auto look_up = [&](const Numbers& number) {
             return Floats3{coordinates[0].look_up(number), coordinates[1].look_up(number),
                            coordinates[2].look_up(number)};
         };

@@ -21,7 +21,8 @@ PARTS = {
         "runtime/bytes.hpp", "runtime/codec_node.hpp", "runtime/codec_packed_node.hpp", "runtime/codec_plain_node.hpp",
         "runtime/codec_plain.hpp", "runtime/codec_strip.hpp",
         "runtime/leaf_vertices.hpp", "runtime/copies.hpp", "runtime/id_steps.hpp", "espalier/format.hpp",
-        "runtime/simd/frames_portable.inl", "runtime/simd/leaf_corners.inl", "runtime/simd/strip_corners_portable.inl",
+        "runtime/simd/frames_portable.inl", "runtime/simd/slab_frame_portable.inl", "runtime/simd/leaf_corners.inl",
+        "runtime/simd/strip_corners_portable.inl",
         "runtime/float_vertices.inl"],
     "quantiser": [
         "baker/lattice.hpp", "baker/lattice.cpp", "baker/fit_lattice.cpp", "baker/snap.cpp", "baker/float_rounding.hpp",

@@ -39,9 +39,10 @@ struct Ints {
 struct SignedInts {
     __m256i v;
 };
-/// Vertices of one triangle in each lane.
+/// A vertex for each lane, and the three vertices of a triangle in each.
+using Numbers = Ints;
 struct CornerNumbers {
-    Ints a, b, c;
+    Numbers a, b, c;
 };
 
 inline Floats splat(float x) { return {_mm256_set1_ps(x)}; }
@@ -55,17 +56,6 @@ inline Floats negate(Floats a) { return {_mm256_xor_ps(a.v, _mm256_set1_ps(-0.0f
 inline Floats magnitude(Floats a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
 inline Floats smaller(Floats a, Floats b) { return {_mm256_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
-/// The same of floats that are not negative, or beside one that is not: by their bits, which is faster.
-inline Floats later(Floats a, Floats b) {
-    return {_mm256_castsi256_ps(_mm256_max_epi32(_mm256_castps_si256(a.v), _mm256_castps_si256(b.v)))};
-}
-inline Floats sooner(Floats a, Floats b) {
-    return {_mm256_castsi256_ps(_mm256_min_epi32(_mm256_castps_si256(a.v), _mm256_castps_si256(b.v)))};
-}
-inline unsigned not_after(Floats a, Floats b) {
-    const __m256i is_after = _mm256_cmpgt_epi32(_mm256_castps_si256(a.v), _mm256_castps_si256(b.v));
-    return 255u & ~static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(is_after)));
-}
 inline Floats divide(Floats a, Floats b) { return {_mm256_div_ps(a.v, b.v)}; }
 inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
     return {_mm256_blendv_ps(otherwise.v, then.v, _mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ))};
@@ -110,6 +100,8 @@ inline SignedInts larger(SignedInts a, SignedInts b) { return {_mm256_max_epi32(
 inline unsigned at_most(SignedInts a, SignedInts b) {
     return 255u & ~static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(a.v, b.v))));
 }
+inline SignedInts to_compared(Floats a) { return {_mm256_castps_si256(a.v)}; }
+inline void store_compared(float* to, SignedInts a) { _mm256_storeu_ps(to, _mm256_castsi256_ps(a.v)); }
 inline Ints pair_of(Floats x, Floats y) {
     return {_mm256_blend_epi16(_mm256_castps_si256(x.v), _mm256_slli_epi32(_mm256_castps_si256(y.v), 16), 0xAA)};
 }
@@ -127,6 +119,8 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
 inline Ints load_ints(const std::uint32_t* from) {
     return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))};
 }
+inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
+inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
 inline void store(std::uint32_t* to, Ints a) { _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), a.v); }
 inline void prefetch(const std::byte* at) { _mm_prefetch(reinterpret_cast<const char*>(at), _MM_HINT_T0); }
 

@@ -31,9 +31,10 @@ struct Floats {
 struct Ints {
     __m512i v;
 };
-/// Vertices of one triangle in each lane.
+/// A vertex for each lane, and the three vertices of a triangle in each.
+using Numbers = Ints;
 struct CornerNumbers {
-    Ints a, b, c;
+    Numbers a, b, c;
 };
 
 inline Floats splat(float x) { return {_mm512_set1_ps(x)}; }
@@ -46,17 +47,6 @@ inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {_mm512_f
 inline Floats negate(Floats a) { return {_mm512_xor_ps(a.v, _mm512_set1_ps(-0.0f))}; }
 inline Floats smaller(Floats a, Floats b) { return {_mm512_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm512_max_ps(a.v, b.v)}; }
-/// The same of floats that are not negative, or beside one that is not: by their bits, which is faster.
-inline Floats later(Floats a, Floats b) {
-    return {_mm512_castsi512_ps(_mm512_max_epi32(_mm512_castps_si512(a.v), _mm512_castps_si512(b.v)))};
-}
-inline Floats sooner(Floats a, Floats b) {
-    return {_mm512_castsi512_ps(_mm512_min_epi32(_mm512_castps_si512(a.v), _mm512_castps_si512(b.v)))};
-}
-inline unsigned not_after(Floats a, Floats b) {
-    // As a number and not as a mask: GCC 12 stores masks in two bytes and loads four.
-    return _cvtmask16_u32(_mm512_cmple_epi32_mask(_mm512_castps_si512(a.v), _mm512_castps_si512(b.v)));
-}
 inline Floats divide(Floats a, Floats b) { return {_mm512_div_ps(a.v, b.v)}; }
 inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
     return {_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), otherwise.v, then.v)};
@@ -69,6 +59,8 @@ inline Ints add(Ints a, std::uint32_t b) { return {_mm512_add_epi32(a.v, _mm512_
 inline Ints load_bytes(const std::byte* at) {
     return {_mm512_cvtepu8_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)))};
 }
+inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
+inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
 inline Ints load_words(const std::byte* at) {
     return {_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)))};
 }

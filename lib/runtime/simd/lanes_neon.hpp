@@ -32,10 +32,6 @@ struct Ints {
 struct SignedInts {
     int32x4_t v;
 };
-/// Vertices of one triangle in each lane.
-struct CornerNumbers {
-    Ints a, b, c;
-};
 
 inline Floats splat(float x) { return {vdupq_n_f32(x)}; }
 inline void store(float* to, Floats a) { vst1q_f32(to, a.v); }
@@ -46,13 +42,12 @@ inline Floats multiply_add(Floats a, Floats b, Floats c) { return {vfmaq_f32(c.v
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return {vfmaq_f32(vnegq_f32(c.v), a.v, b.v)}; }
 inline Floats negate(Floats a) { return {vnegq_f32(a.v)}; }
 inline Floats magnitude(Floats a) { return {vabsq_f32(a.v)}; }
+inline Floats to_compared(Floats a) { return a; }
+inline void store_compared(float* to, Floats a) { store(to, a); }
 /// The number when one is not a number.
 inline Floats smaller(Floats a, Floats b) { return {vminnmq_f32(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {vmaxnmq_f32(a.v, b.v)}; }
 inline Floats divide(Floats a, Floats b) { return {vdivq_f32(a.v, b.v)}; }
-/// The same of floats that are not negative, or beside one that is not.
-inline Floats later(Floats a, Floats b) { return larger(a, b); }
-inline Floats sooner(Floats a, Floats b) { return smaller(a, b); }
 inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
     return {vbslq_f32(vcleq_f32(a.v, b.v), then.v, otherwise.v)};
 }
@@ -64,7 +59,6 @@ inline Ints load_bytes(const std::byte* at) {
     const uint8x8_t bytes = vreinterpret_u8_u32(vdup_n_u32(load_u32(at)));
     return {vmovl_u16(vget_low_u16(vmovl_u8(bytes)))};
 }
-inline unsigned not_after(Floats a, Floats b) { return at_most(a, b); }
 inline Floats bytes_to_floats(const std::byte* at) { return {vcvtq_f32_u32(load_bytes(at).v)}; }
 inline Ints add(Ints a, std::uint32_t b) { return {vaddq_u32(a.v, vdupq_n_u32(b))}; }
 inline Floats to_floats(Ints a) { return {vcvtq_f32_u32(a.v)}; }
@@ -123,41 +117,18 @@ inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fra
     return {vcvtq_f32_s32(vcombine_s32(low, high))};
 }
 
-/// Values by vertex, in memory.
-template <unsigned groups>
-struct Table {
-    alignas(16) float value[groups * lanes] = {};
-    static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
-    void set(unsigned number, Floats a) { vst1q_f32(value + lanes * number, a.v); }
-    [[nodiscard]] Floats look_up(Ints index) const { return look_up_among<groups>(index); }
-    /// Where only the first groups are set.
-    template <unsigned used>
-    [[nodiscard]] Floats look_up_among(Ints index) const {
-        // Any index must stay inside.
-        const uint32x4_t last = vdupq_n_u32(used * lanes - 1);
-        const uint32x4_t vertex = std::has_single_bit(used) ? vandq_u32(index.v, last) : vminq_u32(index.v, last);
-        const float32x4_t result = {value[vgetq_lane_u32(vertex, 0)], value[vgetq_lane_u32(vertex, 1)],
-                                    value[vgetq_lane_u32(vertex, 2)], value[vgetq_lane_u32(vertex, 3)]};
-        return {result};
-    }
-};
-/// Pairs of integers by vertex.
-template <unsigned groups>
-struct PairTable : Table<groups> {
-    void set(unsigned number, Ints pair) { Table<groups>::set(number, {vreinterpretq_f32_u32(pair.v)}); }
-    [[nodiscard]] Ints look_up(Ints index) const { return {vreinterpretq_u32_f32(Table<groups>::look_up(index).v)}; }
-};
-/// As many entries as the numbers of the vertices can name, or as there are vertices at most.
-template <unsigned max_vertices, class Function>
-constexpr auto with_table_groups(unsigned vertex_count, Function function) {
-    if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
-    if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
-    if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});
-    return function(std::integral_constant<unsigned, 14>{});
+/// The same bits.
+inline Floats as_floats(Ints a) { return {vreinterpretq_f32_u32(a.v)}; }
+inline Ints as_ints(Floats a) { return {vreinterpretq_u32_f32(a.v)}; }
+inline Floats gather(const float* a, const float* b, const float* c, const float* d) {
+    const float32x4_t result = {*a, *b, *c, *d};
+    return {result};
 }
 
+#include <runtime/simd/table_in_memory.inl>
 #include <runtime/simd/strip_corners_portable.inl>
 #include <runtime/simd/leaf_corners.inl>
 #include <runtime/simd/frames_portable.inl>
+#include <runtime/simd/slab_frame_portable.inl>
 
 }  // namespace espalier::detail::neon

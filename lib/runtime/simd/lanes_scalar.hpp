@@ -23,9 +23,10 @@ inline constexpr bool keeps_unpacked = false;
 using Floats = float;
 using Ints = std::uint32_t;
 using SignedInts = std::int32_t;
-/// Vertices of one triangle in each lane.
+/// A vertex for each lane, and the three vertices of a triangle in each.
+using Numbers = Ints;
 struct CornerNumbers {
-    Ints a, b, c;
+    Numbers a, b, c;
 };
 
 inline Floats splat(float x) { return x; }
@@ -38,17 +39,17 @@ inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return a * b - c; }
 inline Floats negate(Floats a) { return -a; }
 inline Floats magnitude(Floats a) { return absolute(a); }
+/// The same numbers in the form that the slab test compares faster: floats, or their bits as integers. Integers order
+/// numbers from 0 on, but not -0, as floats do, and negative ones below them.
+inline Floats to_compared(Floats a) { return a; }
+inline void store_compared(float* to, Floats a) { store(to, a); }
 /// The second when one is not a number.
 inline Floats smaller(Floats a, Floats b) { return minimum(a, b); }
 inline Floats larger(Floats a, Floats b) { return maximum(a, b); }
 inline Floats divide(Floats a, Floats b) { return a / b; }
-/// The same of floats that are not negative, or beside one that is not.
-inline Floats later(Floats a, Floats b) { return larger(a, b); }
-inline Floats sooner(Floats a, Floats b) { return smaller(a, b); }
 inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) { return a <= b ? then : otherwise; }
 /// One bit a lane: a <= b.
 inline unsigned at_most(Floats a, Floats b) { return a <= b ? 1u : 0u; }
-inline unsigned not_after(Floats a, Floats b) { return at_most(a, b); }
 inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
 inline Ints add(Ints a, std::uint32_t b) { return a + b; }
 inline Floats to_floats(Ints a) { return static_cast<float>(a); }
@@ -87,6 +88,8 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
     return (sum < 0xFFFF ? sum : 0xFFFF) * weight;
 }
 inline Ints load_ints(const std::uint32_t* from) { return *from; }
+inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
+inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
 inline void store(std::uint32_t* to, Ints a) { *to = a; }
 inline void prefetch(const std::byte*) {}
 
@@ -126,5 +129,6 @@ constexpr auto with_table_groups(unsigned, Function function) {
 #include <runtime/simd/strip_corners_portable.inl>
 #include <runtime/simd/leaf_corners.inl>
 #include <runtime/simd/frames_portable.inl>
+#include <runtime/simd/slab_frame_portable.inl>
 
 }  // namespace espalier::detail::scalar

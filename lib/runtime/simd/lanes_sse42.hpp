@@ -37,10 +37,6 @@ struct Ints {
 struct SignedInts {
     __m128i v;
 };
-/// Vertices of one triangle in each lane.
-struct CornerNumbers {
-    Ints a, b, c;
-};
 
 inline Floats splat(float x) { return {_mm_set1_ps(x)}; }
 inline void store(float* to, Floats a) { _mm_storeu_ps(to, a.v); }
@@ -54,14 +50,10 @@ inline Floats magnitude(Floats a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.
 inline Floats smaller(Floats a, Floats b) { return {_mm_min_ps(a.v, b.v)}; }
 inline Floats larger(Floats a, Floats b) { return {_mm_max_ps(a.v, b.v)}; }
 inline Floats divide(Floats a, Floats b) { return {_mm_div_ps(a.v, b.v)}; }
-/// The same of floats that are not negative, or beside one that is not.
-inline Floats later(Floats a, Floats b) { return larger(a, b); }
-inline Floats sooner(Floats a, Floats b) { return smaller(a, b); }
 inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
     return {_mm_blendv_ps(otherwise.v, then.v, _mm_cmple_ps(a.v, b.v))};
 }
 inline unsigned at_most(Floats a, Floats b) { return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a.v, b.v))); }
-inline unsigned not_after(Floats a, Floats b) { return at_most(a, b); }
 inline Floats bytes_to_floats(const std::byte* at) {
     return {_mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(load_u32(at)))))};
 }
@@ -82,11 +74,13 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
         _mm_shuffle_epi8(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)),
                          _mm_loadu_si128(reinterpret_cast<const __m128i*>(entry.shuffle + 16 * half)));
     // Lanes cannot be shifted right by different counts before AVX2: shift left to a common place by multiplying.
-    const __m128i shift = _mm_loadu_si128(reinterpret_cast<const __m128i*>(entry.shift + 4 * half));
-    const __m128i power = _mm_slli_epi32(_mm_sub_epi32(_mm_set1_epi32(7 + 127), shift), 23);
-    const __m128i raised = _mm_mullo_epi32(spread, _mm_cvttps_epi32(_mm_castsi128_ps(power)));
-    return {_mm_and_si128(_mm_srli_epi32(raised, 7), _mm_loadu_si128(reinterpret_cast<const __m128i*>(entry.mask)))};
+    const auto* raise = reinterpret_cast<const __m128i*>(unpack_raise_table[width].data() + 4 * half);
+    const __m128i raised = _mm_mullo_epi32(spread, _mm_loadu_si128(raise));
+    return {_mm_and_si128(_mm_srli_epi32(raised, unpack_raised_bits),
+                          _mm_loadu_si128(reinterpret_cast<const __m128i*>(entry.mask)))};
 }
+inline SignedInts to_compared(Floats a) { return {_mm_castps_si128(a.v)}; }
+inline void store_compared(float* to, SignedInts a) { _mm_storeu_ps(to, _mm_castsi128_ps(a.v)); }
 inline SignedInts splat_integer(std::int32_t x) { return {_mm_set1_epi32(x)}; }
 inline SignedInts add(SignedInts a, SignedInts b) { return {_mm_add_epi32(a.v, b.v)}; }
 template <int bits>
@@ -136,38 +130,14 @@ inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fra
     return {_mm_cvtepi32_ps(_mm_sub_epi32(both, _mm_set1_epi32(static_cast<int>(too_much))))};
 }
 
-/// Values by vertex, in memory: there is no permutation over several registers.
-template <unsigned groups>
-struct Table {
-    alignas(16) float value[groups * lanes] = {};
-    static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
-    void set(unsigned number, Floats a) { _mm_store_ps(value + lanes * number, a.v); }
-    [[nodiscard]] Floats look_up(Ints index) const { return look_up_among<groups>(index); }
-    /// Where only the first groups are set.
-    template <unsigned used>
-    [[nodiscard]] Floats look_up_among(Ints index) const {
-        // Any index must stay inside.
-        const __m128i last = _mm_set1_epi32(used * lanes - 1);
-        const __m128i vertex = std::has_single_bit(used) ? _mm_and_si128(index.v, last) : _mm_min_epu32(index.v, last);
-        const auto at = [&](int lane) { return value[lane]; };
-        return {_mm_setr_ps(at(_mm_extract_epi32(vertex, 0)), at(_mm_extract_epi32(vertex, 1)),
-                            at(_mm_extract_epi32(vertex, 2)), at(_mm_extract_epi32(vertex, 3)))};
-    }
-};
-/// Pairs of integers by vertex.
-template <unsigned groups>
-struct PairTable : Table<groups> {
-    void set(unsigned number, Ints pair) { Table<groups>::set(number, {_mm_castsi128_ps(pair.v)}); }
-    [[nodiscard]] Ints look_up(Ints index) const { return {_mm_castps_si128(Table<groups>::look_up(index).v)}; }
-};
-/// As many entries as the numbers of the vertices can name, or as there are vertices at most.
-template <unsigned max_vertices, class Function>
-constexpr auto with_table_groups(unsigned vertex_count, Function function) {
-    if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
-    if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
-    if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});
-    return function(std::integral_constant<unsigned, 14>{});
+/// The same bits.
+inline Floats as_floats(Ints a) { return {_mm_castsi128_ps(a.v)}; }
+inline Ints as_ints(Floats a) { return {_mm_castps_si128(a.v)}; }
+inline Floats gather(const float* a, const float* b, const float* c, const float* d) {
+    return {_mm_setr_ps(*a, *b, *c, *d)};
 }
+
+#include <runtime/simd/table_in_memory.inl>
 
 inline __m128 multiply_add(__m128 a, __m128 b, __m128 c) { return _mm_add_ps(_mm_mul_ps(a, b), c); }
 /// The three elements of a vector to all lanes each.
@@ -179,7 +149,9 @@ inline void spread(__m128 a, Floats* to) {
 /// A word of the blob, shifted left by each count.
 template <int x, int y, int z>
 inline __m128i shift_left_each(const std::byte* word) {
-    return _mm_mullo_epi32(_mm_set1_epi32(static_cast<int>(load_u32(word))), _mm_setr_epi32(1 << x, 1 << y, 1 << z, 0));
+    static_assert(x == 23 && z >= 9);
+    const __m128i spread = _mm_set1_epi32(static_cast<int>(load_u32(word)));
+    return _mm_slli_epi32(_mm_madd_epi16(spread, _mm_setr_epi32(1 << (x - 9), 1 << (y - 9), 1 << (z - 9), 0)), 9);
 }
 
 #include <runtime/simd/strip_corners_portable.inl>

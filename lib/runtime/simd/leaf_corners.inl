@@ -25,7 +25,7 @@ public:
     [[gnu::always_inline]] CornerNumbers next() {
         const std::byte* const row = row_;
         row_ += lanes;
-        return {load_bytes(row), load_bytes(row + row_bytes_), load_bytes(row + 2 * row_bytes_)};
+        return {load_numbers(row), load_numbers(row + row_bytes_), load_numbers(row + 2 * row_bytes_)};
     }
 
 private:

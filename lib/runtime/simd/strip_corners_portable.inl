@@ -19,7 +19,7 @@ public:
             b[lane] = before_;
             c[lane] = middle_;
         }
-        return {load_ints(a), load_ints(b), load_ints(c)};
+        return {load_numbers(a), load_numbers(b), load_numbers(c)};
     }
 
 private:

@@ -34,4 +34,16 @@ inline constexpr std::array<UnpackEntry, max_unpack_width + 1> unpack_table = []
     return table;
 }();
 
+/// For instruction sets without shifts by different counts: what multiplies each spread field so that it begins at this
+/// bit.
+inline constexpr unsigned unpack_raised_bits = 7;
+
+inline constexpr std::array<std::array<std::uint32_t, 8>, max_unpack_width + 1> unpack_raise_table = [] {
+    std::array<std::array<std::uint32_t, 8>, max_unpack_width + 1> table{};
+    for (unsigned width = 0; width <= max_unpack_width; ++width)
+        for (unsigned lane = 0; lane < 8; ++lane)
+            table[width][lane] = 1u << (unpack_raised_bits - unpack_table[width].shift[lane]);
+    return table;
+}();
+
 }  // namespace espalier::detail
