@@ -60,6 +60,8 @@ const char* instruction_set_name() {
             return "AVX-512";
         case detail::InstructionSet::neon:
             return "NEON";
+        case detail::InstructionSet::simd128:
+            return "SIMD128";
     }
     return "";
 }

@@ -25,6 +25,8 @@ const char* instruction_set_name() {
             return "avx512";
         case detail::InstructionSet::neon:
             return "neon";
+        case detail::InstructionSet::simd128:
+            return "simd128";
     }
     return "";
 }

@@ -54,6 +54,8 @@ using avx2::touching_pairs;
 #endif
 #elif ESPALIER_NEON
 ESPALIER_DECLARE_PAIR_QUERIES(neon)
+#elif ESPALIER_SIMD128
+ESPALIER_DECLARE_PAIR_QUERIES(simd128)
 #endif
 
 }  // namespace espalier::detail

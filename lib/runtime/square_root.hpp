@@ -27,7 +27,7 @@ inline float square_root_in_integers(float x) {
 }
 
 #if defined(__SSE2__) || defined(__aarch64__) || (defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__riscv_flen) || \
-    defined(__s390x__)
+    defined(__s390x__) || defined(__wasm__)
 inline constexpr bool has_square_root = true;
 #else
 inline constexpr bool has_square_root = false;
@@ -48,6 +48,8 @@ inline float square_root_by_instruction(float x) {
     asm("fsqrt.s %0, %1" : "=f"(root) : "f"(x));
 #elif defined(__s390x__)
     asm("sqebr %0, %1" : "=f"(root) : "f"(x));
+#elif defined(__wasm__)
+    asm("local.get %1\n\tf32.sqrt\n\tlocal.set %0" : "=r"(root) : "r"(x));
 #endif
     return root;
 }

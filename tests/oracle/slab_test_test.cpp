@@ -20,6 +20,8 @@
 #include <runtime/simd/lanes_sse42.hpp>
 #elif ESPALIER_NEON
 #include <runtime/simd/lanes_neon.hpp>
+#elif ESPALIER_SIMD128
+#include <runtime/simd/lanes_simd128.hpp>
 #endif
 
 #include "../support/random.hpp"
@@ -89,6 +91,23 @@ unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& n
 }
 }  // namespace
 }  // namespace neon
+#elif ESPALIER_SIMD128
+namespace simd128 {
+namespace {
+#include <runtime/simd/prepare_ray_simd128.inl>
+#include <runtime/ray_nodes.inl>
+/// Prepared by the instruction set's own way, tested by its lanes.
+unsigned children(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
+    PreparedRay prepared;
+    return prepare(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
+}
+/// Prepared as it is defined, tested by lanes.
+unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
+    PreparedRay prepared;
+    return prepare_ray(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
+}
+}  // namespace
+}  // namespace simd128
 #endif
 }  // namespace espalier::detail
 
@@ -117,6 +136,9 @@ std::vector<Path<Node>> paths() {
     }
 #elif ESPALIER_NEON
     result.push_back({"neon", detail::neon::children_as_defined<Node>});
+#elif ESPALIER_SIMD128
+    result.push_back({"simd128", detail::simd128::children<Node>});
+    result.push_back({"simd128 as defined", detail::simd128::children_as_defined<Node>});
 #endif
     return result;
 }
@@ -366,8 +388,11 @@ TEST_SUITE("slab test") {
         ray.tau_min = -0.0f;
         ray.tau_max = -0.0f;
         CHECK(!std::signbit(detail::window_limit(ray)));
-        detail::PlacedRayLanes lanes;
+        detail::RayLanes lanes;
         detail::spread_ray(blob, ray, slope, lanes);
         CHECK(!std::signbit(lanes.tau_min));
+        detail::PlacedRayLanes placed_lanes;
+        detail::spread_ray(blob, ray, slope, placed_lanes);
+        CHECK(!std::signbit(placed_lanes.tau_min));
     }
 }

@@ -18,7 +18,7 @@ function(check what allowed)
 endfunction()
 
 set(plain_headers "<(array|bit|cfloat|climits|compare|concepts|cstddef|cstdint|limits|span|type_traits|utility)>")
-set(machine_headers "<(immintrin|arm_neon|arm_acle|cpuid)\\.h>")
+set(machine_headers "<(immintrin|arm_neon|wasm_simd128|arm_acle|cpuid)\\.h>")
 set(standard_headers "<[a-z_0-9]+(\\.h)?>")
 
 file(GLOB public_headers ${root}/lib/espalier/*.hpp)

@@ -28,6 +28,8 @@ const std::vector<InstructionPath>& instruction_paths() {
 #endif
 #elif ESPALIER_NEON
         found.push_back(ESPALIER_PATH(neon));
+#elif ESPALIER_SIMD128
+        found.push_back(ESPALIER_PATH(simd128));
 #endif
         return found;
     }();

@@ -16,6 +16,8 @@
                                                                       : scalar::query(__VA_ARGS__))
 #elif ESPALIER_NEON
 #define ESPALIER_DISPATCH(query, ...) neon::query(__VA_ARGS__)
+#elif ESPALIER_SIMD128
+#define ESPALIER_DISPATCH(query, ...) simd128::query(__VA_ARGS__)
 #else
 #define ESPALIER_DISPATCH(query, ...) scalar::query(__VA_ARGS__)
 #endif

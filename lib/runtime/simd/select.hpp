@@ -16,10 +16,15 @@
 #else
 #define ESPALIER_NEON 0
 #endif
+#if defined(__wasm_simd128__) && !ESPALIER_SMALL_CODE
+#define ESPALIER_SIMD128 1  // WebAssembly's
+#else
+#define ESPALIER_SIMD128 0
+#endif
 
 namespace espalier::detail {
 
-enum class InstructionSet : std::uint8_t { scalar, sse42, avx2, avx512, neon };
+enum class InstructionSet : std::uint8_t { scalar, sse42, avx2, avx512, neon, simd128 };
 
 #if ESPALIER_X86
 
@@ -65,6 +70,10 @@ inline InstructionSet instruction_set() {
 #elif ESPALIER_NEON
 
 constexpr InstructionSet instruction_set() { return InstructionSet::neon; }
+
+#elif ESPALIER_SIMD128
+
+constexpr InstructionSet instruction_set() { return InstructionSet::simd128; }
 
 #else
 

@@ -1,0 +1,21 @@
+// Ray queries, simd128.
+#include <bit>
+
+#include <runtime/ray_queries.hpp>
+#include <runtime/small_boxes.hpp>
+#if ESPALIER_SIMD128
+#include <runtime/simd/lanes_simd128.hpp>
+
+namespace espalier::detail::simd128 {
+#include <runtime/simd/prepare_ray_simd128.inl>
+#include <runtime/traverse.inl>
+#include <runtime/ray_nodes.inl>
+#include <runtime/float_vertices.inl>
+#include <runtime/pair_vertices.inl>
+#include <runtime/unpacked_leaf.inl>
+#include <runtime/ray_filter.inl>
+#include <runtime/ray_visitors.inl>
+#include <runtime/ray_queries.inl>
+#include <runtime/approximate_rays.inl>
+}  // namespace espalier::detail::simd128
+#endif
