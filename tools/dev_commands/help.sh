@@ -34,6 +34,7 @@ Research
   ab          Compares two commits: both answer the same queries in turns within one process. Without --against the other
               side is the working tree: ab [--against COMMIT] COMMIT MESH... [OPTION...]
               A MESH is a file, or torus, terrain or level; ab --help lists the options (4 minutes).
+  wasm        Times rays in WebAssembly with SIMD128 and without, in Node, and compares the answers (5 minutes): wasm BLOB...
   counts      Compares each query with the loop over all triangles, 100,000 times at random and 10,000 times adversarially,
               on generated meshes and on those of a folder (an hour or two): counts [FOLDER]
   extremes    Casts 10^8 rays at corners and edges of extreme closed meshes, tests a million decisions of the kernels
