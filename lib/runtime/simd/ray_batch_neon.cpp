@@ -8,9 +8,7 @@
 #include <runtime/simd/lanes_neon.hpp>
 
 namespace espalier::detail::neon {
-inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
-    return prepare_ray(blob, world, prepared);
-}
+#include <runtime/simd/prepare_ray_portable.inl>
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
 #include <runtime/ray_plain_nodes.inl>

@@ -6,14 +6,7 @@
 #include <runtime/simd/lanes_scalar.hpp>
 
 namespace espalier::detail::scalar {
-template <class Lanes>
-bool prepare(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
-    return prepare_ray(blob, world, prepared);
-}
-template <class Lanes>
-bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
-    return prepare_ray(blob, given, prepared);
-}
+#include <runtime/simd/prepare_ray_portable.inl>
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
 #include <runtime/ray_plain_nodes.inl>
