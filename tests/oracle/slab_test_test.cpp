@@ -96,14 +96,17 @@ namespace simd128 {
 namespace {
 #include <runtime/simd/prepare_ray_simd128.inl>
 #include <runtime/ray_nodes.inl>
+#include <runtime/ray_plain_nodes.inl>
 /// Prepared by the instruction set's own way, tested by its lanes.
+template <class Node>
 unsigned children(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
-    PreparedRay prepared;
+    PreparedRayIn<RayLanesOf<Node>> prepared;
     return prepare(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
 }
 /// Prepared as it is defined, tested by lanes.
+template <class Node>
 unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
-    PreparedRay prepared;
+    PreparedRayIn<RayLanesOf<Node>> prepared;
     return prepare_ray(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
 }
 }  // namespace

@@ -5,7 +5,8 @@
 /// The shifts of all three axes, each in the place of a float's exponent.
 inline __m128i load_shifts(const PackedNode& node) {
     // They lie in the low half of this word, 5 bits each.
-    return _mm_and_si128(shift_left_each<23, 18, 13>(node.bytes + format::packed_node::shifts_at), _mm_set1_epi32(31 << 23));
+    return _mm_and_si128(shift_left_each<23, 18, 13>(node.bytes + format::packed_node::shifts_at),
+                         _mm_set1_epi32(31 << 23));
 }
 inline __m128 load_scales(const PackedNode& node) {
     return _mm_castsi128_ps(_mm_add_epi32(load_shifts(node), _mm_set1_epi32(127 << 23)));

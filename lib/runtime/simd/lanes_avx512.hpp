@@ -37,6 +37,9 @@ struct CornerNumbers {
     Numbers a, b, c;
 };
 
+struct SignedInts {
+    __m512i v;
+};
 inline Floats splat(float x) { return {_mm512_set1_ps(x)}; }
 inline void store(float* to, Floats a) { _mm512_storeu_ps(to, a.v); }
 inline Floats add(Floats a, Floats b) { return {_mm512_add_ps(a.v, b.v)}; }
@@ -52,6 +55,14 @@ inline Floats where_at_most(Floats a, Floats b, Floats then, Floats otherwise) {
     return {_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), otherwise.v, then.v)};
 }
 inline unsigned at_most(Floats a, Floats b) { return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ); }
+inline SignedInts smaller(SignedInts a, SignedInts b) { return {_mm512_min_epi32(a.v, b.v)}; }
+inline SignedInts larger(SignedInts a, SignedInts b) { return {_mm512_max_epi32(a.v, b.v)}; }
+inline unsigned at_most(SignedInts a, SignedInts b) {
+    // As a number and not as a mask: GCC 12 stores masks in two bytes and loads four.
+    return _cvtmask16_u32(_mm512_cmple_epi32_mask(a.v, b.v));
+}
+inline SignedInts to_compared(Floats a) { return {_mm512_castps_si512(a.v)}; }
+inline void store_compared(float* to, SignedInts a) { _mm512_storeu_ps(to, _mm512_castsi512_ps(a.v)); }
 inline Ints load_ints(const std::uint32_t* from) { return {_mm512_loadu_si512(from)}; }
 inline void store(std::uint32_t* to, Ints a) { _mm512_storeu_si512(to, a.v); }
 inline Floats to_floats(Ints a) { return {_mm512_cvtepi32_ps(a.v)}; }

@@ -16,6 +16,10 @@
 
 namespace espalier::detail::simd128 {
 
+/// What the slab tests of a kind of node need.
+template <class Node>
+using RayLanesOf = typename RayLanesFor<Node>::Type;
+
 inline constexpr unsigned lanes = 4;
 /// Whether single rays unpack all of a leaf for the exact kernel too.
 inline constexpr bool keeps_unpacked = false;
@@ -134,7 +138,7 @@ inline void spread(v128_t a, Floats* to) {
     to[2] = {wasm_i32x4_shuffle(a, a, 2, 2, 2, 2)};
 }
 /// All axes at once, then spread.
-inline SlabFrame load_slab_frame(const Node& node, const RayLanes& ray) {
+inline SlabFrame load_slab_frame(const PackedNode& node, const RayLanes& ray) {
     // The shifts lie in the low half of a word, 5 bits each. Products move them to a float's exponent, where adding
     // one multiplies by its power of two.
     const v128_t word = wasm_v128_load32_splat(node.bytes + format::node::shifts_at);

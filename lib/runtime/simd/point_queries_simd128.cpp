@@ -9,6 +9,7 @@
 namespace espalier::detail::simd128 {
 #include <runtime/traverse.inl>
 #include <runtime/squared_distance.inl>
+#include <runtime/node_boxes.inl>
 #include <runtime/point_nodes.inl>
 #include <runtime/point_bounds.inl>
 #include <runtime/point_queries.inl>

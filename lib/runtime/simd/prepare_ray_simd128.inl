@@ -35,7 +35,8 @@ enum class Prepared : std::uint8_t {
 };
 
 /// round_ray, spread_ray and meets_asset. What only leaves need comes last: many rays pass the box by.
-inline Prepared prepare_ordinary(const BlobData& blob, const Ray& world, LatticeRay& ray, RayLanes& lanes_) {
+template <class Lanes>
+inline Prepared prepare_ordinary(const BlobData& blob, const Ray& world, LatticeRay& ray, Lanes& lanes_) {
     const v128_t magnitudes = wasm_i32x4_const(0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF, 0);
     const v128_t xyz = wasm_i32x4_const(-1, -1, -1, 0);
 
@@ -80,7 +81,8 @@ inline Prepared prepare_ordinary(const BlobData& blob, const Ray& world, Lattice
     const v128_t one_unit = wasm_i32x4_sub(wasm_i32x4_const_splat(2 * 127 << 23), fraction_scale);
     const v128_t minus_origin = wasm_f32x4_neg(wasm_f32x4_mul(wasm_f32x4_convert_i32x4(fine), one_unit));
     const v128_t middle = wasm_f32x4_mul(minus_origin, inverse);
-    const v128_t slack = wasm_f32x4_mul(wasm_f32x4_abs(inverse), wasm_f32x4_splat(slab_slack(reach_steps)));
+    const float slack_steps = slab_slack(reach_steps) + Lanes::box_slack(blob);
+    const v128_t slack = wasm_f32x4_mul(wasm_f32x4_abs(inverse), wasm_f32x4_splat(slack_steps));
     const v128_t near_offset = wasm_f32x4_sub(middle, slack), far_offset = wasm_f32x4_add(middle, slack);
     if (!meets_asset_in_lanes(blob, inverse, wasm_v128_and(near_offset, xyz), far_offset)) return Prepared::misses;
 
@@ -89,8 +91,9 @@ inline Prepared prepare_ordinary(const BlobData& blob, const Ray& world, Lattice
     wasm_v128_store(lanes_.near_offset, near_offset);
     wasm_v128_store(lanes_.far_offset, far_offset);
     lanes_.tau_min = 0.0f;
-    lanes_.planes = &plane_orders[wasm_i32x4_bitmask(integers)];
+    lanes_.planes = Lanes::plane_orders()[wasm_i32x4_bitmask(integers)];
 
+    wasm_v128_store(ray.zero, minus_origin);
     ray.tau_offset = 0.0f;
     // Each fills its register together with the number behind it.
     wasm_v128_store(ray.direction, wasm_i32x4_replace_lane(integers, 3, t_exponent));
@@ -103,10 +106,12 @@ inline Prepared prepare_ordinary(const BlobData& blob, const Ray& world, Lattice
     return Prepared::yes;
 }
 
-[[gnu::noinline]] inline bool prepare(const BlobData& blob, const Ray& world, PreparedRay& prepared) {
+template <class Lanes>
+[[gnu::noinline]] bool prepare(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
     const Prepared result = prepare_ordinary(blob, world, prepared.ray, prepared.in_lanes);
     return result == Prepared::not_ordinary ? prepare_ray(blob, world, prepared) : result == Prepared::yes;
 }
-[[gnu::noinline]] inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRay& prepared) {
+template <class Lanes>
+[[gnu::noinline]] bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
     return prepare_ray(blob, given, prepared);
 }

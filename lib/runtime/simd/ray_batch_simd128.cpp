@@ -11,6 +11,7 @@ namespace espalier::detail::simd128 {
 #include <runtime/simd/prepare_ray_simd128.inl>
 #include <runtime/traverse.inl>
 #include <runtime/ray_nodes.inl>
+#include <runtime/ray_plain_nodes.inl>
 #include <runtime/float_vertices.inl>
 #include <runtime/pair_vertices.inl>
 #include <runtime/unpacked_leaf.inl>

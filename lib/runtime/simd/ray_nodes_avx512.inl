@@ -1,5 +1,5 @@
-// Rays against the boxes of a node, AVX-512: packed nodes and the ray itself as with AVX2, plain nodes in sixteen lanes.
-// Included inside the namespace.
+// Rays against the boxes of a node, AVX-512: packed nodes and the ray itself as with AVX2, plain nodes in sixteen
+// lanes. Included inside the namespace.
 
 using avx2::prepare;
 
