@@ -51,17 +51,19 @@ private:
     float byte_weight_;
 };
 
-unsigned most_strip_triangles(format::Profile profile) {
-    using namespace format::strip_leaf;
-    return (profile == format::Profile::balanced ? max_balanced_entries : max_small_entries) - 2;
-}
-
 }  // namespace
 
 unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles) {
-    const unsigned most =
-        profile == format::Profile::fast ? format::plain_leaf::max_triangles : most_strip_triangles(profile) * 7 / 8;
-    return std::min(most, max_leaf_triangles);
+    using namespace format;
+    switch (profile) {
+        case Profile::fast:
+            return std::min(plain_leaf::max_triangles, max_leaf_triangles);
+        case Profile::balanced:
+            return std::min((strip_leaf::max_balanced_entries - 2) * 7 / 8, max_leaf_triangles);
+        case Profile::small:  // larger leaves yet would save 1.4 % of the bytes and cost rays 4 % of their time
+            break;
+    }
+    return 0;
 }
 
 std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips) {

@@ -32,7 +32,8 @@ public:
 [[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips);
 
 /// Returns the triangles of a full leaf, for the builder: the most of a plain leaf, seven eighths of the most of a
-/// strip, since the entries that join strips count too, and no more than `max_leaf_triangles`.
+/// balanced strip, since the entries that join strips count too, and no more than `max_leaf_triangles`; 0 where leaves
+/// are left as the heuristic makes them.
 [[nodiscard]] unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles);
 
 /// How often a strip is tried when a leaf is planned, and when it is written: never more entries than planned.
