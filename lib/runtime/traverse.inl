@@ -188,37 +188,62 @@ template <class Leaf, class Visitor>
     }
 }
 
-/// Children in storage order: for queries that enumerate, or that are done at the first find. `stop` when the visitor
-/// said so. In the caller's frame.
+enum class Step : std::uint8_t { goes_on, is_over, was_stopped };
+
+/// A walk to the children in storage order: for queries that enumerate, or that are done at the first find. A step is
+/// in two halves here too.
 template <class Leaf, class Visitor>
-[[gnu::always_inline]] inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
+struct StorageOrder {
     using Node = typename Leaf::Node;
+
     struct Level {
         std::uint32_t first_child;
         std::uint32_t waiting;
     };
+
     Level stack[format::max_depth];
     unsigned depth = 0;
-    std::uint32_t index = 0;
-    for (;;) {
-        const Node node = node_at<Node>(blob, index);
+    std::uint32_t index = 0;  ///< of the node that is next
+
+    void begin() {
+        depth = 0;
+        index = 0;
+    }
+
+    /// First half: which children are worth a visit.
+    [[gnu::always_inline]] unsigned test(const BlobData& blob, Visitor& visitor) {
         alignas(register_alignment) float keys[Node::max_children];
         count_node_step();
-        const unsigned mask = visitor.children(node, keys);
+        return visitor.children(node_at<Node>(blob, index), keys);
+    }
+    /// Second half: visits the leaves among them and goes on to a node. Stopped when the visitor returned that.
+    [[gnu::always_inline]] Step advance(const BlobData& blob, Visitor& visitor, unsigned mask) {
+        const Node node = node_at<Node>(blob, index);
         const NodeChildren children(node);
         const unsigned node_children = children.nodes();
         for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1) {
             count_leaf_step();
             if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop)
-                return stop;
+                return Step::was_stopped;
         }
         if (const unsigned nodes = mask & ((1u << node_children) - 1u); nodes != 0)
             stack[depth++] = {children.first(), nodes};
-        if (depth == 0) return keep_going;
+        if (depth == 0) return Step::is_over;
         Level& level = stack[depth - 1];
         index = level.first_child + static_cast<unsigned>(std::countr_zero(level.waiting));
         level.waiting &= level.waiting - 1;
         if (level.waiting == 0) --depth;
+        return Step::goes_on;
+    }
+};
+
+/// All of a walk. `stop` when the visitor returned that. In the caller's frame.
+template <class Leaf, class Visitor>
+[[gnu::always_inline]] inline Visit walk_in_storage_order(const BlobData& blob, Visitor& visitor) {
+    StorageOrder<Leaf, Visitor> walk;
+    for (;;) {
+        const Step step = walk.advance(blob, visitor, walk.test(blob, visitor));
+        if (step != Step::goes_on) return step == Step::was_stopped ? stop : keep_going;
     }
 }
 
