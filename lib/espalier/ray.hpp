@@ -94,8 +94,8 @@ struct HitCount {
 HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept;
 HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter);
 
-/// The closest hit of each ray, the same to the bit as one call for each, in less time: rays next to each other that
-/// have about the same origin and direction share their way through the tree (groups of 16), others are interleaved.
+/// The closest hit of each ray, the same to the bit as one call for each. Takes less time where rays next to each other
+/// have about the same origin and direction (groups of 16 share their way), or where the blob exceeds a core's cache.
 /// Answers as many rays as both spans have, and leaves the rest of `hits` untouched. hits[i] belongs to rays[i]; a ray
 /// without a hit gets no_triangle, an infinite t and zeros. The spans must not overlap. How many rays hit. Takes more
 /// stack than a single ray, up to 12 KB; on cores without lanes hardly more.

@@ -1,17 +1,16 @@
 // Batches of rays. Included once per instruction set with lanes, inside its namespace, after ray_in_batch.inl and
 // ray_group.inl. A ray's answer does not depend on the order of visits (docs/numerics.md), so rays may be answered in
-// any company: neighbours that look alike walk the tree as a group, the others take turns, a node each.
+// any company: neighbours that look alike walk the tree as a group. The others are answered one by one, or in turns
+// where memory is what they wait for.
 
 /// Rays that have nothing in common, several on their way at once: first the nodes of all are tested, which the
-/// processor does side by side, then each decides where to go on, which is where branches are mispredicted. How many
-/// hit something.
-template <class Leaf>
+/// processor does side by side, then each decides where to go on, which is where branches are mispredicted, and while
+/// the others do that, its next node comes from memory. How many hit something.
+template <class InTurns>
 [[gnu::noinline]] inline std::size_t answer_in_turns(const BlobData& blob, const Ray* rays, const BatchAnswers& answers,
                                                      std::size_t count) {
-    constexpr unsigned most_under_way = 6;
-    struct UnderWay {
-        RayInBatch<Leaf> ray;
-        NearestFirst<PlaceOf<Leaf>, BatchHit<Leaf>> walk;
+    constexpr unsigned most_under_way = 8;
+    struct UnderWay : InTurns {
         std::size_t number;  // of the ray
         unsigned mask;       // of the node's children
     };
@@ -22,8 +21,7 @@ template <class Leaf>
     std::size_t hits = 0;
     const auto set_out = [&](UnderWay& place) {
         for (; next < count; ++next) {
-            if (place.ray.begin(blob, rays[next], answers.any_will_do())) {
-                place.walk.begin(0);
+            if (place.begin(blob, rays[next])) {
                 place.number = next++;
                 return true;
             }
@@ -34,16 +32,16 @@ template <class Leaf>
     for (UnderWay& place : places)
         if (set_out(place)) under_way[size++] = &place;
     while (size != 0) {
-        for (unsigned i = 0; i < size; ++i)
-            under_way[i]->mask = under_way[i]->walk.test(blob, under_way[i]->ray.visitor);
+        for (unsigned i = 0; i < size; ++i) under_way[i]->mask = under_way[i]->walk.test(blob, under_way[i]->visitor);
         unsigned stay = 0;
         for (unsigned i = 0; i < size; ++i) {
             UnderWay& place = *under_way[i];
-            bool goes_on = place.walk.advance(blob, place.ray.visitor, place.mask);
+            bool goes_on = place.advance(blob, place.mask);
             if (!goes_on) {
-                hits += place.ray.answer(rays[place.number], answers, place.number);
+                hits += place.answer(rays[place.number], answers, place.number);
                 goes_on = set_out(place);
             }
+            prefetch(node_at<typename InTurns::Node>(blob, place.walk.index).bytes);
             if (goes_on) under_way[stay++] = &place;
         }
         size = stay;
@@ -51,8 +49,26 @@ template <class Leaf>
     return hits;
 }
 
+/// Whether walks wait for memory: what they read is more than a core's own cache holds, which is 1 to 2 MB.
+inline bool is_beyond_cache(const BlobData& blob) {
+    constexpr std::size_t cache_bytes = std::size_t{1} << 21;
+    return std::size_t{blob.node_count} * format::node_bytes(blob.profile) + blob.leaf_bytes > cache_bytes;
+}
+
+template <class Leaf>
+inline std::size_t answer_strangers(const BlobData& blob, const Ray* rays, const BatchAnswers& answers,
+                                    std::size_t count) {
+    const bool in_turns = is_beyond_cache(blob);
+    if (answers.any_will_do())
+        return in_turns ? answer_in_turns<AnyInTurns<Leaf>>(blob, rays, answers, count)
+                        : any_hits_one_by_one<any_hit>(blob, rays, answers.occluded, count);
+    if (in_turns) return answer_in_turns<ClosestInTurns<Leaf>>(blob, rays, answers, count);
+    return closest_hits_one_by_one<closest_hit>(blob, rays, answers.hits, count);
+}
+
 /// Whether the next rays are a group: a few of them are compared with the first, origins by a sixteenth of the asset
-/// and directions by a quarter. Only time depends on it.
+/// and directions by a quarter. Only time depends on it. All are compared before the one branch, which a processor
+/// foresees better than several.
 inline bool look_alike(const BlobData& blob, const Ray* rays, std::size_t count) {
     if (count < rays_in_group) return false;
     const auto longest = [](Vec3 v) { return maximum(maximum(absolute(v.x), absolute(v.y)), absolute(v.z)); };
@@ -60,33 +76,38 @@ inline bool look_alike(const BlobData& blob, const Ray* rays, std::size_t count)
     const float* extent = blob.extent_steps;
     const float near = longest({extent[0], extent[1], extent[2]}) * 0x1p-4f;
     const float similar = longest(rays[0].direction) * 0x1p-2f;
+    unsigned alike = 1;
     // mutant(< -> <=) equivalent: the loop takes 5, 10, 15 and then 20
     for (std::size_t i = rays_in_group / 3; i < rays_in_group; i += rays_in_group / 3)
-        if (!(distance(rays[i].origin, rays[0].origin) * blob.steps_per_unit <= near) ||
-            !(distance(rays[i].direction, rays[0].direction) <= similar))
-            return false;
-    return true;
+        alike &= static_cast<unsigned>(distance(rays[i].origin, rays[0].origin) * blob.steps_per_unit <= near) &
+                 static_cast<unsigned>(distance(rays[i].direction, rays[0].direction) <= similar);
+    return alike != 0;
 }
 
 /// How many hit something.
 inline std::size_t answer_batch(const BlobData& blob, const Ray* rays, const BatchAnswers& answers, std::size_t count) {
     // What was looked at is still in the cache when it is its turn.
     constexpr std::size_t longest_look_ahead = 32 * rays_in_group;
+    // The longer a run of strangers, the fewer are compared: looking costs some per cent of a cheap ray.
+    constexpr std::size_t most_strangers_at_once = 8 * rays_in_group;
     return with_leaves_of(blob, [&]<class Leaf>() {
         std::size_t hits = 0;
         bool alike = look_alike(blob, rays, count);
+        std::size_t step = rays_in_group;
         for (std::size_t first = 0; first < count;) {
             const bool grouped = alike;
             std::size_t end = first;
             do {
-                // mutant(< -> <=) equivalent: both branches give the end where exactly one group is left
-                end = count - end < rays_in_group ? count : end + rays_in_group;
+                // mutant(< -> <=) equivalent: both branches give the end where exactly one step is left
+                end = count - end < step ? count : end + step;
                 alike = look_alike(blob, rays + end, count - end);
+                if (alike || grouped) step = rays_in_group;
+                else if (step < most_strangers_at_once) step *= 2;
                 // mutant(without 4, - -> +, - -> right side dropped, < -> <= 2, < -> >= 2) work: how far the loop looks
                 // ahead changes only what is in the cache
             } while (end < count && alike == grouped && end - first < longest_look_ahead);
             hits += grouped ? answer_in_groups<Leaf>(blob, rays + first, answers.from(first), end - first)
-                            : answer_in_turns<Leaf>(blob, rays + first, answers.from(first), end - first);
+                            : answer_strangers<Leaf>(blob, rays + first, answers.from(first), end - first);
             first = end;
         }
         return hits;

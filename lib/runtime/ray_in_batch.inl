@@ -32,8 +32,10 @@ struct BatchHit : ClosestHit<Leaf, Ray, const NoCounters> {
     }
     template <class SomeLeaf>
     void decide(const SomeLeaf& leaf, unsigned slot) {
-        ClosestHit<Leaf, Ray, const NoCounters>::decide(leaf, slot);
-        if (is_over()) this->limit_ = -1.0f;  // no key is as small
+        if (!any_will_do) return ClosestHit<Leaf, Ray, const NoCounters>::decide(leaf, slot);
+        if (!is_hit(leaf, slot, this->ray)) return;
+        this->volume_bits = 1;  // of no meaning but that there is one
+        this->limit_ = -1.0f;   // no key is as small
     }
     [[nodiscard]] bool is_over() const { return any_will_do && this->found(); }
 };
@@ -65,5 +67,48 @@ struct RayInBatch {
             answers.hits[number] = best;
         }
         return 1;
+    }
+};
+
+/// A ray that takes turns with others: the closest hit.
+template <class Leaf>
+struct ClosestInTurns : RayInBatch<Leaf> {
+    using Node = typename Leaf::Node;
+
+    NearestFirst<PlaceOf<Leaf>, BatchHit<Leaf>> walk;
+
+    bool begin(const BlobData& blob, const Ray& world) {
+        walk.begin(0);
+        return RayInBatch<Leaf>::begin(blob, world, false);
+    }
+    [[gnu::always_inline]] bool advance(const BlobData& blob, unsigned mask) {
+        return walk.advance(blob, this->visitor, mask);
+    }
+};
+
+/// The same: whether there is any hit.
+template <class Leaf>
+struct AnyInTurns {
+    using Node = typename Leaf::Node;
+
+    PreparedRayIn<RayLanesOf<Node>> prepared = {};
+    AnyHit<Leaf> visitor = {prepared.ray, prepared.lanes()};
+    StorageOrder<PlaceOf<Leaf>, AnyHit<Leaf>> walk;
+    bool found;
+
+    bool begin(const BlobData& blob, const Ray& world) {
+        walk.begin();
+        if (!prepare(blob, world, prepared)) return false;
+        visitor.limit_ = window_limit(prepared.ray);
+        return true;
+    }
+    [[gnu::always_inline]] bool advance(const BlobData& blob, unsigned mask) {
+        const Step step = walk.advance(blob, visitor, mask);
+        found = step == Step::was_stopped;
+        return step == Step::goes_on;
+    }
+    unsigned answer(const Ray&, const BatchAnswers& answers, std::size_t number) const {
+        answers.occluded[number] = found ? 1 : 0;
+        return found ? 1 : 0;
     }
 };

@@ -3,6 +3,7 @@
 
 #include <runtime/copies.hpp>
 #include <runtime/ray_batch.hpp>
+#include <runtime/ray_queries.hpp>
 #include <runtime/ray_triangle.hpp>
 #if ESPALIER_X86 && defined(__x86_64__)
 #include <runtime/simd/lanes_avx512.hpp>

@@ -12,21 +12,11 @@ namespace single = scalar;
 #endif
 
 std::size_t closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        hits[i] = no_hit;
-        if (single::closest_hit(blob, rays[i], hits[i], nullptr)) ++found;
-    }
-    return found;
+    return closest_hits_one_by_one<single::closest_hit>(blob, rays, hits, count);
 }
 
 std::size_t any_hits(const BlobData& blob, const Ray* rays, std::uint8_t* occluded, std::size_t count) {
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        occluded[i] = single::any_hit(blob, rays[i], nullptr) ? 1 : 0;
-        found += occluded[i];
-    }
-    return found;
+    return any_hits_one_by_one<single::any_hit>(blob, rays, occluded, count);
 }
 
 }  // namespace espalier::detail::scalar

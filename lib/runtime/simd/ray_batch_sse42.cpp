@@ -3,6 +3,7 @@
 
 #include <runtime/copies.hpp>
 #include <runtime/ray_batch.hpp>
+#include <runtime/ray_queries.hpp>
 #include <runtime/ray_triangle.hpp>
 #if ESPALIER_X86
 #include <runtime/simd/lanes_sse42.hpp>
