@@ -63,7 +63,7 @@ private:
         }
     }
 
-    alignas(register_alignment) std::uint32_t steps_[3][room];
+    alignas(sizeof(Ints)) std::uint32_t steps_[3][room];
     std::uint8_t entries_[keeps_entries ? 64 : 1];
 };
 
