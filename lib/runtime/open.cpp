@@ -18,7 +18,7 @@ namespace detail {
 namespace {
 
 /// A box for each child. There is at least one, and there are no more than a node holds.
-bool has_sound_boxes(const PackedNode& node, unsigned children, const BlobData&) {
+[[maybe_unused]] bool has_sound_boxes(const PackedNode& node, unsigned children, const BlobData&) {
     using namespace format::packed_node;
     if (load_u16(node.bytes + shifts_at) >> 15 != 0) return false;
     for (unsigned shifts = load_u16(node.bytes + shifts_at); shifts != 0; shifts >>= 5)
@@ -30,7 +30,7 @@ bool has_sound_boxes(const PackedNode& node, unsigned children, const BlobData&)
     }
     return true;
 }
-bool has_sound_boxes(const PlainNode& node, unsigned children, const BlobData& blob) {
+[[maybe_unused]] bool has_sound_boxes(const PlainNode& node, unsigned children, const BlobData& blob) {
     using namespace format::plain_node;
     for (int k = 0; k < 3; ++k) {
         const std::uint32_t most = static_cast<std::uint32_t>(blob.extent[k]) >> format::unit_shift(blob.bits);

@@ -2,8 +2,8 @@
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
 /// Neither end of the window is negative or -0, so that floats may be compared as integers.
-[[gnu::always_inline]] inline unsigned slab_test(const PlainNode& node, const PlainRayLanes& lanes_, float limit,
-                                                 float* near) {
+[[maybe_unused, gnu::always_inline]] inline unsigned slab_test(const PlainNode& node, const PlainRayLanes& lanes_,
+                                                               float limit, float* near) {
     const PlainRayLanes& ray = *as_if_changed(&lanes_);
     unsigned mask = 0;
     for (unsigned first = 0; first < PlainNode::max_children; first += lanes) {

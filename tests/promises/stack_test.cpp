@@ -175,7 +175,7 @@ TEST_SUITE("stack") {
             {"raycast, a rounded ray", 2176, ray_row([&](const Blob& blob, const Ray& ray) {
                  (void)raycast(blob, round_ray(lattice_of(blob), ray), hit);
              })},
-            {"occluded", 1792, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
+            {"occluded", 1856, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
             {"raycast, a batch", 12288,
              batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},
             {"occluded, a batch", 12288,
@@ -187,7 +187,7 @@ TEST_SUITE("stack") {
             {"collides", 4096,
              placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
                             const detail::PairFrame&) { collides(blob, blob, placement, inside); })},
-            {"minimum_distance", 4096,
+            {"minimum_distance", 4224,
              placed_row(
                  [&](const InstructionPath&, const Blob& blob, const Placement& placement, const detail::PairFrame&) {
                      PairDistance distance;
@@ -230,10 +230,10 @@ TEST_SUITE("stack") {
             {"closest_triangles", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  closest_triangles(blob, sphere.center, sphere.radius, few);
              })},
-            {"closest_to_segment", 2560, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
+            {"closest_to_segment", 3072, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
                  closest_to_segment(blob, {capsule.from, capsule.to}, capsule.radius, pair);
              })},
-            {"closest_to_box", 2816, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
+            {"closest_to_box", 3136, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
                  const Vec3& a = capsule.from;
                  const Vec3& b = capsule.to;
                  const Vec3 min = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
@@ -245,7 +245,7 @@ TEST_SUITE("stack") {
             {"signed_distance", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                  signed_distance(blob, sphere.center, sphere.radius, nearest);
              })},
-            {"for_each_node", 1024, sphere_row([](const Blob& blob, const Sphere&) {
+            {"for_each_node", 1280, sphere_row([](const Blob& blob, const Sphere&) {
                  for_each_node(blob, [](const TreeNode&) { return NodeVisit::descend; });
              })},
             {"is_on_inner_edge", 768, sphere_row([](const Blob& blob, const Sphere& sphere) {

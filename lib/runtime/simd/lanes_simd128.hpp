@@ -141,10 +141,10 @@ inline void spread(v128_t a, Floats* to) {
 inline SlabFrame load_slab_frame(const PackedNode& node, const RayLanes& ray) {
     // The shifts lie in the low half of a word, 5 bits each. Products move them to a float's exponent, where adding
     // one multiplies by its power of two.
-    const v128_t word = wasm_v128_load32_splat(node.bytes + format::node::shifts_at);
+    const v128_t word = wasm_v128_load32_splat(node.bytes + format::packed_node::shifts_at);
     const v128_t raised = wasm_i32x4_shl(wasm_i32x4_dot_i16x8(word, wasm_i32x4_const(1 << 14, 1 << 9, 1 << 4, 0)), 9);
     const v128_t shifts = wasm_v128_and(raised, wasm_i32x4_const_splat(31 << 23));
-    const v128_t bases = to_floats(load_words(node.bytes + format::node::base_at)).v;
+    const v128_t bases = to_floats(load_words(node.bytes + format::packed_node::base_at)).v;
     const v128_t steps = wasm_f32x4_mul(bases, wasm_v128_load(ray.base_inverse));
     SlabFrame frame;
     spread(wasm_i32x4_add(shifts, wasm_v128_load(ray.inverse)), frame.scale);

@@ -40,8 +40,8 @@ inline __m256i splat_bytes_at(const std::byte* at) {
 
 /// The children whose slab interval, widened, meets [tau_min, limit], and where each begins (Kay and Kajiya 1986).
 /// Floats are compared by their bits, as integers: neither end of the window is negative.
-[[gnu::always_inline]] inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& lanes_, float limit,
-                                                 float* near) {
+[[maybe_unused, gnu::always_inline]] inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& lanes_,
+                                                               float limit, float* near) {
     const PlacedRayLanes& ray = *as_if_changed(&lanes_);
     const SlabConstants& all = *as_if_changed(&slab_constants);
     __asm__ volatile("" : "+x"(limit));  // as if it could change: spread ahead of a loop it would need 32 bytes

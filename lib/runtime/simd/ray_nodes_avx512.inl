@@ -3,8 +3,8 @@
 
 using avx2::prepare;
 
-[[gnu::always_inline]] inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& lanes_, float limit,
-                                                 float* near) {
+[[maybe_unused, gnu::always_inline]] inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& lanes_,
+                                                               float limit, float* near) {
     return avx2::slab_test(node, lanes_, limit, near);
 }
 #include <runtime/ray_plain_nodes.inl>
