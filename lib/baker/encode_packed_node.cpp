@@ -71,8 +71,7 @@ void put_leaf_block(const NodeToWrite& from, const std::array<Frame, 3>& frames,
             box.anchor[axis] = frame.coordinate(frame.plane_below(exact.lo[axis]));
             box.side[axis] = frame.coordinate(frame.plane_above(exact.hi[axis])) - box.anchor[axis];
         }
-        const std::uint32_t descriptor =
-            put_strip_leaf(from.mesh, from.wide, node.first_leaf + i, box, written, bytes);
+        const std::uint32_t descriptor = put_strip_leaf(from.mesh, from.wide, node.first_leaf + i, box, written, bytes);
         set_u32(bytes.data() + block + descriptors_at + descriptor_bytes * i, descriptor);
     }
     pad_to(bytes, 4);
