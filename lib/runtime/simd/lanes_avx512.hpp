@@ -1,5 +1,5 @@
-// The vocabulary of the lanes for AVX-512: sixteen lanes for the triangles of a leaf. Nodes have eight children, and
-// stay with AVX2.
+// The vocabulary of the lanes for AVX-512: sixteen lanes for the triangles of a leaf and the children of a plain node.
+// Packed nodes have eight children, and stay with AVX2.
 #pragma once
 
 #include <runtime/simd/lanes_avx2.hpp>
