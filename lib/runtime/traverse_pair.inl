@@ -6,19 +6,48 @@
 //       each how near it is: the nearest goes first, the others in storage order
 //   Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box)      stop ends the walk
 
-/// A node whose children wait, and the box of the other tree that they wait beside.
-struct PairLevel {
+/// Nodes whose children wait, and the box of the other tree that each waits beside. Stack is dear: nine bytes a level.
+class PairLevels {
+public:
+    [[nodiscard]] bool is_empty() const { return size_ == 0; }
+    void push(unsigned side, std::uint32_t node, unsigned children, PairItem other) {
+        node_[size_] = node;
+        other_and_side_[size_] = other.packed | (side != 0 ? side_bit : 0u);
+        set_waiting(size_++, children);
+    }
+    [[nodiscard]] unsigned side() const { return (other_and_side_[size_ - 1] & side_bit) != 0 ? 1u : 0u; }
+    [[nodiscard]] std::uint32_t node() const { return node_[size_ - 1] & ((1u << node_bits) - 1u); }
+    [[nodiscard]] PairItem other() const { return {other_and_side_[size_ - 1] & ~side_bit}; }
+    /// The next child that waits at the last level, as a mask; when it is the last one, the level is gone.
+    unsigned take_child() {
+        const unsigned level = size_ - 1;
+        const unsigned all = waiting_[level] | node_[level] >> node_bits << 8, rest = all & (all - 1);
+        set_waiting(level, rest);
+        if (rest == 0) --size_;
+        return all ^ rest;
+    }
+
+private:
     static constexpr std::uint32_t side_bit = 1u << 31;
-    std::uint32_t node;
-    std::uint32_t waiting;  ///< a bit for each child
-    std::uint32_t other_and_side;
+    static constexpr unsigned node_bits = 24;
+    static constexpr unsigned most = 2 * format::max_depth;
+    static_assert(format::max_nodes <= 1u << node_bits && format::max_children <= 16);
+
+    void set_waiting(unsigned level, unsigned children) {
+        waiting_[level] = static_cast<std::uint8_t>(children);
+        node_[level] = (node_[level] & ((1u << node_bits) - 1u)) | children >> 8 << node_bits;
+    }
+
+    std::uint32_t node_[most];  ///< and above it the last eight of the children that wait
+    std::uint32_t other_and_side_[most];
+    std::uint8_t waiting_[most];  ///< the first eight
+    unsigned size_ = 0;
 };
 
 /// `work` is how many pairs may be visited, and then how many are left.
 template <class Visitor>
 [[gnu::noinline]] QueryStatus traverse_pair(const PairFrame& frame, Visitor& visitor, std::uint64_t& work) {
-    PairLevel stack[2 * format::max_depth];
-    unsigned depth = 0;
+    PairLevels levels;
     const PairTrees trees(frame);
     PairItem items[2];
     TwiceBox boxes[2] = {trees.box(0, items[0]), trees.box(1, items[1])};
@@ -41,17 +70,12 @@ template <class Visitor>
                              [&](const auto& node) { return visitor.children(side, node, boxes[1 - side], keys); });
         }
         while (mask == 0) {
-            if (depth == 0) return QueryStatus::ok;
-            PairLevel& level = stack[depth - 1];
-            side = (level.other_and_side & PairLevel::side_bit) != 0 ? 1u : 0u;
-            index = level.node;
-            mask = level.waiting;
-            items[1 - side] = {level.other_and_side & ~PairLevel::side_bit};
+            if (levels.is_empty()) return QueryStatus::ok;
+            side = levels.side();
+            index = levels.node();
+            items[1 - side] = levels.other();
             boxes[1 - side] = trees.box(1 - side, items[1 - side]);
-            const unsigned rest = mask & (mask - 1);
-            level.waiting = rest;
-            if (rest == 0) --depth;
-            mask ^= rest;
+            mask = levels.take_child();
         }
         auto best = static_cast<unsigned>(std::countr_zero(mask));
         // mutant(- -> right side dropped 1) equivalent: compares the best with itself too
@@ -60,8 +84,7 @@ template <class Visitor>
             best = keys[other] < keys[best] ? other : best;
         }
         // mutant(!= -> true 1) work: pushes an empty set, which is popped again
-        if (const unsigned rest = mask & ~(1u << best); rest != 0)
-            stack[depth++] = {index, rest, items[1 - side].packed | (side != 0 ? PairLevel::side_bit : 0u)};
+        if (const unsigned rest = mask & ~(1u << best); rest != 0) levels.push(side, index, rest, items[1 - side]);
         items[side] = trees.child_of(side, index, best);
         boxes[side] = trees.box(side, items[side]);
     }

@@ -187,7 +187,7 @@ TEST_SUITE("stack") {
             {"collides", 4096,
              placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
                             const detail::PairFrame&) { collides(blob, blob, placement, inside); })},
-            {"minimum_distance", 4224,
+            {"minimum_distance", 4096,
              placed_row(
                  [&](const InstructionPath&, const Blob& blob, const Placement& placement, const detail::PairFrame&) {
                      PairDistance distance;
