@@ -21,6 +21,7 @@ struct alignas(8) PlaneOrder {
 /// By the signs of the direction: bit k is set where axis k runs down.
 constexpr std::array<PlaneOrder, 8> order_planes(std::size_t lo_at, std::size_t hi_at, std::size_t row_bytes) {
     std::array<PlaneOrder, 8> orders{};
+    // mutant(< -> <= 1) compiler: writes behind a table at compile time, which is an error
     for (unsigned signs = 0; signs < 8; ++signs)
         for (unsigned k = 0; k < 3; ++k) {
             const bool down = (signs >> k & 1u) != 0;
