@@ -14,7 +14,7 @@ mapfile -t areas < <(sed -nE 's/^\| `([a-z ]+)` \|.*/\1/p' README.md)
 declare -A is_area
 for area in "${areas[@]}"; do is_area[$area]=1; done
 # From the sources, since some tests exist in some builds only.
-mapfile -t cases < <(grep -rhoE --include='*.[ch]pp' 'TEST_CASE[A-Z_]*\(.*' . | sed -E 's/^[A-Z_]*\("([^"]*)"\).*/\1/')
+mapfile -t cases < <(grep -rhoE --include='*.[ch]pp' 'TEST_CASE[A-Z_]*\(.*' . | sed -E 's/^[A-Z_]*\("([^"]*)".*/\1/')
 # The others. A program that was not built has no names yet.
 mapfile -t others < <("$ctest" --test-dir "$build" --show-only |
     sed -nE 's/ \(Disabled\)$//; s/^ *Test +#[0-9]+: //p' | grep -vE '^[a-z_]+_(NOT_BUILT|is_built)(-|$)')
