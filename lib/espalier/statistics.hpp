@@ -10,7 +10,7 @@ namespace espalier {
 
 /// Work of the scalar path, added up over calls.
 struct QueryCounters {
-    std::uint64_t nodes = 0;       ///< tests of a node's children; a node may be tested up to four times
+    std::uint64_t nodes = 0;       ///< tests of a node's children; a node at most four times, eight in profile fast
     std::uint64_t leaves = 0;      ///< leaves that were decoded
     std::uint64_t groups = 0;      ///< started groups of 8 triangles in those leaves: what lanes test at once
     std::uint64_t triangles = 0;   ///< triangles that went through the filter

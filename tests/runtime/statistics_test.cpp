@@ -4,6 +4,8 @@
 #include <espalier/espalier.hpp>
 #include <espalier/statistics.hpp>
 
+#include "../support/blob_encoder.hpp"
+#include "../support/exact_buffer.hpp"
 #include "../support/mesh_makers.hpp"
 #include "../support/profiles.hpp"
 #include "../support/query_maker.hpp"
@@ -18,6 +20,28 @@ namespace {
 bool is_even(Triangle triangle) { return triangle.index % 2 == 0; }
 
 Visit stop_at_once(Triangle) { return stop; }
+
+/// A chain of nodes as long as the format allows. The boxes of a node's leaves begin before that of its node child, so
+/// that a ray from below takes all leaves first. The leaves are out of the way of a ray in the middle.
+std::vector<std::byte> chain_behind_leaves(format::Profile profile) {
+    PlainLeaf leaf;
+    leaf.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (profile == format::Profile::fast) leaf.triangles = {{0, 1, 2}};
+    else leaf.entries = {{0, true, true}, {1, false, false}, {2, false, false}};
+    PlainBlob blob;
+    blob.decoded.profile = profile;
+    blob.decoded.bits = 4;
+    blob.decoded.extent = {15, 15, 15};
+    blob.decoded.vertex_count = 3;
+    for (std::size_t depth = 1; depth <= format::max_depth; ++depth) {
+        PlainNode node;
+        if (depth < format::max_depth) node.children.push_back({{15, 0, 0}, {15, 15, 15}, depth, std::nullopt});
+        while (node.children.size() < format::max_node_children(profile))
+            node.children.push_back({{0, 0, 0}, {15, 15, 15}, 0, leaf});
+        blob.nodes.push_back(node);
+    }
+    return encode(blob);
+}
 
 }  // namespace
 
@@ -51,6 +75,20 @@ TEST_SUITE("statistics") {
             CHECK(counters.triangles < count * blob.decoded.triangle_count / 3);
             // Without culling each node would be tested once for every two of its children.
             CHECK(counters.nodes < count * blob.decoded.nodes.size());
+        }
+    }
+
+    TEST_CASE("work: a ray tests a node once for every two of its children at most") {
+        for (const format::Profile profile : every_profile) {
+            CAPTURE(static_cast<int>(profile));
+            const ExactBuffer buffer(chain_behind_leaves(profile), 0);
+            Blob blob;
+            REQUIRE(open(buffer.bytes(), blob) == Status::ok);
+            QueryCounters counters;
+            RayHit hit;
+            REQUIRE_FALSE(raycast_counted(blob, {{-20.0f, 8.0f, 8.0f}, {1.0f, 0.0f, 0.0f}}, hit, counters));
+            // The last node has leaves alone, which are taken as they lie.
+            CHECK(counters.nodes == format::max_node_children(profile) / 2 * (format::max_depth - 1) + 1);
         }
     }
 

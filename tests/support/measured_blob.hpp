@@ -25,7 +25,8 @@ public:
     /// For one that may walk so many times: a batch, once for each ray.
     [[nodiscard]] const Blob& for_walks(std::uint64_t walks) const {
         // How often a node's children are asked about at most; a leaf is visited at most once. Small code asks again.
-        const std::uint64_t times = detail::small_code ? format::max_node_children(blob_.profile()) : 4;
+        const std::uint64_t children = format::max_node_children(blob_.profile());
+        const std::uint64_t times = detail::small_code ? children : children / 2;
         return allow(times * walks * blob_.data().node_count, walks * leaves_);
     }
     /// For two blobs under a limit of work; a pair that touches may be looked up once more, each of its triangles by
