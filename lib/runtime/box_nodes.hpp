@@ -37,20 +37,28 @@ ESPALIER_SHARED_CODE inline bool is_beside(const IntegerBounds& bounds, const st
     return false;
 }
 
-inline constexpr std::uint64_t byte_tops = 0x8080808080808080u;
+/// The top bit of each of eight bytes, and of each of four words of two bytes.
+inline constexpr std::uint64_t byte_tops = 0x8080808080808080u, word_tops = 0x8000800080008000u;
 
-/// The byte, eight times.
+/// The byte, eight times; the word of two bytes, four times.
 constexpr std::uint64_t eight_of(std::int32_t byte) { return static_cast<std::uint64_t>(byte) * 0x0101010101010101u; }
+constexpr std::uint64_t four_of(std::int32_t word) { return static_cast<std::uint64_t>(word) * 0x0001000100010001u; }
 
-/// For each of eight bytes its top bit: whether a >= b. The other bits mean nothing.
-constexpr std::uint64_t bytes_at_least(std::uint64_t a, std::uint64_t b) {
-    const std::uint64_t low_bits = (a | byte_tops) - (b & ~byte_tops);  // no byte borrows from the next
+/// Compares the fields of two numbers, as wide as their top bits are apart. In the result, the top bit of a field is
+/// set where a's is at least b's; the other bits are unspecified.
+template <std::uint64_t tops>
+constexpr std::uint64_t fields_at_least(std::uint64_t a, std::uint64_t b) {
+    const std::uint64_t low_bits = (a | tops) - (b & ~tops);  // no field borrows from the next
     return (a & ~b) | (~(a ^ b) & low_bits);
 }
 
-/// Top bits of eight bytes, side by side: byte i becomes bit i.
-constexpr unsigned tops_of(std::uint64_t bytes) {
+/// Top bits side by side: that of byte i becomes bit i.
+constexpr unsigned byte_tops_of(std::uint64_t bytes) {
     return static_cast<unsigned>(((bytes & byte_tops) >> 7) * 0x0102040810204080u >> 56);
+}
+/// The same for the four words.
+constexpr unsigned word_tops_of(std::uint64_t words) {
+    return static_cast<unsigned>(((words & word_tops) >> 15) * 0x0001000200040008u >> 48) & 15u;
 }
 
 /// The children for which something holds along every axis, one by one.
@@ -75,22 +83,11 @@ inline unsigned children_within_in_words(const PackedNode& node, unsigned bits, 
         const std::int32_t low = -((base - bounds.low[k]) >> shift);
         if (high < 0 || low > 255) return 0;
         // mutant(< -> <=) equivalent: both sides are equal then
-        inside &= bytes_at_least(eight_of(high < 255 ? high : 255), load_u64(node.low_planes(k)));
+        inside &= fields_at_least<byte_tops>(eight_of(high < 255 ? high : 255), load_u64(node.low_planes(k)));
         // mutant(> -> >=) equivalent: both sides are equal then
-        inside &= bytes_at_least(load_u64(node.high_planes(k)), eight_of(low > 0 ? low : 0));
+        inside &= fields_at_least<byte_tops>(load_u64(node.high_planes(k)), eight_of(low > 0 ? low : 0));
     }
-    return tops_of(inside) & all_children(node);
-}
-/// For words of two bytes: of the four in a number the top bits where a >= b.
-inline constexpr std::uint64_t word_tops = 0x8000800080008000u;
-constexpr std::uint64_t four_of(std::int32_t word) { return static_cast<std::uint64_t>(word) * 0x0001000100010001u; }
-constexpr std::uint64_t words_at_least(std::uint64_t a, std::uint64_t b) {
-    const std::uint64_t low_bits = (a | word_tops) - (b & ~word_tops);  // no word borrows from the next
-    return (a & ~b) | (~(a ^ b) & low_bits);
-}
-/// Top bits of four words, side by side: word i becomes bit i.
-constexpr unsigned word_tops_of(std::uint64_t words) {
-    return static_cast<unsigned>(((words & word_tops) >> 15) * 0x0001000200040008u >> 48) & 15u;
+    return byte_tops_of(inside) & all_children(node);
 }
 inline unsigned children_within_in_words(const PlainNode& node, unsigned bits, const IntegerBounds& bounds) {
     const unsigned unit = format::unit_shift(bits);
@@ -102,15 +99,15 @@ inline unsigned children_within_in_words(const PlainNode& node, unsigned bits, c
         if (high < 0 || low > 65535) return 0;
         const std::uint64_t highest = four_of(high < 65535 ? high : 65535), lowest = four_of(low > 0 ? low : 0);
         for (unsigned i = 0; i < PlainNode::max_children / 4; ++i) {
-            inside[i] &= words_at_least(highest, load_u64(node.low_planes(k) + 8 * std::size_t{i}));
-            inside[i] &= words_at_least(load_u64(node.high_planes(k) + 8 * std::size_t{i}), lowest);
+            inside[i] &= fields_at_least<word_tops>(highest, load_u64(node.low_planes(k) + 8 * std::size_t{i}));
+            inside[i] &= fields_at_least<word_tops>(load_u64(node.high_planes(k) + 8 * std::size_t{i}), lowest);
         }
     }
     unsigned mask = 0;
     for (unsigned i = 0; i < PlainNode::max_children / 4; ++i) mask |= word_tops_of(inside[i]) << 4 * i;
     return mask & all_children(node);
 }
-/// The same, by whichever code is shorter or faster.
+/// The same, child by child in small code.
 template <class Node>
 ESPALIER_SHARED_CODE inline unsigned children_within(const Node& node, unsigned bits, const IntegerBounds& bounds) {
     if constexpr (small_code)
@@ -135,9 +132,9 @@ ESPALIER_SHARED_CODE inline unsigned children_no_larger(const PackedNode& node, 
         const std::uint64_t sides = load_u64(node.high_planes(k)) - load_u64(node.low_planes(k));
         const std::int32_t most = steps >> node.shift(k);
         // mutant(< -> <=) equivalent: both sides are equal then
-        small &= bytes_at_least(eight_of(most < 255 ? most : 255), sides);
+        small &= fields_at_least<byte_tops>(eight_of(most < 255 ? most : 255), sides);
     }
-    return tops_of(small) & all_children(node);
+    return byte_tops_of(small) & all_children(node);
 }
 ESPALIER_SHARED_CODE inline unsigned children_no_larger(const PlainNode& node, std::int32_t steps, unsigned bits) {
     return children_where(

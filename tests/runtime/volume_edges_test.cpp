@@ -187,10 +187,25 @@ TEST_SUITE("volume edges") {
                 const unsigned place = random.below(8);
                 left = (left & ~(std::uint64_t{255} << 8 * place)) | std::uint64_t{a} << 8 * place;
                 right = (right & ~(std::uint64_t{255} << 8 * place)) | std::uint64_t{b} << 8 * place;
-                const unsigned tops = detail::tops_of(detail::bytes_at_least(left, right));
+                const unsigned tops = detail::byte_tops_of(detail::fields_at_least<detail::byte_tops>(left, right));
                 for (unsigned i = 0; i < 8; ++i)
                     REQUIRE((tops >> i & 1u) == ((left >> 8 * i & 255) >= (right >> 8 * i & 255) ? 1u : 0u));
             }
+        }
+    }
+
+    TEST_CASE("kernel: four words at once compare as one at a time") {
+        Random random(13);
+        for (unsigned i = 0; i < 100000; ++i) {
+            const std::uint64_t left = random.next();
+            std::uint64_t right = random.next();
+            // Words that are equal, or differ by one.
+            const unsigned place = 16 * random.below(4);
+            const std::uint64_t near = (left >> place) + random.below(3) - 1;
+            right = (right & ~(std::uint64_t{65535} << place)) | (near & 65535) << place;
+            const unsigned tops = detail::word_tops_of(detail::fields_at_least<detail::word_tops>(left, right));
+            for (unsigned word = 0; word < 4; ++word)
+                REQUIRE((tops >> word & 1u) == ((left >> 16 * word & 65535) >= (right >> 16 * word & 65535) ? 1u : 0u));
         }
     }
 
