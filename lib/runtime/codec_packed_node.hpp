@@ -7,21 +7,17 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
+#include <runtime/node_bytes.hpp>
 #include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 
 /// Where the pieces of a node are.
-struct PackedNode {
+struct PackedNode : NodeBytes<format::packed_node::children_at, format::packed_node::leaf_block_at,
+                              format::packed_node::lo_at, format::packed_node::hi_at, format::packed_node::row_bytes> {
     static constexpr unsigned max_children = format::packed_node::max_children;
     static constexpr std::size_t size = format::packed_node::bytes;
-    static constexpr std::size_t children_at = format::packed_node::children_at;
 
-    const std::byte* bytes;
-
-    [[nodiscard, gnu::always_inline]] std::uint32_t first_child() const {
-        return load_u32(bytes + children_at) & 0xFFFFFFu;
-    }
     [[nodiscard]] unsigned node_children() const { return node_children_in(load_u8(bytes + children_at + 3)); }
     [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + children_at + 3) >> 4; }
     /// From the byte behind the number of the first child.
@@ -33,12 +29,6 @@ struct PackedNode {
         const std::byte* at = bytes + (format::packed_node::base_at + 2 * static_cast<std::size_t>(axis));
         return static_cast<std::int32_t>(load_u16(at) << format::unit_shift(bits));
     }
-    [[nodiscard]] const std::byte* low_planes(int axis) const {
-        return bytes + format::packed_node::lo_at + format::packed_node::row_bytes * static_cast<std::size_t>(axis);
-    }
-    [[nodiscard]] const std::byte* high_planes(int axis) const {
-        return bytes + format::packed_node::hi_at + format::packed_node::row_bytes * static_cast<std::size_t>(axis);
-    }
     [[nodiscard]] std::int32_t plane(int axis, const std::byte* at, unsigned bits) const {
         return base(axis, bits) + static_cast<std::int32_t>(load_u8(at) << shift(axis));
     }
@@ -47,13 +37,6 @@ struct PackedNode {
     }
     [[nodiscard]] ESPALIER_SHARED_CODE std::int32_t high(int axis, unsigned child, unsigned bits) const {
         return plane(axis, high_planes(axis) + child, bits);
-    }
-    /// Where the block of its leaves starts, in units of 4 bytes.
-    [[nodiscard]] std::uint32_t leaf_block_place() const {
-        return load_u32(bytes + format::packed_node::leaf_block_at);
-    }
-    [[nodiscard]] const std::byte* leaf_block(const BlobData& blob) const {
-        return blob.leaves + 4 * std::size_t{leaf_block_place()};
     }
 };
 

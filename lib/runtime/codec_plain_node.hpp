@@ -7,31 +7,21 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
+#include <runtime/node_bytes.hpp>
 #include <runtime/small_code.hpp>
 
 namespace espalier::detail {
 
 /// Where the pieces of a node are.
-struct PlainNode {
+struct PlainNode : NodeBytes<format::plain_node::children_at, format::plain_node::leaf_block_at,
+                             format::plain_node::lo_at, format::plain_node::hi_at, format::plain_node::row_bytes> {
     static constexpr unsigned max_children = format::plain_node::max_children;
     static constexpr std::size_t size = format::plain_node::bytes;
-    static constexpr std::size_t children_at = format::plain_node::children_at;
 
-    const std::byte* bytes;
-
-    [[nodiscard, gnu::always_inline]] std::uint32_t first_child() const {
-        return load_u32(bytes + children_at) & 0xFFFFFFu;
-    }
     [[nodiscard]] unsigned node_children() const { return load_u8(bytes + children_at + 3); }
     [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + format::plain_node::leaf_children_at); }
     /// From the byte behind the number of the first child.
     static constexpr unsigned node_children_in(std::uint32_t counts) { return counts; }
-    [[nodiscard]] const std::byte* low_planes(int axis) const {
-        return bytes + format::plain_node::lo_at + format::plain_node::row_bytes * static_cast<std::size_t>(axis);
-    }
-    [[nodiscard]] const std::byte* high_planes(int axis) const {
-        return bytes + format::plain_node::hi_at + format::plain_node::row_bytes * static_cast<std::size_t>(axis);
-    }
     [[nodiscard]] ESPALIER_SHARED_CODE std::int32_t low(int axis, unsigned child, unsigned bits) const {
         return static_cast<std::int32_t>(load_u16(low_planes(axis) + 2 * std::size_t{child})
                                          << format::unit_shift(bits));
@@ -39,11 +29,6 @@ struct PlainNode {
     [[nodiscard]] ESPALIER_SHARED_CODE std::int32_t high(int axis, unsigned child, unsigned bits) const {
         const std::uint32_t next = load_u16(high_planes(axis) + 2 * std::size_t{child}) + 1;
         return static_cast<std::int32_t>((next << format::unit_shift(bits)) - 1);
-    }
-    /// Where the block of its leaves starts, in units of 4 bytes.
-    [[nodiscard]] std::uint32_t leaf_block_place() const { return load_u32(bytes + format::plain_node::leaf_block_at); }
-    [[nodiscard]] const std::byte* leaf_block(const BlobData& blob) const {
-        return blob.leaves + 4 * std::size_t{leaf_block_place()};
     }
     /// How the leaf of that number is coded, in 24 bits; above them lies what follows in the node.
     [[nodiscard]] std::uint32_t leaf_descriptor(unsigned number) const {
