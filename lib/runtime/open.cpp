@@ -12,6 +12,7 @@
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/open_checks.hpp>
 #include <runtime/open_header.hpp>
+#include <runtime/scalar_walk.hpp>
 
 namespace espalier {
 namespace detail {
@@ -46,7 +47,7 @@ namespace {
 /// Every node exactly once, children after their parents, in depth-first order with a stack as deep as the format
 /// allows.
 template <class Node>
-Status check_tree_of(const BlobData& blob) {
+Status check_tree(const BlobData& blob) {
     struct Siblings {
         std::uint32_t next;
         std::uint32_t end;
@@ -81,12 +82,6 @@ Status check_tree_of(const BlobData& blob) {
     if (seen_nodes != blob.node_count || seen_depth != blob.depth) return Status::bad_node;
     if (seen.triangles != blob.triangle_count || seen.leaf_bytes != blob.leaf_bytes) return Status::bad_leaf;
     return Status::ok;
-}
-
-Status check_tree(const BlobData& blob) {
-    if constexpr (!reads_strip_leaves) return check_tree_of<PlainNode>(blob);
-    else if constexpr (!reads_plain_leaves) return check_tree_of<PackedNode>(blob);
-    else return has_plain_leaves(blob.profile) ? check_tree_of<PlainNode>(blob) : check_tree_of<PackedNode>(blob);
 }
 
 /// Whether a block's bits end before `bit_count`, and every number that they lead to is one that the sources can have.
@@ -203,7 +198,10 @@ bool are_bounds_sound(const BlobData& blob) {
 Status check_sections(BlobData& blob) {
     if (!is_zero(blob.leaves + blob.leaf_bytes, format::guard_bytes)) return Status::bad_section;
     if (blob.triangle_count != 0)
-        if (const Status status = check_tree(blob); status != Status::ok) return status;
+        if (const Status status =
+                scalar_walk::with_leaves_of(blob, [&]<class Leaf>() { return check_tree<typename Leaf::Node>(blob); });
+            status != Status::ok)
+            return status;
     return are_optional_sections_sound(blob) ? locate_sections(blob, true) : Status::bad_section;
 }
 

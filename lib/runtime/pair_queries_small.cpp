@@ -10,6 +10,7 @@
 
 namespace espalier::detail::scalar {
 
+#include <runtime/with_leaves_of.inl>
 #include <runtime/pair_nodes.inl>
 #include <runtime/pair_trees.inl>
 #include <runtime/pair_beam.inl>

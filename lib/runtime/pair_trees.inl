@@ -27,10 +27,9 @@ inline Leaf leaf_of_pair(const BlobData& blob, PairLeaf place) {
 /// Calls the function with the node of that index.
 template <class Function>
 [[gnu::always_inline]] inline auto with_node(const BlobData& blob, std::uint32_t index, Function function) {
-    if constexpr (!reads_strip_leaves) return function(node_at<PlainNode>(blob, index));
-    else if constexpr (!reads_plain_leaves) return function(node_at<PackedNode>(blob, index));
-    else if (has_plain_leaves(blob.profile)) return function(node_at<PlainNode>(blob, index));
-    else return function(node_at<PackedNode>(blob, index));
+    return with_leaves_of(
+        blob, [&]<class Leaf>()
+                  __attribute__((always_inline)) { return function(node_at<typename Leaf::Node>(blob, index)); });
 }
 
 /// What items stand for, in either tree.
