@@ -31,14 +31,10 @@
 namespace espalier::detail {
 namespace scalar {
 namespace {
+#include <runtime/simd/prepare_ray_portable.inl>
 #include <runtime/ray_nodes.inl>
 #include <runtime/ray_plain_nodes.inl>
-/// Prepared as it is defined, tested by lanes.
-template <class Node>
-unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
-    PreparedRayIn<RayLanesOf<Node>> prepared;
-    return prepare_ray(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
-}
+#include "slab_children.inl"
 }  // namespace
 }  // namespace scalar
 #if ESPALIER_X86
@@ -48,12 +44,7 @@ namespace {
 #include <runtime/simd/prepare_ray_x86.inl>
 #include <runtime/ray_nodes.inl>
 #include <runtime/ray_plain_nodes.inl>
-/// Prepared by the instruction set's own way, tested by its lanes.
-template <class Node>
-unsigned children(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
-    PreparedRayIn<RayLanesOf<Node>> prepared;
-    return prepare(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
-}
+#include "slab_children.inl"
 }  // namespace
 }  // namespace sse42
 ESPALIER_END_TARGET
@@ -63,32 +54,17 @@ namespace {
 #include <runtime/simd/prepare_ray_x86.inl>
 #include <runtime/simd/ray_nodes_avx2.inl>
 #include <runtime/ray_plain_nodes.inl>
-/// Prepared by the instruction set's own way, tested by its lanes.
-template <class Node>
-unsigned children(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
-    PreparedRayIn<RayLanesOf<Node>> prepared;
-    return prepare(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
-}
-/// Prepared as it is defined, tested by lanes.
-template <class Node>
-unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
-    PreparedRayIn<RayLanesOf<Node>> prepared;
-    return prepare_ray(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
-}
+#include "slab_children.inl"
 }  // namespace
 }  // namespace avx2
 ESPALIER_END_TARGET
 #elif ESPALIER_NEON
 namespace neon {
 namespace {
+#include <runtime/simd/prepare_ray_portable.inl>
 #include <runtime/ray_nodes.inl>
 #include <runtime/ray_plain_nodes.inl>
-/// Prepared as it is defined, tested by lanes.
-template <class Node>
-unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
-    PreparedRayIn<RayLanesOf<Node>> prepared;
-    return prepare_ray(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
-}
+#include "slab_children.inl"
 }  // namespace
 }  // namespace neon
 #elif ESPALIER_SIMD128
@@ -97,18 +73,7 @@ namespace {
 #include <runtime/simd/prepare_ray_simd128.inl>
 #include <runtime/ray_nodes.inl>
 #include <runtime/ray_plain_nodes.inl>
-/// Prepared by the instruction set's own way, tested by its lanes.
-template <class Node>
-unsigned children(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
-    PreparedRayIn<RayLanesOf<Node>> prepared;
-    return prepare(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
-}
-/// Prepared as it is defined, tested by lanes.
-template <class Node>
-unsigned children_as_defined(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
-    PreparedRayIn<RayLanesOf<Node>> prepared;
-    return prepare_ray(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
-}
+#include "slab_children.inl"
 }  // namespace
 }  // namespace simd128
 #endif
