@@ -148,7 +148,7 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
     const BakePolicy policy = bake_policy(arguments);
     ImportOptions source = import_options(arguments.source, arguments.json, warnings);
     source.materials = arguments.material_bits != 0;
-    const BakeOptions options = bake_options(arguments);  // what is mistyped is said before a long import
+    const BakeOptions options = bake_options(arguments);  // reports typing errors before a long import
     static_cast<void>(pick_goal(arguments));
 
     const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);

@@ -48,8 +48,7 @@ private:
     std::uint64_t packed_;
 };
 
-/// What the parent needs to know of a subtree. costs[k]: of at most k roots, of which there are no
-/// more than triangles.
+/// The plan of a subtree for its parent. costs[k]: of at most k roots, of which there are no more than triangles.
 struct Subtree {
     std::array<float, most_roots + 1> costs;
     VertexList vertices;

@@ -45,7 +45,7 @@ struct IntegerRay {
 struct LatticeRay : IntegerRay {
     float shear[2];
     float shear_error;
-    alignas(lane_alignment) float zero[4];  ///< lattice point 0 0 0 from the origin, exactly; the fourth means nothing
+    alignas(lane_alignment) float zero[4];  ///< lattice point 0 0 0 from the origin, exactly; the fourth is unused
 };
 
 /// A ray that was rounded for more blobs than this one, on this one's lattice, and the caller's window.

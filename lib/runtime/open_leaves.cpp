@@ -35,7 +35,7 @@ ESPALIER_SHARED_CODE inline bool take_padding(OpenProgress& seen, std::uint32_t 
     return is_zero(at, padding);
 }
 
-/// Whether all coordinates of a leaf are inside the asset, and differ along an axis by as much as the leaf's size says.
+/// Tests whether all coordinates are inside the asset and differ along an axis as the leaf's size states.
 bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
     const std::byte* word = leaf.words();
     const std::byte* high_byte = leaf.high_bytes();

@@ -80,7 +80,7 @@ template <class Leaf, class... Hit>
         if (leaf.size_bits > narrow_bits) return hits_slot_of_large_leaf(leaf, slot, ray, hit...);
         return hits<std::int64_t, std::int64_t>(ray, relative_to(ray, leaf.triangle(slot)), hit...);
     } else if constexpr (sizeof...(hit) != 0) {
-        return intersect(ray, leaf.triangle(slot), hit...);  // code is dearer than time
+        return intersect(ray, leaf.triangle(slot), hit...);  // one kernel for leaves of all sizes
     } else {
         TriangleHit unused;
         return intersect(ray, leaf.triangle(slot), unused);

@@ -49,7 +49,7 @@ template <class Node>
     return seen_children(lanes, node, limit, keys.among & all_children(node));
 }
 
-/// A vertex of a leaf as the ray sees it. A strip's fields are read in one place, for a call each; words are read here.
+/// Returns a leaf's vertex along the ray. The fields of a strip are read by a function, words are read in place.
 template <class Leaf>
 [[gnu::always_inline]] inline SeenVertex see_vertex(const Leaf& leaf, unsigned vertex, const SeenRay& ray,
                                                     const SeenLeaf& seen) {

@@ -1,5 +1,5 @@
-// The way through two trees at once where stack is dear: step by step that of traverse_pair.inl, in one word a level.
-// The nodes on it are not remembered but found again from the roots. Included after pair_trees.inl.
+// The walk through two trees with little stack: the steps of traverse_pair.inl, in one word a level. It does not store
+// the nodes on its way but finds them again from the roots. Included after pair_trees.inl.
 
 /// The steps that led to a pair of boxes.
 class PairPath {

@@ -6,7 +6,7 @@
 //       each how near it is: the nearest goes first, the others in storage order
 //   Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box)      stop ends the walk
 
-/// Nodes whose children wait, and the box of the other tree that each waits beside. Stack is dear: nine bytes a level.
+/// The nodes whose children wait, each with the box of the other tree beside it, in nine bytes of stack a level.
 class PairLevels {
 public:
     [[nodiscard]] bool is_empty() const { return size_ == 0; }

@@ -105,7 +105,7 @@ TEST_SUITE("open leaves") {
     }
 
     TEST_CASE("open: the last of a node of largest leaves is read at its place") {
-        // In profile fast it lies more than half as far back as can be said. The fields of a strip are as wide as the
+        // In profile fast its offset is more than half of the largest one. The fields of a strip are as wide as the
         // lattice, and count from its box's low corner all the same.
         for_each_profile([](format::Profile profile) {
             constexpr std::int32_t most = (1 << 24) - 1, low = 1 << 17;

@@ -1,5 +1,5 @@
 // The vertices of a leaf and which of them its triangles have, `lanes` at a time. Included inside the namespace of each
-// instruction set. What a lane says of a slot or a vertex that is not used means nothing, but look_up may be asked it.
+// instruction set. Lanes of unused slots and vertices hold any number; look_up accepts them.
 
 /// Coordinates of `lanes` vertices along an axis, counted from the leaf's anchor. `load_width` returns a width as
 /// given.

@@ -98,7 +98,7 @@ inline Prepared prepare_ordinary(const BlobData& blob, const Ray& world, Lattice
     // Each fills its register together with the number behind it.
     wasm_v128_store(ray.direction, wasm_i32x4_replace_lane(integers, 3, t_exponent));
     wasm_v128_store(ray.origin, wasm_i32x4_replace_lane(fine, 3, fraction_bits));
-    // Where rounding makes two components equally long this may choose the other one: only the filter sees it.
+    // Where rounding makes two components equally long this may choose the other one, which only changes the filter.
     const auto axis = static_cast<unsigned>(std::countr_zero(wasm_i32x4_bitmask(wasm_i32x4_eq(lengths, longest))));
     set_longest_axis(ray, axis);
     set_shear(ray, lanes_.inverse[axis], reach_steps);

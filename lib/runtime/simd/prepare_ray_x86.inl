@@ -120,7 +120,7 @@ template <class Lanes>
     // Each fills its register together with the number behind it.
     _mm_store_si128(reinterpret_cast<__m128i*>(ray.direction), _mm_insert_epi32(integers, t_exponent, 3));
     _mm_store_si128(reinterpret_cast<__m128i*>(ray.origin), _mm_insert_epi32(fine, fraction_bits, 3));
-    // Where rounding makes two components equally long this may choose the other one: only the filter sees it.
+    // Where rounding makes two components equally long this may choose the other one, which only changes the filter.
     const __m128 longest_axes = _mm_castsi128_ps(_mm_cmpeq_epi32(lengths, longest));
     const auto axis = static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(_mm_movemask_ps(longest_axes))));
     set_longest_axis(ray, axis);
