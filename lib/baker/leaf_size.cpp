@@ -35,7 +35,7 @@ public:
     [[nodiscard]] LeafSize of(const BinaryNode& node, unsigned vertices) const override {
         using namespace format::strip_leaf;
         if (vertices > most_vertices_) return {};
-        const unsigned entries = strips_.entries_of(node, planning_attempts);
+        const unsigned entries = strips_.entries_of(node);
         if (entries > most_entries_) return {};
         std::size_t bytes = (mark_bits(entries, vertices) + 7) / 8;
         for (std::size_t axis = 0; axis < 3; ++axis) bytes += (vertices * bits_of_side(node, axis) + 7) / 8;
@@ -54,16 +54,7 @@ private:
 }  // namespace
 
 unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles) {
-    using namespace format;
-    switch (profile) {
-        case Profile::fast:
-            return std::min(plain_leaf::max_triangles, max_leaf_triangles);
-        case Profile::balanced:
-            return std::min((strip_leaf::max_balanced_entries - 2) * 7 / 8, max_leaf_triangles);
-        case Profile::small:  // larger leaves yet would save 1.4 % of the bytes and cost rays 4 % of their time
-            break;
-    }
-    return 0;
+    return profile == format::Profile::fast ? std::min(format::plain_leaf::max_triangles, max_leaf_triangles) : 0;
 }
 
 std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips) {
@@ -72,7 +63,7 @@ std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, co
         case format::Profile::balanced:
             return std::make_unique<StripLeafSizes>(*strips, max_balanced_entries, max_balanced_vertices, 1.0f);
         case format::Profile::small:
-            return std::make_unique<StripLeafSizes>(*strips, max_small_entries, max_small_entries, 6.0f);
+            return std::make_unique<StripLeafSizes>(*strips, max_small_entries, max_small_entries, 4.0f);
         case format::Profile::fast:
             break;
     }

@@ -23,21 +23,15 @@ public:
     /// `vertices` is how many distinct ones the node's triangles have, `node.count` at most most_triangles().
     [[nodiscard]] virtual LeafSize of(const BinaryNode& node, unsigned vertices) const = 0;
     [[nodiscard]] virtual unsigned most_triangles() const = 0;
-    /// By how much more than the cost model says the profile values bytes: 6 in profile small, where 4.3 of 4.4 bytes a
-    /// triangle are had for no more time than the rest, else 1.
+    /// Returns the profile's factor on the cost model's price of a byte.
     [[nodiscard]] virtual float byte_weight() const = 0;
 };
 
 /// On a lattice of so many bits. `strips` is null for profile fast alone.
 [[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips);
 
-/// Returns the triangles of a full leaf, for the builder: the most of a plain leaf, seven eighths of the most of a
-/// balanced strip, since the entries that join strips count too, and no more than `max_leaf_triangles`; 0 where leaves
-/// are left as the heuristic makes them.
+/// Returns the triangles of a full leaf, for the builder: the most of a plain leaf, and no more than
+/// `max_leaf_triangles`; 0 for strips, which are left as the heuristic makes them.
 [[nodiscard]] unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles);
-
-/// How often a strip is tried when a leaf is planned, and when it is written: never more entries than planned.
-inline constexpr unsigned planning_attempts = 1;
-inline constexpr unsigned writing_attempts = 8;
 
 }  // namespace espalier::baker

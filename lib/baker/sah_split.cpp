@@ -125,8 +125,8 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t most_leaves = 12;
-    static constexpr float share = 0.2f;
+    static constexpr std::uint32_t most_leaves = 6;
+    static constexpr float share = 0.125f;
 
     [[nodiscard]] std::uint32_t leaves_of(std::uint32_t count) const { return (count + full_leaf_ - 1) / full_leaf_; }
 

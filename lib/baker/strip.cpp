@@ -93,10 +93,17 @@ Cover cover_from(const Cluster& cluster, unsigned start) {
     return cover;
 }
 
-Cover best_cover(const Cluster& cluster, unsigned attempts) {
+/// How many covers of a cluster are compared.
+constexpr unsigned attempts = 8;
+
+/// The order within paths matters where a leaf is written; where it is planned, one path is as good as any other.
+enum class Order : std::uint8_t { matters, does_not_matter };
+
+Cover best_cover(const Cluster& cluster, Order order) {
     const Set all = ~Set{0} >> (64 - cluster.count);
     Cover best = cover_from(cluster, loneliest(cluster, all, all, 0));
     for (unsigned start = 0; start < std::min(attempts - 1, cluster.count); ++start) {
+        if (best.paths == 1 && order == Order::does_not_matter) break;
         const Cover other = cover_from(cluster, start);
         if (std::pair(other.paths, other.step_bits) < std::pair(best.paths, best.step_bits)) best = other;
     }
@@ -169,14 +176,14 @@ private:
 
 }  // namespace
 
-unsigned StripMaker::entries_of(const BinaryNode& node, unsigned attempts) const {
+unsigned StripMaker::entries_of(const BinaryNode& node) const {
     const Cluster cluster(neighbours_, tree_, node);
-    return entry_count(cluster, best_cover(cluster, attempts));
+    return entry_count(cluster, best_cover(cluster, Order::does_not_matter));
 }
 
-Strip StripMaker::make(const BinaryNode& node, unsigned attempts) const {
+Strip StripMaker::make(const BinaryNode& node) const {
     const Cluster cluster(neighbours_, tree_, node);
-    const Cover cover = best_cover(cluster, attempts);
+    const Cover cover = best_cover(cluster, Order::matters);
     Strip strip;
     StripWriter writer(mesh_, tree_, neighbours_, strip);
     std::array<std::uint32_t, most> places;

@@ -30,13 +30,13 @@ class StripMaker {
 public:
     StripMaker(const LatticeMesh& mesh, const BinaryTree& tree) : mesh_(mesh), tree_(tree), neighbours_(mesh, tree) {}
 
-    /// How many entries the strip of a node's triangles has when `make` tries this often: that many triangles and two
-    /// for each path. Requires at most format::max_leaf_triangles of them.
-    [[nodiscard]] unsigned entries_of(const BinaryNode& node, unsigned attempts) const;
+    /// Returns the entries of the strip that `make` returns: one for each triangle and two for each path. Requires at
+    /// most format::max_leaf_triangles triangles.
+    [[nodiscard]] unsigned entries_of(const BinaryNode& node) const;
 
-    /// The strip of a node's triangles with the fewest entries of several attempts, of equal ones the one whose
-    /// triangles follow each other most closely in the source; requires that they fit.
-    [[nodiscard]] Strip make(const BinaryNode& node, unsigned attempts) const;
+    /// Returns the strip of a node's triangles with the fewest entries of several attempts, of equal ones the one whose
+    /// triangles follow each other most closely in the source. Requires that they fit.
+    [[nodiscard]] Strip make(const BinaryNode& node) const;
 
 private:
     const LatticeMesh& mesh_;

@@ -87,18 +87,14 @@ unsigned check_strips_of(const Mesh& mesh) {
     for (std::size_t i = 0; i < tree.node_count(); ++i) {
         const baker::BinaryNode& node = tree.nodes[i];
         if (node.count > format::max_leaf_triangles) continue;
-        const unsigned planned = maker.entries_of(node, baker::planning_attempts);
-        const unsigned written = maker.entries_of(node, baker::writing_attempts);
-        REQUIRE(written <= planned);
-        REQUIRE(written >= node.count + 2);
-        REQUIRE(planned <= 3 * node.count);
-        if (planned > format::max_leaf_vertices) continue;
-        for (const unsigned attempts : {baker::planning_attempts, baker::writing_attempts}) {
-            const baker::Strip strip = maker.make(node, attempts);
-            REQUIRE(strip.entry_count == maker.entries_of(node, attempts));
-            check_strip(strip, lattice_mesh, tree, node);
-            if (i == 0) entries_of_all = strip.entry_count;
-        }
+        const unsigned entries = maker.entries_of(node);
+        REQUIRE(entries >= node.count + 2);
+        REQUIRE(entries <= 3 * node.count);
+        if (entries > format::max_leaf_vertices) continue;
+        const baker::Strip strip = maker.make(node);
+        REQUIRE(strip.entry_count == entries);
+        check_strip(strip, lattice_mesh, tree, node);
+        if (i == 0) entries_of_all = entries;
     }
     return entries_of_all;
 }

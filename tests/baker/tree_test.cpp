@@ -165,9 +165,9 @@ TEST_SUITE("tree") {
         baker::BuildSettings settings = baker::build_settings(5, 1);
         const auto left_count = [&] { return baker::build_sah(mesh, settings).nodes[1].count; };
         CHECK(left_count() == count / 2);  // the smallest boxes
-        settings.full_leaf = 34;
-        CHECK(std::min(left_count(), count - left_count()) <= 34);  // one leaf and two, not two and two
-        settings.full_leaf = 7;                                     // more than twelve leaves: split anywhere
+        settings.full_leaf = 40;
+        CHECK(std::min(left_count(), count - left_count()) <= 40);  // one leaf and two, not two and two
+        settings.full_leaf = 15;                                    // more than six leaves: split anywhere
         CHECK(left_count() == count / 2);
     }
 

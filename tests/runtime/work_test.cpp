@@ -114,40 +114,40 @@ TEST_SUITE("work") {
         const OpenedBlob landscape(make_terrain(24, 7), {.bits = 18, .profile = format::Profile::fast});
         check_work(
             landscape.blob, detail::InstructionSet::scalar,
-            {{"closest hits", platform::ask_closest_hits, 200, {683, 781, 2196}, {1073, 805, 2478, 11824}},
-             {"filtered and any hits", platform::ask_filtered_hits, 100, {754, 730, 1594}, {957, 772, 1792, 15718}},
-             {"all hits", platform::ask_all_hits, 100, {336, 446, 1265}, {346, 462, 1409, 5498}},
-             {"first hits", platform::ask_first_hits, 50, {369, 351, 811}, {545, 375, 887, 7696}},
-             {"batches", platform::ask_batches, 60, {2942, 2463, 3709}, {4017, 2534, 4624, 63534}},
-             {"sweeps", platform::ask_sweeps, 20, {424, 862, 445}, {424, 862, 485}},
-             {"spheres", platform::ask_spheres, 100, {427, 451, 1188}, {427, 451, 1924}},
-             {"pages", ask_pages, 100, {2775, 24157, 1192}, {2775, 24157, 9167}},
-             {"volumes", platform::ask_volumes, 30, {1862, 2158, 3765}, {1862, 2148, 4748}},
-             {"approximate queries", platform::ask_approximately, 50, {434, 642, 4027}, {436, 649, 4366, 1750}},
-             {"closest points", platform::ask_closest_points, 100, {456, 1104, 8922}, {456, 1104, 9383}},
-             {"segments and boxes", platform::ask_closest_pairs, 25, {132, 213, 147}, {132, 213, 164}},
-             {"contacts", ask_contacts, 40, {875, 475, 0, 77601}, {875, 475, 0, 77601}},
-             {"distances", ask_distances, 10, {205, 151, 0, 13413}, {205, 151, 0, 13413}}});
+            {{"closest hits", platform::ask_closest_hits, 200, {680, 793, 2172}, {1082, 814, 2451, 12246}},
+             {"filtered and any hits", platform::ask_filtered_hits, 100, {745, 772, 1597}, {973, 811, 1815, 16314}},
+             {"all hits", platform::ask_all_hits, 100, {336, 463, 1264}, {351, 483, 1434, 5730}},
+             {"first hits", platform::ask_first_hits, 50, {359, 354, 800}, {539, 377, 891, 7844}},
+             {"batches", platform::ask_batches, 60, {2929, 2464, 3650}, {3895, 2495, 4543, 66470}},
+             {"sweeps", platform::ask_sweeps, 20, {416, 849, 445}, {416, 849, 497}},
+             {"spheres", platform::ask_spheres, 100, {426, 456, 1183}, {426, 456, 1919}},
+             {"pages", ask_pages, 100, {2773, 25346, 1187}, {2773, 25346, 9106}},
+             {"volumes", platform::ask_volumes, 30, {1876, 2191, 3778}, {1876, 2176, 4731}},
+             {"approximate queries", platform::ask_approximately, 50, {434, 653, 4062}, {436, 660, 4407, 1876}},
+             {"closest points", platform::ask_closest_points, 100, {459, 1123, 8867}, {459, 1123, 9301}},
+             {"segments and boxes", platform::ask_closest_pairs, 25, {130, 224, 151}, {130, 224, 174}},
+             {"contacts", ask_contacts, 40, {944, 547, 0, 83001}, {944, 547, 0, 83001}},
+             {"distances", ask_distances, 10, {204, 156, 0, 13152}, {204, 156, 0, 13152}}});
     }
 
     TEST_CASE("work: queries of a closed body visit the recorded numbers of nodes and leaves") {
         const OpenedBlob body(make_torus(32, 16, 3.0, 1.0), {.bits = 12, .profile = format::Profile::balanced});
         check_work(
             body.blob, detail::InstructionSet::scalar,
-            {{"closest hits", platform::ask_closest_hits, 200, {702, 667, 1302}, {1087, 669, 2059, 8088}},
-             {"filtered and any hits", platform::ask_filtered_hits, 100, {850, 796, 1173}, {1069, 823, 2013, 11262}},
-             {"all hits", platform::ask_all_hits, 100, {395, 464, 812}, {401, 481, 1422, 4500}},
-             {"first hits", platform::ask_first_hits, 50, {375, 302, 459}, {542, 308, 778, 4936}},
-             {"batches", platform::ask_batches, 60, {2885, 2494, 3837}, {4049, 2524, 5667, 39550}},
-             {"sweeps", platform::ask_sweeps, 20, {461, 741, 150}, {461, 741, 246}},
-             {"spheres", platform::ask_spheres, 100, {423, 364, 557}, {423, 364, 1440}},
-             {"pages", ask_pages, 100, {3039, 12344, 537}, {3039, 12344, 9911}},
-             {"volumes", platform::ask_volumes, 30, {2066, 2335, 3705}, {2066, 2333, 4735}},
-             {"approximate queries", platform::ask_approximately, 50, {447, 546, 5168}, {449, 551, 5683, 1142}},
-             {"closest points", platform::ask_closest_points, 100, {962, 1751, 20889}, {962, 1751, 22028}},
-             {"segments and boxes", platform::ask_closest_pairs, 25, {146, 176, 57}, {146, 176, 144}},
-             {"contacts", ask_contacts, 40, {688, 376, 0, 44781}, {688, 376, 0, 44781}},
-             {"distances", ask_distances, 10, {168, 191, 0, 7293}, {168, 191, 0, 7293}}});
+            {{"closest hits", platform::ask_closest_hits, 200, {687, 747, 1391}, {1139, 725, 2194, 8576}},
+             {"filtered and any hits", platform::ask_filtered_hits, 100, {865, 919, 1257}, {1134, 943, 2097, 12414}},
+             {"all hits", platform::ask_all_hits, 100, {382, 501, 845}, {391, 517, 1456, 4650}},
+             {"first hits", platform::ask_first_hits, 50, {383, 361, 474}, {587, 350, 837, 5570}},
+             {"batches", platform::ask_batches, 60, {3009, 2731, 3649}, {4199, 2750, 5564, 43400}},
+             {"sweeps", platform::ask_sweeps, 20, {439, 759, 155}, {439, 759, 266}},
+             {"spheres", platform::ask_spheres, 100, {434, 368, 577}, {434, 368, 1458}},
+             {"pages", ask_pages, 100, {2901, 13335, 580}, {2901, 13335, 9789}},
+             {"volumes", platform::ask_volumes, 30, {2077, 2393, 3716}, {2077, 2389, 4790}},
+             {"approximate queries", platform::ask_approximately, 50, {455, 606, 5216}, {457, 613, 5816, 1272}},
+             {"closest points", platform::ask_closest_points, 100, {987, 1916, 21048}, {987, 1916, 22117}},
+             {"segments and boxes", platform::ask_closest_pairs, 25, {140, 216, 70}, {140, 216, 149}},
+             {"contacts", ask_contacts, 40, {569, 303, 0, 39960}, {569, 303, 0, 39960}},
+             {"distances", ask_distances, 10, {187, 184, 0, 8211}, {187, 184, 0, 8211}}});
     }
 
 #if ESPALIER_X86
@@ -155,20 +155,20 @@ TEST_SUITE("work") {
         if (detail::detect_instruction_set() < detail::InstructionSet::sse42) return;
         const OpenedBlob landscape(make_terrain(24, 7), {.bits = 18, .profile = format::Profile::fast});
         check_work(landscape.blob, detail::InstructionSet::sse42,
-                   {{"closest hits", platform::ask_closest_hits, 200, {683, 781, 878}},
-                    {"batches", platform::ask_batches, 60, {2878, 2012, 2510}},
-                    {"spheres", platform::ask_spheres, 100, {427, 451, 449}},
-                    {"closest points", platform::ask_closest_points, 100, {456, 1104, 7760}},
-                    {"contacts", ask_contacts, 40, {875, 475, 0, 28575}},
-                    {"distances", ask_distances, 10, {205, 151, 0, 4566}}});
+                   {{"closest hits", platform::ask_closest_hits, 200, {680, 793, 859}},
+                    {"batches", platform::ask_batches, 60, {2849, 2026, 2446}},
+                    {"spheres", platform::ask_spheres, 100, {426, 456, 437}},
+                    {"closest points", platform::ask_closest_points, 100, {459, 1123, 7714}},
+                    {"contacts", ask_contacts, 40, {944, 547, 0, 30597}},
+                    {"distances", ask_distances, 10, {204, 156, 0, 4485}}});
         const OpenedBlob body(make_torus(32, 16, 3.0, 1.0), {.bits = 12, .profile = format::Profile::balanced});
         check_work(body.blob, detail::InstructionSet::sse42,
-                   {{"closest hits", platform::ask_closest_hits, 200, {702, 667, 862}},
-                    {"batches", platform::ask_batches, 60, {2875, 2088, 3204}},
-                    {"spheres", platform::ask_spheres, 100, {423, 364, 338}},
-                    {"closest points", platform::ask_closest_points, 100, {962, 1751, 18751}},
-                    {"contacts", ask_contacts, 40, {688, 376, 0, 17259}},
-                    {"distances", ask_distances, 10, {168, 191, 0, 2547}}});
+                   {{"closest hits", platform::ask_closest_hits, 200, {687, 747, 894}},
+                    {"batches", platform::ask_batches, 60, {3024, 2343, 3083}},
+                    {"spheres", platform::ask_spheres, 100, {434, 368, 342}},
+                    {"closest points", platform::ask_closest_points, 100, {987, 1916, 18807}},
+                    {"contacts", ask_contacts, 40, {569, 303, 0, 14802}},
+                    {"distances", ask_distances, 10, {187, 184, 0, 2862}}});
     }
 
     TEST_CASE("work: batches of alike rays walk together as far as recorded") {
@@ -231,7 +231,7 @@ TEST_SUITE("work") {
             }
             ask(rays, count);
         }
-        CHECK(work.value() == 2896995326327721308u);
+        CHECK(work.value() == 8597428973744789044u);
     }
 #endif
 }
