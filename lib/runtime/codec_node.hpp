@@ -47,28 +47,4 @@ inline Node node_at(const BlobData& blob, std::uint32_t index) {
     return {blob.nodes + std::size_t{index} * Node::size};
 }
 
-/// A node, and some of its children as a bit each, in as few words as it takes.
-template <class Node>
-struct NodeAndChildren {
-    static_assert(format::max_nodes <= 1u << 24 && Node::max_children <= 8);
-
-    std::uint32_t packed;
-
-    NodeAndChildren() = default;
-    NodeAndChildren(std::uint32_t node, unsigned children) : packed(children << 24 | node) {}
-    // mutant(<< -> one less) huge: the bit for nodes beyond the first eight million
-    [[nodiscard]] std::uint32_t node() const { return packed & ((1u << 24) - 1u); }
-    [[nodiscard]] unsigned children() const { return packed >> 24; }
-};
-template <>
-struct NodeAndChildren<PlainNode> {
-    std::uint32_t index;
-    std::uint32_t mask;
-
-    NodeAndChildren() = default;
-    NodeAndChildren(std::uint32_t node, unsigned children) : index(node), mask(children) {}
-    [[nodiscard]] std::uint32_t node() const { return index; }
-    [[nodiscard]] unsigned children() const { return mask; }
-};
-
 }  // namespace espalier::detail

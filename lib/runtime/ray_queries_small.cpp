@@ -1,9 +1,11 @@
 // Ray queries for small cores: few bytes of code and stack, and hardly a float.
 #include <bit>
+#include <type_traits>
 
 #include <runtime/as_if_changed.hpp>
 #include <runtime/ray_queries.hpp>
 #include <runtime/seen_boxes.hpp>
+#include <runtime/seen_planes.hpp>
 #include <runtime/seen_triangles.hpp>
 #include <runtime/small_boxes.hpp>
 #include <runtime/small_ray_triangle.hpp>
@@ -12,25 +14,24 @@
 namespace espalier::detail::small {
 
 using LatticeRay = SeenRay;
-/// Boxes need no more than the ray itself.
+/// What boxes of a kind of node need.
 template <class Node>
-using RayLanesOf = SeenRay;
+using RayLanesOf = std::conditional_t<std::is_same_v<Node, PlainNode>, SeenPlainRay, SeenRay>;
 template <class Lanes>
 struct PreparedRayIn {
-    SeenRay ray;
+    Lanes ray;
 
-    [[nodiscard]] const SeenRay& lanes() const { return ray; }
+    [[nodiscard]] const Lanes& lanes() const { return ray; }
 };
-inline bool prepare(const BlobData& blob, const Ray& world, PreparedRayIn<SeenRay>& prepared) {
+template <class Lanes>
+inline bool prepare(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
     float reach = 0.0f;
-    if (!round_ray(blob, world, prepared.ray, reach)) return false;
-    prepared.ray.look_ahead(blob);
-    return true;
+    return round_ray(blob, world, prepared.ray, reach) && prepared.ray.prepare(blob);
 }
-inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<SeenRay>& prepared) {
+template <class Lanes>
+inline bool prepare(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
     static_cast<IntegerRay&>(prepared.ray) = given.ray;
-    prepared.ray.look_ahead(blob);
-    return true;
+    return prepared.ray.prepare(blob);
 }
 /// Limits of walks are places ahead.
 using Limit = std::int32_t;
@@ -45,24 +46,9 @@ using Limit = std::int32_t;
 #include <runtime/small_walk.inl>
 
 template <class Node>
-[[gnu::always_inline]] inline unsigned slab_test(const Node& node, const SeenRay& lanes, Limit limit, Keys keys) {
+[[gnu::always_inline]] inline unsigned slab_test(const Node& node, const RayLanesOf<Node>& lanes, Limit limit,
+                                                 Keys keys) {
     return seen_children(lanes, node, limit, keys.among & all_children(node));
-}
-
-/// Returns a leaf's vertex along the ray. The fields of a strip are read by a function, words are read in place.
-template <class Leaf>
-[[gnu::always_inline]] inline SeenVertex see_vertex(const Leaf& leaf, unsigned vertex, const SeenRay& ray,
-                                                    const SeenLeaf& seen) {
-    if constexpr (Leaf::counts_from_zero) {
-        const auto place = [&](unsigned k) __attribute__((always_inline)) {
-            return (leaf.offset(static_cast<int>(k), vertex) << ray.fraction_bits) - ray.origin[k];
-        };
-        return seen.vertex(ray, place(ray.axis[0]), place(ray.axis[1]), place(ray.axis[2]));
-    } else {
-        std::int32_t place[3];
-        place_vertex(leaf, vertex, ray, place);
-        return seen.vertex(ray, place[ray.axis[0]], place[ray.axis[1]], place[ray.axis[2]]);
-    }
 }
 
 /// The triangles of a leaf that the ray may hit. Apart from the walk, as the kernel is: of their needs only the larger
@@ -70,18 +56,23 @@ template <class Leaf>
 template <class Leaf>
 [[gnu::noinline]] typename Leaf::Slots ray_candidates(const Leaf& leaf, const SeenRay& ray) {
     const SeenLeaf seen(leaf.size_bits + ray.fraction_bits);
-    SeenVertex room[Leaf::max_vertices];
-    SeenVertex* const vertices = as_if_changed(&room[0]);  // in a register: counted from the frame, each look-up adds
+    // A vertex is placed where it and the next two will be.
+    std::int32_t room[Leaf::max_vertices + 2];
+    std::int32_t* const vertices = as_if_changed(&room[0]);  // in a register: counted from the frame, each look-up adds
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
-    for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex)
-        vertices[vertex] = see_vertex(leaf, vertex, ray, seen);
+    for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+        std::int32_t* const place = vertices + vertex;
+        place_vertex(leaf, vertex, ray, place);
+        *place =
+            static_cast<std::int32_t>(seen.vertex(ray, place[ray.axis[0]], place[ray.axis[1]], place[ray.axis[2]]));
+    }
+    const auto at = [&](unsigned vertex) { return static_cast<SeenVertex>(vertices[vertex]); };
     typename Leaf::Slots mask = 0;
     auto corners = scalar::corners_of(leaf);
     // mutant(< -> <=) sanitizer: shifts by the width of the type where a leaf is full
     for (unsigned slot = 0; slot < leaf.slot_count; ++slot) {
         const scalar::CornerNumbers triangle = corners.next();
-        if (seen.allows(vertices[triangle.a], vertices[triangle.b], vertices[triangle.c]))
-            mask |= typename Leaf::Slots{1} << slot;
+        if (seen.allows(at(triangle.a), at(triangle.b), at(triangle.c))) mask |= typename Leaf::Slots{1} << slot;
     }
     return mask & leaf.used_slots();
 }

@@ -43,9 +43,11 @@ struct ClosestHit {
         // mutant(>= -> >) equivalent: the same triangle, again from a leaf with a copy, gives the same hit
         if (later == 0 && index >= best.triangle.index) return;
         if (filter != nullptr && !(*filter)(Triangle{index})) return;
-        best = undivided(hit, index);
-        volume_bits = std::bit_cast<std::uint32_t>(hit.volume);
-        limit_ = hit_limit(ray, hit.whole_tau);
+        // Small cores load it again: what GCC keeps of it in registers takes 8 bytes of their stack.
+        const TriangleHit& kept = small_code ? *as_if_changed(&hit) : hit;
+        best = undivided(kept, index);
+        volume_bits = std::bit_cast<std::uint32_t>(kept.volume);
+        limit_ = hit_limit(ray, kept.whole_tau);
     }
     /// Once all of them are found.
     void finish(const Caller& world) const {

@@ -1,4 +1,4 @@
-// Rays against the boxes of a node on small cores: as seen along the ray (seen_ray.hpp).
+// Rays against the boxes of a packed node on small cores: as seen along the ray (seen_ray.hpp).
 #pragma once
 
 #include <bit>
@@ -9,14 +9,6 @@
 #include <runtime/seen_ray.hpp>
 
 namespace espalier::detail {
-
-/// Children of a node, a bit each, and above them the number of the one that the ray can be in first.
-template <class Node>
-struct SeenChildren {
-    static unsigned pack(unsigned children, unsigned nearest) { return nearest << Node::max_children | children; }
-    static unsigned children(unsigned packed) { return packed & every_child_of<Node>; }
-    static unsigned nearest(unsigned packed) { return packed >> Node::max_children; }
-};
 
 /// The planes of a node along an axis across, as a ray sees them: in 2^-fine of a step, in which they are within 2^28.
 struct SeenPlanes {
@@ -103,7 +95,7 @@ struct SeenPlanes {
             if (near > end * planes.slope) goto missed;
             const std::int32_t far = plane(planes.far_planes, child) * planes.plane + planes.to_far;
             if (far < begin * planes.slope) goto missed;
-            if (near > begin * planes.slope) begin = near / planes.slope;
+            if (near > begin * planes.slope) begin = quotient_below<8>(near, planes.slope);
         }
         if (begin <= last && end >= first) {
             met |= 1u << child;
@@ -119,45 +111,5 @@ struct SeenPlanes {
 #if !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
-
-/// The same of a plain node, plane by plane: they are coordinates.
-[[gnu::noinline]] inline unsigned seen_children(const SeenRay& ray, const PlainNode& node, std::int32_t last_ahead,
-                                                unsigned among) {
-    const unsigned bits = ray.bits;
-    // A plane from the ray's origin; along the axis ahead it counts in the ray's own sense.
-    const auto place = [&](unsigned k, bool is_high, unsigned child) {
-        const auto axis = static_cast<int>(k);
-        const std::int32_t steps = is_high ? node.high(axis, child, bits) : node.low(axis, child, bits);
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(steps) << ray.fraction_bits) - ray.origin[k];
-    };
-    const std::int32_t down_ahead = ray.down(ray.axis[2]);
-    unsigned met = 0;
-    unsigned nearest = 0;
-    std::int32_t nearest_begin = INT32_MAX;
-    for (unsigned child = 0; among >> child != 0; ++child) {
-        if ((among >> child & 1u) == 0) continue;
-        const std::int32_t from = place(ray.axis[2], down_ahead != 0, child);
-        const std::int32_t to = place(ray.axis[2], down_ahead == 0, child);
-        std::int32_t begin = SeenRay::negated_if(down_ahead, from);
-        if (begin > last_ahead || SeenRay::negated_if(down_ahead, to) < ray.first_ahead) continue;
-        count_axes(2);
-        bool is_met = true;
-        for (unsigned i = 0; i < 2 && is_met; ++i) {
-            // The ray has passed the near plane when the box ends, and not yet the far one when it begins.
-            const unsigned k = ray.axis[i];
-            const std::int32_t down = ray.down(k);
-            const std::int32_t near = SeenRay::negated_if(down, ray.across(i, place(k, down != 0, child), to));
-            const std::int32_t far = SeenRay::negated_if(down, ray.across(i, place(k, down == 0, child), from));
-            is_met = near <= SeenRay::off && far >= -SeenRay::off;
-        }
-        if (!is_met) continue;
-        met |= 1u << child;
-        if (begin < nearest_begin) {
-            nearest_begin = begin;
-            nearest = child;
-        }
-    }
-    return SeenChildren<PlainNode>::pack(met, nearest);
-}
 
 }  // namespace espalier::detail

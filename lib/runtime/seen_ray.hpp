@@ -8,6 +8,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
+#include <runtime/codec_node.hpp>
 #include <runtime/lattice_ray.hpp>
 
 namespace espalier::detail {
@@ -21,19 +22,27 @@ struct SeenRay : IntegerRay {
     std::int32_t slope[2];     ///< along axis[0] and axis[1] for each unit along axis[2], in 2^-slope_bits, towards 0
     std::int32_t first_ahead;  ///< nothing before that is hit
     int base_shift;            ///< from a node's base to the ray's units
-    unsigned bits;             ///< of the lattice
     float ahead_per_tau;
 
-    void look_ahead(const BlobData& blob) {
-        const auto forth = static_cast<float>(direction[axis[2]]);
+    /// Prepares the ray for packed nodes and for leaves. Returns true: no ray is refused.
+    bool prepare(const BlobData& blob) {
+        const float inverse = look_ahead(blob);
         // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
-        for (unsigned i = 0; i < 2; ++i)
-            slope[i] = static_cast<std::int32_t>(static_cast<float>(direction[axis[i]]) * (1.0f / forth) *
-                                                 power_of_two(slope_bits));
+        for (unsigned i = 0; i < 2; ++i) look_across(i, inverse);
+        return true;
+    }
+    /// Prepares all but the slopes. Returns the inverse of the direction ahead.
+    float look_ahead(const BlobData& blob) {
+        const auto forth = static_cast<float>(direction[axis[2]]);
         ahead_per_tau = absolute(forth) * power_of_two(fraction_bits);
         first_ahead = ahead_at(tau_min) - off;
         base_shift = fraction_bits + static_cast<int>(format::unit_shift(blob.bits));
-        bits = blob.bits;
+        return 1.0f / forth;
+    }
+    /// Sets the slope along axis[i].
+    void look_across(unsigned i, float inverse) {
+        slope[i] =
+            static_cast<std::int32_t>(static_cast<float>(direction[axis[i]]) * inverse * power_of_two(slope_bits));
     }
     /// -1 for an axis that the ray runs down along, 0 for another one.
     // mutant(>> -> one less) equivalent: directions are below 2^25, so bit 30 equals the sign
@@ -59,6 +68,35 @@ struct SeenRay : IntegerRay {
     }
     /// Nothing of interest is farther ahead, when nothing is after tau.
     [[nodiscard]] std::int32_t last_ahead(float tau) const { return ahead_at(tau) + off; }
+};
+
+/// Returns a / b, which is below 2^bits, for numbers above 0.
+template <unsigned bits>
+constexpr std::int32_t quotient_by_bits(std::int32_t a, std::int32_t b) {
+    std::int32_t quotient = 0;
+    for (unsigned bit = bits; bit-- != 0;) {
+        if (a >> bit < b) continue;
+        a -= b << bit;
+        quotient |= 1 << bit;
+    }
+    return quotient;
+}
+/// The same, by the core's own division if it has one. The compiler's function takes 460 bytes.
+template <unsigned bits>
+constexpr std::int32_t quotient_below(std::int32_t a, std::int32_t b) {
+#if defined(__ARM_ARCH_PROFILE) && !defined(__ARM_FEATURE_IDIV)
+    return quotient_by_bits<bits>(a, b);
+#else
+    return a / b;
+#endif
+}
+
+/// Children of a node, a bit each, and above them the number of the one that the ray can be in first.
+template <class Node>
+struct SeenChildren {
+    static unsigned pack(unsigned children, unsigned nearest) { return nearest << Node::max_children | children; }
+    static unsigned children(unsigned packed) { return packed & every_child_of<Node>; }
+    static unsigned nearest(unsigned packed) { return packed >> Node::max_children; }
 };
 
 }  // namespace espalier::detail

@@ -7,22 +7,35 @@ struct Keys {
     unsigned among;
 };
 
-/// Nodes on the way down of which some children have not had their turn.
+/// Nodes on the way down of which some children have not had their turn: eight bits of these above each index, the
+/// others in a byte.
 template <class Node>
 class WaitingNodes {
+    static_assert(format::max_nodes <= 1u << 24 && Node::max_children <= 16);
+    static constexpr bool is_wide = Node::max_children > 8;
+
 public:
-    [[gnu::always_inline]] void push(std::uint32_t node, unsigned children) { waiting_[size_++] = {node, children}; }
+    [[gnu::always_inline]] void push(std::uint32_t node, unsigned children) {
+        // mutant(<< -> one less) huge: the bit for nodes beyond the first eight million
+        nodes_[size_] = children << 24 | node;
+        if constexpr (is_wide) others_[size_] = static_cast<std::uint8_t>(children >> 8);
+        ++size_;
+    }
     /// False when there are none.
     [[gnu::always_inline]] bool pop(std::uint32_t& node, unsigned& children) {
         if (size_ == 0) return false;
-        const NodeAndChildren<Node> last = waiting_[--size_];
-        node = last.node();
-        children = last.children();
+        --size_;
+        node = nodes_[size_] & ((1u << 24) - 1u);
+        children = nodes_[size_] >> 24;
+        if constexpr (is_wide) children |= unsigned{others_[size_]} << 8;
         return true;
     }
 
 private:
-    NodeAndChildren<Node> waiting_[format::max_depth - 1];  ///< the deepest nodes have leaves alone
+    static constexpr unsigned most = format::max_depth - 1;  ///< the deepest nodes have leaves alone
+
+    std::uint32_t nodes_[most];
+    std::uint8_t others_[is_wide ? most : 1];
     unsigned size_ = 0;
 };
 

@@ -37,7 +37,7 @@ PARTS = {
     "rounding": ["runtime/lattice_ray.hpp", "runtime/lattice_point.hpp", "runtime/lattice_round.hpp",
                  "runtime/outward.hpp", "runtime/rounded_ray.cpp", "runtime/rounding.cpp"],
     "small": ["runtime/small_walk.inl", "runtime/small_pair_walk.inl", "runtime/seen_ray.hpp", "runtime/seen_boxes.hpp",
-              "runtime/seen_triangles.hpp", "runtime/small_boxes.hpp"],
+              "runtime/seen_planes.hpp", "runtime/seen_triangles.hpp", "runtime/small_boxes.hpp"],
     "queries": [
         "runtime/ray_visitors.inl", "runtime/ray_queries.inl", "runtime/first_few.hpp", "runtime/first_hits.hpp",
         "runtime/approximate_rays.inl", "runtime/ray_group.inl", "runtime/ray_in_batch.inl", "runtime/ray_batch.inl",

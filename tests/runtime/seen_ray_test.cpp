@@ -6,8 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <runtime/seen_boxes.hpp>
+#include <runtime/seen_planes.hpp>
 #include <runtime/seen_triangles.hpp>
 
 #include "../platform/fingerprint.hpp"
@@ -22,8 +24,17 @@ namespace {
 detail::SeenRay look_along(const detail::IntegerRay& rounded, const detail::BlobData& asset) {
     detail::SeenRay ray;
     static_cast<detail::IntegerRay&>(ray) = rounded;
-    ray.look_ahead(asset);
+    CHECK(ray.prepare(asset));
     return ray;
+}
+
+/// Returns the children whose boxes the ray may meet.
+template <class Boxes>
+unsigned children_met(const detail::IntegerRay& rounded, const detail::BlobData& asset, const Boxes& boxes,
+                      std::int32_t last_ahead, unsigned among) {
+    std::conditional_t<Boxes::children == 8, detail::SeenRay, detail::SeenPlainRay> ray;
+    static_cast<detail::IntegerRay&>(ray) = rounded;
+    return ray.prepare(asset) ? detail::seen_children(ray, boxes.node, last_ahead, among) & Boxes::every_child : 0;
 }
 
 detail::SeenVertex seen_vertex(std::int32_t x, std::int32_t y) {
@@ -83,8 +94,7 @@ TEST_SUITE("seen ray") {
                     const detail::SeenRay ray = look_along(rounded, asset);
                     const std::int32_t limit = random.coin() ? ray.last_ahead(ray.tau_max)
                                                              : random.between(0, asset.extent[0] << ray.fraction_bits);
-                    const unsigned seen =
-                        detail::seen_children(ray, boxes.node, limit, Boxes::every_child) & Boxes::every_child;
+                    const unsigned seen = children_met(rounded, asset, boxes, limit, Boxes::every_child);
                     for (unsigned child = 0; child < Boxes::children; ++child) {
                         const bool is_seen = (seen >> child & 1u) != 0;
                         rejected += is_seen ? 0u : 1u;
@@ -128,6 +138,149 @@ TEST_SUITE("seen ray") {
                         }
                     }
                 }
+    }
+
+    TEST_CASE("small code: a box of a plain node is left out only beyond the reach of rounding") {
+        for (const int bits : {10, 16, 17, 20, 24})
+            for (unsigned ahead = 0; ahead < 3; ++ahead)
+                for (unsigned beside = 1; beside < 3; ++beside)
+                    for (const std::int32_t sign : {-1, 1})
+                        for (const std::int32_t side_sign : {-1, 1}) {
+                            detail::BlobData asset;
+                            asset.bits = static_cast<std::uint8_t>(bits);
+                            asset.derive();
+                            const int unit = bits > 16 ? bits - 16 : 0;
+                            const unsigned middle = 1u << (bits - unit - 1), axis = (ahead + beside) % 3;
+                            SixteenBoxes boxes;
+                            for (unsigned child = 0; child < 16; ++child)
+                                for (std::size_t k = 0; k < 3; ++k) boxes.set_box(k, child, middle, middle);
+                            detail::IntegerRay rounded{};
+                            detail::set_longest_axis(rounded, ahead);
+                            rounded.direction[ahead] = sign * (1 << 23);
+                            rounded.direction[axis] = side_sign;
+                            rounded.tau_max = detail::infinity;
+                            // Through the middle of the one plane of a child, and so many planes beside it.
+                            for (int k = 0; k < 3; ++k)
+                                rounded.origin[k] = static_cast<std::int32_t>((2 * middle + 1) << unit) / 2;
+                            const std::int32_t at = rounded.origin[axis];
+                            for (const std::int32_t away : {-16, -10, 0, 10, 16}) {
+                                rounded.origin[axis] = at + away * (1 << unit);
+                                CAPTURE(bits);
+                                CAPTURE(away);
+                                const unsigned seen = children_met(rounded, asset, boxes, 1 << 24, 0xFFFFu);
+                                if (away == 0) CHECK(seen == 0xFFFFu);
+                                if (away == 16 || away == -16) CHECK(seen == 0);
+                            }
+                        }
+    }
+
+    TEST_CASE("small code: a plain node with fewer children has the nearest of those that are left") {
+        detail::BlobData asset;
+        asset.bits = 16;
+        asset.derive();
+        for (unsigned ahead = 0; ahead < 3; ++ahead)
+            for (const std::int32_t sign : {-1, 1}) {
+                SixteenBoxes boxes;
+                for (unsigned child = 0; child < 16; ++child)
+                    for (std::size_t k = 0; k < 3; ++k)
+                        boxes.set_box(k, child, k == ahead ? 1000 * child : 100, k == ahead ? 1000 * child + 500 : 200);
+                detail::IntegerRay rounded{};
+                detail::set_longest_axis(rounded, ahead);
+                rounded.direction[ahead] = sign * (1 << 23);
+                for (int k = 0; k < 3; ++k) rounded.origin[k] = 150;
+                rounded.origin[ahead] = sign > 0 ? -10 : 20'000;
+                rounded.tau_max = detail::infinity;
+                detail::SeenPlainRay ray;
+                static_cast<detail::IntegerRay&>(ray) = rounded;
+                REQUIRE(ray.prepare(asset));
+                using SeenPlain = detail::SeenChildren<detail::PlainNode>;
+                for (unsigned child = 0; child < 16; ++child) {
+                    const unsigned left = sign > 0 ? 0xFFFFu << child & 0xFFFFu : (2u << child) - 1;
+                    const unsigned seen = detail::seen_children(ray, boxes.node, 1 << 24, left);
+                    CHECK(SeenPlain::children(seen) == left);
+                    CHECK(SeenPlain::nearest(seen) == child);
+                    // No farther than just before a child's first plane, or just at it.
+                    const std::int32_t first = sign > 0 ? static_cast<std::int32_t>(1000 * child) + 10
+                                                        : 20'000 - static_cast<std::int32_t>(1000 * child + 500);
+                    CHECK((detail::seen_children(ray, boxes.node, first, left) >> child & 1u) == 1);
+                    CHECK((detail::seen_children(ray, boxes.node, first - 1, left) >> child & 1u) == 0);
+                }
+            }
+    }
+
+    TEST_CASE("small code: a plain node is met where a ray enters it across") {
+        detail::BlobData asset;
+        asset.bits = 16;
+        asset.derive();
+        constexpr std::int32_t most = 65'535;
+        for (unsigned ahead = 0; ahead < 3; ++ahead)
+            for (unsigned beside = 1; beside < 3; ++beside)
+                for (const bool down_ahead : {false, true})
+                    for (const bool down : {false, true}) {
+                        // Half a step across for each ahead, from a corner of the lattice.
+                        const unsigned axis = (ahead + beside) % 3;
+                        detail::IntegerRay rounded{};
+                        detail::set_longest_axis(rounded, ahead);
+                        rounded.direction[ahead] = down_ahead ? -(1 << 23) : 1 << 23;
+                        rounded.direction[axis] = down ? -(1 << 22) : 1 << 22;
+                        rounded.origin[ahead] = down_ahead ? most : 0;
+                        rounded.origin[axis] = down ? most : 0;
+                        rounded.tau_max = detail::infinity;
+                        detail::SeenPlainRay ray;
+                        static_cast<detail::IntegerRay&>(ray) = rounded;
+                        REQUIRE(ray.prepare(asset));
+                        SixteenBoxes boxes;
+                        for (unsigned child = 0; child < 16; ++child) {
+                            const unsigned side = 30'000 - 1000 * child;
+                            for (std::size_t k = 0; k < 3; ++k) boxes.set_box(k, child, 0, most);
+                            boxes.set_box(axis, child, down ? 0 : side, down ? most - side : most);
+                        }
+                        for (unsigned child = 0; child < 16; ++child) {
+                            const std::int32_t enters = 60'000 - 2000 * static_cast<std::int32_t>(child);
+                            const auto is_met = [&](std::int32_t limit) {
+                                return (detail::seen_children(ray, boxes.node, limit, 0xFFFFu) >> child & 1u) != 0;
+                            };
+                            CHECK(is_met(enters));
+                            CHECK_FALSE(is_met(enters - 40));
+                        }
+                        using SeenPlain = detail::SeenChildren<detail::PlainNode>;
+                        CHECK(SeenPlain::nearest(detail::seen_children(ray, boxes.node, 1 << 24, 0xFFFFu)) == 15);
+                        CHECK(SeenPlain::nearest(detail::seen_children(ray, boxes.node, 1 << 24, 0x0FFFu)) == 11);
+                    }
+    }
+
+    TEST_CASE("small code: a ray that starts behind a box of a plain node does not meet it") {
+        detail::BlobData asset;
+        asset.bits = 16;
+        asset.derive();
+        for (const std::int32_t sign : {-1, 1}) {
+            SixteenBoxes boxes;
+            for (unsigned child = 0; child < 16; ++child)
+                for (std::size_t k = 0; k < 3; ++k) boxes.set_box(k, child, 1000, 2000);
+            detail::IntegerRay rounded{};
+            detail::set_longest_axis(rounded, 2);
+            rounded.direction[2] = sign * (1 << 23);
+            rounded.tau_max = detail::infinity;
+            for (int k = 0; k < 2; ++k) rounded.origin[k] = 1500;
+            for (const std::int32_t beyond : {0, 4, 5, 100}) {
+                rounded.origin[2] = sign > 0 ? 2000 + beyond : 1000 - beyond;
+                CHECK((children_met(rounded, asset, boxes, 1 << 24, 0xFFFFu) != 0) == (beyond <= 4));
+            }
+        }
+    }
+
+    TEST_CASE("small code: a quotient bit by bit equals that of a division") {
+        Random random(11);
+        for (int i = 0; i < 100'000; ++i) {
+            const std::int32_t b = 1 + static_cast<std::int32_t>(random.below(1u << random.below(15)));
+            const auto a = 1 + static_cast<std::int32_t>(random.below((static_cast<unsigned>(b) << 16) - 1));
+            CHECK(detail::quotient_by_bits<16>(a, b) == a / b);
+            const std::int32_t wide = 1 + static_cast<std::int32_t>(random.below(1u << random.below(23)));
+            const auto most = 1 + static_cast<std::int32_t>(random.below((static_cast<unsigned>(wide) << 8) - 1));
+            CHECK(detail::quotient_by_bits<8>(most, wide) == most / wide);
+        }
+        CHECK(detail::quotient_by_bits<16>((1 << 30) - 1, 1 << 14) == 65535);
+        CHECK(detail::quotient_by_bits<8>((1 << 28) - 1, 1 << 20) == 255);
     }
 
     TEST_CASE("small code: a triangle is left out only beyond the error of its rounded corners") {
