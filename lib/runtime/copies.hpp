@@ -5,6 +5,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
+#include <runtime/sections.hpp>
 #include <runtime/small_code.hpp>
 
 namespace espalier::detail {
@@ -26,7 +27,7 @@ ESPALIER_SHARED_CODE inline bool is_copy(const std::byte* copies, std::uint32_t 
     return (load_u8(copy_block(copies, index) + format::copies::bits_at + bit / 8) >> (bit % 8) & 1u) != 0;
 }
 inline bool is_copy(const BlobData& blob, std::uint32_t index) {
-    return blob.copies != nullptr && is_copy(blob.copies, index);
+    return reads(format::feature::split_references) && blob.copies != nullptr && is_copy(blob.copies, index);
 }
 
 /// The storage index that stands for the triangle: the lowest one it has. O(1).

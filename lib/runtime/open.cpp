@@ -13,6 +13,7 @@
 #include <runtime/open_checks.hpp>
 #include <runtime/open_header.hpp>
 #include <runtime/scalar_walk.hpp>
+#include <runtime/sections.hpp>
 
 namespace espalier {
 namespace detail {
@@ -190,9 +191,11 @@ bool are_bounds_sound(const BlobData& blob) {
 
 /// Each in its turn, as far as they are there.
 [[gnu::noinline]] bool are_optional_sections_sound(const BlobData& blob) {
-    return (blob.ids == nullptr || are_ids_sound(blob)) && (blob.copies == nullptr || are_copies_sound(blob)) &&
-           (blob.edge_flags == nullptr || are_edge_flags_sound(blob)) &&
-           (blob.bounds == nullptr || are_bounds_sound(blob));
+    using namespace format::feature;
+    return (!reads(original_ids) || blob.ids == nullptr || are_ids_sound(blob)) &&
+           (!reads(split_references) || blob.copies == nullptr || are_copies_sound(blob)) &&
+           (!reads(edge_flags) || blob.edge_flags == nullptr || are_edge_flags_sound(blob)) &&
+           (!reads(bounds) || blob.bounds == nullptr || are_bounds_sound(blob));
 }
 
 Status check_sections(BlobData& blob) {

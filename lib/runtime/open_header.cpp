@@ -6,6 +6,7 @@
 #include <runtime/leaf_kinds.hpp>
 #include <runtime/open_checks.hpp>
 #include <runtime/open_header.hpp>
+#include <runtime/sections.hpp>
 
 namespace espalier::detail {
 namespace {
@@ -58,7 +59,7 @@ Status read_header(BlobData& blob) {
     using namespace format::header;
     const std::byte* h = blob.bytes;
     blob.features = load_u32(h + features_at);
-    if ((blob.features & ~format::feature::known) != 0) return Status::unsupported_feature;
+    if ((blob.features & ~read_features) != 0) return Status::unsupported_feature;
     const unsigned profile = load_u8(h + profile_at);
     blob.profile = static_cast<format::Profile>(profile);
     if (profile > static_cast<unsigned>(format::Profile::small)) return Status::unsupported_profile;
@@ -99,7 +100,7 @@ Status read_header(BlobData& blob) {
     // With the two zero bytes behind them.
     const std::uint32_t id_kind_bits = load_u32(h + depth_at) >> 8;
     blob.id_kind_bits = static_cast<std::uint8_t>(id_kind_bits);
-    const bool ids = (blob.features & format::feature::original_ids) != 0;
+    const bool ids = (blob.features & read_features & format::feature::original_ids) != 0;
     if (ids ? id_kind_bits > format::ids::max_kind_bits ||
                   blob.source_triangles > ~std::uint32_t{0} / corner_factor(blob)
             : (id_kind_bits | blob.source_count | load_u32(h + id_step_bytes_at)) != 0)
@@ -127,28 +128,28 @@ Status locate_sections(BlobData& blob, bool looks_at_padding) {
     blob.nodes = rest.take(blob.node_count, 8 * format::node_bytes(blob.profile));
     blob.leaves = rest.take(blob.leaf_bytes, 8);
     rest.take(format::guard_bytes, 8);
-    if ((blob.features & format::feature::original_ids) != 0) {
+    const std::uint32_t features = blob.features & read_features;  // so that no code is left for others
+    if ((features & format::feature::original_ids) != 0) {
         blob.sources = rest.take(blob.source_count, 8 * format::source::bytes);
         blob.ids = rest.take(std::size_t{1} << blob.id_kind_bits, 8 * format::ids::kind_bytes);
         rest.take(load_u32(blob.bytes + format::header::id_step_bytes_at), 8);
         rest.take(format::ids::block_count(blob.triangle_count), 8 * format::ids::block_bytes);
     }
-    if ((blob.features & (materials_8 | materials_16)) != 0)
-        blob.materials = rest.take(blob.triangle_count, (blob.features & materials_16) != 0 ? 16 : 8);
-    if ((blob.features & format::feature::split_references) != 0) {
+    if ((features & (materials_8 | materials_16)) != 0)
+        blob.materials = rest.take(blob.triangle_count, (features & materials_16) != 0 ? 16 : 8);
+    if ((features & format::feature::split_references) != 0) {
         static_assert(format::copies::count_at == 0 && format::copies::blocks_at == 4);
         blob.copies = rest.take(1, 32);
         if (blob.copies != nullptr) blob.copy_count = load_u32(blob.copies);
         rest.take(format::copies::block_count(blob.triangle_count), 8 * format::copies::block_bytes);
         rest.take(blob.copy_count, 8 * format::copies::owner_bytes);
     }
-    if ((blob.features & format::feature::edge_flags) != 0) {
+    if ((features & format::feature::edge_flags) != 0) {
         static_assert(format::edge_flags::flat_limit_at == 0 && format::edge_flags::fields_at == 4);
         blob.edge_flags = rest.take(1, 32);
         rest.take(blob.triangle_count, format::edge_flags::triangle_bits);
     }
-    if ((blob.features & format::feature::bounds) != 0)
-        blob.bounds = rest.take(format::bounds::bytes(blob.features), 8);
+    if ((features & format::feature::bounds) != 0) blob.bounds = rest.take(format::bounds::bytes(blob.features), 8);
     return rest.at == end ? Status::ok : Status::bad_section;
 }
 
