@@ -39,12 +39,13 @@ ESPALIER_SHARED_CODE inline bool take_padding(OpenProgress& seen, std::uint32_t 
 bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
     const std::byte* word = leaf.words();
     const std::byte* high_byte = leaf.high_bytes();
+    const bool has_high_bytes = leaf.has_high_bytes();
     std::uint32_t differences = 0;  // as many bits as the largest
     for (int k = 0; k < 3; ++k) {
         std::int32_t least = (1 << format::max_bits) - 1, most = 0;
         for (unsigned left = leaf.vertex_count; left != 0; --left, word += 2) {
             auto coordinate = static_cast<std::int32_t>(load_u16(word));
-            if (leaf.has_high_bytes()) coordinate |= static_cast<std::int32_t>(load_u8(high_byte++) << 16);
+            if (has_high_bytes) coordinate |= static_cast<std::int32_t>(load_u8(high_byte++) << 16);
             least = coordinate < least ? coordinate : least;
             most = coordinate > most ? coordinate : most;
         }
