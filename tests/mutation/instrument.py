@@ -18,8 +18,8 @@ PARTS = {
         "runtime/open.cpp", "runtime/open_checks.hpp", "runtime/open_header.cpp", "runtime/open_leaves.cpp",
         "runtime/open_trusted_image.cpp"],
     "decode": [
-        "runtime/bytes.hpp", "runtime/codec_node.hpp", "runtime/codec_packed_node.hpp", "runtime/codec_plain_node.hpp",
-        "runtime/codec_plain.hpp", "runtime/codec_strip.hpp",
+        "runtime/bytes.hpp", "runtime/node_bytes.hpp", "runtime/codec_node.hpp", "runtime/codec_packed_node.hpp",
+        "runtime/codec_plain_node.hpp", "runtime/codec_plain.hpp", "runtime/codec_strip.hpp",
         "runtime/leaf_vertices.hpp", "runtime/copies.hpp", "runtime/id_steps.hpp", "espalier/format.hpp",
         "runtime/simd/frames_portable.inl", "runtime/simd/slab_frame_portable.inl", "runtime/simd/leaf_corners.inl",
         "runtime/simd/strip_corners_portable.inl",
