@@ -408,8 +408,8 @@ TEST_SUITE("open") {
             }
             for (std::size_t at = node::reserved_at; at < node::bytes; ++at) CHECK(is_refused(at, 1, 1));
             for (std::size_t leaf = 1; leaf < node::max_children; ++leaf)  // a descriptor of no leaf
-                for (std::size_t i = 0; i < 3; ++i)
-                    CHECK(status_with(bytes, root + node::leaves_at + 3 * leaf + i, 1, 1) == Status::bad_leaf);
+                for (unsigned bit = 0; bit < 24; ++bit)
+                    CHECK(status_with(bytes, root + node::leaves_at + 3 * leaf, 1u << bit, 3) == Status::bad_leaf);
         }
     }
 
