@@ -40,8 +40,8 @@ struct PlainLeaf : LeafVertices<PlainNode> {
         const std::uint32_t low = load_u16(words() + 2 * place);
         return static_cast<std::int32_t>(has_high_bytes() ? low | load_u8(high_bytes() + place) << 16 : low);
     }
-    /// Every coordinate lies behind it by less than 2^grid_bits().
-    [[nodiscard]] std::int32_t grid_base(int axis) const { return offset(axis, 0) - (1 << size_bits); }
+    /// Every coordinate lies less than 2^(grid_bits() - 1) from it, either way.
+    [[nodiscard]] std::int32_t grid_base(int axis) const { return offset(axis, 0); }
     [[nodiscard]] int grid_bits() const { return size_bits + 1; }
 
     /// The vertex that is a triangle's corner 0, 1 or 2.

@@ -35,7 +35,8 @@ struct WholeSegment {
     void end_at(std::uint32_t t);
 };
 
-/// What numbers of `bits` bits mean along each axis: base + number * 2^shift lattice steps.
+/// What numbers mean along each axis: base + number * 2^shift lattice steps. Numbers have `bits` bits, of which one may
+/// be their sign.
 struct LineGrid {
     std::int32_t base[3];
     int shift[3];

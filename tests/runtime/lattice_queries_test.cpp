@@ -7,6 +7,7 @@
 
 #include <espalier/espalier.hpp>
 #include <runtime/lattice_box.hpp>
+#include <runtime/scalar_walk.hpp>
 #include <runtime/whole_segment.hpp>
 
 #include "../oracle/convex_hull.hpp"
@@ -318,6 +319,29 @@ TEST_SUITE("lattice queries") {
                 }
             }
         });
+    }
+
+    TEST_CASE("lattice query: places in a leaf have no more bits than its grid") {
+        for (const TestBlob& test_blob : small_test_blobs()) {
+            const detail::BlobData& blob = test_blob.opened.blob.data();
+            detail::scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+                for (std::uint32_t index = 0; index < blob.node_count; ++index) {
+                    const auto node = detail::node_at<typename Leaf::Node>(blob, index);
+                    for (unsigned number = 0; number < node.leaf_children(); ++number) {
+                        const auto leaf = detail::leaf_at<Leaf>(blob, node, number);
+                        // Places in a plain leaf have a sign.
+                        const int least = Leaf::counts_from_zero ? -(1 << (leaf.grid_bits() - 1)) : 0;
+                        const int end = least + (1 << leaf.grid_bits());
+                        for (int k = 0; k < 3; ++k) {
+                            for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+                                const int place = leaf.anchor(k) + leaf.offset(k, vertex) - leaf.grid_base(k);
+                                REQUIRE((least <= place && place < end));
+                            }
+                        }
+                    }
+                }
+            });
+        }
     }
 
     TEST_CASE("lattice query: empty segments and coplanar ones and empty blobs have no hit") {
