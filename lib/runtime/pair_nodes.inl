@@ -196,7 +196,7 @@ template <class Node>
         const Floats between =
             add(add(multiply(apart[0], apart[0]), multiply(apart[1], apart[1])), multiply(apart[2], apart[2]));
         if (touching) {
-            if (near != 0) near &= not_apart_across(boxes, seen, side, apart);
+            near &= not_apart_across(boxes, seen, side, apart);
             store(keys + first, between);
         } else {
             store(keys + first, add(gap, multiply(between, splat(share_of_centers))));
