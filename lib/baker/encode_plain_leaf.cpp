@@ -35,6 +35,7 @@ struct NumberedVertices {
     /// The largest of the leaf's sides.
     [[nodiscard]] std::uint32_t size(const LatticeMesh& mesh) const {
         std::int32_t largest = 0;
+        // mutant(< -> <=) equivalent: z once more
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto coordinate = [&](std::uint32_t vertex) { return coordinate_of(mesh.vertices[vertex], axis); };
             std::int32_t low = coordinate(vertices[0]), high = low;

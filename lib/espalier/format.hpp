@@ -189,6 +189,7 @@ constexpr std::size_t bytes(std::uint32_t features) {
 // first order. Boxes are rounded outward.
 
 /// Lattice steps that the base of a packed node and the planes of a plain one count in, as a power of two.
+// mutant(> -> >=) equivalent: both sides are equal then
 constexpr unsigned unit_shift(unsigned bits) { return bits > 16 ? bits - 16 : 0; }
 
 /// Profiles balanced and small: a node is one cache line. Child boxes are base + plane * 2^shift per axis.

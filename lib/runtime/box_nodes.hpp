@@ -97,13 +97,16 @@ inline unsigned children_within_in_words(const PlainNode& node, unsigned bits, c
         // A high plane stands for all coordinates up to the next one's.
         const std::int32_t high = bounds.high[k] >> unit, low = bounds.low[k] >> unit;
         if (high < 0 || low > 65535) return 0;
+        // mutant(< -> <=, > -> >=) equivalent: both sides are equal then
         const std::uint64_t highest = four_of(high < 65535 ? high : 65535), lowest = four_of(low > 0 ? low : 0);
+        // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
         for (unsigned i = 0; i < PlainNode::max_children / 4; ++i) {
             inside[i] &= fields_at_least<word_tops>(highest, load_u64(node.low_planes(k) + 8 * std::size_t{i}));
             inside[i] &= fields_at_least<word_tops>(load_u64(node.high_planes(k) + 8 * std::size_t{i}), lowest);
         }
     }
     unsigned mask = 0;
+    // mutant(< -> <=) sanitizer: reads behind an array; the bits are those of no child
     for (unsigned i = 0; i < PlainNode::max_children / 4; ++i) mask |= word_tops_of(inside[i]) << 4 * i;
     return mask & all_children(node);
 }

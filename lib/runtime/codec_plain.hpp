@@ -26,6 +26,7 @@ struct PlainLeaf : LeafVertices<PlainNode> {
     [[nodiscard]] Slots used_slots() const { return (1u << slot_count) - 1u; }
     [[nodiscard]] unsigned triangle_count() const { return slot_count; }
     /// The storage index of its first triangle.
+    // mutant(+ -> -, + -> right side dropped) equivalent: first_at is 0
     [[nodiscard]] std::uint32_t first() const { return load_u32(data + format::plain_leaf::first_at); }
     /// The low 16 bits of each coordinate, axis by axis.
     [[nodiscard]] const std::byte* words() const { return data + format::plain_leaf::words_at; }

@@ -75,6 +75,7 @@ struct StripLeaf : LeafVertices<PackedNode> {
         const std::uint64_t behind = pivots & ((std::uint64_t{2} << slot) - 1);
         const unsigned pivot = static_cast<unsigned>(std::bit_width(behind)) - 1;
         // Each turn of a strip changes the order in which its entries go round the triangle.
+        // mutant(+ -> - 1) equivalent: both sums are even or both are odd
         const unsigned turned = static_cast<unsigned>(std::popcount(behind) + 1) % 2;
         return {pivot, slot + 1 + turned, slot + 2 - turned};
     }

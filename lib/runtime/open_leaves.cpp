@@ -42,11 +42,14 @@ bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
     const bool has_high_bytes = leaf.has_high_bytes();
     std::uint32_t differences = 0;  // as many bits as the largest
     for (int k = 0; k < 3; ++k) {
+        // mutant(<< -> one more, - -> +, - -> right side dropped) equivalent: the first vertex replaces any such number
         std::int32_t least = (1 << format::max_bits) - 1, most = 0;
         for (unsigned left = leaf.vertex_count; left != 0; --left, word += 2) {
             auto coordinate = static_cast<std::int32_t>(load_u16(word));
             if (has_high_bytes) coordinate |= static_cast<std::int32_t>(load_u8(high_byte++) << 16);
+            // mutant(< -> <=) equivalent: both sides are equal then
             least = coordinate < least ? coordinate : least;
+            // mutant(> -> >=) equivalent: both sides are equal then
             most = coordinate > most ? coordinate : most;
         }
         if (most > blob.extent[k]) return false;
@@ -55,6 +58,7 @@ bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
     // The least size that is true, as far as a descriptor can hold it.
     const unsigned least_size = format::plain_leaf::least_size(blob.bits);
     const auto size = static_cast<unsigned>(std::bit_width(differences));
+    // mutant(> -> >=) equivalent: both sides are equal then
     return leaf.size_bits == (size > least_size ? size : least_size);
 }
 
