@@ -74,6 +74,7 @@ def blanked(text):
         r"static_assert\([^;]*;",
         r"constexpr [\w:<>, ]+? \w+ = \[\][^}]*?(?:\}[^}(]*?)*\}\(\);",  # a table that the compiler fills
         r"constexpr [\w:<>, ]+? \w+(?:\[[^\]\n]*\])* =[^;]*;", r"template <[^\n]*", r"^using [^;]*;", r"if constexpr \([^\n]*",
+        r"std::conditional_t<[^\n]*",
         r"alignas\(\w+\)", r"__asm__[^;]*;",
         r"^[ \t]*(?!return )(?:const )?[\w:<>]+ \w+(?:\[[^\]\n]*\])+(?: = \{[^}\n]*\})?;[ ]*$"))
 
