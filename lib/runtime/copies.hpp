@@ -27,6 +27,7 @@ ESPALIER_SHARED_CODE inline bool is_copy(const std::byte* copies, std::uint32_t 
     return (load_u8(copy_block(copies, index) + format::copies::bits_at + bit / 8) >> (bit % 8) & 1u) != 0;
 }
 inline bool is_copy(const BlobData& blob, std::uint32_t index) {
+    // mutant(without 1) equivalent: the build for mutants reads all sections
     return reads(format::feature::split_references) && blob.copies != nullptr && is_copy(blob.copies, index);
 }
 

@@ -192,6 +192,7 @@ bool are_bounds_sound(const BlobData& blob) {
 /// Each in its turn, as far as they are there.
 [[gnu::noinline]] bool are_optional_sections_sound(const BlobData& blob) {
     using namespace format::feature;
+    // mutant(without 2, without 8, without 14, without 19) equivalent: the build for mutants reads all sections
     return (!reads(original_ids) || blob.ids == nullptr || are_ids_sound(blob)) &&
            (!reads(split_references) || blob.copies == nullptr || are_copies_sound(blob)) &&
            (!reads(edge_flags) || blob.edge_flags == nullptr || are_edge_flags_sound(blob)) &&
