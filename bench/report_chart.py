@@ -33,7 +33,7 @@ class Style:
 
 WIDTH, HEIGHT = 430, 320  # of a panel
 LEFT, RIGHT, TOP, BOTTOM = 48, 22, 34, 48
-LAYOUT = Layout(WIDTH, HEIGHT, header=34, font=12, corner=8)
+LAYOUT = Layout(WIDTH, HEIGHT, header=54, font=12, corner=8)
 LOW, HIGH = 3.0, 128.0  # bytes per triangle
 OWN, EMBREE, BULLET, ODE = "#D55E00", "#0072B2", "#007A59", "#8A5A83"
 # Systems in the chart; others would repeat these or have no query for rays.
@@ -172,6 +172,7 @@ def draw_panel(panel, scale):
 
 def draw(panels):
     scale = Scale(panels)
-    header = text(LEFT, 24, "Closest hits, one ray at a time. Left is smaller, up is faster; each dot is one mesh.",
-                  extra=' font-size="14" font-weight="bold"')
-    return LAYOUT.draw([header], panels, lambda panel: draw_panel(panel, scale))
+    # Two lines: one panel is no wider.
+    header = [text(LEFT, 24, "Closest hits, one ray at a time", extra=' font-size="14" font-weight="bold"'),
+              text(LEFT, 44, "Left is smaller, up is faster; each dot is one mesh.")]
+    return LAYOUT.draw(header, panels, lambda panel: draw_panel(panel, scale))
