@@ -79,7 +79,7 @@ def machine_line(machine, file):
     row = machine.row
     versions = {f"{r['system']} {r['version']}": None for r in machine.rows if r["system"] != "espalier"}
     loads = [r["load"] for r in machine.rows if r["load"] is not None]
-    noise = (f" **The machine was busy with other work (load {min(loads):.1f} to {max(loads):.1f} on {row['processors']} "
+    noise = (f"\n  **The machine was busy with other work (load {min(loads):.1f} to {max(loads):.1f} on {row['processors']} "
              "processors): take these figures as noisy.**" if loads and max(loads) > BUSY else "")
     return (f"* {machine.name}, {' and '.join(sorted({r['date'] for r in machine.rows}))}: {row['compiler']}; "
             f"{', '.join(versions) or 'no peers'}.\n  Rows: {links([file])}.{noise}")
