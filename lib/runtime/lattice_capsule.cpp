@@ -1,8 +1,8 @@
 #include <runtime/lattice_capsule.hpp>
 
+#include <runtime/bounding_plane.hpp>
 #include <runtime/lattice_round.hpp>
 #include <runtime/segment_triangle.hpp>
-#include <runtime/wide_vector.hpp>
 
 namespace espalier::detail {
 

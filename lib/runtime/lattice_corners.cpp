@@ -1,7 +1,7 @@
 #include <runtime/lattice_corners.hpp>
 
+#include <runtime/bounding_plane.hpp>
 #include <runtime/lattice_round.hpp>
-#include <runtime/wide_vector.hpp>
 
 namespace espalier::detail {
 
@@ -16,7 +16,7 @@ void set_planes(LatticeCorners& corners) {
     const std::int64_t size = sum_of_magnitudes(ab) + sum_of_magnitudes(ac);
     const WideVector n = wide_cross(ab, ac);
     corners.own_planes[0] = bounding_plane({n, c[0], Int128(), size}, bits);
-    corners.own_planes[1] = bounding_plane({{-n.x, -n.y, -n.z}, c[0], Int128(), size}, bits);
+    corners.own_planes[1] = bounding_plane({-n, c[0], Int128(), size}, bits);
     const Integer3 upright = {corners.own_planes[0].normal[0], corners.own_planes[0].normal[1],
                               corners.own_planes[0].normal[2]};
     for (int i = 0; i < 3; ++i) {
@@ -25,7 +25,7 @@ void set_planes(LatticeCorners& corners) {
         WideVector out = wide_cross(side, upright);
         // The whole triangle is on one side of it, or in it.
         const Int128 third = dot(out, c[i == 0 ? 2 : i - 1] - from);
-        if (Int128() < third) out = {-out.x, -out.y, -out.z};
+        if (Int128() < third) out = -out;
         corners.own_planes[2 + i] = bounding_plane({out, from, Int128(), size}, bits);
     }
     corners.planes = corners.own_planes;
@@ -87,12 +87,7 @@ QueryStatus round_volume(const BlobData& blob, const Corners& world, LatticeCorn
 }
 
 bool meets(const LatticeCorners& corners, const LatticeTriangle& triangle) noexcept {
-    IntegerTriangle other;
-    for (int i = 0; i < 3; ++i)
-        other.corner[i] = {std::int64_t{triangle.corner[i][0]} << corners.fraction_bits,
-                           std::int64_t{triangle.corner[i][1]} << corners.fraction_bits,
-                           std::int64_t{triangle.corner[i][2]} << corners.fraction_bits};
-    return triangles_meet(corners.triangle, other);
+    return triangles_meet(corners.triangle, integer_triangle(triangle, corners.fraction_bits));
 }
 
 }  // namespace espalier::detail

@@ -5,7 +5,7 @@
 
 #include <bit>
 
-#include <runtime/wide_vector.hpp>
+#include <runtime/bounding_plane.hpp>
 
 namespace espalier::detail {
 

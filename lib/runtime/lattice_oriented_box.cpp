@@ -12,8 +12,7 @@ void set_planes(LatticeOrientedBox& box, std::int64_t size) {
     for (int i = 0; i < 3; ++i) {
         const WideVector& n = box.face[i];
         box.face_planes[2 * i] = bounding_plane({n, box.center, box.face_reach, size}, box.fraction_bits);
-        box.face_planes[2 * i + 1] =
-            bounding_plane({{-n.x, -n.y, -n.z}, box.center, box.face_reach, size}, box.fraction_bits);
+        box.face_planes[2 * i + 1] = bounding_plane({-n, box.center, box.face_reach, size}, box.fraction_bits);
     }
     if (!box.face_reach.is_zero()) box.depth_inside = ((2 * size + 1) >> box.fraction_bits) + 1;
     box.planes = box.face_planes;
@@ -160,9 +159,7 @@ bool meets(const LatticeOrientedBox& box, const LatticeTriangle& triangle) noexc
     Seen seen;
     for (int i = 0; i < 3; ++i) {
         const int to = i == 2 ? 0 : i + 1;
-        seen.corner[i] = {(std::int64_t{c[i][0]} << bits) - box.center.x,
-                          (std::int64_t{c[i][1]} << bits) - box.center.y,
-                          (std::int64_t{c[i][2]} << bits) - box.center.z};
+        seen.corner[i] = corner_on_grid(triangle, i, bits) - box.center;
         seen.side[i] = {std::int64_t{c[to][0]} - c[i][0], std::int64_t{c[to][1]} - c[i][1],
                         std::int64_t{c[to][2]} - c[i][2]};
     }

@@ -6,8 +6,8 @@
 
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
+#include <runtime/bounding_plane.hpp>
 #include <runtime/volume.hpp>
-#include <runtime/wide_vector.hpp>
 
 namespace espalier::detail {
 

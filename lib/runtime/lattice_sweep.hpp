@@ -27,14 +27,9 @@ struct LatticeSweep {
     int fraction_bits;  ///< 0..6
 
     /// A triangle seen from a point.
-    [[nodiscard]] UnitTriangle seen_from(const Integer3& point, const LatticeTriangle& triangle) const {
-        UnitTriangle result;
-        for (unsigned i = 0; i < 3; ++i) {
-            const std::int32_t* corner = triangle.corner[i];
-            result.corner[i] = {(std::int64_t{corner[0]} << fraction_bits) - point.x,
-                                (std::int64_t{corner[1]} << fraction_bits) - point.y,
-                                (std::int64_t{corner[2]} << fraction_bits) - point.z};
-        }
+    [[nodiscard]] IntegerTriangle seen_from(const Integer3& point, const LatticeTriangle& triangle) const {
+        IntegerTriangle result = integer_triangle(triangle, fraction_bits);
+        for (Integer3& corner : result.corner) corner = corner - point;
         return result;
     }
     [[nodiscard]] Integer3 middle() const {
@@ -69,7 +64,7 @@ struct BoxSweep : LatticeSweep {};
 /// Whether the shape touches the triangle at the start.
 inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle) {
     if (!boxes_meet_at_start(sweep, triangle)) return false;
-    const Integer3 to = sum(sweep.from, sweep.moving.axis);
+    const Integer3 to = sweep.from + sweep.moving.axis;
     const UnitSegment axis = {{sweep.from.x, sweep.from.y, sweep.from.z}, {to.x, to.y, to.z}, sweep.fraction_bits};
     // The radius came from a float and is one still.
     const float radius = to_float(sweep.moving.sphere.radius) * power_of_two(-sweep.fraction_bits);
@@ -150,8 +145,8 @@ inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const 
     sweep.center = rounding.to_units(center);
     sweep.radius = rounding.to_units(radius);
     const Integer3 half = {sweep.radius, sweep.radius, sweep.radius};
-    sweep.low = difference(sweep.center, half);
-    sweep.high = sum(sweep.center, half);
+    sweep.low = sweep.center - half;
+    sweep.high = sweep.center + half;
     return QueryStatus::ok;
 }
 
@@ -171,7 +166,7 @@ inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const
     const std::int64_t units = rounding.to_units(radius);
     sweep.from = rounding.to_units(from);
     const Integer3 end = rounding.to_units(to);
-    sweep.moving = {{sweep.displacement, units}, difference(end, sweep.from)};
+    sweep.moving = {{sweep.displacement, units}, end - sweep.from};
     const Integer3& axis = sweep.moving.axis;
     for (const std::int64_t along : {axis.x, axis.y, axis.z})
         if (along > longest_capsule_axis || along < -longest_capsule_axis) return QueryStatus::out_of_range;

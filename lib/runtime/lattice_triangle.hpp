@@ -1,11 +1,11 @@
-// A triangle of the lattice and the vectors of integers that the kernels make of it.
+// A triangle of the lattice, and what the kernels make of it.
 #pragma once
 
 #include <cstdint>
 #include <type_traits>
 
 #include <runtime/small_code.hpp>
-#include <runtime/wide_integer.hpp>
+#include <runtime/vector3.hpp>
 
 namespace espalier::detail {
 
@@ -24,9 +24,26 @@ inline Span span_of(const LatticeTriangle& triangle, int axis) {
     return {less < c ? less : c, more < c ? c : more};
 }
 
-struct Integer3 {
-    std::int64_t x, y, z;
+/// Corners on a grid of integers. Triangles without area, segments and points, are triangles too.
+struct IntegerTriangle {
+    Integer3 corner[3];
 };
+/// Returns (b - a) x (c - a), which must fit.
+inline Integer3 normal_of(const IntegerTriangle& triangle) {
+    const auto& c = triangle.corner;
+    return cross(c[1] - c[0], c[2] - c[0]);
+}
+/// Returns a corner in units of 2^-fraction_bits lattice steps: its 24 bits, 6 more at most and a sign fit 32 bits.
+inline Integer3 corner_on_grid(const LatticeTriangle& triangle, int number, int fraction_bits) {
+    const std::int32_t* corner = triangle.corner[number];
+    return {corner[0] << fraction_bits, corner[1] << fraction_bits, corner[2] << fraction_bits};
+}
+/// Returns the triangle in units of 2^-fraction_bits lattice steps.
+ESPALIER_SHARED_CODE inline IntegerTriangle integer_triangle(const LatticeTriangle& triangle, int fraction_bits = 0) {
+    IntegerTriangle result;
+    for (int i = 0; i < 3; ++i) result.corner[i] = corner_on_grid(triangle, i, fraction_bits);
+    return result;
+}
 
 /// A hit as the kernel leaves it: what the caller sees of it follows by a few divisions.
 struct TriangleHit {
@@ -36,20 +53,6 @@ struct TriangleHit {
     float volume;     ///< > 0
     float normal[3];  ///< each coordinate rounded
 };
-ESPALIER_SHARED_CODE inline Integer3 cross(const Integer3& a, const Integer3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-/// The sum in int64 where the caller knows that it fits, or in 128 bits.
-template <class Sum>
-Sum dot(const Integer3& a, const Integer3& b);
-template <>
-ESPALIER_SHARED_CODE inline std::int64_t dot<std::int64_t>(const Integer3& a, const Integer3& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <>
-ESPALIER_SHARED_CODE inline Int128 dot<Int128>(const Integer3& a, const Integer3& b) {
-    return multiply(a.x, b.x) + multiply(a.y, b.y) + multiply(a.z, b.z);
-}
 
 /// A triangle as the kernels see it: corner a from the query's origin, in units of 2^-fraction_bits; edges in lattice
 /// steps.

@@ -104,23 +104,19 @@ std::int64_t component(const Integer3& a, unsigned k) { return k == 0 ? a.x : k 
 std::int64_t smaller_of(std::int64_t a, std::int64_t b) { return a < b ? a : b; }
 std::int64_t larger_of(std::int64_t a, std::int64_t b) { return a > b ? a : b; }
 
-Integer3 normal_of(const UnitTriangle& triangle) {
-    const auto& c = triangle.corner;
-    return cross(difference(c[1], c[0]), difference(c[2], c[0]));
-}
 /// 0..2: coordinate axes; 3: the normal; 4..12: each side with each coordinate axis.
-Integer3 axis_of(const UnitTriangle& triangle, unsigned axis) {
+Integer3 axis_of(const IntegerTriangle& triangle, unsigned axis) {
     if (axis == 3) return normal_of(triangle);
     const unsigned k = axis < 3 ? axis : (axis - 4) % 3;
     const Integer3 unit = {k == 0 ? 1 : 0, k == 1 ? 1 : 0, k == 2 ? 1 : 0};
     if (axis < 3) return unit;
     const unsigned side = (axis - 4) / 3;
-    return cross(unit, difference(triangle.corner[(side + 1) % 3], triangle.corner[side]));
+    return cross(unit, triangle.corner[(side + 1) % 3] - triangle.corner[side]);
 }
 
 /// The normal in 128 bits, the other axes in int64, which suffices.
 template <class Number>
-bool try_axis(const MovingBox& box, const UnitTriangle& triangle, unsigned number, Together& together) {
+bool try_axis(const MovingBox& box, const IntegerTriangle& triangle, unsigned number, Together& together) {
     const auto& c = triangle.corner;
     const Integer3 axis = axis_of(triangle, number);
     const auto pick = [&](const Integer3& where_up, const Integer3& where_down) {
@@ -138,7 +134,7 @@ bool try_axis(const MovingBox& box, const UnitTriangle& triangle, unsigned numbe
 }
 
 /// Any axis, in one way.
-[[maybe_unused]] bool try_any_axis(const MovingBox& box, const UnitTriangle& triangle, unsigned number,
+[[maybe_unused]] bool try_any_axis(const MovingBox& box, const IntegerTriangle& triangle, unsigned number,
                                    Together& together) {
     const Integer3 axis = axis_of(triangle, number);
     Integer3 ahead = box.high, behind = box.low;
@@ -164,7 +160,7 @@ bool try_axis(const MovingBox& box, const UnitTriangle& triangle, unsigned numbe
     return together.try_axis(number, extents);
 }
 
-bool try_axes(const MovingBox& box, const UnitTriangle& triangle, Together& together) {
+bool try_axes(const MovingBox& box, const IntegerTriangle& triangle, Together& together) {
     if constexpr (small_code) {
         for (unsigned number = 0; number < 13; ++number)
             if (!try_any_axis(box, triangle, number, together)) return false;
@@ -229,7 +225,7 @@ private:
     unsigned count_ = 3;
 };
 
-Weights middle_of_overlap(const MovingBox& box, const UnitTriangle& triangle, std::int64_t tick) {
+Weights middle_of_overlap(const MovingBox& box, const IntegerTriangle& triangle, std::int64_t tick) {
     Clipped clipped;
     for (unsigned k = 0; k < 3; ++k) {
         const std::int64_t way = component(box.displacement, k);
@@ -254,14 +250,14 @@ Weights middle_of_overlap(const MovingBox& box, const UnitTriangle& triangle, st
 
 }  // namespace
 
-SweepStep first_contact(const MovingBox& box, const UnitTriangle& triangle, SweepStep most) noexcept {
+SweepStep first_contact(const MovingBox& box, const IntegerTriangle& triangle, SweepStep most) noexcept {
     Together together(most);
     if (!try_axes(box, triangle, together)) return no_contact;
     const SweepStep step = together.step();
     return step <= most ? step : no_contact;
 }
 
-SweepContact contact_at(const MovingBox& box, const UnitTriangle& triangle, SweepStep step) noexcept {
+SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, SweepStep step) noexcept {
     Together together(step);
     (void)try_axes(box, triangle, together);
     const Integer3 axis = axis_of(triangle, together.last_axis());

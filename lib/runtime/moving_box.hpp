@@ -15,11 +15,11 @@ struct MovingBox {
 
 /// The step at which the box first touches the triangle, also one without area; no_contact when it does not, or later
 /// than at step `most`.
-SweepStep first_contact(const MovingBox& box, const UnitTriangle& triangle, SweepStep most) noexcept;
+SweepStep first_contact(const MovingBox& box, const IntegerTriangle& triangle, SweepStep most) noexcept;
 
 /// For a first contact at that step, which is not 0: the middle of what of the triangle lies in the box at the tick
 /// before, grown by what it moves in a tick and by roundings; and the axis that is the last to separate, of several the
 /// first in the order x, y, z, the triangle's normal, then products of sides and axes.
-SweepContact contact_at(const MovingBox& box, const UnitTriangle& triangle, SweepStep step) noexcept;
+SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, SweepStep step) noexcept;
 
 }  // namespace espalier::detail

@@ -11,25 +11,21 @@ namespace {
 constexpr std::uint8_t faces_of_prism[8][3] = {{0, 1, 2}, {4, 6, 5}, {0, 5, 1}, {0, 4, 5},
                                                {1, 6, 2}, {1, 5, 6}, {2, 4, 0}, {2, 6, 4}};
 
-UnitTriangle face_of(const MovingCapsule& capsule, const UnitTriangle& triangle, unsigned face) {
-    UnitTriangle result;
+IntegerTriangle face_of(const MovingCapsule& capsule, const IntegerTriangle& triangle, unsigned face) {
+    IntegerTriangle result;
     for (unsigned i = 0; i < 3; ++i) {
         const unsigned corner = faces_of_prism[face][i];
         result.corner[i] = triangle.corner[corner & 3u];
-        if (corner >= 4) result.corner[i] = difference(result.corner[i], capsule.axis);
+        if (corner >= 4) result.corner[i] = result.corner[i] - capsule.axis;
     }
     return result;
-}
-Integer3 normal_of(const UnitTriangle& triangle) {
-    const auto& c = triangle.corner;
-    return cross(difference(c[1], c[0]), difference(c[2], c[0]));
 }
 
 /// The faces of the prism that the sphere may meet first: those that look against the displacement, or all of them when
 /// the prism is flat. What touches a convex body for the first time, and did not before, touches such a face.
 class Faces {
 public:
-    Faces(const MovingCapsule& capsule, const UnitTriangle& triangle) : capsule_(capsule), triangle_(triangle) {
+    Faces(const MovingCapsule& capsule, const IntegerTriangle& triangle) : capsule_(capsule), triangle_(triangle) {
         const Int128 volume = dot<Int128>(normal_of(triangle), capsule.axis);
         is_flat_ = volume.is_zero();
         is_turned_ = volume.is_negative();
@@ -45,15 +41,15 @@ public:
         return false;
     }
     [[nodiscard]] unsigned number() const { return number_; }
-    [[nodiscard]] const UnitTriangle& face() const { return face_; }
+    [[nodiscard]] const IntegerTriangle& face() const { return face_; }
 
 private:
     /// Then all faces are parts of the first.
     [[nodiscard]] bool is_sphere() const { return (capsule_.axis.x | capsule_.axis.y | capsule_.axis.z) == 0; }
 
     const MovingCapsule& capsule_;
-    const UnitTriangle& triangle_;
-    UnitTriangle face_{};
+    const IntegerTriangle& triangle_;
+    IntegerTriangle face_{};
     unsigned number_ = ~0u;
     bool is_flat_ = false;
     bool is_turned_ = false;
@@ -61,7 +57,7 @@ private:
 
 }  // namespace
 
-SweepStep first_contact(const MovingCapsule& capsule, const UnitTriangle& triangle, SweepStep most) noexcept {
+SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep most) noexcept {
     SweepStep first = no_contact;
     for (Faces faces(capsule, triangle); faces.next();) {
         const SweepStep step = first_contact(capsule.sphere, faces.face(), most);
@@ -72,7 +68,7 @@ SweepStep first_contact(const MovingCapsule& capsule, const UnitTriangle& triang
     return first;
 }
 
-SweepContact contact_at(const MovingCapsule& capsule, const UnitTriangle& triangle, SweepStep step) noexcept {
+SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep step) noexcept {
     // Of the faces that are met first the earliest, as above.
     Faces faces(capsule, triangle);
     while (faces.next() && first_contact(capsule.sphere, faces.face(), step) > step) {

@@ -14,10 +14,10 @@ struct MovingCapsule {
 };
 
 /// Like that of a sphere, for a capsule that does not touch at the start.
-SweepStep first_contact(const MovingCapsule& capsule, const UnitTriangle& triangle, SweepStep most) noexcept;
+SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep most) noexcept;
 
 /// For a first contact at that step: the point of the triangle that is closest to the axis at the tick
 /// before, and the direction from there to the closest point of the axis.
-SweepContact contact_at(const MovingCapsule& capsule, const UnitTriangle& triangle, SweepStep step) noexcept;
+SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep step) noexcept;
 
 }  // namespace espalier::detail

@@ -52,11 +52,11 @@ struct Probe {
 
 class Approach {
 public:
-    Approach(const MovingSphere& sphere, const UnitTriangle& triangle)
+    Approach(const MovingSphere& sphere, const IntegerTriangle& triangle)
         : sphere_(sphere), triangle_(triangle), radius_(to_float(sphere.radius)), squared_radius_(radius_ * radius_) {
         std::uint64_t large = 0;
         for (unsigned i = 0; i < 3; ++i) {
-            side_[i] = difference(triangle.corner[(i + 1) % 3], triangle.corner[i]);
+            side_[i] = triangle.corner[(i + 1) % 3] - triangle.corner[i];
             length_[i] = dot<std::int64_t>(side_[i], side_[i]);
             large |= magnitude(side_[i].x) | magnitude(side_[i].y) | magnitude(side_[i].z);
         }
@@ -315,7 +315,7 @@ private:
     }
 
     const MovingSphere& sphere_;
-    const UnitTriangle& triangle_;
+    const IntegerTriangle& triangle_;
     float radius_;
     float squared_radius_;
     Integer3 side_[3];        ///< from each corner to the next
@@ -334,11 +334,11 @@ private:
 
 }  // namespace
 
-SweepStep first_contact(const MovingSphere& sphere, const UnitTriangle& triangle, SweepStep most) noexcept {
+SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepStep most) noexcept {
     return Approach(sphere, triangle).first_contact(most);
 }
 
-SweepContact contact_at(const MovingSphere& sphere, const UnitTriangle& triangle, std::uint32_t tick) noexcept {
+SweepContact contact_at(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t tick) noexcept {
     return Approach(sphere, triangle).contact_at(tick);
 }
 

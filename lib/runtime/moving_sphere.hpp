@@ -17,10 +17,10 @@ struct MovingSphere {
 
 /// The step at which the sphere first touches the triangle, also one without area; no_contact when it does not, or
 /// later than at step `most`.
-SweepStep first_contact(const MovingSphere& sphere, const UnitTriangle& triangle, SweepStep most) noexcept;
+SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepStep most) noexcept;
 
 /// The point of the triangle that is closest to the sphere's centre at that tick, and the direction from there to the
 /// centre; where the centre lies on the triangle, the triangle's normal that looks against the displacement.
-SweepContact contact_at(const MovingSphere& sphere, const UnitTriangle& triangle, std::uint32_t tick) noexcept;
+SweepContact contact_at(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t tick) noexcept;
 
 }  // namespace espalier::detail

@@ -74,7 +74,7 @@ PointDistance distance_to(const OriginRelative& t, int bits) noexcept {
     if (beyond.ac) offer(best, p, t.ac, bits, point_triangle::side_ac);
     if (beyond.bc) {
         const Integer3 from_b = {p.x - (t.ab.x << bits), p.y - (t.ab.y << bits), p.z - (t.ab.z << bits)};
-        offer(best, from_b, {t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}, bits, point_triangle::side_bc);
+        offer(best, from_b, t.ac - t.ab, bits, point_triangle::side_bc);
     }
     return best;
 }

@@ -1,9 +1,9 @@
 // Planes moved into lattice units in integers: with floats the offset of an asset far from the world's origin would
 // lose most of its digits.
+#include <runtime/bounding_plane.hpp>
 #include <runtime/lattice_half_spaces.hpp>
 #include <runtime/lattice_round.hpp>
 #include <runtime/wide_integer.hpp>
-#include <runtime/wide_vector.hpp>
 
 namespace espalier::detail {
 

@@ -67,7 +67,7 @@ public:
 
         if (crosses_face(from_start, d, w)) return;
         try_end(from_start, 0.0f);
-        from_start.a = {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z};
+        from_start.a = w[0] - d;
         try_end(from_start, 1.0f);
         if constexpr (has_native_int128)  // elsewhere code is dearer than time
             if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w);
@@ -84,11 +84,11 @@ private:
     [[gnu::noinline]] bool crosses_face(const OriginRelative& from_start, const Integer3& d, const Integer3* w) {
         const Integer3 normal = cross(from_start.ab, from_start.ac);
         Int128 start = dot<Int128>(normal, from_start.a);
-        Int128 end = dot<Int128>(normal, {w[0].x - d.x, w[0].y - d.y, w[0].z - d.z});
+        Int128 end = dot<Int128>(normal, w[0] - d);
         if (start.is_zero() || end.is_zero() || start.is_negative() == end.is_negative()) return false;
         const Integer3& ab = from_start.ab;
         const Integer3& ac = from_start.ac;
-        Int128 weight_a = dot<Int128>(w[1], cross({ac.x - ab.x, ac.y - ab.y, ac.z - ab.z}, d));
+        Int128 weight_a = dot<Int128>(w[1], cross(ac - ab, d));
         Int128 weight_b = dot<Int128>(w[0], cross(d, ac));
         Int128 weight_c = dot<Int128>(w[0], cross(ab, d));
         const bool back = start.is_negative();
@@ -121,9 +121,7 @@ private:
         for (int i = 0; i < 3; ++i) {
             const Dot along = dot<Dot>(w[i], d);
             try_corner<Dot, Difference>(w[i], along, length, i);
-            const Integer3 edge = i == 0   ? t.ab
-                                  : i == 1 ? Integer3{t.ac.x - t.ab.x, t.ac.y - t.ab.y, t.ac.z - t.ab.z}
-                                           : Integer3{-t.ac.x, -t.ac.y, -t.ac.z};
+            const Integer3 edge = i == 0 ? t.ab : i == 1 ? t.ac - t.ab : Integer3{-t.ac.x, -t.ac.y, -t.ac.z};
             try_side<Dot, Difference>(w[i], along, edge, d, length, i);
         }
     }

@@ -20,23 +20,11 @@ inline float share_of_way(std::uint32_t ticks) { return static_cast<float>(ticks
 /// The last tick before the first contact; the start when it touches there.
 constexpr std::uint32_t tick_before(SweepStep step) { return step == 0 ? 0 : step - 1; }
 
-/// A triangle in the units of a sweep, 2^-fraction_bits of a lattice step.
-struct UnitTriangle {
-    Integer3 corner[3];
-};
-
 /// Where a moving shape touches a triangle.
 struct SweepContact {
     float u = 0.0f;  ///< weight of corner b
     float v = 0.0f;  ///< weight of corner c
     Vec3 normal;     ///< unit, from the triangle towards the shape
 };
-
-ESPALIER_SHARED_CODE inline Integer3 difference(const Integer3& a, const Integer3& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-ESPALIER_SHARED_CODE inline Integer3 sum(const Integer3& a, const Integer3& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
 
 }  // namespace espalier::detail

@@ -18,18 +18,9 @@ struct Narrow {
 
 /// For coordinates that differ by less than 2^39: a normal's stay below 2^79, 3 products of one below 2^119.6.
 struct Wide {
-    struct Normal {
-        Int128 x, y, z;
-    };
-    static Normal normal(const Integer3& a, const Integer3& b) {
-        const auto minor = [](std::int64_t s, std::int64_t t, std::int64_t u, std::int64_t v) {
-            return detail::multiply(s, t) - detail::multiply(u, v);
-        };
-        return {minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x)};
-    }
-    static int side(const Normal& n, const Integer3& v) {
-        return sign(multiply(n.x, v.x) + multiply(n.y, v.y) + multiply(n.z, v.z));
-    }
+    using Normal = WideVector;
+    static Normal normal(const Integer3& a, const Integer3& b) { return wide_cross(a, b); }
+    static int side(const Normal& n, const Integer3& v) { return sign(dot(n, v)); }
     static bool is_zero(const Normal& n) { return n.x.is_zero() && n.y.is_zero() && n.z.is_zero(); }
 };
 

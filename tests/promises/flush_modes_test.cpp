@@ -208,7 +208,7 @@ TEST_SUITE("flush modes") {
     TEST_CASE("float mode: a point that moves across a long side between two ticks is found") {
         // The path crosses the first side at a third of its way: the tick before is 2^-48 lattice steps away, and the
         // speed there a quotient of numbers that are as small.
-        const detail::UnitTriangle triangle = {
+        const detail::IntegerTriangle triangle = {
             {{-2591347, -2586889, 0}, {14184980, 14160577, 0}, {3467013, -6347440, 8388608}}};
         const detail::MovingSphere point = {{25778613, 25734265, 0}, 0};
         constexpr detail::SweepStep a_third = 5592406;

@@ -20,13 +20,13 @@
 
 using namespace espalier;
 using detail::Integer3;
+using detail::IntegerTriangle;
 using detail::MovingBox;
 using detail::MovingCapsule;
 using detail::MovingSphere;
 using detail::no_contact;
 using detail::SweepContact;
 using detail::SweepStep;
-using detail::UnitTriangle;
 using detail::whole_way;
 using oracle::BigInteger;
 using oracle::Point;
@@ -39,16 +39,16 @@ namespace {
 
 constexpr std::int64_t Integer3::*axes[3] = {&Integer3::x, &Integer3::y, &Integer3::z};
 
-Integer3 plus(const Integer3& a, const Integer3& b) { return detail::sum(a, b); }
-Integer3 minus(const Integer3& a, const Integer3& b) { return detail::difference(a, b); }
+Integer3 plus(const Integer3& a, const Integer3& b) { return a + b; }
+Integer3 minus(const Integer3& a, const Integer3& b) { return a - b; }
 
 Point exact(const Integer3& a) { return Point(Rational(a.x), Rational(a.y), Rational(a.z)); }
-std::array<Point, 3> exact(const UnitTriangle& t) {
+std::array<Point, 3> exact(const IntegerTriangle& t) {
     return {exact(t.corner[0]), exact(t.corner[1]), exact(t.corner[2])};
 }
 Rational ticks(std::uint32_t count) { return Rational::of(std::int64_t{count}, -detail::tick_bits); }
 
-bool has_area(const UnitTriangle& t) {
+bool has_area(const IntegerTriangle& t) {
     const Integer3 n = cross(minus(t.corner[1], t.corner[0]), minus(t.corner[2], t.corner[0]));
     return n.x != 0 || n.y != 0 || n.z != 0;
 }
@@ -57,7 +57,7 @@ bool has_area(const UnitTriangle& t) {
 struct Scene {
     Random& random;
     unsigned bits;
-    UnitTriangle triangle;
+    IntegerTriangle triangle;
 
     explicit Scene(Random& generator) : random(generator), bits(1 + generator.below(24)) {
         for (Integer3& corner : triangle.corner) corner = some_point(bits);
@@ -193,7 +193,7 @@ struct Scene {
 template <class Moving>
 struct Case {
     Moving moving;
-    UnitTriangle triangle;
+    IntegerTriangle triangle;
 };
 
 Case<MovingSphere> some_sphere(Random& random) {
@@ -251,12 +251,14 @@ Case<MovingBox> some_box(Random& random) {
 }
 
 /// Whether the sphere, or the capsule, touches the triangle at some time between two ticks.
-bool touches_between(const MovingSphere& sphere, const UnitTriangle& triangle, std::uint32_t from, std::uint32_t to) {
+bool touches_between(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t from,
+                     std::uint32_t to) {
     const std::array<Point, 2> path = {exact(sphere.displacement) * ticks(from),
                                        exact(sphere.displacement) * ticks(to)};
     return oracle::squared_distance(path, exact(triangle)) <= Rational(sphere.radius) * Rational(sphere.radius);
 }
-bool touches_between(const MovingCapsule& capsule, const UnitTriangle& triangle, std::uint32_t from, std::uint32_t to) {
+bool touches_between(const MovingCapsule& capsule, const IntegerTriangle& triangle, std::uint32_t from,
+                     std::uint32_t to) {
     const Point way = exact(capsule.sphere.displacement);
     const Point axis = exact(capsule.axis);
     const std::array<Point, 3> first = {way * ticks(from), way * ticks(from) + axis, way * ticks(to)};
@@ -309,7 +311,7 @@ void require_unit_along(const Point& a, const Vec3& normal) {
     REQUIRE(is_coordinate_of_unit(a[2], squared, normal.z));
 }
 
-Point weighted(const UnitTriangle& triangle, const SweepContact& contact) {
+Point weighted(const IntegerTriangle& triangle, const SweepContact& contact) {
     const auto t = exact(triangle);
     return t[0] + (t[1] - t[0]) * Rational::of(contact.u) + (t[2] - t[0]) * Rational::of(contact.v);
 }
@@ -317,7 +319,7 @@ Point weighted(const UnitTriangle& triangle, const SweepContact& contact) {
 Rational length_bound(const Integer3& a) {
     return oracle::absolute(Rational(a.x)) + oracle::absolute(Rational(a.y)) + oracle::absolute(Rational(a.z));
 }
-Rational size_of(const UnitTriangle& triangle) {
+Rational size_of(const IntegerTriangle& triangle) {
     Rational size = 0;
     const auto t = exact(triangle);
     for (int k = 0; k < 3; ++k) size += oracle::absolute(t[1][k] - t[0][k]) + oracle::absolute(t[2][k] - t[0][k]);

@@ -215,7 +215,7 @@ TEST_SUITE("sweep") {
                     round_segment(data, {moving.shape.center, end}, segment) != QueryStatus::ok)
                     continue;
                 const int shift = segment.fraction_bits - rounded.fraction_bits;
-                const detail::Integer3 to = sum(rounded.center, rounded.displacement);
+                const detail::Integer3 to = rounded.center + rounded.displacement;
                 if (shift < 0 || segment.from[0] != rounded.center.x << shift ||
                     segment.from[1] != rounded.center.y << shift || segment.from[2] != rounded.center.z << shift ||
                     segment.to[0] != to.x << shift || segment.to[1] != to.y << shift || segment.to[2] != to.z << shift)

@@ -118,8 +118,8 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeOrientedB
     detail::Integer3 half = {0, 0, 0};
     for (const detail::Integer3& axis : box.half)
         half = {half.x + std::abs(axis.x), half.y + std::abs(axis.y), half.z + std::abs(axis.z)};
-    return every_overlap(box, bounds_.near({place(difference(box.center, half), box.fraction_bits),
-                                            place(sum(box.center, half), box.fraction_bits)}));
+    return every_overlap(
+        box, bounds_.near({place(box.center - half, box.fraction_bits), place(box.center + half, box.fraction_bits)}));
 }
 
 TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeCorners& corners) const {
@@ -216,17 +216,16 @@ detail::FoundContact TriangleLoop::first_contact_of(const Sweep& sweep, const de
 
 detail::FoundContact TriangleLoop::first_contact(const detail::SphereSweep& sweep, Filter filter) const {
     const detail::Integer3 reach = all_three(sweep.radius);
-    return first_contact_of(sweep, difference(sweep.center, reach), sum(sweep.center, reach), filter);
+    return first_contact_of(sweep, sweep.center - reach, sweep.center + reach, filter);
 }
 detail::FoundContact TriangleLoop::first_contact(const detail::CapsuleSweep& sweep, Filter filter) const {
-    const detail::Integer3 reach = all_three(sweep.moving.sphere.radius), to = sum(sweep.from, sweep.moving.axis);
+    const detail::Integer3 reach = all_three(sweep.moving.sphere.radius), to = sweep.from + sweep.moving.axis;
     // The kernel spares itself the start by the box that the walk culls with: it is asked with one that spares nothing.
     constexpr std::int64_t everywhere = std::int64_t{1} << 60;
     detail::CapsuleSweep unspared = sweep;
     unspared.low = all_three(-everywhere);
     unspared.high = all_three(everywhere);
-    return first_contact_of(unspared, difference(lower(sweep.from, to), reach), sum(higher(sweep.from, to), reach),
-                            filter);
+    return first_contact_of(unspared, lower(sweep.from, to) - reach, higher(sweep.from, to) + reach, filter);
 }
 detail::FoundContact TriangleLoop::first_contact(const detail::BoxSweep& sweep, Filter filter) const {
     return first_contact_of(sweep, sweep.low, sweep.high, filter);

@@ -1,4 +1,4 @@
-#include <runtime/wide_vector.hpp>
+#include <runtime/bounding_plane.hpp>
 
 namespace espalier::detail {
 

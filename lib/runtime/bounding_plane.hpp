@@ -1,27 +1,12 @@
-// Vectors whose coordinates take more than 64 bits, such as normals of large shapes.
+// A plane that bounds a shape, from a normal whose coordinates take more than 64 bits.
 #pragma once
 
 #include <cstdint>
 
 #include <runtime/plane_nodes.hpp>
-#include <runtime/lattice_triangle.hpp>
-#include <runtime/wide_integer.hpp>
+#include <runtime/vector3.hpp>
 
 namespace espalier::detail {
-
-struct WideVector {
-    Int128 x, y, z;
-};
-
-ESPALIER_SHARED_CODE inline WideVector wide_cross(const Integer3& a, const Integer3& b) {
-    return {multiply(a.y, b.z) - multiply(a.z, b.y), multiply(a.z, b.x) - multiply(a.x, b.z),
-            multiply(a.x, b.y) - multiply(a.y, b.x)};
-}
-
-/// The sum must fit.
-ESPALIER_SHARED_CODE inline Int128 dot(const WideVector& a, const Integer3& b) {
-    return multiply(a.x, b.x) + multiply(a.y, b.y) + multiply(a.z, b.z);
-}
 
 ESPALIER_SHARED_CODE inline Int128 magnitude(const Int128& a) { return a.is_negative() ? -a : a; }
 inline std::int64_t magnitude(std::int64_t a) { return a < 0 ? -a : a; }
