@@ -188,12 +188,9 @@ bool is_outside_bounds(const Blob& blob, const Box& box) noexcept {
     for (int k = 0; k < 3; ++k) {
         // Cut off well outside of the asset: what is left touches it as before.
         const float reach = data.extent_steps[k] + 1.0f;
-        const auto to_steps = [&](float world) {
-            const float steps = (flush_subnormal(world) - data.origin[k]) * data.steps_per_unit;
-            return minimum(maximum(steps, -reach), reach + reach);
-        };
-        const float low = to_steps(low_world[k]);
-        const float high = to_steps(high_world[k]);
+        const auto cut = [&](float world) { return minimum(maximum(to_steps(data, k, world), -reach), reach + reach); };
+        const float low = cut(low_world[k]);
+        const float high = cut(high_world[k]);
         center[k] = 0.5f * (low + high);
         half[k] = 0.5f * (high - low);
     }

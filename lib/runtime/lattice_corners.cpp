@@ -58,30 +58,20 @@ void enclose(LatticeCorners& corners) {
 
 QueryStatus round_volume(const BlobData& blob, const Corners& world, LatticeCorners& corners) noexcept {
     if (!is_finite(world.a) || !is_finite(world.b) || !is_finite(world.c)) return QueryStatus::invalid_argument;
+    const Vec3 corner[3] = {world.a, world.b, world.c};
     float steps[3][3];
-    float reach = 0.0f;
+    Rounder rounder(blob);
+    for (int i = 0; i < 3; ++i) rounder.add_point(corner[i], steps[i]);
     bool is_away = false;
     for (int k = 0; k < 3; ++k) {
-        const float last = blob.extent_steps[k];
-        float low = infinity, high = -infinity;
-        for (int i = 0; i < 3; ++i) {
-            const Vec3& corner = i == 0 ? world.a : i == 1 ? world.b : world.c;
-            const float at = to_steps(blob, k, k == 0 ? corner.x : k == 1 ? corner.y : corner.z);
-            steps[i][k] = at;
-            low = minimum(low, at);
-            high = maximum(high, at);
-            reach = maximum(maximum(absolute(at), absolute(last - at)), reach);
-        }
-        is_away = is_away || low > last + 1.0f || high < -1.0f;
+        const float low = minimum(minimum(steps[0][k], steps[1][k]), steps[2][k]);
+        const float high = maximum(maximum(steps[0][k], steps[1][k]), steps[2][k]);
+        is_away = is_away || low > blob.extent_steps[k] + 1.0f || high < -1.0f;
     }
     if (is_away) return QueryStatus::ok;
-    if (!(reach < 0x1p36f)) return QueryStatus::out_of_range;
-    const int spare = 22 - exponent_of(reach);
-    corners.fraction_bits = spare > 6 ? 6 : spare < 0 ? 0 : spare;
-    for (int i = 0; i < 3; ++i)
-        corners.triangle.corner[i] = {to_grid(steps[i][0], corners.fraction_bits),
-                                      to_grid(steps[i][1], corners.fraction_bits),
-                                      to_grid(steps[i][2], corners.fraction_bits)};
+    if (!(rounder.reach() < shape_reach)) return QueryStatus::out_of_range;
+    corners.fraction_bits = fraction_bits_for(rounder.reach(), volume_grid);
+    for (int i = 0; i < 3; ++i) corners.triangle.corner[i] = to_grid(steps[i], corners.fraction_bits);
     enclose(corners);
     return QueryStatus::ok;
 }

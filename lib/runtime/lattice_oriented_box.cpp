@@ -49,34 +49,27 @@ QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, Lattice
     if (!is_finite(world.center)) return QueryStatus::invalid_argument;
     for (const Vec3& half : world.half_axes)
         if (!is_finite(half)) return QueryStatus::invalid_argument;
-    const float center_world[3] = {world.center.x, world.center.y, world.center.z};
-    float center[3], half[3][3];
-    float reach = 0.0f;
+    float center[3], half[3][3], spread[3] = {};
+    Rounder rounder(blob);
+    for (int i = 0; i < 3; ++i) {
+        rounder.add_vector(world.half_axes[i], half[i]);
+        for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
+    }
+    rounder.add_point(world.center, center);
     bool is_away = false;
     for (int k = 0; k < 3; ++k) {
-        center[k] = to_steps(blob, k, center_world[k]);
-        float spread = 0.0f;
-        for (int i = 0; i < 3; ++i) {
-            const Vec3& axis = world.half_axes[i];
-            half[i][k] = flush_subnormal(k == 0 ? axis.x : k == 1 ? axis.y : axis.z) * blob.steps_per_unit;
-            spread += absolute(half[i][k]);
-        }
+        rounder.extend(rounder.distance(k, center[k]) + spread[k]);
         const float last = blob.extent_steps[k];
         const float gap = center[k] < 0.0f ? -center[k] : center[k] > last ? center[k] - last : 0.0f;
-        is_away = is_away || gap > spread * (1.0f + 0x1p-20f) + 4.0f;
-        reach = maximum(maximum(absolute(center[k]), absolute(last - center[k])) + spread, reach);
+        is_away = is_away || gap > spread[k] * (1.0f + 0x1p-20f) + 4.0f;
     }
     if (is_away) return QueryStatus::ok;
-    if (!(reach < 0x1p36f)) return QueryStatus::out_of_range;
-    const int spare = 22 - exponent_of(reach);
-    box.is_near = spare >= 0;
-    box.fraction_bits = spare > 6 ? 6 : spare < 0 ? 0 : spare;
-    const auto rounded = [&](const float* steps) {
-        return Integer3{to_grid(steps[0], box.fraction_bits), to_grid(steps[1], box.fraction_bits),
-                        to_grid(steps[2], box.fraction_bits)};
-    };
-    box.center = rounded(center);
-    for (int i = 0; i < 3; ++i) box.half[i] = rounded(half[i]);
+    const float reach = rounder.reach();
+    if (!(reach < shape_reach)) return QueryStatus::out_of_range;
+    box.is_near = exponent_of(reach) <= volume_grid;
+    box.fraction_bits = fraction_bits_for(reach, volume_grid);
+    box.center = to_grid(center, box.fraction_bits);
+    for (int i = 0; i < 3; ++i) box.half[i] = to_grid(half[i], box.fraction_bits);
     enclose(box);
     return QueryStatus::ok;
 }

@@ -27,22 +27,19 @@ struct LatticePoint {
 /// False when nothing can be within the radius: an argument out of the domain.
 ESPALIER_SHARED_CODE inline bool round_point(const BlobData& blob, const Vec3& world, float radius,
                                              LatticePoint& point) {
-    const float center_world[3] = {world.x, world.y, world.z};
-    if (!is_radius(radius)) return false;
+    if (!is_radius(radius) || !is_finite(world)) return false;
     float center[3];
+    Rounder rounder(blob);
+    rounder.add_point(world, center);
+    float reach = rounder.reach();
+    if (!(reach < 0x1p120f)) return false;
     float gap[3];  // from the asset's box
     float farthest = 0.0f;
-    float reach = 0.0f;
     for (int k = 0; k < 3; ++k) {
-        // mutant(never) equivalent: the limit of 2^120 steps refuses infinity and NaN too
-        if (!is_finite(center_world[k])) return false;
-        center[k] = (flush_subnormal(center_world[k]) - blob.origin[k]) * blob.steps_per_unit;
-        if (!(absolute(center[k]) < 0x1p120f)) return false;
         const float high = blob.extent_steps[k];
         // mutant(< -> <=, > -> >=) equivalent: both sides are equal then
         gap[k] = center[k] < 0.0f ? center[k] : center[k] > high ? center[k] - high : 0.0f;
         farthest = maximum(absolute(gap[k]), farthest);
-        reach = maximum(maximum(absolute(center[k]), absolute(high - center[k])), reach);
     }
     float radius_steps = radius_in_steps(blob, radius);
 
@@ -64,16 +61,8 @@ ESPALIER_SHARED_CODE inline bool round_point(const BlobData& blob, const Vec3& w
         if (radius_steps < 0.0f) return false;
         reach = 0x1p37f;
     }
-    const int spare = 23 - exponent_of(reach);
-    // mutant(> -> >=, < -> <=) equivalent: both sides are equal then
-    point.fraction_bits = spare > 6 ? 6 : spare < 0 ? 0 : spare;
-    for (int k = 0; k < 3; ++k) {
-        const float fine = center[k] * power_of_two(point.fraction_bits);
-        const float rounded = round_to_integer(fine);
-        point.origin[k] = to_integer(rounded);
-        point.steps[k] = rounded * power_of_two(-point.fraction_bits);
-    }
-    point.steps[3] = 0.0f;
+    point.fraction_bits = fraction_bits_for(reach, point_grid);
+    to_grid(center, point.fraction_bits, point.origin, point.steps);
     point.radius = radius_steps;
     point.limit = radius_steps * radius_steps * distance_slack;
     point.inner_limit = radius_steps * radius_steps * (2.0f - distance_slack);

@@ -9,7 +9,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/ray.hpp>
-#include <runtime/float_bits.hpp>
+#include <runtime/lattice_round.hpp>
 
 namespace espalier::detail {
 
@@ -178,7 +178,7 @@ ESPALIER_SHARED_CODE inline bool round_ray(const BlobData& blob, const Ray& worl
         const std::uint32_t magnitude = magnitude_bits(direction[k]);
         // mutant(> -> >=) equivalent: both sides are equal then
         longest = magnitude > longest ? magnitude : longest;
-        origin[k] = (flush_subnormal(origin[k]) - blob.origin[k]) * blob.steps_per_unit;
+        origin[k] = to_steps(blob, k, origin[k]);
         if (magnitude_bits(origin[k]) >= magnitude_bits(0x1p120f)) return false;
         // What the last rounding makes zero anyway is zero from here on, so that nothing below is ever subnormal.
         // mutant(< -> <=) equivalent: the value rounds to 0 anyway and no bound differs
@@ -209,9 +209,7 @@ ESPALIER_SHARED_CODE inline bool round_ray(const BlobData& blob, const Ray& worl
         reach_bits = lattice_ray::reach_bits(origin, blob);
     }
     reach = std::bit_cast<float>(reach_bits);
-    const int spare = 23 - exponent_of(reach);
-    // mutant(> -> >=) equivalent: both sides are equal then
-    ray.fraction_bits = spare > 6 ? 6 : spare;
+    ray.fraction_bits = fraction_bits_for(reach, point_grid);
     for (int k = 0; k < 3; ++k) {
         const float rounded = round_to_integer(origin[k] * power_of_two(ray.fraction_bits));
         ray.origin[k] = static_cast<std::int32_t>(rounded);

@@ -26,10 +26,10 @@ struct LatticeSweep {
     Integer3 displacement;
     int fraction_bits;  ///< 0..6
 
-    /// A triangle seen from a point.
+    /// Returns the triangle in units, relative to the point.
     [[nodiscard]] IntegerTriangle seen_from(const Integer3& point, const LatticeTriangle& triangle) const {
-        IntegerTriangle result = integer_triangle(triangle, fraction_bits);
-        for (Integer3& corner : result.corner) corner = corner - point;
+        IntegerTriangle result;
+        for (int i = 0; i < 3; ++i) result.corner[i] = corner_on_grid(triangle, i, fraction_bits) - point;
         return result;
     }
     [[nodiscard]] Integer3 middle() const {
@@ -73,99 +73,54 @@ inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& t
 
 namespace lattice_sweep {
 
-/// Lattice steps as floats, on their way to units.
-class Rounding {
-public:
-    explicit Rounding(const BlobData& blob) : blob_(blob) {}
-
-    /// A place; false when it is not finite.
-    bool add_point(const Vec3& world, float* steps) {
-        const float from[3] = {world.x, world.y, world.z};
-        for (int k = 0; k < 3; ++k) {
-            if (!is_finite(from[k])) return false;
-            steps[k] = (flush_subnormal(from[k]) - blob_.origin[k]) * blob_.steps_per_unit;
-            extend(steps[k]);
-            extend(blob_.extent_steps[k] - steps[k]);
-        }
-        return true;
-    }
-    /// A difference of two places.
-    bool add_vector(const Vec3& world, float* steps) {
-        const float from[3] = {world.x, world.y, world.z};
-        for (int k = 0; k < 3; ++k)
-            if (!add_length(from[k], steps[k])) return false;
-        return true;
-    }
-    bool add_length(float world, float& steps) {
-        if (!is_finite(world)) return false;
-        steps = flush_subnormal(flush_subnormal(world) * blob_.steps_per_unit);
-        extend(steps);
-        return true;
-    }
-
-    [[nodiscard]] bool is_in_range() const { return reach_ < sweep_reach; }
-    [[nodiscard]] int fraction_bits() const {
-        const int spare = 23 - exponent_of(reach_);
-        return spare > 6 ? 6 : spare < 0 ? 0 : spare;
-    }
-    /// Floats from 2^24 on are integers already.
-    [[nodiscard]] std::int64_t to_units(float steps) const {
-        const float fine = steps * power_of_two(fraction_bits());
-        return to_integer(round_to_integer(fine));
-    }
-    [[nodiscard]] Integer3 to_units(const float* steps) const {
-        return {to_units(steps[0]), to_units(steps[1]), to_units(steps[2])};
-    }
-
-private:
-    void extend(float steps) { reach_ = maximum(absolute(steps), reach_); }
-
-    const BlobData& blob_;
-    float reach_ = 0.0f;  ///< the largest of all that was added
-};
-
-inline bool is_negative_length(float length) { return is_negative(length) && magnitude_bits(length) != 0; }
+inline bool is_length(float length) { return is_finite(length) && is_radius(length); }
 inline std::int64_t smaller_of(std::int64_t a, std::int64_t b) { return a < b ? a : b; }
 inline std::int64_t larger_of(std::int64_t a, std::int64_t b) { return a > b ? a : b; }
 
 }  // namespace lattice_sweep
 
-// Where the status is not ok, the sweep is not written.
+// Where the status is not ok, the sweep is not written. These are out of line, so that their variables are not on the
+// stack during the walk.
 
-inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const Vec3& displacement,
-                               SphereSweep& sweep) {
-    lattice_sweep::Rounding rounding(blob);
-    float center[3], way[3], radius = 0.0f;
-    if (!rounding.add_point(world.center, center) || !rounding.add_vector(displacement, way) ||
-        !rounding.add_length(world.radius, radius) || lattice_sweep::is_negative_length(world.radius))
+[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const Vec3& displacement,
+                                                 SphereSweep& sweep) {
+    if (!is_finite(world.center) || !is_finite(displacement) || !lattice_sweep::is_length(world.radius))
         return QueryStatus::invalid_argument;
-    if (!rounding.is_in_range()) return QueryStatus::out_of_range;
-    sweep.fraction_bits = rounding.fraction_bits();
-    sweep.displacement = rounding.to_units(way);
-    sweep.center = rounding.to_units(center);
-    sweep.radius = rounding.to_units(radius);
+    float center[3], way[3];
+    Rounder rounder(blob);
+    rounder.add_point(world.center, center);
+    rounder.add_vector(displacement, way);
+    const float radius = rounder.add_length(world.radius);
+    if (!(rounder.reach() < sweep_reach)) return QueryStatus::out_of_range;
+    sweep.fraction_bits = fraction_bits_for(rounder.reach(), point_grid);
+    sweep.displacement = to_grid(way, sweep.fraction_bits);
+    sweep.center = to_grid(center, sweep.fraction_bits);
+    sweep.radius = to_grid(radius, sweep.fraction_bits);
     const Integer3 half = {sweep.radius, sweep.radius, sweep.radius};
     sweep.low = sweep.center - half;
     sweep.high = sweep.center + half;
     return QueryStatus::ok;
 }
 
-inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const Vec3& displacement,
-                               CapsuleSweep& sweep) {
+[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const Vec3& displacement,
+                                                 CapsuleSweep& sweep) {
     using lattice_sweep::larger_of;
     using lattice_sweep::smaller_of;
-    lattice_sweep::Rounding rounding(blob);
-    float from[3], to[3], way[3], radius = 0.0f;
-    if (!rounding.add_point(world.from, from) || !rounding.add_point(world.to, to) ||
-        !rounding.add_vector(displacement, way) || !rounding.add_length(world.radius, radius) ||
-        lattice_sweep::is_negative_length(world.radius))
+    if (!is_finite(world.from) || !is_finite(world.to) || !is_finite(displacement) ||
+        !lattice_sweep::is_length(world.radius))
         return QueryStatus::invalid_argument;
-    if (!rounding.is_in_range()) return QueryStatus::out_of_range;
-    sweep.fraction_bits = rounding.fraction_bits();
-    sweep.displacement = rounding.to_units(way);
-    const std::int64_t units = rounding.to_units(radius);
-    sweep.from = rounding.to_units(from);
-    const Integer3 end = rounding.to_units(to);
+    float from[3], to[3], way[3];
+    Rounder rounder(blob);
+    rounder.add_point(world.from, from);
+    rounder.add_point(world.to, to);
+    rounder.add_vector(displacement, way);
+    const float radius = rounder.add_length(world.radius);
+    if (!(rounder.reach() < sweep_reach)) return QueryStatus::out_of_range;
+    sweep.fraction_bits = fraction_bits_for(rounder.reach(), point_grid);
+    sweep.displacement = to_grid(way, sweep.fraction_bits);
+    const std::int64_t units = to_grid(radius, sweep.fraction_bits);
+    sweep.from = to_grid(from, sweep.fraction_bits);
+    const Integer3 end = to_grid(to, sweep.fraction_bits);
     sweep.moving = {{sweep.displacement, units}, end - sweep.from};
     const Integer3& axis = sweep.moving.axis;
     for (const std::int64_t along : {axis.x, axis.y, axis.z})
@@ -177,17 +132,20 @@ inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const
     return QueryStatus::ok;
 }
 
-inline QueryStatus round_sweep(const BlobData& blob, const Box& world, const Vec3& displacement, BoxSweep& sweep) {
-    lattice_sweep::Rounding rounding(blob);
-    float low[3], high[3], way[3];
-    if (!rounding.add_point(world.min, low) || !rounding.add_point(world.max, high) ||
-        !rounding.add_vector(displacement, way))
+[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Box& world, const Vec3& displacement,
+                                                 BoxSweep& sweep) {
+    if (!is_finite(world.min) || !is_finite(world.max) || !is_finite(displacement))
         return QueryStatus::invalid_argument;
-    if (!rounding.is_in_range()) return QueryStatus::out_of_range;
-    sweep.fraction_bits = rounding.fraction_bits();
-    sweep.displacement = rounding.to_units(way);
-    sweep.low = rounding.to_units(low);
-    sweep.high = rounding.to_units(high);
+    float low[3], high[3], way[3];
+    Rounder rounder(blob);
+    rounder.add_point(world.min, low);
+    rounder.add_point(world.max, high);
+    rounder.add_vector(displacement, way);
+    if (!(rounder.reach() < sweep_reach)) return QueryStatus::out_of_range;
+    sweep.fraction_bits = fraction_bits_for(rounder.reach(), point_grid);
+    sweep.displacement = to_grid(way, sweep.fraction_bits);
+    sweep.low = to_grid(low, sweep.fraction_bits);
+    sweep.high = to_grid(high, sweep.fraction_bits);
     return QueryStatus::ok;
 }
 

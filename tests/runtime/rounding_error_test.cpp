@@ -213,10 +213,12 @@ TEST_SUITE("rounding error") {
         CHECK(status_of(Sphere{origin, -1.0f}) == QueryStatus::invalid_argument);
         CHECK(status_of(Sphere{origin, not_a_number}) == QueryStatus::invalid_argument);
         CHECK(status_of(Capsule{origin, nowhere, 1.0f}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Capsule{nowhere, origin, 1.0f}) == QueryStatus::invalid_argument);
         CHECK(status_of(Capsule{origin, origin, -1.0f}) == QueryStatus::invalid_argument);
         CHECK(status_of(Box{origin, {infinity, 1.0f, 1.0f}}) == QueryStatus::invalid_argument);
         CHECK(status_of(OrientedBox{origin, {origin, nowhere, origin}}) == QueryStatus::invalid_argument);
         CHECK(status_of(Corners{origin, origin, nowhere}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Corners{nowhere, origin, origin}) == QueryStatus::invalid_argument);
         CHECK(status_of(Ray{.origin = nowhere, .direction = {1.0f, 0.0f, 0.0f}}) == QueryStatus::invalid_argument);
         CHECK(status_of(Ray{.origin = origin, .direction = nowhere}) == QueryStatus::invalid_argument);
         CHECK(status_of(Ray{.origin = origin, .direction = origin}) == QueryStatus::invalid_argument);
