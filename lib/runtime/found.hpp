@@ -7,7 +7,7 @@
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/statistics.hpp>
-#include <runtime/first_hits.hpp>
+#include <runtime/best_k.hpp>
 #include <runtime/lattice_point.hpp>
 #include <runtime/lattice_ray.hpp>
 #include <runtime/point_triangle.hpp>

@@ -1,6 +1,5 @@
 // Closest points in the caller's units: rounded, answered in lattice units, translated back.
 #include <espalier/nearest.hpp>
-#include <runtime/closest_few.hpp>
 #include <runtime/closest_pair.hpp>
 #include <runtime/lattice_round.hpp>
 #include <runtime/nearest_world.hpp>
@@ -10,13 +9,13 @@
 namespace espalier {
 namespace detail {
 
-void ClosestFew::offer(const FoundNearest& found) { kept_.offer(to_nearest(blob_, found)); }
+void offer(const BlobData& blob, const FoundNearest& found, ClosestFew& few) { few.offer(to_nearest(blob, found)); }
 
-std::size_t ClosestFew::finish(float distance_offset, float max_distance) {
-    kept_.sort();
-    for (Nearest& nearest : places_.first(kept_.count()))
-        nearest.distance = to_world_distance(blob_, nearest.distance, distance_offset, max_distance);
-    return kept_.count();
+std::size_t finish(const BlobData& blob, ClosestFew& few, float distance_offset, float max_distance) {
+    const std::span<Nearest> found = few.sorted();
+    for (Nearest& nearest : found)
+        nearest.distance = to_world_distance(blob, nearest.distance, distance_offset, max_distance);
+    return found.size();
 }
 
 }  // namespace detail
@@ -97,9 +96,9 @@ std::size_t closest_triangles(const Blob& blob, Vec3 point, float max_distance, 
     LatticePoint rounded;
     if (blob.triangle_count() == 0 || nearest.empty()) return 0;
     if (!round_point(blob.data(), point, max_distance, rounded)) return 0;
-    ClosestFew few(blob.data(), nearest);
+    ClosestFew few(nearest);
     ESPALIER_DISPATCH(closest_triangles, blob.data(), rounded, few);
-    return few.finish(rounded.distance_offset, max_distance);
+    return finish(blob.data(), few, rounded.distance_offset, max_distance);
 }
 
 }  // namespace espalier

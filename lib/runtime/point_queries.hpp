@@ -2,7 +2,7 @@
 #pragma once
 
 #include <espalier/function_ref.hpp>
-#include <runtime/closest_few.hpp>
+#include <runtime/best_k.hpp>
 #include <runtime/copies.hpp>
 #include <runtime/found.hpp>
 #include <runtime/simd/select.hpp>
@@ -14,6 +14,11 @@ struct SquaredBounds {
     float lower = infinity;
     float upper = infinity;
 };
+
+/// Offers a triangle to the closest ones. Out of line: every instruction set would have a copy.
+void offer(const BlobData& blob, const FoundNearest& found, ClosestFew& few);
+/// Sorts the closest triangles and converts their distances to the caller's units. Returns how many there are.
+std::size_t finish(const BlobData& blob, ClosestFew& few, float distance_offset, float max_distance);
 
 }  // namespace espalier::detail
 

@@ -208,12 +208,12 @@ struct ClosestTriangles {
         found.triangle = leaf.triangle(slot);
         found.distance = distance_to(point, found.triangle);
         // mutant(never) work: offers a triangle farther than all that are kept, which is not taken
-        if (few.is_full() && found.distance.squared > few.last()) return;
+        if (few.is_full() && found.distance.squared > few.largest_key()) return;
         if (!is_within_radius(point, found.distance, point.radius)) return;
         found.index = owner_index(leaf, slot);
-        if (few.has(found.index)) return;
-        few.offer(found);
-        if (few.is_full()) limit_ = minimum(few.last() * distance_slack, limit_);
+        if (few.has(blob, found.index)) return;
+        offer(blob, found, few);
+        if (few.is_full()) limit_ = minimum(few.largest_key() * distance_slack, limit_);
     }
 };
 

@@ -123,9 +123,10 @@ void closest_triangles(const BlobData& blob, const LatticePoint& point, ClosestF
     NearTriangles* visitor = nullptr;
     const auto keep_few = [&](const FoundNearest& found) {
         // mutant(without 1) work: offers a triangle farther than all that are kept, which is not taken
-        if ((few.is_full() && found.distance.squared > few.last()) || few.has(found.index)) return keep_going;
-        few.offer(found);
-        if (few.is_full()) visitor->lower_limit(few.last());
+        if ((few.is_full() && found.distance.squared > few.largest_key()) || few.has(blob, found.index))
+            return keep_going;
+        offer(blob, found, few);
+        if (few.is_full()) visitor->lower_limit(few.largest_key());
         return keep_going;
     };
     NearTriangles near = {point, blob, keep_few};

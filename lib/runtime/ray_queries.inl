@@ -67,7 +67,9 @@ HitCount first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hi
         FirstHits first(hits);
         FirstHitsOf<Leaf> visitor = {prepared.ray, prepared.lanes(), filter, first};
         traverse_nearest_first<PlaceOf<Leaf>>(blob, visitor);
-        return first.finish(prepared.ray, world, hits);
+        const std::span<RayHit> found = first.sorted();
+        for (RayHit& hit : found) hit.t = to_t(prepared.ray, hit.t, world);
+        return {found.size(), first.has_overflowed() ? QueryStatus::output_full : QueryStatus::ok};
     });
 }
 

@@ -83,8 +83,8 @@ struct FirstHitsOf {
             if (filter != nullptr && !(*filter)(Triangle{index})) continue;
             hits.offer(to_ray_hit(hit, index));
             if (!hits.has_overflowed()) continue;
-            if (hits.has_no_places()) return stop;
-            limit_ = hit_limit(ray, hits.last_tau());
+            if (hits.is_empty()) return stop;
+            limit_ = hit_limit(ray, hits.largest_key());
         }
         return keep_going;
     }

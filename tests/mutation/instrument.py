@@ -39,9 +39,9 @@ PARTS = {
     "small": ["runtime/small_walk.inl", "runtime/small_pair_walk.inl", "runtime/seen_ray.hpp", "runtime/seen_boxes.hpp",
               "runtime/seen_planes.hpp", "runtime/seen_triangles.hpp", "runtime/small_boxes.hpp"],
     "queries": [
-        "runtime/ray_visitors.inl", "runtime/ray_queries.inl", "runtime/first_few.hpp", "runtime/first_hits.hpp",
+        "runtime/ray_visitors.inl", "runtime/ray_queries.inl", "runtime/best_k.hpp",
         "runtime/approximate_rays.inl", "runtime/ray_group.inl", "runtime/ray_in_batch.inl", "runtime/ray_batch.inl",
-        "runtime/point_queries.inl", "runtime/closest_few.hpp", "runtime/approximate_points.inl",
+        "runtime/point_queries.inl", "runtime/approximate_points.inl",
         "runtime/pair_queries.inl", "runtime/pair_beam.inl", "runtime/walk.cpp", "runtime/find_triangle.cpp",
         "runtime/scalar_walk.hpp", "runtime/original.cpp", "runtime/remap.cpp", "runtime/ray_queries_small.cpp",
         "runtime/point_queries_small.cpp"],

@@ -234,9 +234,9 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
         }
         if (any_closest && !same_bits(found, by_distance[0])) return difference_at(path.name, "the closest triangle");
         const bool same_row = places == 0 || is_row([&](std::span<Nearest> filled) {
-                                  detail::ClosestFew few(blob.data(), filled);
+                                  detail::ClosestFew few(filled);
                                   path.closest_triangles(blob.data(), rounded, few);
-                                  return few.finish(rounded.distance_offset, sphere.radius);
+                                  return finish(blob.data(), few, rounded.distance_offset, sphere.radius);
                               });
         if (!same_row) return difference_at(path.name, "the row of the closest triangles");
     }

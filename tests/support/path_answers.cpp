@@ -157,9 +157,9 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
         about([&](AnswerHash& hash) {
             if (!questions.sound) return;
             std::array<Nearest, 5> nearest;
-            detail::ClosestFew few(data, nearest);
+            detail::ClosestFew few(nearest);
             path.closest_triangles(data, point, few);
-            const std::size_t count = few.finish(0.0f, __builtin_inff());
+            const std::size_t count = finish(data, few, 0.0f, __builtin_inff());
             for (std::size_t i = 0; i < count; ++i) {
                 hash.add(nearest[i].triangle.index);
                 hash.add(nearest[i].distance);
