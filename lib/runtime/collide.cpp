@@ -65,7 +65,8 @@ QueryStatus find_nearest(const PairFrame& frame, float radius, bool any, FoundTr
 /// A point of a triangle of the grid, in a's space.
 Vec3 point_in_world(const PairFrame& frame, const LatticeTriangle& triangle, const float* weights) {
     float steps[3];
-    for (int k = 0; k < 3; ++k) steps[k] = scale_by_power_of_two(point_on(triangle, weights, k), frame.shift);
+    point_of(triangle, weights[0], weights[1], steps);
+    for (float& step : steps) step = scale_by_power_of_two(step, frame.shift);
     return to_world(*frame.a, steps[0], steps[1], steps[2]);
 }
 

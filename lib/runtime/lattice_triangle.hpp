@@ -24,6 +24,16 @@ inline Span span_of(const LatticeTriangle& triangle, int axis) {
     return {less < c ? less : c, more < c ? c : more};
 }
 
+/// Computes a point of the triangle in lattice steps from the weights of corners b and c.
+ESPALIER_SHARED_CODE inline void point_of(const LatticeTriangle& triangle, float u, float v, float* point) {
+    const auto& corner = triangle.corner;
+    for (int k = 0; k < 3; ++k) {
+        const float ab = static_cast<float>(corner[1][k] - corner[0][k]);
+        const float ac = static_cast<float>(corner[2][k] - corner[0][k]);
+        point[k] = static_cast<float>(corner[0][k]) + (u * ab + v * ac);
+    }
+}
+
 /// Corners on a grid of integers. Triangles without area, segments and points, are triangles too.
 struct IntegerTriangle {
     Integer3 corner[3];

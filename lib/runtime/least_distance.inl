@@ -65,7 +65,10 @@ private:
     ESPALIER_SHARED_CODE void set_axes(const LatticeTriangle& a, const LatticeTriangle& b,
                                        const TriangleDistance& distance) {
         float(&axes)[3][3] = axes_[0].at;
-        for (int k = 0; k < 3; ++k) axes[0][k] = point_on(b, distance.on_b, k) - point_on(a, distance.on_a, k);
+        float on_a[3], on_b[3];
+        point_of(a, distance.on_a[0], distance.on_a[1], on_a);
+        point_of(b, distance.on_b[0], distance.on_b[1], on_b);
+        for (int k = 0; k < 3; ++k) axes[0][k] = on_b[k] - on_a[k];
         if (!shorten(axes[0])) {
             axes_[0] = axes_[1] = PairAxes{};
             return;

@@ -8,16 +8,6 @@
 
 namespace espalier::detail {
 
-/// A point of the triangle in lattice steps, by the weights of b and c.
-ESPALIER_SHARED_CODE inline void point_of(const LatticeTriangle& triangle, float u, float v, float* point) {
-    const auto& corner = triangle.corner;
-    for (int k = 0; k < 3; ++k) {
-        const float ab = static_cast<float>(corner[1][k] - corner[0][k]);
-        const float ac = static_cast<float>(corner[2][k] - corner[0][k]);
-        point[k] = static_cast<float>(corner[0][k]) + (u * ab + v * ac);
-    }
-}
-
 /// The root of a squared distance in lattice steps, and `offset` of them more. That it is within max_distance was
 /// decided exactly: rounding must not say otherwise.
 ESPALIER_SHARED_CODE inline float to_world_distance(const BlobData& blob, float squared, float offset,

@@ -23,14 +23,6 @@ struct FoundTriangles {
 /// Takes a pair that touches: storage indices, which may be those of copies.
 using OnTouching = FunctionRef<Visit(const TrianglePair&)>;
 
-/// A coordinate of the point with these weights of corners b and c.
-inline float point_on(const LatticeTriangle& triangle, const float* weights, int axis) {
-    const auto& corner = triangle.corner;
-    const float ab = static_cast<float>(corner[1][axis] - corner[0][axis]);
-    const float ac = static_cast<float>(corner[2][axis] - corner[0][axis]);
-    return static_cast<float>(corner[0][axis]) + (weights[0] * ab + weights[1] * ac);
-}
-
 }  // namespace espalier::detail
 
 #define ESPALIER_DECLARE_PAIR_QUERIES(instruction_set)                                                          \

@@ -89,7 +89,9 @@ void check_lists(const Blob& a, const Blob& b, const Placement& placement, const
 
 /// A point of a triangle of the grid in a's space: the runtime's own translation, since the walk is compared here.
 Vec3 in_world(const detail::PairFrame& frame, const detail::LatticeTriangle& triangle, const float* weights) {
-    const auto steps = [&](int axis) { return std::ldexp(detail::point_on(triangle, weights, axis), frame.shift); };
+    float point[3];
+    detail::point_of(triangle, weights[0], weights[1], point);
+    const auto steps = [&](int axis) { return std::ldexp(point[axis], frame.shift); };
     return detail::to_world(*frame.a, steps(0), steps(1), steps(2));
 }
 
