@@ -123,61 +123,29 @@ bool overlaps(const Blob& blob, const Sphere& sphere) noexcept {
     return blob.triangle_count() != 0 && round_point(blob.data(), sphere.center, sphere.radius, rounded) &&
            ESPALIER_DISPATCH(any_overlap, blob.data(), rounded);
 }
-bool overlaps(const Blob& blob, const Capsule& capsule) noexcept { return any_in(blob, &capsule, way_of(&capsule)); }
-bool overlaps(const Blob& blob, const Box& box) noexcept { return any_in(blob, &box, way_of(&box)); }
-bool overlaps(const Blob& blob, const BoxInSteps& box) noexcept { return any_in(blob, &box, way_of(&box)); }
-bool overlaps(const Blob& blob, const OrientedBox& box) noexcept { return any_in(blob, &box, way_of(&box)); }
-bool overlaps(const Blob& blob, const Corners& triangle) noexcept { return any_in(blob, &triangle, way_of(&triangle)); }
-bool overlaps(const Blob& blob, HalfSpaces planes) noexcept { return any_in(blob, &planes, way_of(&planes)); }
 
-bool for_each_overlap(const Blob& blob, const Sphere& sphere, FunctionRef<Visit(Triangle)> visit) {
-    return each_in(blob, &sphere, way_of(&sphere), visit);
-}
-bool for_each_overlap(const Blob& blob, const Capsule& capsule, FunctionRef<Visit(Triangle)> visit) {
-    return each_in(blob, &capsule, way_of(&capsule), visit);
-}
-bool for_each_overlap(const Blob& blob, const Box& box, FunctionRef<Visit(Triangle)> visit) {
-    return each_in(blob, &box, way_of(&box), visit);
-}
-bool for_each_overlap(const Blob& blob, const BoxInSteps& box, FunctionRef<Visit(Triangle)> visit) {
-    return each_in(blob, &box, way_of(&box), visit);
-}
-bool for_each_overlap(const Blob& blob, const OrientedBox& box, FunctionRef<Visit(Triangle)> visit) {
-    return each_in(blob, &box, way_of(&box), visit);
-}
-bool for_each_overlap(const Blob& blob, const Corners& triangle, FunctionRef<Visit(Triangle)> visit) {
-    return each_in(blob, &triangle, way_of(&triangle), visit);
-}
-bool for_each_overlap(const Blob& blob, HalfSpaces planes, FunctionRef<Visit(Triangle)> visit) {
-    return each_in(blob, &planes, way_of(&planes), visit);
-}
+// The calls of the interface, for each shape.
+#define ESPALIER_EACH_AND_PAGE(Shape)                                                          \
+    bool for_each_overlap(const Blob& blob, Shape shape, FunctionRef<Visit(Triangle)> visit) { \
+        return each_in(blob, &shape, way_of(&shape), visit);                                   \
+    }                                                                                          \
+    OverlapPage collect_overlaps(const Blob& blob, Shape shape, std::span<Triangle> out,       \
+                                 std::uint32_t first) noexcept {                               \
+        return page_in(blob, &shape, way_of(&shape), out, first);                              \
+    }
+#define ESPALIER_OVERLAP_QUERIES(Shape)                                                                    \
+    bool overlaps(const Blob& blob, Shape shape) noexcept { return any_in(blob, &shape, way_of(&shape)); } \
+    ESPALIER_EACH_AND_PAGE(Shape)
 
-OverlapPage collect_overlaps(const Blob& blob, const Sphere& sphere, std::span<Triangle> out,
-                             std::uint32_t first) noexcept {
-    return page_in(blob, &sphere, way_of(&sphere), out, first);
-}
-OverlapPage collect_overlaps(const Blob& blob, const Capsule& capsule, std::span<Triangle> out,
-                             std::uint32_t first) noexcept {
-    return page_in(blob, &capsule, way_of(&capsule), out, first);
-}
-OverlapPage collect_overlaps(const Blob& blob, const Box& box, std::span<Triangle> out, std::uint32_t first) noexcept {
-    return page_in(blob, &box, way_of(&box), out, first);
-}
-OverlapPage collect_overlaps(const Blob& blob, const BoxInSteps& box, std::span<Triangle> out,
-                             std::uint32_t first) noexcept {
-    return page_in(blob, &box, way_of(&box), out, first);
-}
-OverlapPage collect_overlaps(const Blob& blob, const OrientedBox& box, std::span<Triangle> out,
-                             std::uint32_t first) noexcept {
-    return page_in(blob, &box, way_of(&box), out, first);
-}
-OverlapPage collect_overlaps(const Blob& blob, const Corners& triangle, std::span<Triangle> out,
-                             std::uint32_t first) noexcept {
-    return page_in(blob, &triangle, way_of(&triangle), out, first);
-}
-OverlapPage collect_overlaps(const Blob& blob, HalfSpaces planes, std::span<Triangle> out,
-                             std::uint32_t first) noexcept {
-    return page_in(blob, &planes, way_of(&planes), out, first);
-}
+ESPALIER_EACH_AND_PAGE(const Sphere&)
+ESPALIER_OVERLAP_QUERIES(const Capsule&)
+ESPALIER_OVERLAP_QUERIES(const Box&)
+ESPALIER_OVERLAP_QUERIES(const BoxInSteps&)
+ESPALIER_OVERLAP_QUERIES(const OrientedBox&)
+ESPALIER_OVERLAP_QUERIES(const Corners&)
+ESPALIER_OVERLAP_QUERIES(HalfSpaces)
+
+#undef ESPALIER_OVERLAP_QUERIES
+#undef ESPALIER_EACH_AND_PAGE
 
 }  // namespace espalier

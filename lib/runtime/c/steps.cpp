@@ -22,20 +22,7 @@ espalier_vec3 espalier_to_world(const espalier_lattice* lattice, const espalier_
     return twin_value(to_world(*twin(lattice), *twin(steps)));
 }
 
-bool espalier_overlaps_box_in_steps(const espalier_blob* blob, const espalier_box_in_steps* box) {
-    return overlaps(*twin(blob), *twin(box));
-}
-
-bool espalier_for_each_overlap_box_in_steps(const espalier_blob* blob, const espalier_box_in_steps* box,
-                                            espalier_triangle_visitor visit, void* user) {
-    return for_each(blob, *twin(box), visit, user);
-}
-
-espalier_overlap_page espalier_collect_overlaps_box_in_steps(const espalier_blob* blob,
-                                                             const espalier_box_in_steps* box, espalier_triangle* page,
-                                                             size_t places, uint32_t first) {
-    return collect(blob, *twin(box), page, places, first);
-}
+ESPALIER_C_OVERLAPS(box_in_steps, espalier_box_in_steps)
 
 espalier_query_status espalier_first_hit(const espalier_blob* blob, const espalier_segment_in_steps* segment,
                                          espalier_hit_in_steps* hit) {
