@@ -129,27 +129,66 @@ StripFields read_strip(std::uint32_t descriptor) {
             descriptor >> field::first_shift};
 }
 
-StripMarks read_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries) {
-    std::size_t bit = at * 8;
-    const auto take = [&](unsigned width) {
-        bit += width;
-        return read_bits(bytes, bit - width, width);
-    };
+PredictedFields read_predicted_strip(std::uint32_t descriptor) {
+    namespace field = format::predicted_strip;
+    return {descriptor & ((1u << field::entries_shift) - 1), (descriptor >> field::entries_shift) + 3};
+}
+
+namespace {
+
+/// Takes fields off a stream of bits that begins at a byte.
+class BitTaker {
+public:
+    BitTaker(std::span<const std::byte> bytes, std::size_t at) : bytes_(bytes), begin_(at * 8), bit_(begin_) {}
+    std::uint32_t take(unsigned width) {
+        bit_ += width;
+        return read_bits(bytes_, bit_ - width, width);
+    }
+    [[nodiscard]] std::size_t taken() const { return bit_ - begin_; }
+
+private:
+    std::span<const std::byte> bytes_;
+    std::size_t begin_;
+    std::size_t bit_;
+};
+
+/// Both kinds of strips differ in what states which windows are triangles, before the first uses or behind.
+StripMarks read_strip_marks(BitTaker& stream, unsigned entries, bool is_predicted) {
+    namespace predicted = format::predicted_strip;
     StripMarks marks{};
     std::vector<bool> first_uses(entries, true);
     marks.pivots.resize(entries, false);
     marks.triangles.resize(entries - 2, true);
     marks.pivots[0] = true;
-    for (unsigned i = 1; i + 2 < entries; ++i) marks.pivots[i] = take(1) != 0;
-    for (unsigned i = 1; i + 2 < entries; ++i) marks.triangles[i] = take(1) != 0;
-    for (unsigned i = 3; i < entries; ++i) first_uses[i] = take(1) != 0;
+    const std::uint32_t joints = is_predicted ? stream.take(predicted::joint_count_bits) : 0;
+    for (unsigned i = 1; i + 2 < entries; ++i) marks.pivots[i] = stream.take(1) != 0;
+    for (unsigned i = 1; i + 2 < entries && !is_predicted; ++i) marks.triangles[i] = stream.take(1) != 0;
+    for (unsigned i = 3; i < entries; ++i) first_uses[i] = stream.take(1) != 0;
+    for (std::uint32_t joint = 0; joint < joints; ++joint) {
+        const std::uint32_t window = stream.take(predicted::place_bits);
+        marks.triangles[window] = marks.triangles[window + 1] = false;
+    }
     for (const bool first_use : first_uses) marks.vertices += first_use ? 1 : 0;
     std::uint32_t used = 0;
     for (unsigned i = 0; i < entries; ++i) {
-        marks.entries.push_back(first_uses[i] ? used++ : take(format::strip_leaf::reference_width(marks.vertices)));
+        marks.entries.push_back(first_uses[i] ? used++
+                                              : stream.take(format::strip_leaf::reference_width(marks.vertices)));
     }
-    marks.bits = bit - at * 8;
+    marks.bits = stream.taken();
     return marks;
+}
+
+}  // namespace
+
+StripMarks read_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries) {
+    BitTaker stream(bytes, at);
+    return read_strip_marks(stream, entries, false);
+}
+
+StripMarks read_predicted_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries) {
+    BitTaker stream(bytes, at);
+    static_cast<void>(stream.take(format::predicted_strip::joints_at));
+    return read_strip_marks(stream, entries, true);
 }
 
 std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob) {
@@ -168,6 +207,8 @@ const char* name_of(format::Profile profile) {
             return "balanced";
         case format::Profile::small:
             return "small";
+        case format::Profile::tiny:
+            return "tiny";
     }
     return "unknown";
 }

@@ -67,6 +67,14 @@ struct StripFields {
 
 StripFields read_strip(std::uint32_t descriptor);
 
+/// The descriptor of a predicted strip, taken apart.
+struct PredictedFields {
+    std::size_t bytes;  ///< of its data
+    unsigned entries;
+};
+
+PredictedFields read_predicted_strip(std::uint32_t descriptor);
+
 struct StripMarks {
     std::vector<std::uint32_t> entries;  ///< vertex numbers
     std::vector<bool> pivots;            ///< of each entry
@@ -77,6 +85,8 @@ struct StripMarks {
 
 /// The marks that start at byte `at`, of a leaf with so many entries.
 StripMarks read_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries);
+/// The same of a predicted strip; its widths are among the bits.
+StripMarks read_predicted_marks(std::span<const std::byte> bytes, std::size_t at, unsigned entries);
 
 std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob);
 

@@ -12,8 +12,10 @@ namespace espalier::tools {
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-inline const Choices<format::Profile> profile_choices{
-    {"fast", format::Profile::fast}, {"balanced", format::Profile::balanced}, {"small", format::Profile::small}};
+inline const Choices<format::Profile> profile_choices{{"fast", format::Profile::fast},
+                                                      {"balanced", format::Profile::balanced},
+                                                      {"small", format::Profile::small},
+                                                      {"tiny", format::Profile::tiny}};
 inline const Choices<Builder> builder_choices{{"binned_sah", Builder::binned_sah},
                                               {"sweep_sah", Builder::sweep_sah},
                                               {"spatial_splits", Builder::spatial_splits},
@@ -34,6 +36,8 @@ constexpr unsigned most_leaf_triangles(format::Profile profile) {
             return format::strip_leaf::max_balanced_entries - 2;
         case format::Profile::small:
             return format::strip_leaf::max_small_entries - 2;
+        case format::Profile::tiny:
+            return format::predicted_strip::max_entries - 2;
     }
     return format::max_leaf_triangles;
 }

@@ -1,5 +1,6 @@
 #include "leaf_listing.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -93,12 +94,43 @@ void list_strip_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, st
     }
 }
 
+/// Widths as "large small" of each axis, and the vertices: those that are not predicted from the box's low corner.
+std::string predicted_text(Bytes bytes, std::size_t at, const StripMarks& marks) {
+    std::string result = "  residuals, large and small width:";
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const std::size_t bit = 8 * at + 2 * format::predicted_strip::width_bits * std::size_t{axis};
+        result +=
+            text(' ', "xyz"[axis], ' ', read_bits(bytes, bit, format::predicted_strip::width_bits), ' ',
+                 read_bits(bytes, bit + format::predicted_strip::width_bits, format::predicted_strip::width_bits));
+    }
+    return text(result, "; ", marks.vertices, " vertices;", marks_text(marks).substr(1));
+}
+
+void list_predicted_strips(Bytes bytes, const NodeFields& node, std::size_t number, ByteListing& listing) {
+    std::uint32_t triangle = read_u32(bytes, listing.at());
+    listing.field(4, text("leaves of node ", number, ": first triangle ", triangle));
+    std::vector<PredictedFields> fields;
+    for (unsigned i = 0; i < node.leaves; ++i) {
+        fields.push_back(read_predicted_strip(read_u16(bytes, listing.at())));
+        listing.field(format::predicted_strip::descriptor_bytes,
+                      text("leaf ", i, ": ", fields.back().bytes, " bytes, ", fields.back().entries, " entries"));
+    }
+    for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
+        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle));
+        const StripMarks marks = read_predicted_marks(bytes, listing.at(), fields[i].entries);
+        listing.field(fields[i].bytes, predicted_text(bytes, listing.at(), marks));
+        triangle += static_cast<std::uint32_t>(std::count(marks.triangles.begin(), marks.triangles.end(), true));
+    }
+}
+
 }  // namespace
 
 void list_leaf_block(std::span<const std::byte> bytes, const Blob& blob, std::size_t node, ByteListing& listing) {
     const NodeFields fields = read_node(bytes, blob, node);
     if (format::has_plain_nodes(blob.profile())) {
         list_plain_leaves(bytes, blob, fields, node, listing);
+    } else if (format::has_predicted_strips(blob.profile())) {
+        list_predicted_strips(bytes, fields, node, listing);
     } else {
         list_strip_leaves(bytes, blob, fields, node, listing);
     }

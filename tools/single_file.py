@@ -32,8 +32,9 @@ SOURCE_PREAMBLE = """\
 // Espalier {version} in one file: the runtime. Made by tools/single_file.py out of lib/runtime.
 //
 // Macros, for the compiler's command line: ESPALIER_PLAIN_LEAVES=0 leaves out the code that reads profile `fast`,
-// ESPALIER_STRIP_LEAVES=0 that of `balanced` and `small`; ESPALIER_IDS=0, ESPALIER_MATERIALS=0, ESPALIER_COPIES=0,
-// ESPALIER_EDGES=0 and ESPALIER_BOUNDS=0 that of an optional section. Blobs with what is left out are refused by open.
+// ESPALIER_STRIP_LEAVES=0 that of `balanced` and `small`, ESPALIER_PREDICTED_STRIPS=0 that of `tiny`;
+// ESPALIER_IDS=0, ESPALIER_MATERIALS=0, ESPALIER_COPIES=0, ESPALIER_EDGES=0 and ESPALIER_BOUNDS=0 that of an optional
+// section. Blobs with what is left out are refused by open.
 // ESPALIER_SMALL_CODE=1 answers the same by less code, as on microcontrollers, where it is the default; 0 is fast.
 // Recommended: -O2 -fno-exceptions -fno-rtti.
 //

@@ -11,7 +11,7 @@ fail() {
 rows=$("$program" --base "$side" --other "$side" --base-name one --other-name two \
     --seconds 0.02 --slice 0.01 --loads 2 --json torus)
 printf '%s\n' "$rows"
-for profile in fast balanced small; do
+for profile in fast balanced small tiny; do
     for questions in closest_hit_incoherent closest_hit_coherent any_hit_incoherent closest_hit_batch_incoherent \
         closest_hit_batch_coherent any_hit_batch_incoherent closest_point overlaps_sphere all_overlaps_sphere overlaps_box \
         sweep_sphere sweep_capsule sweep_box collides minimum_distance open; do
@@ -24,7 +24,7 @@ for profile in fast balanced small; do
         grep -q '"same_bytes":true' <<<"$row" || fail "two bakes of one mesh differ: $row"
     done
 done
-[[ $(wc -l <<<"$rows") -eq 48 ]] || fail "other rows than those expected"
+[[ $(wc -l <<<"$rows") -eq 64 ]] || fail "other rows than those expected"
 
 # The table, in another instruction set; and a file that is no side.
 table=$("$program" --base "$side" --other "$side" --profile fast --questions closest_point --seconds 0.02 --slice 0.01 --loads 1 \

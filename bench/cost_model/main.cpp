@@ -31,7 +31,8 @@ struct Profile {
 };
 constexpr Profile profiles[] = {{"fast", format::Profile::fast, format::plain_leaf::max_triangles},
                                 {"balanced", format::Profile::balanced, format::strip_leaf::max_balanced_entries - 2},
-                                {"small", format::Profile::small, format::strip_leaf::max_small_entries - 2}};
+                                {"small", format::Profile::small, format::strip_leaf::max_small_entries - 2},
+                                {"tiny", format::Profile::tiny, format::predicted_strip::max_entries - 2}};
 /// Leaves of several sizes in one fit: else nodes and triangles grow together, and their costs cannot be told apart.
 constexpr unsigned leaf_divisors[] = {4, 2, 1};
 constexpr std::uint64_t seed = 2026;

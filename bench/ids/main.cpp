@@ -68,8 +68,11 @@ double share_in_scan_order(const Mesh& mesh) {
 }
 
 void measure(const Mesh& mesh) {
-    constexpr std::array<std::pair<const char*, format::Profile>, 3> profiles = {
-        {{"fast", format::Profile::fast}, {"balanced", format::Profile::balanced}, {"small", format::Profile::small}}};
+    constexpr std::array<std::pair<const char*, format::Profile>, 4> profiles = {
+        {{"fast", format::Profile::fast},
+         {"balanced", format::Profile::balanced},
+         {"small", format::Profile::small},
+         {"tiny", format::Profile::tiny}}};
     for (const auto& [profile_name, profile] : profiles) {
         const Baked plain = bake_with(mesh, profile, false);
         const std::array<std::pair<const char*, Mesh>, 3> orders = {

@@ -95,7 +95,7 @@ Result<Baked, BakeError> bake_in_stages(const TreeMaker& make_tree, std::span<co
 
     progress.begin(stages::collapse);
     std::optional<StripMaker> strips;
-    if (options.profile != format::Profile::fast) strips.emplace(mesh, tree);
+    if (options.profile != format::Profile::fast) strips.emplace(mesh, tree, options.profile);
     const StripMaker* const strips_if_any = strips ? &*strips : nullptr;
     const auto sizes = leaf_sizes(options.profile, mesh.lattice.bits, strips_if_any);
     const CollapsePlan plan(mesh, tree, *sizes, {options.profile, options.cost_model, options.max_leaf_triangles});

@@ -176,9 +176,9 @@ std::optional<BakeError> check_options(const BakeOptions& options) {
                                "; choose 1 to " + std::to_string(format::max_leaf_triangles));
     }
     if (auto error = check_cost_model(options.cost_model)) return error;
-    if (options.profile > format::Profile::small) {
+    if (options.profile > format::Profile::tiny) {
         return invalid_options("profile " + std::to_string(static_cast<unsigned>(options.profile)) +
-                               " is not known; choose fast, balanced or small");
+                               " is not known; choose fast, balanced, small or tiny");
     }
     if (options.builder > Builder::insertion) {
         return invalid_options("builder " + std::to_string(static_cast<unsigned>(options.builder)) +

@@ -88,13 +88,14 @@ bool TreeBytes::decode_packed_node(std::span<const std::byte> bytes, DecodedNode
 
 std::size_t TreeBytes::first_leaf_at(const DecodedNode& node) const {
     if (profile == format::Profile::fast) return node.leaf_block;
-    namespace layout = format::strip_leaf;
-    return node.leaf_block + layout::descriptors_at + layout::descriptor_bytes * std::size_t{node.leaves};
+    const std::size_t descriptor_bytes = profile == format::Profile::tiny ? 2 : 4;
+    return node.leaf_block + format::strip_leaf::descriptors_at + descriptor_bytes * node.leaves;
 }
 
 bool TreeBytes::decode_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const {
-    return profile == format::Profile::fast ? decode_plain_leaf(node, index, leaf)
-                                            : decode_strip_leaf(node, index, leaf);
+    if (profile == format::Profile::fast) return decode_plain_leaf(node, index, leaf);
+    if (profile == format::Profile::tiny) return decode_predicted_strip(node, index, leaf);
+    return decode_strip_leaf(node, index, leaf);
 }
 
 }  // namespace espalier::baker

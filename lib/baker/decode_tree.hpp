@@ -70,6 +70,7 @@ private:
     [[nodiscard]] bool decode_packed_node(std::span<const std::byte> bytes, DecodedNode& node) const;
     [[nodiscard]] bool decode_plain_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
     [[nodiscard]] bool decode_strip_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
+    [[nodiscard]] bool decode_predicted_strip(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const;
 };
 
 }  // namespace espalier::baker

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include <espalier/format.hpp>
+
 #include "lattice_mesh.hpp"
 #include "order.hpp"
 
@@ -23,6 +25,7 @@ struct NodeToWrite {
     const LatticeMesh& mesh;
     const WideTree& wide;
     const WideNode& node;
+    format::Profile profile;
     std::span<const LatticeBox> boxes;
 };
 

@@ -58,10 +58,12 @@ Frame put_axis(std::span<const LatticeBox> boxes, std::size_t axis, unsigned bit
 void put_leaf_block(const NodeToWrite& from, const std::array<Frame, 3>& frames, std::vector<std::byte>& bytes) {
     using namespace format::strip_leaf;
     const WideNode& node = from.node;
+    const bool are_predicted = format::has_predicted_strips(from.profile);
+    const std::size_t each = are_predicted ? format::predicted_strip::descriptor_bytes : descriptor_bytes;
     const std::size_t block = bytes.size();
     const std::uint32_t first_triangle = from.wide.leaves[node.first_leaf].first;
     put_u32(bytes, first_triangle);
-    bytes.resize(bytes.size() + descriptor_bytes * node.leaves);
+    bytes.resize(bytes.size() + each * node.leaves);
     const StripBlock written{bytes.size(), first_triangle};
     for (std::uint32_t i = 0; i < node.leaves; ++i) {
         const LatticeBox& exact = from.boxes[node.node_children + i];
@@ -71,8 +73,15 @@ void put_leaf_block(const NodeToWrite& from, const std::array<Frame, 3>& frames,
             box.anchor[axis] = frame.coordinate(frame.plane_below(exact.lo[axis]));
             box.side[axis] = frame.coordinate(frame.plane_above(exact.hi[axis])) - box.anchor[axis];
         }
-        const std::uint32_t descriptor = put_strip_leaf(from.mesh, from.wide, node.first_leaf + i, box, written, bytes);
-        set_u32(bytes.data() + block + descriptors_at + descriptor_bytes * i, descriptor);
+        const std::uint32_t leaf = node.first_leaf + i;
+        const std::size_t descriptor_at = block + descriptors_at + each * i;
+        if (are_predicted) {
+            const std::uint32_t descriptor = put_predicted_strip(from.mesh, from.wide, leaf, box, bytes);
+            set_u16(bytes.data() + descriptor_at, descriptor);
+        } else {
+            const std::uint32_t descriptor = put_strip_leaf(from.mesh, from.wide, leaf, box, written, bytes);
+            set_u32(bytes.data() + descriptor_at, descriptor);
+        }
     }
     pad_to(bytes, 4);
 }

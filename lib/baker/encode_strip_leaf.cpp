@@ -1,38 +1,12 @@
-#include <algorithm>
-
 #include <espalier/format.hpp>
 
 #include "byte_writer.hpp"
 #include "encode_leaf.hpp"
+#include "numbered_entries.hpp"
 
 namespace espalier::baker {
 
-namespace {
-
 using namespace format::strip_leaf;
-
-/// A strip's vertices, numbered by first use.
-struct NumberedEntries {
-    unsigned vertex_count = 0;
-    std::array<std::uint32_t, max_small_entries> vertices{};
-    std::array<std::uint8_t, max_small_entries> numbers{};
-    std::uint64_t first_uses = 0;
-
-    explicit NumberedEntries(const Strip& strip) {
-        for (unsigned entry = 0; entry < strip.entry_count; ++entry) {
-            const auto end = vertices.begin() + vertex_count;
-            const auto found = std::find(vertices.begin(), end, strip.entries[entry]);
-            // mutant(- -> +) equivalent: iterators cannot be added, so the mutant is the original
-            numbers[entry] = static_cast<std::uint8_t>(found - vertices.begin());
-            if (found != end) continue;
-            vertices[vertex_count++] = strip.entries[entry];
-            first_uses |= std::uint64_t{1} << entry;
-        }
-    }
-    [[nodiscard]] bool is_first_use(unsigned entry) const { return (first_uses >> entry & 1) != 0; }
-};
-
-}  // namespace
 
 std::uint32_t put_strip_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number, const LeafBox& box,
                              const StripBlock& block, std::vector<std::byte>& bytes) {

@@ -37,7 +37,7 @@ public:
         std::transform(node.binary_nodes.begin(), node.binary_nodes.begin() + count, boxes.begin(),
                        [&](std::uint32_t binary) { return box_of(tree_.nodes[binary]); });
 
-        const NodeToWrite from{mesh_, wide_, node, std::span(boxes).first(count)};
+        const NodeToWrite from{mesh_, wide_, node, profile_, std::span(boxes).first(count)};
         std::byte* const bytes = encoded.nodes.data() + number * format::node_bytes(profile_);
         if (format::has_plain_nodes(profile_)) {
             put_plain_node(from, bytes, encoded.leaves);

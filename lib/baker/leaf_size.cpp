@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
+
+#include "predicted_strip.hpp"
 
 namespace espalier::baker {
 
@@ -51,10 +54,38 @@ private:
     float byte_weight_;
 };
 
+class PredictedStripSizes final : public LeafSizes {
+public:
+    explicit PredictedStripSizes(const StripMaker& strips) : strips_(strips) {}
+
+    [[nodiscard]] LeafSize of(const BinaryNode& node, unsigned vertices) const override {
+        using namespace format::predicted_strip;
+        if (vertices > max_vertices) return {};
+        const std::optional<Strip> strip = strips_.make_predicted(node, predicted_planning_attempts);
+        if (!strip) return {};
+        const std::size_t bits = PredictedStrip(strips_.mesh(), *strip).bits(offset_widths(node));
+        return {true, strip->entry_count - 2, descriptor_bytes + (bits + 7) / 8};
+    }
+    [[nodiscard]] unsigned most_triangles() const override { return format::predicted_strip::max_entries - 2; }
+    [[nodiscard]] float byte_weight() const override { return 6.0f; }
+
+private:
+    const StripMaker& strips_;
+};
+
 }  // namespace
 
 unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles) {
-    return profile == format::Profile::fast ? std::min(format::plain_leaf::max_triangles, max_leaf_triangles) : 0;
+    switch (profile) {
+        case format::Profile::fast:
+            return std::min(format::plain_leaf::max_triangles, max_leaf_triangles);
+        case format::Profile::tiny:
+            return std::min((format::predicted_strip::max_entries - 2) * 7 / 8, max_leaf_triangles);
+        case format::Profile::balanced:
+        case format::Profile::small:
+            break;
+    }
+    return 0;
 }
 
 std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips) {
@@ -64,6 +95,8 @@ std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, co
             return std::make_unique<StripLeafSizes>(*strips, max_balanced_entries, max_balanced_vertices, 1.0f);
         case format::Profile::small:
             return std::make_unique<StripLeafSizes>(*strips, max_small_entries, max_small_entries, 4.0f);
+        case format::Profile::tiny:
+            return std::make_unique<PredictedStripSizes>(*strips);
         case format::Profile::fast:
             break;
     }

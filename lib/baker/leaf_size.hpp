@@ -30,8 +30,9 @@ public:
 /// On a lattice of so many bits. `strips` is null for profile fast alone.
 [[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips);
 
-/// Returns the triangles of a full leaf, for the builder: the most of a plain leaf, and no more than
-/// `max_leaf_triangles`; 0 for strips, which are left as the heuristic makes them.
+/// Returns the triangles of a full leaf, for the builder: the most of a plain leaf, seven eighths of the most of a
+/// predicted strip, since the entries that join paths count too, and no more than `max_leaf_triangles`; 0 for other
+/// strips, which are left as the heuristic makes them.
 [[nodiscard]] unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles);
 
 }  // namespace espalier::baker

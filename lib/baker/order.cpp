@@ -61,7 +61,7 @@ private:
         const auto first = static_cast<std::ptrdiff_t>(wide_.triangles.size());
         wide_.leaves.push_back({static_cast<std::uint32_t>(first), node.count, binary_node});
         if (strips_ != nullptr) {
-            const Strip& strip = wide_.strips.emplace_back(strips_->make(node));
+            const Strip& strip = wide_.strips.emplace_back(strips_->make_leaf(node));
             for (unsigned i = 0; i < strip.triangle_count; ++i) {
                 wide_.triangles.push_back(tree_.triangles[strip.triangles[i].place]);
                 wide_.first_corners.push_back(strip.triangles[i].first_corner);

@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include "predicted_strip.hpp"
+
 namespace espalier::baker {
 
 namespace {
@@ -99,9 +101,13 @@ constexpr unsigned attempts = 8;
 /// The order within paths matters where a leaf is written; where it is planned, one path is as good as any other.
 enum class Order : std::uint8_t { matters, does_not_matter };
 
-Cover best_cover(const Cluster& cluster, Order order) {
+unsigned first_start(const Cluster& cluster) {
     const Set all = ~Set{0} >> (64 - cluster.count);
-    Cover best = cover_from(cluster, loneliest(cluster, all, all, 0));
+    return loneliest(cluster, all, all, 0);
+}
+
+Cover best_cover(const Cluster& cluster, Order order) {
+    Cover best = cover_from(cluster, first_start(cluster));
     for (unsigned start = 0; start < std::min(attempts - 1, cluster.count); ++start) {
         if (best.paths == 1 && order == Order::does_not_matter) break;
         const Cover other = cover_from(cluster, start);
@@ -174,6 +180,21 @@ private:
     std::uint32_t pivot_ = 0;
 };
 
+Strip write(const LatticeMesh& mesh, const BinaryTree& tree, const Neighbours& neighbours, const BinaryNode& node,
+            const Cover& cover) {
+    Strip strip;
+    StripWriter writer(mesh, tree, neighbours, strip);
+    std::array<std::uint32_t, most> places;
+    for (unsigned i = 0; i < node.count; ++i) places[i] = node.first + cover.triangles[i];
+    for (unsigned begin = 0; begin < node.count;) {
+        const Set later = begin == 63 ? 0 : cover.starts >> (begin + 1);
+        const unsigned end = later == 0 ? node.count : begin + 1 + lowest(later);
+        writer.add_path(std::span(places).subspan(begin, end - begin));
+        begin = end;
+    }
+    return strip;
+}
+
 }  // namespace
 
 unsigned StripMaker::entries_of(const BinaryNode& node) const {
@@ -183,18 +204,31 @@ unsigned StripMaker::entries_of(const BinaryNode& node) const {
 
 Strip StripMaker::make(const BinaryNode& node) const {
     const Cluster cluster(neighbours_, tree_, node);
-    const Cover cover = best_cover(cluster, Order::matters);
-    Strip strip;
-    StripWriter writer(mesh_, tree_, neighbours_, strip);
-    std::array<std::uint32_t, most> places;
-    for (unsigned i = 0; i < cluster.count; ++i) places[i] = node.first + cover.triangles[i];
-    for (unsigned begin = 0; begin < cluster.count;) {
-        const Set later = begin == 63 ? 0 : cover.starts >> (begin + 1);
-        const unsigned end = later == 0 ? cluster.count : begin + 1 + lowest(later);
-        writer.add_path(std::span(places).subspan(begin, end - begin));
-        begin = end;
-    }
-    return strip;
+    return write(mesh_, tree_, neighbours_, node, best_cover(cluster, Order::matters));
+}
+
+std::optional<Strip> StripMaker::make_predicted(const BinaryNode& node, unsigned most_attempts) const {
+    namespace layout = format::predicted_strip;
+    const Cluster cluster(neighbours_, tree_, node);
+    std::optional<Strip> best;
+    std::size_t fewest_bits = 0;
+    const auto attempt = [&](unsigned start) {
+        const Cover cover = cover_from(cluster, start);
+        if (entry_count(cluster, cover) > layout::max_entries || cover.paths > layout::max_joints + 1) return;
+        const Strip strip = write(mesh_, tree_, neighbours_, node, cover);
+        const std::size_t bits = PredictedStrip(mesh_, strip).bits(offset_widths(node));
+        if (best && bits >= fewest_bits) return;
+        best = strip;
+        fewest_bits = bits;
+    };
+    attempt(first_start(cluster));
+    for (unsigned start = 0; start < std::min(most_attempts - 1, cluster.count); ++start) attempt(start);
+    return best;
+}
+
+Strip StripMaker::make_leaf(const BinaryNode& node) const {
+    if (!format::has_predicted_strips(profile_)) return make(node);
+    return *make_predicted(node, predicted_writing_attempts);
 }
 
 }  // namespace espalier::baker

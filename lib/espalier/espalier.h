@@ -162,7 +162,12 @@ espalier_status espalier_open(const void* bytes, size_t size, espalier_blob* blo
 espalier_status espalier_open_trusted_image(const void* bytes, size_t size, espalier_blob* blob);
 
 typedef uint8_t espalier_profile;
-enum { ESPALIER_PROFILE_FAST = 0, ESPALIER_PROFILE_BALANCED = 1, ESPALIER_PROFILE_SMALL = 2 };
+enum {
+    ESPALIER_PROFILE_FAST = 0,
+    ESPALIER_PROFILE_BALANCED = 1,
+    ESPALIER_PROFILE_SMALL = 2,
+    ESPALIER_PROFILE_TINY = 3
+};
 
 uint32_t espalier_blob_triangle_count(const espalier_blob* blob);
 uint32_t espalier_blob_copy_count(const espalier_blob* blob);

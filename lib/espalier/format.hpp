@@ -20,8 +20,9 @@ inline constexpr int max_step_exponent = 100;
 inline constexpr std::uint32_t max_nodes = 1u << 24;
 inline constexpr unsigned max_depth = 16;           ///< nodes on the longest way down; sizes every query's stack
 inline constexpr unsigned max_children = 16;        ///< of any profile
-inline constexpr unsigned max_leaf_triangles = 54;  ///< of any profile
+inline constexpr unsigned max_leaf_triangles = 62;  ///< of any profile
 inline constexpr unsigned max_leaf_vertices = 56;
+inline constexpr unsigned max_leaf_entries = 64;  ///< of a strip
 inline constexpr std::uint32_t max_triangles = 0x7FFFFFFFu;
 
 // ---- header: 128 bytes --------------------------------------------------------------------------------------------
@@ -57,6 +58,7 @@ enum class Profile : std::uint8_t {
     fast = 0,      ///< plain nodes, plain leaves
     balanced = 1,  ///< packed nodes, strip leaves of at most max_balanced_entries
     small = 2,     ///< packed nodes, strip leaves of at most max_small_entries
+    tiny = 3,      ///< packed nodes, predicted strips
 };
 
 /// Bits of the features field. An optional section is there exactly when its bit is set; they follow in bit order.
@@ -192,7 +194,7 @@ constexpr std::size_t bytes(std::uint32_t features) {
 // mutant(> -> >=) equivalent: both sides are equal then
 constexpr unsigned unit_shift(unsigned bits) { return bits > 16 ? bits - 16 : 0; }
 
-/// Profiles balanced and small: a node is one cache line. Child boxes are base + plane * 2^shift per axis.
+/// Profiles balanced, small and tiny: a node is one cache line. Child boxes are base + plane * 2^shift per axis.
 namespace packed_node {
 inline constexpr unsigned max_children = 8;
 inline constexpr std::size_t base_at = 0;      // 3 x u16, in units of 2^unit_shift
@@ -297,6 +299,55 @@ constexpr unsigned coordinate_width(std::uint32_t side, unsigned bits) {
 }
 }  // namespace strip_leaf
 
+// ---- profile tiny: predicted strips ---------------------------------------------------------------------------------
+// Strips as above. Most vertices are stored as what they differ by from a prediction: the fourth corner of the
+// parallelogram that the triangle before makes with the edge to this one. A leaf is one stream of bits.
+namespace predicted_strip {
+inline constexpr unsigned max_entries = max_leaf_entries;
+inline constexpr unsigned max_vertices = max_leaf_vertices;
+inline constexpr std::size_t descriptors_at = strip_leaf::descriptors_at;  // u32 before them: first triangle
+inline constexpr std::size_t descriptor_bytes = 2;
+inline constexpr unsigned entries_shift = 10;  // 6 bits: entries - 3; 10 bits below: bytes of the data
+// Data, low bits first, where n = entries - 3; padded with zero bits to a byte:
+//
+// * for each axis 5 bits large width, 5 bits small width;
+//
+// * 4 bits: number of joints, where one path of the strip ends and the next begins;
+//
+// * n bits: whether entry 1, 2 .. n is a pivot (entry 0 is);
+//
+// * n bits: whether entry 3, 4 .. is a vertex's first use (entries 0 to 2 are);
+//
+// * 6 bits for each joint, ascending: w, where windows w and w + 1 are not triangles (all others are);
+//
+// * reference_width bits for each entry that is not a first use: the vertex's number;
+//
+// * 3 bits for each predicted vertex, x y z: whether its residual has the large width, or the small one;
+//
+// * for each vertex x, y, z: of a predicted one the residual + half the range of its width, of another one its offset
+//   in the leaf's box, in the width of the box's side.
+inline constexpr unsigned width_bits = 5;
+inline constexpr unsigned joints_at = 6 * width_bits;
+inline constexpr unsigned joint_count_bits = 4;
+inline constexpr unsigned max_joints = (1u << joint_count_bits) - 1;
+inline constexpr unsigned marks_at = joints_at + joint_count_bits;
+inline constexpr unsigned place_bits = 6;
+/// Residuals are of sums and differences of three offsets.
+constexpr unsigned max_width(unsigned bits) { return bits + 2; }
+/// Where the references begin.
+constexpr unsigned references_at(unsigned entries, unsigned joints) {
+    return marks_at + 2 * (entries - 3) + place_bits * joints;
+}
+/// Where the predicted vertices' choices of widths begin.
+constexpr unsigned choices_at(unsigned entries, unsigned joints, unsigned vertex_count) {
+    return references_at(entries, joints) + (entries - vertex_count) * strip_leaf::reference_width(vertex_count);
+}
+/// A bit for each entry: if it is a first use, its vertex is predicted. So it is when its window and the one before are
+/// triangles.
+constexpr std::uint64_t predicted_entries(std::uint64_t windows) { return windows << 2 & windows << 3; }
+}  // namespace predicted_strip
+
+constexpr bool has_predicted_strips(Profile profile) { return profile == Profile::tiny; }
 constexpr bool has_plain_nodes(Profile profile) { return profile == Profile::fast; }
 constexpr unsigned max_node_children(Profile profile) {
     return has_plain_nodes(profile) ? plain_node::max_children : packed_node::max_children;

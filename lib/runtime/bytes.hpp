@@ -42,4 +42,11 @@ inline std::uint64_t load_bits(const std::byte* stream, unsigned bit, unsigned c
     return (load_u64(stream + bit / 8) >> (bit % 8)) & ((std::uint64_t{1} << count) - 1u);
 }
 
+/// The same for at most 63 bits. Reads 9 bytes.
+inline std::uint64_t load_many_bits(const std::byte* stream, unsigned bit, unsigned count) {
+    const std::byte* const at = stream + bit / 8;
+    const std::uint64_t above = (std::uint64_t{load_u8(at + 8)} << 1) << (63 - bit % 8);
+    return (load_u64(at) >> (bit % 8) | above) & ((std::uint64_t{1} << count) - 1u);
+}
+
 }  // namespace espalier::detail

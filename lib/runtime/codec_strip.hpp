@@ -1,6 +1,6 @@
-// The leaves of profiles `balanced` and `small`, decoded: strips of triangles, each vertex stored once. The layout is
-// in format.hpp. Strips that turn either way by a bit go back to Deering (1995); that the pivot is the last one marked
-// is what lets all windows be decoded at once.
+// The leaves of profiles `balanced`, `small` and `tiny`, decoded: strips of triangles, each vertex stored once. The
+// layout is in format.hpp. Strips that turn either way by a bit go back to Deering (1995); that the pivot is the last
+// one marked is what lets all windows be decoded at once.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/bytes.hpp>
 #include <runtime/leaf_vertices.hpp>
+#include <runtime/read_profiles.hpp>
 
 namespace espalier::detail {
 
@@ -18,7 +19,9 @@ namespace espalier::detail {
 struct StripLeaf : LeafVertices<PackedNode> {
     using Slots = std::uint64_t;  ///< a bit for each slot
     static constexpr unsigned max_vertices = format::strip_leaf::max_small_entries;
-    static constexpr unsigned max_slots = format::strip_leaf::max_small_entries - 2;
+    static_assert(max_vertices == format::predicted_strip::max_vertices);
+    static constexpr unsigned max_slots =
+        (reads_predicted_strips ? format::predicted_strip::max_entries : format::strip_leaf::max_small_entries) - 2;
     static constexpr bool may_have_copies = false;
     static constexpr bool counts_from_zero = false;
 
@@ -30,8 +33,19 @@ struct StripLeaf : LeafVertices<PackedNode> {
     std::uint8_t slot_count;
     std::uint8_t references_at;  ///< in bits, in the marks
     std::uint8_t reference_width;
-    std::uint32_t first;  ///< storage index of its first triangle
-    const std::byte* marks;
+#if ESPALIER_PREDICTED_STRIPS
+    union {
+        std::uint32_t stored_first;  ///< storage index of the first triangle, where it is stored
+        /// In bits, in the data of a predicted strip.
+        struct {
+            std::uint16_t choices_at;
+            std::uint16_t numbers_at;
+        } predicted;
+    };
+#else
+    std::uint32_t stored_first;  ///< storage index of the first triangle
+#endif
+    const std::byte* marks;  ///< its data
     // A bit for each entry or window.
     std::uint64_t pivots;
     std::uint64_t windows;
@@ -40,6 +54,10 @@ struct StripLeaf : LeafVertices<PackedNode> {
     [[nodiscard]] Slots used_slots() const { return windows; }
     [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(std::popcount(windows)); }
     [[nodiscard]] unsigned entry_count() const { return slot_count + 2; }
+
+    [[nodiscard]] bool is_predicted() const { return has_predicted_leaves(blob->profile); }
+    /// The storage index of its first triangle.
+    [[nodiscard]] std::uint32_t first() const;
 
     /// The low corner of its box.
     [[nodiscard]] std::int32_t anchor(int axis) const {
@@ -90,7 +108,21 @@ struct StripLeaf : LeafVertices<PackedNode> {
     }
 };
 
-/// The leaf that is child `node.node_children() + number` of the node.
+/// Takes the width of offsets in the leaf's box on an axis from the node.
+[[gnu::always_inline]] inline unsigned decode_axis(StripLeaf& leaf, int axis) {
+    const PackedNode& node = leaf.node;
+    const unsigned bits = leaf.blob->bits;
+    const unsigned child = leaf.child();
+    const std::uint32_t low = load_u8(node.low_planes(axis) + child);
+    const std::uint32_t planes = load_u8(node.high_planes(axis) + child) - low;
+    const unsigned shift = node.shift(axis);
+    const unsigned width = format::strip_leaf::coordinate_width(planes << shift, bits);
+    leaf.width[axis] = static_cast<std::uint8_t>(width);
+    leaf.keep_anchor(axis, node.base(axis, bits) + static_cast<std::int32_t>(low << shift));
+    return width;
+}
+
+/// The leaf that is child `node.node_children() + number` of the node, of a profile that stores vertices.
 ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, PackedNode node, unsigned number,
                                                           StripLeaf& leaf) {
     using namespace format::strip_leaf;
@@ -103,7 +135,7 @@ ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, 
     // checks all bits
     leaf.marks = block + descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()} +
                  (descriptor & ((1u << offset_bits) - 1u));
-    leaf.first = load_u32(block) + (descriptor >> first_shift & 511u);
+    leaf.stored_first = load_u32(block) + (descriptor >> first_shift & 511u);
     const unsigned marked = descriptor >> entries_shift & 63u;
     leaf.slot_count = static_cast<std::uint8_t>(marked + 1);
     leaf.pivots = load_bits(leaf.marks, 0, marked) << 1 | 1u;
@@ -114,17 +146,10 @@ ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, 
     leaf.reference_width = static_cast<std::uint8_t>(reference_width(leaf.vertex_count));
     const std::byte* at = leaf.marks + (mark_bits(marked + 3, leaf.vertex_count) + 7) / 8;
     const std::uint32_t vertex_count = leaf.vertex_count;
-    const unsigned bits = blob.bits;
-    const unsigned child = node.node_children() + number;
     std::uint32_t longest = 0;
     for (int k = 0; k < 3; ++k) {
-        const std::uint32_t low = load_u8(node.low_planes(k) + child);
-        const std::uint32_t planes = load_u8(node.high_planes(k) + child) - low;
-        const unsigned shift = node.shift(k);
-        const unsigned width = coordinate_width(planes << shift, bits);
-        leaf.width[k] = static_cast<std::uint8_t>(width);
+        const unsigned width = decode_axis(leaf, k);
         leaf.coordinates[k] = at;
-        leaf.keep_anchor(k, node.base(k, bits) + static_cast<std::int32_t>(low << shift));
         at += (vertex_count * width + 7) / 8;
         // mutant(> -> >=) equivalent: both sides are equal then
         longest = width > longest ? width : longest;

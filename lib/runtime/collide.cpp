@@ -2,6 +2,7 @@
 #include <espalier/collide.hpp>
 #include <runtime/copies.hpp>
 #include <runtime/find_triangle.hpp>
+#include <runtime/leaf_kinds.hpp>
 #include <runtime/lattice_world.hpp>
 #include <runtime/pair_queries.hpp>
 #include <runtime/simd/dispatch.hpp>
@@ -31,13 +32,38 @@ TrianglePair owners(const PairFrame& frame, const TrianglePair& pair) {
     return {{owner_of(*frame.a, pair.a.index)}, {owner_of(*frame.b, pair.b.index)}};
 }
 
-QueryStatus find_touching(const PairFrame& frame, TrianglePair& pair, bool& found, std::uint64_t& work) {
+#if ESPALIER_PREDICTED_STRIPS
+bool has_predicted_leaves(const PairFrame& frame) {
+    return detail::has_predicted_leaves(frame.a->profile) || detail::has_predicted_leaves(frame.b->profile);
+}
+// With room for vertices, which pairs without predicted strips do not pay for.
+[[gnu::noinline]] QueryStatus visit_touching_predicted(PairFrame& frame, OnTouching visit, std::uint64_t& work) {
+    PredictedVertices vertices[2];
+    frame.vertices = vertices;
+    return ESPALIER_DISPATCH(touching_pairs, frame, visit, work);
+}
+[[gnu::noinline]] QueryStatus find_nearest_predicted(PairFrame& frame, float radius, bool any, FoundTriangles& best,
+                                                     bool& found, std::uint64_t& work) {
+    PredictedVertices vertices[2];
+    frame.vertices = vertices;
+    return ESPALIER_DISPATCH(nearest_pair, frame, radius, any, best, found, work);
+}
+#endif
+
+QueryStatus visit_touching(PairFrame& frame, OnTouching visit, std::uint64_t& work) {
+#if ESPALIER_PREDICTED_STRIPS
+    if (has_predicted_leaves(frame)) return visit_touching_predicted(frame, visit, work);
+#endif
+    return ESPALIER_DISPATCH(touching_pairs, frame, visit, work);
+}
+
+QueryStatus find_touching(PairFrame& frame, TrianglePair& pair, bool& found, std::uint64_t& work) {
     const auto keep = [&](const TrianglePair& touching) {
         pair = touching;
         found = true;
         return stop;
     };
-    return ESPALIER_DISPATCH(touching_pairs, frame, keep, work);
+    return visit_touching(frame, keep, work);
 }
 
 /// Where the triangles of a pair touch. What this takes of the stack is not needed beside the walk.
@@ -52,13 +78,16 @@ QueryStatus find_touching(const PairFrame& frame, TrianglePair& pair, bool& foun
 constexpr float farthest_in_spans = 1024.0f;
 
 /// Pairs at distance 0 are looked for apart: what separates boxes finds them sooner than how far apart these are.
-QueryStatus find_nearest(const PairFrame& frame, float radius, bool any, FoundTriangles& best, bool& found,
+QueryStatus find_nearest(PairFrame& frame, float radius, bool any, FoundTriangles& best, bool& found,
                          std::uint64_t work) {
     if (frame.gap > farthest_in_spans * frame.span)
         return frame.gap > 2.0f * radius ? QueryStatus::ok : QueryStatus::out_of_range;
     const QueryStatus status = find_touching(frame, best.pair, found, work);
     if (found) find_common_point(frame, best);
     if (found || status != QueryStatus::ok || radius == 0.0f) return status;
+#if ESPALIER_PREDICTED_STRIPS
+    if (has_predicted_leaves(frame)) return find_nearest_predicted(frame, radius, any, best, found, work);
+#endif
     return ESPALIER_DISPATCH(nearest_pair, frame, radius, any, best, found, work);
 }
 
@@ -84,7 +113,7 @@ bool is_distance(float distance) {
 
 QueryStatus first_contact(const Blob& a, const Blob& b, const Placement& placement, TrianglePair& contact, bool& found,
                           WorkLimit limit) noexcept {
-    const PlacedPair placed(a, b, placement);
+    PlacedPair placed(a, b, placement);
     if (placed.status != QueryStatus::ok) return placed.status;
     found = false;
     if (placed.is_empty) return QueryStatus::ok;
@@ -102,9 +131,9 @@ QueryStatus collides(const Blob& a, const Blob& b, const Placement& placement, b
 QueryStatus for_each_contact(const Blob& a, const Blob& b, const Placement& placement,
                              FunctionRef<Visit(const TrianglePair&)> visit, WorkLimit limit) {
     if (a.copy_count() != 0 || b.copy_count() != 0) return QueryStatus::has_copies;
-    const PlacedPair placed(a, b, placement);
+    PlacedPair placed(a, b, placement);
     if (placed.is_empty || placed.status != QueryStatus::ok) return placed.status;
-    return ESPALIER_DISPATCH(touching_pairs, placed.frame, visit, limit.pairs);
+    return visit_touching(placed.frame, visit, limit.pairs);
 }
 
 QueryStatus all_contacts(const Blob& a, const Blob& b, const Placement& placement, std::span<TrianglePair> contacts,
@@ -126,11 +155,11 @@ QueryStatus all_contacts(const Blob& a, const Blob& b, const Placement& placemen
 QueryStatus minimum_distance(const Blob& a, const Blob& b, const Placement& placement, float max_distance,
                              PairDistance& nearest, bool& found, WorkLimit limit) noexcept {
     if (!is_distance(max_distance)) return QueryStatus::invalid_argument;
-    const PlacedPair placed(a, b, placement);
+    PlacedPair placed(a, b, placement);
     if (placed.status != QueryStatus::ok) return placed.status;
     found = false;
     if (placed.is_empty) return QueryStatus::ok;
-    const PairFrame& frame = placed.frame;
+    PairFrame& frame = placed.frame;
     FoundTriangles best;
     const QueryStatus status =
         find_nearest(frame, radius_on_grid(frame, max_distance), false, best, found, limit.pairs);
@@ -147,7 +176,7 @@ QueryStatus minimum_distance(const Blob& a, const Blob& b, const Placement& plac
 QueryStatus within_distance(const Blob& a, const Blob& b, const Placement& placement, float distance, bool& answer,
                             WorkLimit limit) noexcept {
     if (!is_distance(distance)) return QueryStatus::invalid_argument;
-    const PlacedPair placed(a, b, placement);
+    PlacedPair placed(a, b, placement);
     if (placed.status != QueryStatus::ok) return placed.status;
     answer = false;
     if (placed.is_empty) return QueryStatus::ok;

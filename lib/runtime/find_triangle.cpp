@@ -38,9 +38,14 @@ LatticeTriangle find_triangle(const BlobData& blob, std::uint32_t index) {
         }
         for (unsigned number = 0;; ++number) {
             count_leaf_step();
-            const Leaf leaf = leaf_at<Leaf>(blob, node, number);
-            const std::uint32_t skip = index - scalar::storage_index(leaf, 0);
-            if (skip < leaf.triangle_count()) return triangle_in(leaf, skip);
+            LatticeTriangle triangle;
+            const bool is_found = scalar_walk::with_leaf<Leaf>(blob, node, number, [&](const Leaf& leaf) {
+                const std::uint32_t skip = index - scalar::storage_index(leaf, 0);
+                if (skip >= leaf.triangle_count()) return false;
+                triangle = triangle_in(leaf, skip);
+                return true;
+            });
+            if (is_found) return triangle;
         }
     });
 }

@@ -62,7 +62,7 @@ Status read_header(BlobData& blob) {
     if ((blob.features & ~read_features) != 0) return Status::unsupported_feature;
     const unsigned profile = load_u8(h + profile_at);
     blob.profile = static_cast<format::Profile>(profile);
-    if (profile > static_cast<unsigned>(format::Profile::small)) return Status::unsupported_profile;
+    if (profile > static_cast<unsigned>(format::Profile::tiny)) return Status::unsupported_profile;
     // mutant(never) equivalent: the build for mutants reads all profiles
     if (!is_read(blob.profile)) return Status::unsupported_profile;  // GCOVR_EXCL_BR_LINE: builds of fewer profiles
 

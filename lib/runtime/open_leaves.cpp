@@ -69,7 +69,17 @@ bool take_vertices(const StripLeaf& leaf, OpenProgress& seen) {
     return true;
 }
 
-bool take_strip_leaves(const PackedNode& node, const std::byte* descriptors, OpenProgress& seen) {
+/// Whether entries name vertices that were used before.
+inline bool are_sound_entries(const StripLeaf& leaf) {
+    unsigned used = 0;
+    for (unsigned entry = 0; entry < leaf.entry_count(); ++entry) {
+        if ((leaf.first_uses >> entry & 1) != 0) ++used;
+        else if (leaf.entry(entry) >= used) return false;
+    }
+    return true;
+}
+
+bool take_stored_strips(const PackedNode& node, const std::byte* descriptors, OpenProgress& seen) {
     using namespace format::strip_leaf;
     const unsigned most_entries =
         seen.blob.profile == format::Profile::balanced ? max_balanced_entries : max_small_entries;
@@ -85,14 +95,82 @@ bool take_strip_leaves(const PackedNode& node, const std::byte* descriptors, Ope
         if (take_stream(seen, mark_bits(leaf.entry_count(), leaf.vertex_count)) == nullptr ||
             !take_vertices(leaf, seen) || seen.leaf_bytes == begin)  // three entries on one point have no data
             return false;
-        unsigned used = 0;
-        for (unsigned entry = 0; entry < leaf.entry_count(); ++entry) {
-            if ((leaf.first_uses >> entry & 1) != 0) ++used;
-            else if (leaf.entry(entry) >= used) return false;
-        }
+        if (!are_sound_entries(leaf)) return false;
         seen.triangles += leaf.triangle_count();
     }
     return true;
+}
+
+#if ESPALIER_PREDICTED_STRIPS
+
+/// Whether joints are where paths can end and begin: in order, and with a triangle between.
+bool are_sound_joints(const std::byte* data, unsigned marked, unsigned joints) {
+    using namespace format::predicted_strip;
+    unsigned least = 1;
+    for (unsigned i = 0; i < joints; ++i) {
+        const unsigned window = load_few_bits(data, marks_at + 2 * marked + place_bits * i, place_bits);
+        if (window < least || window + 2 > marked) return false;
+        least = window + 3;
+    }
+    return true;
+}
+
+/// Whether widths are of a small and a large residual, and the leaf's numbers end where its bytes do. All its bits up
+/// to the numbers are inside the section.
+bool are_sound_widths(const StripLeaf& leaf, unsigned bits, unsigned bytes) {
+    const unsigned predicted = (unsigned{leaf.predicted.numbers_at} - leaf.predicted.choices_at) / 3;
+    const ResidualWidths widths(leaf);
+    unsigned end = leaf.predicted.numbers_at;
+    for (unsigned k = 0; k < 3; ++k) {
+        const unsigned large = widths.large[k], small = widths.small[k];
+        if (large > format::predicted_strip::max_width(bits) || small > large) return false;
+        unsigned larger = 0;
+        for (unsigned i = 0; i < predicted; ++i)
+            larger += load_few_bits(leaf.marks, leaf.predicted.choices_at + 3 * i + k, 1);
+        end += larger * large + (predicted - larger) * small + (leaf.vertex_count - predicted) * leaf.width[k];
+    }
+    return (end + 7) / 8 == bytes && is_padded_with_zeros(leaf.marks, end);
+}
+
+/// Whether all vertices of a predicted strip are inside the asset, and as far from its anchor as its box reaches.
+bool are_sound_vertices(StripLeaf& leaf, const BlobData& blob) {
+    PredictedVertices vertices;
+    if (!decode_predicted_vertices(leaf, vertices)) return false;
+    use_vertices(vertices, leaf);
+    for (int k = 0; k < 3; ++k)
+        for (unsigned i = 0; i < leaf.vertex_count; ++i)
+            if (leaf.anchor(k) + leaf.offset(k, i) > blob.extent[k]) return false;
+    return true;
+}
+
+bool take_predicted_strips(const PackedNode& node, const std::byte* descriptors, OpenProgress& seen) {
+    using namespace format::predicted_strip;
+    for (unsigned number = 0; number < node.leaf_children(); ++number) {
+        const std::uint32_t descriptor = load_u16(descriptors + descriptor_bytes * std::size_t{number});
+        const unsigned bytes = descriptor & ((1u << entries_shift) - 1u);
+        const unsigned marked = descriptor >> entries_shift;
+        if (marked + 3 > max_entries || bytes > seen.blob.leaf_bytes - seen.leaf_bytes) return false;
+        // With the guard, the section has what the marks take at most, and with it all that follows is inside.
+        StripLeaf leaf;
+        decode_predicted_marks(seen.blob, node, number, leaf);
+        if (leaf.vertex_count > max_vertices || leaf.predicted.numbers_at > 8 * bytes ||
+            !are_sound_joints(leaf.marks, marked, joint_count(leaf.marks)) ||
+            !are_sound_widths(leaf, seen.blob.bits, bytes) || !are_sound_entries(leaf) ||
+            !are_sound_vertices(leaf, seen.blob))
+            return false;
+        seen.leaf_bytes += bytes;
+        seen.triangles += leaf.triangle_count();
+    }
+    return true;
+}
+
+#endif
+
+bool take_strips(const PackedNode& node, const std::byte* descriptors, OpenProgress& seen) {
+#if ESPALIER_PREDICTED_STRIPS
+    if (has_predicted_leaves(seen.blob.profile)) return take_predicted_strips(node, descriptors, seen);
+#endif
+    return take_stored_strips(node, descriptors, seen);
 }
 
 }  // namespace
@@ -100,11 +178,13 @@ bool take_strip_leaves(const PackedNode& node, const std::byte* descriptors, Ope
 bool take_leaves(PackedNode node, OpenProgress& seen) {
     using namespace format::strip_leaf;
     if (node.leaf_children() == 0) return true;
-    const std::size_t head = descriptors_at + descriptor_bytes * std::size_t{node.leaf_children()};
+    const bool are_predicted = has_predicted_leaves(seen.blob.profile);
+    const std::size_t each = are_predicted ? format::predicted_strip::descriptor_bytes : descriptor_bytes;
+    const std::size_t head = descriptors_at + each * node.leaf_children();
     const std::byte* const block = take_stream(seen, 8 * static_cast<unsigned>(head));
     if (block == nullptr || load_u32(block) != seen.triangles) return false;
     // The number of triangles here already, block by block: a sum at the end could have gone around in 32 bits.
-    return take_strip_leaves(node, block + descriptors_at, seen) && seen.triangles <= seen.blob.triangle_count &&
+    return take_strips(node, block + descriptors_at, seen) && seen.triangles <= seen.blob.triangle_count &&
            take_padding(seen, 4);
 }
 

@@ -5,10 +5,13 @@
 
 #include <espalier/collide.hpp>
 #include <runtime/float_bits.hpp>
+#include <runtime/read_profiles.hpp>
 #include <runtime/small_code.hpp>
 #include <runtime/triangle_triangle.hpp>
 
 namespace espalier::detail {
+
+struct PredictedVertices;
 
 /// How boxes of the other tree look from a tree's own frame. Float, with slack: for rejecting only.
 struct PairSide {
@@ -43,6 +46,9 @@ struct PairFrame {
     float gap;      ///< between the placed bounds along some axis, at least
     float span;     ///< the longest side of the two bounds
     PairSide sides[2];
+#if ESPALIER_PREDICTED_STRIPS
+    PredictedVertices* vertices;  ///< room for those of a leaf of a and one of b, where either has predicted strips
+#endif
 
     /// A coordinate of a on the grid.
     [[nodiscard]] std::int32_t place_a(std::int32_t q) const {

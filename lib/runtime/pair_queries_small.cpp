@@ -112,8 +112,8 @@ struct PairVisitor {
     Visit visit_leaves(PairLeaf a_place, PairLeaf b_place, const TwiceBox& a_box) const {
         return scalar_walk::with_leaves_of(*frame.a, [&]<class LeafA>() {
             return scalar_walk::with_leaves_of(*frame.b, [&]<class LeafB>() {
-                const auto a = leaf_of_pair<LeafA>(*frame.a, a_place);
-                const auto b = leaf_of_pair<LeafB>(*frame.b, b_place);
+                const auto a = leaf_of_pair<LeafA>(frame, 0, a_place);
+                const auto b = leaf_of_pair<LeafB>(frame, 1, b_place);
                 const PlacedBox box(a_box, frame);
                 SlotPair<LeafA, LeafB> pair(frame, a, b);
                 return least != nullptr ? visit_near(pair, box) : visit_touching(pair, box);

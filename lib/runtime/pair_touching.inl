@@ -117,8 +117,8 @@ template <class LeafA, class LeafB>
 template <class LeafA, class LeafB, class Visitor>
 [[gnu::noinline]] Visit visit_touching(const PairFrame& frame, PairLeaf a_place, PairLeaf b_place,
                                        const TwiceBox& a_box, const Visitor& visit) {
-    const auto a = leaf_of_pair<LeafA>(*frame.a, a_place);
-    const auto b = leaf_of_pair<LeafB>(*frame.b, b_place);
+    const auto a = leaf_of_pair<LeafA>(frame, 0, a_place);
+    const auto b = leaf_of_pair<LeafB>(frame, 1, b_place);
     const PlacedBox box(a_box, frame);
     auto corners = corners_of(b);
     for (unsigned first = 0; first < b.slot_count; first += columns) {

@@ -21,8 +21,19 @@ struct PairLeaf {
     unsigned number;  ///< among the node's leaves
 };
 template <class Leaf>
-inline Leaf leaf_of_pair(const BlobData& blob, PairLeaf place) {
-    return leaf_at<Leaf>(blob, node_at<typename Leaf::Node>(blob, place.node), place.number);
+inline Leaf leaf_of_pair(const PairFrame& frame, unsigned side, PairLeaf place) {
+    const BlobData& blob = side == 0 ? *frame.a : *frame.b;
+    const auto node = node_at<typename Leaf::Node>(blob, place.node);
+#if ESPALIER_PREDICTED_STRIPS
+    if constexpr (std::is_same_v<Leaf, StripLeaf>) {
+        if (has_predicted_leaves(blob.profile)) {
+            StripLeaf leaf;
+            decode_predicted_strip(blob, node, place.number, leaf, frame.vertices[side]);
+            return leaf;
+        }
+    }
+#endif
+    return leaf_at<Leaf>(blob, node, place.number);
 }
 /// Calls the function with the node of that index.
 template <class Function>

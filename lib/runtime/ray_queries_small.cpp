@@ -85,7 +85,7 @@ template <class Leaf>
 }
 /// Small cores have no stack to keep what was unpacked.
 template <class Leaf>
-using RayLeaf = Leaf;
+using RayLeaf = KeptLeaf<Leaf>;
 template <class Leaf>
 [[gnu::always_inline]] inline typename Leaf::Slots ray_candidates(const PlaceOf<Leaf>& place, const SeenRay& ray,
                                                                   Leaf& leaf) {

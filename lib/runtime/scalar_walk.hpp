@@ -15,6 +15,7 @@ namespace own_copy {
 #include <runtime/traverse.inl>
 }  // namespace own_copy
 
+using own_copy::with_leaf;
 using own_copy::with_leaves_of;
 
 /// Any visitor over leaves of that kind.

@@ -62,7 +62,7 @@ template <class Leaf, class Visitor>
             among = every_child_of<Node>;
         } else {
             count_leaf_step();
-            if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, nearest - node_children)) == stop) return;
+            if (visit_leaf<Leaf>(blob, node, nearest - node_children, visitor) == stop) return;
         }
     } while (among != 0 || waiting.pop(index, among));
 }
@@ -81,7 +81,7 @@ template <class Leaf, class Visitor>
         for (unsigned number = 0; mask >> node_children >> number != 0; ++number) {
             if ((mask >> node_children >> number & 1u) == 0) continue;
             count_leaf_step();
-            if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, number)) == stop) return stop;
+            if (visit_leaf<Leaf>(blob, node, number, visitor) == stop) return stop;
         }
         std::uint32_t first = node.first_child();
         unsigned nodes = mask & ((1u << node_children) - 1u);

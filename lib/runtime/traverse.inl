@@ -119,7 +119,7 @@ struct NearestFirst {
                 const Node node = node_at<Node>(blob, parent);
                 if (parent == index && is_beyond(keys[node.node_children() + number], visitor.limit())) continue;
                 count_leaf_step();
-                if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, number)) == stop) return false;
+                if (visit_leaf<Leaf>(blob, node, number, visitor) == stop) return false;
             }
             Waiting next;
             do {
@@ -223,7 +223,7 @@ struct StorageOrder {
         const unsigned node_children = children.nodes();
         for (unsigned leaves = mask >> node_children; leaves != 0; leaves &= leaves - 1) {
             count_leaf_step();
-            if (visitor.visit_leaf(leaf_at<Leaf>(blob, node, static_cast<unsigned>(std::countr_zero(leaves)))) == stop)
+            if (visit_leaf<Leaf>(blob, node, static_cast<unsigned>(std::countr_zero(leaves)), visitor) == stop)
                 return Step::was_stopped;
         }
         if (const unsigned nodes = mask & ((1u << node_children) - 1u); nodes != 0)

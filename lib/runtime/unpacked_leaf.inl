@@ -4,7 +4,9 @@
 /// A leaf whose vertices are unpacked where they are needed: without wide registers unpacking all for the kernel costs
 /// more than it saves.
 template <class Leaf>
-struct PackedLeaf : Leaf {
+struct PackedLeaf : KeptLeaf<Leaf> {
+    PackedLeaf() {}  // NOLINT(modernize-use-equals-default): no member has a value yet
+
     [[gnu::always_inline]] void unpack_vertices(unsigned) const {}
     /// What is looked up for the width stays out of the registers.
     [[nodiscard, gnu::always_inline]] Ints vertices(unsigned axis, unsigned group) const {
@@ -22,6 +24,7 @@ public:
     UnpackedLeaf() {}  // NOLINT(modernize-use-equals-default): no member has a value yet
 
     [[gnu::always_inline]] void unpack_vertices(unsigned groups) {
+        if (has_vertices()) return;
         for (unsigned k = 0; k < 3; ++k)
             for (unsigned group = 0; group < groups; ++group)
                 store(steps_[k] + group * lanes, offsets_of(static_cast<const Leaf&>(*this), k, group));
@@ -47,6 +50,15 @@ public:
         return triangle;
     }
 
+    /// Those of a predicted strip are unpacked with the leaf.
+    [[nodiscard, gnu::always_inline]] bool has_vertices() const {
+#if ESPALIER_PREDICTED_STRIPS
+        if constexpr (std::is_same_v<Leaf, StripLeaf>) return this->is_predicted();
+#endif
+        return false;
+    }
+    [[nodiscard]] std::uint32_t* steps(unsigned axis) { return steps_[axis]; }
+
 private:
     static constexpr bool keeps_entries =
         requires(decltype(corners_of(std::declval<const Leaf&>())) corners, std::uint8_t* to) {
@@ -64,8 +76,23 @@ private:
     }
 
     alignas(sizeof(Ints)) std::uint32_t steps_[3][room];
-    std::uint8_t entries_[keeps_entries ? 64 : 1];
+    std::uint8_t entries_[keeps_entries ? format::max_leaf_entries : 1];
 };
+
+#if ESPALIER_PREDICTED_STRIPS
+/// Apart from what decodes other strips.
+[[gnu::noinline]] inline void unpack_predicted_strip(const BlobData& blob, PackedNode node, unsigned number,
+                                                     UnpackedLeaf<StripLeaf>& leaf) {
+    decode_predicted_marks(blob, node, number, leaf);
+    decode_points(leaf, leaf.steps(0), leaf.steps(1), leaf.steps(2));
+}
+/// Unpacks the vertices too, of a predicted strip.
+[[gnu::always_inline]] inline void decode_leaf(const BlobData& blob, PackedNode node, unsigned number,
+                                               UnpackedLeaf<StripLeaf>& leaf) {
+    if (has_predicted_leaves(blob.profile)) return unpack_predicted_strip(blob, node, number, leaf);
+    decode_leaf(blob, node, number, static_cast<StripLeaf&>(leaf));
+}
+#endif
 
 template <class Leaf>
 using RayLeaf = std::conditional_t<keeps_unpacked, UnpackedLeaf<Leaf>, PackedLeaf<Leaf>>;

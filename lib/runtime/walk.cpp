@@ -57,9 +57,10 @@ struct EveryNode {
             child.box = {{below(0), below(1), below(2)}, {above(0), above(1), above(2)}};
             child.is_leaf = i >= nodes;
             if (child.is_leaf) {
-                const LeafKind leaf = leaf_at<LeafKind>(blob, node, i - nodes);
-                child.first = Triangle{scalar::storage_index(leaf, 0)};
-                child.count = leaf.triangle_count();
+                scalar_walk::with_leaf<LeafKind>(blob, node, i - nodes, [&](const LeafKind& leaf) {
+                    child.first = Triangle{scalar::storage_index(leaf, 0)};
+                    child.count = leaf.triangle_count();
+                });
             } else {
                 child.node = node.first_child() + i;
             }

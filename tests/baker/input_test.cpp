@@ -201,8 +201,8 @@ TEST_SUITE("input") {
         options.effort = 10;
         refused(options, "0 (fastest) to 9 (best)");
         options = {};
-        options.profile = static_cast<format::Profile>(3);
-        refused(options, "profile 3");
+        options.profile = static_cast<format::Profile>(4);
+        refused(options, "profile 4");
         options = {};
         options.builder = static_cast<Builder>(99);
         refused(options, "builder 99");

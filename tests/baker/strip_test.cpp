@@ -167,7 +167,8 @@ TEST_SUITE("strip") {
     TEST_CASE("strip: shapes hard on strips equal the loop on every instruction set") {
         for (const Mesh& mesh : strip_shapes()) {
             CAPTURE(mesh.name);
-            for (const format::Profile profile : {format::Profile::balanced, format::Profile::small}) {
+            for (const format::Profile profile :
+                 {format::Profile::balanced, format::Profile::small, format::Profile::tiny}) {
                 CAPTURE(name_of(profile));
                 for (const unsigned bits : {12u, 24u}) {
                     const OpenedBlob opened(mesh, with_large_leaves(profile, bits));
@@ -226,7 +227,8 @@ TEST_SUITE("strip") {
         for_each_profile([&](format::Profile profile) {
             const unsigned most = profile == format::Profile::fast       ? format::plain_leaf::max_triangles
                                   : profile == format::Profile::balanced ? format::strip_leaf::max_balanced_entries - 2
-                                                                         : format::strip_leaf::max_small_entries - 2;
+                                  : profile == format::Profile::small    ? format::strip_leaf::max_small_entries - 2
+                                                                         : format::predicted_strip::max_entries - 2;
             const auto result = bake_mesh(mesh, with_large_leaves(profile, 16));
             REQUIRE(result);
             const DecodedBlob decoded = decode(result->blob);

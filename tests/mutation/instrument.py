@@ -20,6 +20,7 @@ PARTS = {
     "decode": [
         "runtime/bytes.hpp", "runtime/node_bytes.hpp", "runtime/codec_node.hpp", "runtime/codec_packed_node.hpp",
         "runtime/codec_plain_node.hpp", "runtime/codec_plain.hpp", "runtime/codec_strip.hpp",
+        "runtime/codec_predicted_strip.hpp", "runtime/predicted_strip.cpp", "runtime/vertex_word.hpp",
         "runtime/leaf_vertices.hpp", "runtime/copies.hpp", "runtime/id_steps.hpp", "espalier/format.hpp",
         "runtime/simd/frames_portable.inl", "runtime/simd/slab_frame_portable.inl", "runtime/simd/leaf_corners.inl",
         "runtime/simd/strip_corners_portable.inl",
@@ -27,7 +28,8 @@ PARTS = {
     "quantiser": [
         "baker/lattice.hpp", "baker/lattice.cpp", "baker/fit_lattice.cpp", "baker/snap.cpp", "baker/float_rounding.hpp",
         "baker/encode_tree.cpp", "baker/encode_packed_node.cpp", "baker/encode_plain_node.cpp",
-        "baker/encode_plain_leaf.cpp", "baker/encode_strip_leaf.cpp", "baker/closed.cpp"],
+        "baker/encode_plain_leaf.cpp", "baker/encode_strip_leaf.cpp", "baker/encode_predicted_strip.cpp",
+        "baker/numbered_entries.hpp", "baker/predicted_strip.cpp", "baker/closed.cpp"],
     "traversal": [
         "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_plain_nodes.inl", "runtime/node_boxes.inl",
         "runtime/ray_lanes.hpp", "runtime/placed_planes.hpp",

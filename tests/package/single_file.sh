@@ -14,7 +14,7 @@ rm -rf "$folder"
 cd "$folder/single"
 "$compiler" -std=c++20 -O1 "${warnings[@]}" -c espalier.cpp -o ../espalier.o
 ! nm -u ../espalier.o | grep -w sqrtf || { echo "failed: it asks for libm"; exit 1; }
-for macro in ESPALIER_PLAIN_LEAVES=0 ESPALIER_STRIP_LEAVES=0 ESPALIER_SMALL_CODE=1; do
+for macro in ESPALIER_PLAIN_LEAVES=0 ESPALIER_STRIP_LEAVES=0 ESPALIER_PREDICTED_STRIPS=0 ESPALIER_SMALL_CODE=1; do
     "$compiler" -std=c++20 -fsyntax-only -fno-exceptions -fno-rtti "${warnings[@]}" "-D$macro" espalier.cpp
 done
 for other in aarch64-linux-gnu-g++ "clang++ --target=wasm32-wasi -msimd128"; do  # the lanes of other machines

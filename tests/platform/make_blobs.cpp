@@ -129,11 +129,11 @@ bool bake_by_every_builder(const std::string& folder, const std::vector<espalier
                                  {Builder::agglomerative, "agglomerative"},
                                  {Builder::linear, "linear"},
                                  {Builder::insertion, "insertion"}};
-    constexpr Profile profiles[] = {Profile::fast, Profile::balanced, Profile::small};
-    constexpr const char* profile_names[] = {"fast", "balanced", "small"};
+    constexpr Profile profiles[] = {Profile::fast, Profile::balanced, Profile::small, Profile::tiny};
+    constexpr const char* profile_names[] = {"fast", "balanced", "small", "tiny"};
     unsigned number = 0;
     for (const Name& builder : builders) {
-        for (unsigned profile = 0; profile < 3; ++profile) {
+        for (unsigned profile = 0; profile < 4; ++profile) {
             if (builder.builder == Builder::spatial_splits && profiles[profile] != Profile::fast) continue;
             espalier::BakeOptions options;
             options.builder = builder.builder;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <espalier/espalier.hpp>
 
@@ -17,17 +19,26 @@
 #include "../support/stack_use.hpp"
 #include "../support/sweep_maker.hpp"
 #include "../support/test_blobs.hpp"
+#include "../support/test_pair_frame.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
 
 namespace {
 
+/// Blobs whose vertices are predicted, or the others.
+std::vector<std::reference_wrapper<const TestBlob>> test_blobs(bool are_predicted) {
+    std::vector<std::reference_wrapper<const TestBlob>> blobs;
+    for (const TestBlob& blob : medium_test_blobs())
+        if ((blob.opened.blob.profile() == format::Profile::tiny) == are_predicted) blobs.push_back(blob);
+    return blobs;
+}
+
 /// The most that `call` took for any blob and query.
 template <class Call>
-std::size_t most_stack(Call call) {
+std::size_t most_stack(const std::vector<std::reference_wrapper<const TestBlob>>& measured, Call call) {
     std::size_t most = 0;
-    for (const TestBlob& blob : medium_test_blobs()) {
+    for (const TestBlob& blob : measured) {
         QueryMaker maker(blob.decoded, 5);
         for (int i = 0; i < 40; ++i) most = std::max(most, call(blob, maker));
     }
@@ -53,217 +64,234 @@ TEST_SUITE("stack") {
             MESSAGE("SKIPPED: the sanitizers give frames other sizes");
             return;
         }
-        struct Row {
-            const char* query;
-            std::size_t budget;
-            std::size_t most;
-        };
-        RayHit hit;
-        Nearest nearest;
-        std::array<Nearest, 16> few;
-        bool inside = false;
-        const auto ray_row = [&](auto query) {
-            return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
-                const Ray ray = maker.any_ray();
-                return stack_use([&] { query(blob.opened.blob, ray); });
-            });
-        };
-        using Rays = std::array<Ray, 64>;
-        std::array<RayHit, 64> hits;
-        std::array<std::uint8_t, 64> answers;
-        const auto batch_row = [&](auto query) {
-            return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
-                Rays rays;
-                rays.fill(maker.any_ray());  // a group, and then strangers
-                for (std::size_t i = 32; i < rays.size(); ++i) rays[i] = maker.any_ray();
-                return stack_use([&] { query(blob.opened.blob, rays); });
-            });
-        };
-        // The paths of instruction sets that the machine would not choose are measured too.
-        const auto ray_path_row = [&](auto query) {
-            std::size_t most = 0;
-            for (const InstructionPath& path : instruction_paths())
-                most = std::max(most, ray_row([&](const Blob& blob, const Ray& ray) { query(path, blob, ray); }));
-            return most;
-        };
-        const auto sphere_row = [&](auto query) {
-            return most_stack([&](const TestBlob& blob, QueryMaker& maker) {
-                const Sphere sphere = maker.sphere();
-                return stack_use([&] { query(blob.opened.blob, sphere); });
-            });
-        };
-        const auto volume_row = [&](auto make) {
-            std::size_t most = 0;
-            for (const TestBlob& blob : medium_test_blobs()) {
-                ShapeMaker maker(blob.decoded, 6);
-                for (int i = 0; i < 30; ++i) {
-                    const auto shape = make(maker);
-                    std::array<Triangle, 8> page;
-                    most = std::max(most, stack_use([&] { (void)overlaps(blob.opened.blob, shape); }));
-                    most = std::max(most, stack_use([&] { collect_overlaps(blob.opened.blob, shape, page); }));
+        for (const bool are_predicted : {false, true}) {
+            const auto measured = test_blobs(are_predicted);
+            REQUIRE(!measured.empty());
+            struct Row {
+                const char* query;
+                std::size_t budget;
+                std::size_t most;
+                std::size_t leaves = 1;  ///< decoded at the same time
+            };
+            RayHit hit;
+            Nearest nearest;
+            std::array<Nearest, 16> few;
+            bool inside = false;
+            const auto ray_row = [&](auto query) {
+                return most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
+                    const Ray ray = maker.any_ray();
+                    return stack_use([&] { query(blob.opened.blob, ray); });
+                });
+            };
+            using Rays = std::array<Ray, 64>;
+            std::array<RayHit, 64> hits;
+            std::array<std::uint8_t, 64> answers;
+            const auto batch_row = [&](auto query) {
+                return most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
+                    Rays rays;
+                    rays.fill(maker.any_ray());  // a group, and then strangers
+                    for (std::size_t i = 32; i < rays.size(); ++i) rays[i] = maker.any_ray();
+                    return stack_use([&] { query(blob.opened.blob, rays); });
+                });
+            };
+            // The paths of instruction sets that the machine would not choose are measured too.
+            const auto ray_path_row = [&](auto query) {
+                std::size_t most = 0;
+                for (const InstructionPath& path : instruction_paths())
+                    most = std::max(most, ray_row([&](const Blob& blob, const Ray& ray) { query(path, blob, ray); }));
+                return most;
+            };
+            const auto sphere_row = [&](auto query) {
+                return most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
+                    const Sphere sphere = maker.sphere();
+                    return stack_use([&] { query(blob.opened.blob, sphere); });
+                });
+            };
+            const auto volume_row = [&](auto make) {
+                std::size_t most = 0;
+                for (const TestBlob& blob : measured) {
+                    ShapeMaker maker(blob.decoded, 6);
+                    for (int i = 0; i < 30; ++i) {
+                        const auto shape = make(maker);
+                        std::array<Triangle, 8> page;
+                        most = std::max(most, stack_use([&] { (void)overlaps(blob.opened.blob, shape); }));
+                        most = std::max(most, stack_use([&] { collect_overlaps(blob.opened.blob, shape, page); }));
+                    }
                 }
-            }
-            return most;
-        };
-        const auto point_path_row = [&](auto query) {
-            std::size_t most = 0;
-            for (const InstructionPath& path : instruction_paths())
-                most = std::max(most, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                                    detail::LatticePoint point;
-                                    if (detail::round_point(blob.data(), sphere.center, sphere.radius, point))
-                                        query(path, blob.data(), point);
-                                }));
-            return most;
-        };
-        detail::FoundNearest found;
-        const auto sweep_row = [&](auto make) {
-            std::size_t most = 0;
-            for (const TestBlob& blob : medium_test_blobs()) {
-                SweepMaker maker(blob.decoded, 7);
-                for (int i = 0; i < 60; ++i) {
-                    const auto moving = make(maker);
-                    SweepHit sweep_hit;
-                    most = std::max(most, stack_use([&] {
-                                        sweep(blob.opened.blob, moving.shape, moving.displacement, sweep_hit);
+                return most;
+            };
+            const auto point_path_row = [&](auto query) {
+                std::size_t most = 0;
+                for (const InstructionPath& path : instruction_paths())
+                    most = std::max(most, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                                        detail::LatticePoint point;
+                                        if (detail::round_point(blob.data(), sphere.center, sphere.radius, point))
+                                            query(path, blob.data(), point);
                                     }));
+                return most;
+            };
+            detail::FoundNearest found;
+            const auto sweep_row = [&](auto make) {
+                std::size_t most = 0;
+                for (const TestBlob& blob : measured) {
+                    SweepMaker maker(blob.decoded, 7);
+                    for (int i = 0; i < 60; ++i) {
+                        const auto moving = make(maker);
+                        SweepHit sweep_hit;
+                        most = std::max(most, stack_use([&] {
+                                            sweep(blob.opened.blob, moving.shape, moving.displacement, sweep_hit);
+                                        }));
+                    }
                 }
-            }
-            return most;
-        };
-        const auto placed_row = [&](auto query) {
-            std::size_t most = 0;
-            for (const TestBlob& blob : medium_test_blobs()) {
-                PlacementMaker maker(blob.decoded, blob.decoded, 8);
-                for (int i = 0; i < 6; ++i) {
-                    const Placement placement = i % 2 == 0 ? maker.random() : maker.adversarial();
-                    detail::PairFrame frame;
-                    const auto& data = blob.opened.blob.data();
-                    if (detail::place_pair(data, data, placement, frame) != QueryStatus::ok) continue;
-                    for (const InstructionPath& path : instruction_paths())
-                        most = std::max(most, stack_use([&] { query(path, blob.opened.blob, placement, frame); }));
+                return most;
+            };
+            const auto placed_row = [&](auto query) {
+                std::size_t most = 0;
+                for (const TestBlob& blob : measured) {
+                    PlacementMaker maker(blob.decoded, blob.decoded, 8);
+                    for (int i = 0; i < 6; ++i) {
+                        const Placement placement = i % 2 == 0 ? maker.random() : maker.adversarial();
+                        TestPairFrame frame;
+                        const auto& data = blob.opened.blob.data();
+                        if (detail::place_pair(data, data, placement, frame) != QueryStatus::ok) continue;
+                        for (const InstructionPath& path : instruction_paths())
+                            most = std::max(most, stack_use([&] { query(path, blob.opened.blob, placement, frame); }));
+                    }
                 }
-            }
-            return most;
-        };
-        const auto pair_row = [&](auto ask) {
-            std::size_t most = 0;
-            for (const TestBlob& blob : medium_test_blobs()) {
-                ShapeMaker maker(blob.decoded, 7);
-                for (int i = 0; i < 30; ++i) {
-                    const Capsule capsule = maker.capsule(true);
-                    NearestPair pair;
-                    most = std::max(most, stack_use([&] { ask(blob.opened.blob, capsule, pair); }));
+                return most;
+            };
+            const auto pair_row = [&](auto ask) {
+                std::size_t most = 0;
+                for (const TestBlob& blob : measured) {
+                    ShapeMaker maker(blob.decoded, 7);
+                    for (int i = 0; i < 30; ++i) {
+                        const Capsule capsule = maker.capsule(true);
+                        NearestPair pair;
+                        most = std::max(most, stack_use([&] { ask(blob.opened.blob, capsule, pair); }));
+                    }
                 }
-            }
-            return most;
-        };
-        const Row rows[] = {
-            {"open", 1024, most_stack([](const TestBlob& blob, QueryMaker&) {
-                 return stack_use([&] {
-                     Blob opened;
-                     (void)open(blob.opened.bytes, opened);
-                 });
-             })},
-            {"raycast", 1920, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
-            {"raycast, every instruction set", 2112,
-             ray_path_row([&](const InstructionPath& path, const Blob& blob, const Ray& ray) {
-                 path.closest_hit(blob.data(), ray, hit, nullptr);
-             })},
-            {"closest_point, every instruction set", 4096,
-             point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
-                                const detail::LatticePoint& point) { path.closest_triangle(blob, point, found); })},
-            {"raycast, a rounded ray", 2176, ray_row([&](const Blob& blob, const Ray& ray) {
-                 (void)raycast(blob, round_ray(lattice_of(blob), ray), hit);
-             })},
-            {"occluded", 1856, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
-            {"raycast, a batch", 12288,
-             batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},
-            {"occluded, a batch", 12288,
-             batch_row([&](const Blob& blob, const Rays& rays) { occluded(blob, rays, answers); })},
-            {"for_each_hit", 1984, ray_row([](const Blob& blob, const Ray& ray) {
-                 for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
-             })},
-            {"closest_hits", 2176, ray_row([&](const Blob& blob, const Ray& ray) { closest_hits(blob, ray, hits); })},
-            {"collides", 4096,
-             placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
-                            const detail::PairFrame&) { collides(blob, blob, placement, inside); })},
-            {"minimum_distance", 4096,
-             placed_row(
-                 [&](const InstructionPath&, const Blob& blob, const Placement& placement, const detail::PairFrame&) {
+                return most;
+            };
+            const Row rows[] = {
+                {"open", 1024,
+                 most_stack(measured,
+                            [](const TestBlob& blob, QueryMaker&) {
+                                return stack_use([&] {
+                                    Blob opened;
+                                    (void)open(blob.opened.bytes, opened);
+                                });
+                            })},
+                {"raycast", 1920, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
+                {"raycast, every instruction set", 2112,
+                 ray_path_row([&](const InstructionPath& path, const Blob& blob, const Ray& ray) {
+                     path.closest_hit(blob.data(), ray, hit, nullptr);
+                 })},
+                {"closest_point, every instruction set", 4096,
+                 point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
+                                    const detail::LatticePoint& point) { path.closest_triangle(blob, point, found); })},
+                {"raycast, a rounded ray", 2240, ray_row([&](const Blob& blob, const Ray& ray) {
+                     (void)raycast(blob, round_ray(lattice_of(blob), ray), hit);
+                 })},
+                {"occluded", 1856, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
+                {"raycast, a batch", 12288,
+                 batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},
+                {"occluded, a batch", 12288,
+                 batch_row([&](const Blob& blob, const Rays& rays) { occluded(blob, rays, answers); })},
+                {"for_each_hit", 2048, ray_row([](const Blob& blob, const Ray& ray) {
+                     for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
+                 })},
+                {"closest_hits", 2176,
+                 ray_row([&](const Blob& blob, const Ray& ray) { closest_hits(blob, ray, hits); })},
+                {"collides", 4096,
+                 placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
+                                const detail::PairFrame&) { collides(blob, blob, placement, inside); }),
+                 2},
+                {"minimum_distance", 4096,
+                 placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
+                                const detail::PairFrame&) {
                      PairDistance distance;
                      minimum_distance(blob, blob, placement, 1e30f, distance, inside, {20'000});
+                 }),
+                 2},
+                {"pairs of triangles, every instruction set", 4096,
+                 placed_row([](const InstructionPath& path, const Blob&, const Placement&,
+                               const detail::PairFrame& frame) {
+                     std::uint64_t work = 20'000;
+                     const auto go_on = [](const TrianglePair&) { return keep_going; };
+                     path.touching_pairs(frame, go_on, work);
+                     detail::FoundTriangles closest;
+                     bool is_found = false;
+                     path.nearest_pair(frame, std::numeric_limits<float>::infinity(), false, closest, is_found, work);
+                 }),
+                 2},
+                {"sweep, a sphere", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
+                {"sweep, a capsule", 3328, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
+                {"sweep, a box", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},
+                {"overlaps", 2560,
+                 sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
+                {"for_each_overlap", 2560, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                     for_each_overlap(blob, sphere, [](Triangle) { return keep_going; });
                  })},
-            {"pairs of triangles, every instruction set", 4096,
-             placed_row([](const InstructionPath& path, const Blob&, const Placement&, const detail::PairFrame& frame) {
-                 std::uint64_t work = 20'000;
-                 const auto go_on = [](const TrianglePair&) { return keep_going; };
-                 path.touching_pairs(frame, go_on, work);
-                 detail::FoundTriangles closest;
-                 bool is_found = false;
-                 path.nearest_pair(frame, std::numeric_limits<float>::infinity(), false, closest, is_found, work);
-             })},
-            {"sweep, a sphere", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
-            {"sweep, a capsule", 3328, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
-            {"sweep, a box", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},
-            {"overlaps", 2560,
-             sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
-            {"for_each_overlap", 2560, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                 for_each_overlap(blob, sphere, [](Triangle) { return keep_going; });
-             })},
-            {"may_overlap and distance_bounds", 4096, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                 DistanceBounds bounds;
-                 (void)may_overlap(blob, sphere, sphere.radius);
-                 distance_bounds(blob, sphere.center, sphere.radius, sphere.radius, bounds);
-             })},
-            {"may_be_occluded", 2048, ray_row([](const Blob& blob, const Ray& ray) {
-                 (void)may_be_occluded(blob, ray, 0.01f * (blob.bounds_max().x - blob.bounds_min().x));
-             })},
-            {"overlaps and pages, a capsule", 3584, volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
-            {"overlaps and pages, a box", 1792, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
-            {"overlaps and pages, an oriented box", 3328,
-             volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
-            {"overlaps and pages, a triangle", 2560, volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
-            {"overlaps and pages, planes", 3072, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
-            {"closest_point", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                 closest_point(blob, sphere.center, sphere.radius, nearest);
-             })},
-            {"closest_triangles", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                 closest_triangles(blob, sphere.center, sphere.radius, few);
-             })},
-            {"closest_to_segment", 3072, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
-                 closest_to_segment(blob, {capsule.from, capsule.to}, capsule.radius, pair);
-             })},
-            {"closest_to_box", 3136, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
-                 const Vec3& a = capsule.from;
-                 const Vec3& b = capsule.to;
-                 const Vec3 min = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-                 const Vec3 max = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-                 closest_to_box(blob, {min, max}, capsule.radius, pair);
-             })},
-            {"contains", 1536,
-             sphere_row([&](const Blob& blob, const Sphere& sphere) { contains(blob, sphere.center, inside); })},
-            {"signed_distance", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                 signed_distance(blob, sphere.center, sphere.radius, nearest);
-             })},
-            {"for_each_node", 1280, sphere_row([](const Blob& blob, const Sphere&) {
-                 for_each_node(blob, [](const TreeNode&) { return NodeVisit::descend; });
-             })},
-            {"is_on_inner_edge", 768, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                 Vec3 normal;
-                 is_on_inner_edge(blob, {{blob.triangle_count() / 2}, Feature::edge_ca, sphere.center}, normal);
-             })},
-            {"triangle_corners", 768, sphere_row([](const Blob& blob, const Sphere&) {
-                 Corners corners;
-                 triangle_corners(blob, {blob.triangle_count() / 2}, corners);
-             })},
-            {"oriented_bounds", 256, sphere_row([](const Blob& blob, const Sphere&) {
-                 OrientedBox box;
-                 oriented_bounds(blob, box);
-             })},
-        };
-        for (const Row& row : rows) {
-            MESSAGE(std::string(row.query), ": ", row.most, " bytes of stack, budget ", row.budget);
-            CHECK_MESSAGE(row.most <= row.budget, std::string(row.query));
+                {"may_overlap and distance_bounds", 4096, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                     DistanceBounds bounds;
+                     (void)may_overlap(blob, sphere, sphere.radius);
+                     distance_bounds(blob, sphere.center, sphere.radius, sphere.radius, bounds);
+                 })},
+                {"may_be_occluded", 2048, ray_row([](const Blob& blob, const Ray& ray) {
+                     (void)may_be_occluded(blob, ray, 0.01f * (blob.bounds_max().x - blob.bounds_min().x));
+                 })},
+                {"overlaps and pages, a capsule", 3584,
+                 volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
+                {"overlaps and pages, a box", 1792, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
+                {"overlaps and pages, an oriented box", 3328,
+                 volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
+                {"overlaps and pages, a triangle", 2560,
+                 volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
+                {"overlaps and pages, planes", 3072, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
+                {"closest_point", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                     closest_point(blob, sphere.center, sphere.radius, nearest);
+                 })},
+                {"closest_triangles", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                     closest_triangles(blob, sphere.center, sphere.radius, few);
+                 })},
+                {"closest_to_segment", 3072, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
+                     closest_to_segment(blob, {capsule.from, capsule.to}, capsule.radius, pair);
+                 })},
+                {"closest_to_box", 3136, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
+                     const Vec3& a = capsule.from;
+                     const Vec3& b = capsule.to;
+                     const Vec3 min = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+                     const Vec3 max = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+                     closest_to_box(blob, {min, max}, capsule.radius, pair);
+                 })},
+                {"contains", 1536,
+                 sphere_row([&](const Blob& blob, const Sphere& sphere) { contains(blob, sphere.center, inside); })},
+                {"signed_distance", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                     signed_distance(blob, sphere.center, sphere.radius, nearest);
+                 })},
+                {"for_each_node", 1280, sphere_row([](const Blob& blob, const Sphere&) {
+                     for_each_node(blob, [](const TreeNode&) { return NodeVisit::descend; });
+                 })},
+                {"is_on_inner_edge", 768, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                     Vec3 normal;
+                     is_on_inner_edge(blob, {{blob.triangle_count() / 2}, Feature::edge_ca, sphere.center}, normal);
+                 })},
+                {"triangle_corners", 768, sphere_row([](const Blob& blob, const Sphere&) {
+                     Corners corners;
+                     triangle_corners(blob, {blob.triangle_count() / 2}, corners);
+                 })},
+                {"oriented_bounds", 256, sphere_row([](const Blob& blob, const Sphere&) {
+                     OrientedBox box;
+                     oriented_bounds(blob, box);
+                 })},
+            };
+            for (const Row& row : rows) {
+                // The vertices of a predicted strip, decoded, and what decodes them; of two leaves in pairs of blobs.
+                const std::size_t budget = row.budget + (are_predicted ? 512 + row.leaves * 1024 : 0);
+                MESSAGE(std::string(row.query), std::string(are_predicted ? ", predicted: " : ": "), row.most,
+                        " bytes of stack, budget ", budget);
+                CHECK_MESSAGE(row.most <= budget, std::string(row.query));
+            }
         }
     }
 }

@@ -50,8 +50,10 @@ TEST_SUITE("open leaves") {
     TEST_CASE("open: the highest bit of the offset of a leaf is checked") {
         for_each_profile([](format::Profile profile) {
             Bytes bytes = bake_or_throw(make_plane_grid(1), with_profile(profile));
-            const unsigned offset_bits =
-                profile == format::Profile::fast ? format::plain_leaf::offset_bits : format::strip_leaf::offset_bits;
+            // Of predicted strips it is the number of bytes.
+            const unsigned offset_bits = profile == format::Profile::fast   ? format::plain_leaf::offset_bits
+                                         : profile == format::Profile::tiny ? format::predicted_strip::entries_shift
+                                                                            : format::strip_leaf::offset_bits;
             const std::size_t descriptor = descriptor_of(bytes, at::bytes, 0);
             const unsigned size = descriptor_bytes_of(bytes);
             put(bytes, descriptor, get(bytes, descriptor, size) | 1u << (offset_bits - 1), size);
@@ -126,9 +128,9 @@ TEST_SUITE("open leaves") {
                         leaf.triangles.push_back(
                             {i, static_cast<std::uint8_t>(i + 1), static_cast<std::uint8_t>(31 - i)});
                 } else {
-                    const unsigned entries = profile == format::Profile::small
-                                                 ? format::strip_leaf::max_small_entries
-                                                 : format::strip_leaf::max_balanced_entries;
+                    const unsigned entries = profile == format::Profile::balanced
+                                                 ? format::strip_leaf::max_balanced_entries
+                                                 : format::strip_leaf::max_small_entries;
                     add_vertices(static_cast<std::int32_t>(entries));
                     for (unsigned i = 0; i < entries; ++i) leaf.entries.push_back({i, i == 0, i + 2 < entries});
                 }
@@ -157,5 +159,68 @@ TEST_SUITE("open leaves") {
                 return keep_going;
             });
         });
+    }
+
+    TEST_CASE("open: each rule of predicted strips is checked") {
+        using namespace format::predicted_strip;
+        // Two paths of three triangles over ten vertices, joined at windows 3 and 4.
+        PlainBlob blob = make_blob(format::Profile::tiny, 4);
+        PlainLeaf leaf;
+        for (unsigned i = 0; i < 10; ++i) {
+            const auto x = static_cast<std::int32_t>(i);
+            leaf.vertices.push_back({x, x % 2, i == 9 ? 8 : 0});
+            leaf.entries.push_back({i, i == 0 || i == 5, i + 2 < 10 && i != 3 && i != 4});
+        }
+        blob.decoded.vertex_count = 10;
+        blob.nodes.resize(1);
+        blob.nodes[0].children = {{{0, 0, 0}, {15, 1, 8}, 0, leaf}};
+        const Bytes good = encode(blob);
+        REQUIRE(status_of(good) == Status::ok);
+        const std::size_t descriptor = descriptor_of(good, at::bytes, 0);
+        const std::size_t data = leaf_data_of(good, at::bytes, 0);
+        const auto field = [&](const Bytes& bytes, unsigned bit, unsigned width) {
+            return static_cast<unsigned>(get(bytes, data + bit / 8, 4) >> bit % 8) & ((1u << width) - 1u);
+        };
+        const auto with = [&](unsigned bit, unsigned width, unsigned value) {
+            Bytes bytes = good;
+            const std::uint64_t others =
+                get(bytes, data + bit / 8, 4) & ~(((std::uint64_t{1} << width) - 1) << bit % 8);
+            put(bytes, data + bit / 8, others | std::uint64_t{value} << bit % 8, 4);
+            repair_checksum(bytes);
+            return status_of(bytes);
+        };
+        const unsigned joint_at = marks_at + 2 * 7;
+        const unsigned predicted = 4, raw = 6, large = field(good, 0, width_bits), small = field(good, width_bits, 5);
+        REQUIRE(field(good, joint_at, place_bits) == 3);
+        REQUIRE(small < large);
+        for (const unsigned window : {0u, 6u, 7u, 63u}) CHECK(with(joint_at, place_bits, window) == Status::bad_leaf);
+        CHECK(with(joints_at, joint_count_bits, 0) == Status::bad_leaf);  // more predicted vertices, so another size
+        CHECK(with(0, width_bits, 7) == Status::bad_leaf);
+        CHECK(with(width_bits, width_bits, large + 1) == Status::bad_leaf);
+        const unsigned numbers_at = choices_at(10, 1, 10) + 3 * predicted;
+        CHECK(with(numbers_at + 4, 1, 1) == Status::bad_leaf);  // y of the first pivot: the third vertex leaves the box
+        Bytes outside = good;
+        put(outside, at::extent_at, 8, 4);
+        repair_checksum(outside);
+        CHECK(status_of(outside) == Status::bad_leaf);
+        // One more byte, one less, more entries than there may be, and a bit behind the last number.
+        for (const int more : {1, -1}) {
+            Bytes bytes = good;
+            put(bytes, descriptor, get(bytes, descriptor, 2) + static_cast<std::uint64_t>(more), 2);
+            repair_checksum(bytes);
+            CHECK(status_of(bytes) == Status::bad_leaf);
+        }
+        Bytes many = good;
+        put(many, descriptor, get(many, descriptor, 2) | std::uint64_t{63} << entries_shift, 2);
+        repair_checksum(many);
+        CHECK(status_of(many) == Status::bad_leaf);
+        unsigned end = numbers_at + raw * (4 + 1 + 4);
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const unsigned widths[] = {field(good, 10 * axis + 5, 5), field(good, 10 * axis, 5)};
+            for (unsigned i = 0; i < predicted; ++i)
+                end += widths[field(good, choices_at(10, 1, 10) + 3 * i + axis, 1)];
+        }
+        REQUIRE(end % 8 != 0);
+        CHECK(with(end, 1, 1) == Status::bad_leaf);
     }
 }

@@ -65,6 +65,18 @@ std::size_t sections_of(const Bytes& bytes) {
     return leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4) + format::guard_bytes;
 }
 
+/// Makes a leaf one of 56 vertices, all but three of them predicted, whose bytes are those up to the end of the
+/// section.
+void put_widest_predicted_strip(Bytes& bytes, std::size_t descriptor_at, std::size_t data) {
+    constexpr unsigned entries = format::predicted_strip::max_vertices;
+    const std::size_t left = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4) - data;
+    put(bytes, descriptor_at, left | (entries - 3) << format::predicted_strip::entries_shift, 2);
+    for (unsigned entry = 3; entry < entries; ++entry) {
+        const std::size_t bit = format::predicted_strip::marks_at + (entries - 3) + (entry - 3);
+        put(bytes, data + bit / 8, get(bytes, data + bit / 8, 1) | 1u << bit % 8, 1);
+    }
+}
+
 }  // namespace
 
 TEST_SUITE("open rules") {
@@ -232,7 +244,9 @@ TEST_SUITE("open rules") {
             Bytes longer = bytes;
             for (std::size_t i = data; i < leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4); ++i)
                 put(longer, i, 0, 1);
-            if (has_strips) {
+            if (profile == format::Profile::tiny) {
+                put_widest_predicted_strip(longer, descriptor_at, data);
+            } else if (has_strips) {
                 put(longer, descriptor_at, std::uint64_t{strips::max_balanced_entries - 3} << strips::entries_shift, 4);
                 for (std::size_t i = 0; i < 11; ++i) put(longer, data + i, 0xFF, 1);
                 put(longer, data + 11, 0x1F, 1);  // 3 * 31 marks
@@ -245,7 +259,10 @@ TEST_SUITE("open rules") {
             Bytes shorter = bytes;
             if (!has_strips) put(shorter, descriptor_at, descriptor & ~(15u << plain::size_shift), size);
             const std::size_t end = leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4);
-            const std::size_t kept_end = has_strips ? data : data + plain::words_at;
+            // Of a predicted strip two bytes, since a section is whole words.
+            const std::size_t kept_end = !has_strips                        ? data + plain::words_at
+                                         : profile == format::Profile::tiny ? data + 2
+                                                                            : data;
             put(shorter, at::leaf_bytes_at, kept_end - leaves_of(bytes), 4);
             if (has_strips) put(shorter, at::triangle_count_at, 1, 4);
             shorter = without(shorter, kept_end, end - kept_end);
@@ -286,7 +303,10 @@ TEST_SUITE("open rules") {
             const bool has_strips = profile != format::Profile::fast;
             for (std::size_t i = data; i < leaves_of(bytes) + get(bytes, at::leaf_bytes_at, 4); ++i)
                 put(longer, i, 0, 1);
-            if (has_strips) {
+            if (profile == format::Profile::tiny) {
+                put_widest_predicted_strip(longer, descriptor_at, data);
+                descriptor = static_cast<std::uint32_t>(get(longer, descriptor_at, 2));
+            } else if (has_strips) {
                 descriptor &= ~(63u << strips::entries_shift);
                 descriptor |= (strips::max_balanced_entries - 3) << strips::entries_shift;
                 for (std::size_t i = 0; i < 11; ++i) put(longer, data + i, 0xFF, 1);

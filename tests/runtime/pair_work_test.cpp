@@ -9,6 +9,7 @@
 #include "../support/mesh_makers.hpp"
 #include "../support/placement_maker.hpp"
 #include "../support/profiles.hpp"
+#include "../support/test_pair_frame.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -45,7 +46,7 @@ void for_each_frame_apart(const Mesh& mesh, format::Profile profile, int count, 
         bool answer = true;
         REQUIRE(collides(blob.blob, blob.blob, placement, answer) == QueryStatus::ok);
         if (answer) continue;
-        detail::PairFrame frame;
+        TestPairFrame frame;
         REQUIRE(detail::place_pair(blob.blob.data(), blob.blob.data(), placement, frame) == QueryStatus::ok);
         call(frame);
         --count;

@@ -18,6 +18,7 @@
 #include "../support/pair_loop.hpp"
 #include "../support/placement_maker.hpp"
 #include "../support/same_bits.hpp"
+#include "../support/test_pair_frame.hpp"
 
 namespace espalier::tests {
 
@@ -157,7 +158,7 @@ void check_placement(const PairedBlob& a, const PairedBlob& b, const Placement& 
     CAPTURE(describe(placement));
     const Blob& blob_a = a.test.opened.blob;
     const Blob& blob_b = b.test.opened.blob;
-    detail::PairFrame frame;
+    TestPairFrame frame;
     const QueryStatus status = detail::place_pair(blob_a.data(), blob_b.data(), placement, frame);
     bool answer = false;
     ++counts.asked;

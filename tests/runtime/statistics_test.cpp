@@ -68,7 +68,8 @@ TEST_SUITE("statistics") {
             const unsigned most_slots = profile == format::Profile::fast ? format::plain_leaf::max_triangles
                                         : profile == format::Profile::balanced
                                             ? format::strip_leaf::max_balanced_entries - 2
-                                            : format::strip_leaf::max_small_entries - 2;
+                                        : profile == format::Profile::small ? format::strip_leaf::max_small_entries - 2
+                                                                            : format::predicted_strip::max_entries - 2;
             CHECK(counters.groups <= counters.leaves * ((most_slots + 7) / 8));
             CHECK(counters.groups >= counters.leaves);
             // A traversal that culls nothing would pass every other test.

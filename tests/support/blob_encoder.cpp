@@ -1,5 +1,6 @@
 #include "blob_encoder.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -121,7 +122,8 @@ private:
             if (!child.leaf) continue;
             const PlainLeaf& leaf = *child.leaf;
             const GridBox box = node.box_of(child, head_.profile, head_.bits);
-            if (has_strips()) put_strip(descriptors, data, leaf, box, triangles_ - first);
+            if (head_.profile == format::Profile::tiny) put_predicted_strip(descriptors, data, leaf, box);
+            else if (has_strips()) put_strip(descriptors, data, leaf, box, triangles_ - first);
             else put_triangles(descriptors, data, leaf);
             triangles_ += static_cast<std::uint32_t>(leaf.corners().size());
         }
@@ -181,6 +183,84 @@ private:
             const unsigned side = bits_for(static_cast<std::uint32_t>(box.high[axis] - box.low[axis]));
             put_axis(data, leaf, axis, box.low[axis], side < head_.bits ? side : head_.bits);
         }
+    }
+
+    /// What a vertex of a strip is predicted by: entries a + b - c. Nothing where it is not.
+    static std::optional<std::array<std::size_t, 3>> prediction_of(const PlainLeaf& leaf, std::size_t entry) {
+        if (entry < 3 || !leaf.entries[entry - 2].is_triangle || !leaf.entries[entry - 3].is_triangle) return {};
+        const auto pivot_of = [&](std::size_t window) {
+            while (!leaf.entries[window].is_pivot) --window;
+            return window;
+        };
+        const bool turns = leaf.entries[entry - 2].is_pivot;
+        return {{pivot_of(entry - 2), entry - 1, turns ? pivot_of(entry - 3) : entry - 2}};
+    }
+
+    void put_predicted_strip(Writer& descriptors, Writer& data, const PlainLeaf& leaf, const GridBox& box) const {
+        const std::size_t count = leaf.entries.size();
+        const std::size_t begin = data.bytes.size();
+        std::vector<std::size_t> joints;
+        for (std::size_t i = 1; i + 2 < count; ++i)
+            if (!leaf.entries[i].is_triangle && leaf.entries[i - 1].is_triangle) joints.push_back(i);
+        // Vertices where they are used first, with what they differ by from their prediction.
+        std::vector<std::array<std::int32_t, 3>> residuals(count);
+        std::vector<std::size_t> first_uses;
+        std::array<std::array<unsigned, 2>, 3> width{};  // large, small
+        for (std::size_t i = 0; i < count; ++i) {
+            if (leaf.entries[i].vertex != first_uses.size()) continue;
+            first_uses.push_back(i);
+            const auto prediction = prediction_of(leaf, i);
+            if (!prediction) continue;
+            const auto at = [&](std::size_t entry) { return leaf.vertices[leaf.entries[entry].vertex]; };
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto& [a, b, c] = *prediction;
+                residuals[i][axis] = at(i)[axis] - (at(a)[axis] + at(b)[axis] - at(c)[axis]);
+                width[axis][0] = std::max(width[axis][0], residual_bits(residuals[i][axis]));
+            }
+        }
+        for (auto& [large, small] : width) {
+            small = large / 2;
+            data.put_bits(large, 5);
+            data.put_bits(small, 5);
+        }
+        data.put_bits(joints.size(), 4);
+        for (std::size_t i = 1; i + 2 < count; ++i) data.put_bits(leaf.entries[i].is_pivot ? 1 : 0, 1);
+        const auto is_first = [&](std::size_t entry) {
+            return std::find(first_uses.begin(), first_uses.end(), entry) != first_uses.end();
+        };
+        for (std::size_t i = 3; i < count; ++i) data.put_bits(is_first(i) ? 1 : 0, 1);
+        for (const std::size_t joint : joints) data.put_bits(joint, 6);
+        const unsigned number_width = bits_for(static_cast<std::uint32_t>(leaf.vertices.size()) - 1);
+        for (std::size_t i = 3; i < count; ++i)
+            if (!is_first(i)) data.put_bits(leaf.entries[i].vertex, number_width);
+        const auto is_large = [&](std::size_t entry, std::size_t axis) {
+            return residual_bits(residuals[entry][axis]) > width[axis][1];
+        };
+        for (const std::size_t i : first_uses)
+            for (std::size_t axis = 0; axis < 3 && prediction_of(leaf, i); ++axis)
+                data.put_bits(is_large(i, axis) ? 1 : 0, 1);
+        for (const std::size_t i : first_uses) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if (!prediction_of(leaf, i)) {
+                    const unsigned side = bits_for(static_cast<std::uint32_t>(box.high[axis] - box.low[axis]));
+                    const GridPoint& vertex = leaf.vertices[leaf.entries[i].vertex];
+                    data.put_bits(static_cast<std::uint32_t>(vertex[axis] - box.low[axis]),
+                                  side < head_.bits ? side : head_.bits);
+                    continue;
+                }
+                const unsigned bits = width[axis][is_large(i, axis) ? 0 : 1];
+                data.put_bits(static_cast<std::uint64_t>(residuals[i][axis] + (1 << bits >> 1)), bits);
+            }
+        }
+        data.end_stream();
+        descriptors.put(data.bytes.size() - begin + ((count - 3) << 10), 2);
+    }
+
+    /// Bits of a field for it, half of whose range is added.
+    static unsigned residual_bits(std::int32_t residual) {
+        unsigned bits = 0;
+        while (residual < -(1 << bits >> 1) || residual >= (bits == 0 ? 1 : 1 << (bits - 1))) ++bits;
+        return bits;
     }
 
     void put_sections(Writer& out) {

@@ -97,6 +97,30 @@ std::vector<GridTriangle> read_plain_leaf(const Bytes& bytes, const Leaf& leaf, 
     return triangles;
 }
 
+/// The triangles of a strip whose entries name these vertices.
+std::vector<GridTriangle> windows_of(const std::vector<std::uint32_t>& numbers, const std::vector<bool>& is_pivot,
+                                     const std::vector<bool>& is_triangle, const std::vector<GridPoint>& vertices) {
+    std::vector<GridTriangle> triangles;
+    unsigned pivot = 0;
+    unsigned pivots_so_far = 0;
+    for (unsigned window = 0; window < numbers.size() - 2; ++window) {
+        if (is_pivot[window]) {
+            pivot = window;
+            ++pivots_so_far;
+        }
+        if (!is_triangle[window]) continue;
+        const GridPoint& first = vertices[numbers[pivot]];
+        const GridPoint& before = vertices[numbers[window + 1]];
+        const GridPoint& last = vertices[numbers[window + 2]];
+        if (pivots_so_far % 2 == 1) {
+            triangles.push_back({first, before, last});
+        } else {
+            triangles.push_back({first, last, before});
+        }
+    }
+    return triangles;
+}
+
 std::vector<GridTriangle> read_strip_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits) {
     const unsigned entry_count = (leaf.descriptor >> format::strip_leaf::entries_shift & 63u) + 3;
     std::size_t bit = 0;
@@ -129,25 +153,77 @@ std::vector<GridTriangle> read_strip_leaf(const Bytes& bytes, const Leaf& leaf, 
         at = read_axis(bytes, leaf, at, axis, std::min(bits_of(side), bits), vertices);
     }
 
+    return windows_of(numbers, is_pivot, is_triangle, vertices);
+}
+
+struct PredictedLeaf {
     std::vector<GridTriangle> triangles;
-    unsigned pivot = 0;
-    unsigned pivots_so_far = 0;
-    for (unsigned window = 0; window < entry_count - 2; ++window) {
-        if (is_pivot[window]) {
-            pivot = window;
-            ++pivots_so_far;
-        }
-        if (!is_triangle[window]) continue;
-        const GridPoint& first = vertices[numbers[pivot]];
-        const GridPoint& before = vertices[numbers[window + 1]];
-        const GridPoint& last = vertices[numbers[window + 2]];
-        if (pivots_so_far % 2 == 1) {
-            triangles.push_back({first, before, last});
-        } else {
-            triangles.push_back({first, last, before});
+    std::size_t bytes = 0;
+};
+
+/// A strip whose vertices are predicted: section 5.5.
+PredictedLeaf read_predicted_strip(const Bytes& bytes, const Leaf& leaf, unsigned bits) {
+    const unsigned entry_count = (leaf.descriptor >> 10) + 3;
+    std::size_t bit = 0;
+    const auto take = [&](unsigned width) {
+        const std::uint32_t value = bytes.field(leaf.at, bit, width);
+        bit += width;
+        return value;
+    };
+    std::array<std::array<unsigned, 2>, 3> width{};
+    for (auto& [large, small] : width) {
+        large = take(5);
+        small = take(5);
+    }
+    const std::uint32_t joints = take(4);
+    std::vector<bool> is_pivot(entry_count, false);
+    std::vector<bool> is_triangle(entry_count - 2, true);
+    std::vector<bool> is_first_use(entry_count, true);
+    is_pivot[0] = true;
+    for (unsigned entry = 1; entry <= entry_count - 3; ++entry) is_pivot[entry] = take(1) != 0;
+    for (unsigned entry = 3; entry < entry_count; ++entry) is_first_use[entry] = take(1) != 0;
+    for (std::uint32_t joint = 0; joint < joints; ++joint) {
+        const std::uint32_t window = take(6);
+        if (window == 0 || window + 5 > entry_count) throw std::runtime_error("decoder: a joint outside of its strip");
+        is_triangle[window] = is_triangle[window + 1] = false;
+    }
+    const auto vertex_count = static_cast<std::uint32_t>(std::count(is_first_use.begin(), is_first_use.end(), true));
+    std::vector<std::uint32_t> numbers;
+    std::uint32_t used = 0;
+    for (unsigned entry = 0; entry < entry_count; ++entry) {
+        numbers.push_back(is_first_use[entry] ? used++ : take(bits_of(vertex_count - 1)));
+        if (numbers.back() >= used) throw std::runtime_error("decoder: an entry names a vertex before its first use");
+    }
+    const auto is_predicted = [&](unsigned entry) {
+        return entry > 2 && is_triangle[entry - 2] && is_triangle[entry - 3];
+    };
+    std::vector<std::array<bool, 3>> is_large(entry_count);
+    for (unsigned entry = 0; entry < entry_count; ++entry) {
+        if (!is_first_use[entry] || !is_predicted(entry)) continue;
+        for (bool& large : is_large[entry]) large = take(1) != 0;
+    }
+    std::vector<GridPoint> vertices(vertex_count);
+    for (unsigned entry = 0; entry < entry_count; ++entry) {
+        if (!is_first_use[entry]) continue;
+        GridPoint& vertex = vertices[numbers[entry]];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (!is_predicted(entry)) {
+                const auto side = static_cast<std::uint32_t>(leaf.box.high[axis] - leaf.box.low[axis]);
+                vertex[axis] = leaf.box.low[axis] + static_cast<std::int32_t>(take(std::min(bits_of(side), bits)));
+                continue;
+            }
+            const auto pivot_up_to = [&](unsigned window) {
+                while (!is_pivot[window]) --window;
+                return window;
+            };
+            const auto at = [&](unsigned place) { return vertices[numbers[place]][axis]; };
+            const unsigned field = width[axis][is_large[entry][axis] ? 0 : 1];
+            const auto residual = static_cast<std::int32_t>(take(field)) - (field == 0 ? 0 : 1 << (field - 1));
+            const std::int32_t opposite = at(is_pivot[entry - 2] ? pivot_up_to(entry - 3) : entry - 2);
+            vertex[axis] = at(pivot_up_to(entry - 2)) + at(entry - 1) - opposite + residual;
         }
     }
-    return triangles;
+    return {windows_of(numbers, is_pivot, is_triangle, vertices), (bit + 7) / 8};
 }
 
 class Decoder {
@@ -284,6 +360,20 @@ private:
         }
         namespace layout = format::strip_leaf;
         const std::size_t descriptors = node.block + layout::descriptors_at;
+        if (decoded_.profile == format::Profile::tiny) {
+            std::size_t at = descriptors + 2 * std::size_t{node.leaves};
+            std::uint32_t first = bytes_.u32(node.block);
+            for (std::uint32_t i = 0;; ++i) {
+                const std::uint32_t descriptor = bytes_.u16(descriptors + 2 * std::size_t{i});
+                PredictedLeaf leaf =
+                    read_predicted_strip(bytes_, {descriptor, at, node.boxes[node.nodes + i]}, decoded_.bits);
+                if (leaf.bytes != (descriptor & 1023u))
+                    throw std::runtime_error("decoder: a leaf's bytes are not as many as its descriptor says");
+                if (i == number) return {first, std::move(leaf.triangles)};
+                at += leaf.bytes;
+                first += static_cast<std::uint32_t>(leaf.triangles.size());
+            }
+        }
         const std::size_t data = descriptors + 4 * std::size_t{node.leaves};
         const std::uint32_t descriptor = bytes_.u32(descriptors + 4 * std::size_t{number});
         return {bytes_.u32(node.block) + (descriptor >> layout::first_shift),

@@ -76,12 +76,12 @@ inline std::size_t leaf_block_of(const std::vector<std::byte>& bytes, std::size_
 inline std::size_t descriptor_of(const std::vector<std::byte>& bytes, std::size_t at, std::size_t number) {
     if (profile_of(bytes) == format::Profile::fast)
         return at + format::plain_node::leaves_at + format::plain_leaf::descriptor_bytes * number;
-    return leaf_block_of(bytes, at) + format::strip_leaf::descriptors_at +
-           format::strip_leaf::descriptor_bytes * number;
+    const std::size_t each = profile_of(bytes) == format::Profile::tiny ? format::predicted_strip::descriptor_bytes
+                                                                        : format::strip_leaf::descriptor_bytes;
+    return leaf_block_of(bytes, at) + format::strip_leaf::descriptors_at + each * number;
 }
 inline unsigned descriptor_bytes_of(const std::vector<std::byte>& bytes) {
-    return profile_of(bytes) == format::Profile::fast ? format::plain_leaf::descriptor_bytes
-                                                      : format::strip_leaf::descriptor_bytes;
+    return static_cast<unsigned>(descriptor_of(bytes, 0, 1) - descriptor_of(bytes, 0, 0));
 }
 
 /// Where the data of leaf `number` of the node begins.
@@ -89,8 +89,13 @@ inline std::size_t leaf_data_of(const std::vector<std::byte>& bytes, std::size_t
     const std::uint64_t descriptor = get(bytes, descriptor_of(bytes, at, number), descriptor_bytes_of(bytes));
     if (profile_of(bytes) == format::Profile::fast)
         return leaf_block_of(bytes, at) + 4 * (descriptor & ((1u << format::plain_leaf::offset_bits) - 1u));
-    return descriptor_of(bytes, at, counts_of(bytes, at).leaves) +
-           (descriptor & ((1u << format::strip_leaf::offset_bits) - 1u));
+    const std::size_t data = descriptor_of(bytes, at, counts_of(bytes, at).leaves);
+    if (profile_of(bytes) == format::Profile::tiny) {
+        std::size_t before = 0;
+        for (std::size_t i = 0; i < number; ++i) before += get(bytes, descriptor_of(bytes, at, i), 2) & 1023;
+        return data + before;
+    }
+    return data + (descriptor & ((1u << format::strip_leaf::offset_bits) - 1u));
 }
 
 /// Makes a node unsound in one place: a plane above the box of its first child.

@@ -11,6 +11,7 @@
 #include "answer_hash.hpp"
 #include "hostile_arguments.hpp"
 #include "instruction_paths.hpp"
+#include "test_pair_frame.hpp"
 
 namespace espalier::tests {
 
@@ -23,7 +24,7 @@ struct Questions {
     std::vector<Ray> rays;  ///< the first 17 alike, so that a batch has a group
     detail::LatticePoint point;
     bool has_point = false;
-    detail::PairFrame frame;
+    TestPairFrame frame;
     bool has_frame = false;
     bool is_apart = false;   ///< nothing touches there: only then distances are asked for
     std::int32_t steps = 0;  ///< accuracy of approximate answers

@@ -12,7 +12,8 @@
 
 namespace espalier::tests {
 
-inline constexpr std::array every_profile = {format::Profile::fast, format::Profile::balanced, format::Profile::small};
+inline constexpr std::array every_profile = {format::Profile::fast, format::Profile::balanced, format::Profile::small,
+                                             format::Profile::tiny};
 
 inline std::string name_of(format::Profile profile) {
     switch (profile) {
@@ -22,6 +23,8 @@ inline std::string name_of(format::Profile profile) {
             return "balanced";
         case format::Profile::small:
             return "small";
+        case format::Profile::tiny:
+            return "tiny";
     }
     return "unknown";
 }

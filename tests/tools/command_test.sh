@@ -278,7 +278,7 @@ done
 run 0 bake sheet.obj -o picked.espl --max-bytes 1M
 err_has "16 bits"
 err_has "nothing given up"
-run 0 bake sheet.obj -o picked.espl --max-bytes 10K
+run 0 bake sheet.obj -o picked.espl --max-bytes 7K
 err_has "given up: "
 err_has "at 16 bits"
 
@@ -366,7 +366,7 @@ claim "leaves are as large as --leaf-size allows"
 run 0 bake sheet.obj -o x.espl --leaf-size 1 --json -q
 out_has '"leaves": 3200'
 run 1 bake sheet.obj -o x.espl --leaf-size 0
-run 1 bake sheet.obj -o x.espl --leaf-size 55
+run 1 bake sheet.obj -o x.espl --leaf-size 63
 
 # ---- cost model -----------------------------------------------------------------------------------------------------
 claim "a cost model shapes the tree; the defaults written out change nothing"
@@ -989,7 +989,7 @@ err_has "spatial splits need the profile fast"
 absent refused.svg
 
 claim "trade refuses lists that make no sense, and what cannot be measured"
-for list in "--bits 0" "--bits 12,25" "--bits 12.5" "--bits many" "--bits 12,," "--leaf-sizes 55" "--byte-prices -1" "--profiles huge" \
+for list in "--bits 0" "--bits 12,25" "--bits 12.5" "--bits many" "--bits 12,," "--leaf-sizes 63" "--byte-prices -1" "--profiles huge" \
     "--builders quick" "--rays 5" "--repetitions 0"; do
     # shellcheck disable=SC2086
     run 1 trade box.obj $list -o refused.svg

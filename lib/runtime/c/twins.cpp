@@ -245,6 +245,7 @@ static_assert(sizeof(espalier_profile) == sizeof(format::Profile));
 SAME_VALUE(ESPALIER_PROFILE_FAST, format::Profile::fast);
 SAME_VALUE(ESPALIER_PROFILE_BALANCED, format::Profile::balanced);
 SAME_VALUE(ESPALIER_PROFILE_SMALL, format::Profile::small);
+SAME_VALUE(ESPALIER_PROFILE_TINY, format::Profile::tiny);
 
 static_assert(sizeof(espalier_edge_kind) == sizeof(EdgeKind));
 SAME_VALUE(ESPALIER_EDGE_FLAT, EdgeKind::flat);

@@ -16,6 +16,7 @@
 #include <runtime/simd/pivot_table.hpp>
 #include <runtime/simd/target.hpp>
 #include <runtime/simd/unpack_table.hpp>
+#include <runtime/vertex_word.hpp>
 
 #define ESPALIER_AVX2 "avx2,fma,bmi,bmi2,lzcnt,popcnt"
 
@@ -208,11 +209,15 @@ public:
     /// The vertices that all entries name, a byte each, as far as they have been decoded.
     void keep_entries(std::uint8_t* to) {
         kept_ = to;
+        kept_end_ = to + format::max_leaf_entries;
         keep(entries_);
     }
+    /// The vertices that the eight entries at hand name.
+    [[nodiscard]] std::uint64_t entries() const { return entries_; }
+    void advance() { entries_ = next_entries(); }
     [[gnu::always_inline]] CornerNumbers next() {
         const std::uint64_t following = next_entries();
-        if (kept_ != nullptr) keep(following);
+        if (kept_ != kept_end_) keep(following);
         const auto marked = static_cast<unsigned>(pivots_ & 255);
         const auto to_lanes = [](std::uint64_t bytes) {
             return Ints{_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(bytes)))};
@@ -258,7 +263,65 @@ private:
     std::uint64_t entries_;
     std::uint64_t pivot_ = 0;  ///< in its lowest byte
     std::uint8_t* kept_ = nullptr;
+    std::uint8_t* kept_end_ = nullptr;
 };
+
+#if ESPALIER_PREDICTED_STRIPS
+#include <runtime/simd/predicted_points.inl>
+
+inline PredictedFrom predicted_from(const StripLeaf& leaf) {
+    PredictedFrom from;
+    StripCorners strip(leaf);
+    const std::uint64_t predicted = format::predicted_strip::predicted_entries(leaf.windows);
+    std::uint64_t entries_before = 0, pivots_before = 0;
+    unsigned used = 0;
+    for (unsigned first = 0; first < leaf.entry_count(); first += 8) {
+        const std::uint64_t entries = strip.entries();
+        const auto& places = pivot_table[leaf.pivots >> first & 255];
+        const __m128i candidates =
+            _mm_set_epi64x(static_cast<long long>(pivots_before >> 56), static_cast<long long>(entries));
+        const auto pivots = static_cast<std::uint64_t>(_mm_cvtsi128_si64(
+            _mm_shuffle_epi8(candidates, _mm_loadl_epi64(reinterpret_cast<const __m128i*>(places.data())))));
+        const std::uint64_t turns = _pdep_u64(leaf.pivots << 2 >> first, every_byte) * 255;
+        const std::uint64_t is_predicted = _pdep_u64(predicted >> first, every_byte) * 255;
+        const std::uint64_t last_pivots = pivots << 24 | pivots_before >> 40;
+        const std::uint64_t last_but_one = entries << 16 | entries_before >> 48;
+        const std::uint64_t fresh = _pdep_u64(leaf.first_uses >> first, every_byte) * 255;
+        const auto put = [&](std::uint8_t* to, std::uint64_t numbers) {
+            const std::uint64_t or_none = (numbers & is_predicted) | (~is_predicted & every_byte * PredictedFrom::none);
+            const std::uint64_t of_fresh = _pext_u64(or_none, fresh);
+            __builtin_memcpy(to + used, &of_fresh, sizeof of_fresh);
+        };
+        put(from.pivot, pivots << 16 | pivots_before >> 48);
+        put(from.before, entries << 8 | entries_before >> 56);
+        put(from.opposite, (last_pivots & turns) | (last_but_one & ~turns));
+        used += static_cast<unsigned>(std::popcount(leaf.first_uses >> first & 255));
+        entries_before = entries;
+        pivots_before = pivots;
+        strip.advance();
+    }
+    return from;
+}
+/// Stores the vertices of a leaf, of which `open` has proved the numbers, axis by axis; more than there are.
+inline void decode_points(const StripLeaf& leaf, std::uint32_t* x, std::uint32_t* y, std::uint32_t* z) {
+    if (!fit_into_words(leaf)) return store_predicted_vertices(leaf, x, y, z);
+    alignas(32) std::uint64_t words[format::max_leaf_entries];
+    decode_words(leaf, predicted_from(leaf), words);
+    const __m256i low = _mm256_set1_epi64x((1 << axis_bits) - 1);
+    for (unsigned first = 0; first < leaf.vertex_count; first += 8) {
+        const __m256i four = _mm256_load_si256(reinterpret_cast<const __m256i*>(words + first));
+        const __m256i more = _mm256_load_si256(reinterpret_cast<const __m256i*>(words + first + 4));
+        const auto put = [&](std::uint32_t* to, __m256i a, __m256i b) {
+            const __m256 both = _mm256_shuffle_ps(_mm256_castsi256_ps(_mm256_and_si256(a, low)),
+                                                  _mm256_castsi256_ps(_mm256_and_si256(b, low)), 0x88);
+            store(to + first, Ints{_mm256_permute4x64_epi64(_mm256_castps_si256(both), 0xD8)});
+        };
+        put(x, four, more);
+        put(y, _mm256_srli_epi64(four, axis_bits), _mm256_srli_epi64(more, axis_bits));
+        put(z, _mm256_srli_epi64(four, 2 * axis_bits), _mm256_srli_epi64(more, 2 * axis_bits));
+    }
+}
+#endif
 
 #else
 

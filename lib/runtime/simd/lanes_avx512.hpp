@@ -155,6 +155,8 @@ public:
         number_ = number;
     }
     /// The vertices that all entries name, a byte each.
+    [[nodiscard]] __m512i entries() const { return entries_; }
+    [[nodiscard]] __m512i number() const { return number_; }
     void keep_entries(std::uint8_t* to) const { _mm512_storeu_si512(to, entries_); }
     [[gnu::always_inline]] CornerNumbers next() {
         // The last marked entry of this group that is not behind the window, or the last one of the groups before.
@@ -183,6 +185,60 @@ private:
     __m512i entries_;  ///< those of this group and the following
     __m512i pivot_ = _mm512_setzero_si512();
 };
+
+#if ESPALIER_PREDICTED_STRIPS
+#include <runtime/simd/predicted_points.inl>
+
+inline PredictedFrom predicted_from(const StripLeaf& leaf) {
+    const StripCorners strip(leaf);
+    const __m512i entries = strip.entries();
+    const __m512i number = strip.number();
+    const __m512i zero = _mm512_setzero_si512();
+    // The last marked entry up to each: among the eight of its word, and of the words before.
+    __m512i marked = _mm512_maskz_mov_epi8(leaf.pivots, number);
+    marked = _mm512_max_epu8(marked, _mm512_slli_epi64(marked, 8));
+    marked = _mm512_max_epu8(marked, _mm512_slli_epi64(marked, 16));
+    marked = _mm512_max_epu8(marked, _mm512_slli_epi64(marked, 32));
+    __m512i last = _mm512_alignr_epi64(_mm512_srli_epi64(marked, 56), zero, 7);
+    last = _mm512_max_epu8(last, _mm512_alignr_epi64(last, zero, 7));
+    last = _mm512_max_epu8(last, _mm512_alignr_epi64(last, zero, 6));
+    last = _mm512_max_epu8(last, _mm512_alignr_epi64(last, zero, 4));
+    const __m512i word = _mm512_and_si512(number, _mm512_set1_epi8(0x38));
+    const __m512i pivots =
+        _mm512_permutexvar_epi8(_mm512_max_epu8(marked, _mm512_permutexvar_epi8(word, last)), entries);
+    const auto from_before = [&](__m512i of_entries, char places) {
+        return _mm512_permutexvar_epi8(_mm512_sub_epi8(number, _mm512_set1_epi8(places)), of_entries);
+    };
+    const __mmask64 predicted = format::predicted_strip::predicted_entries(leaf.windows);
+    const __m512i none = _mm512_set1_epi8(PredictedFrom::none);
+    PredictedFrom from;
+    const auto put = [&](std::uint8_t* to, __m512i numbers) {
+        const __m512i or_none = _mm512_mask_blend_epi8(predicted, none, numbers);
+        _mm512_store_si512(to, _mm512_maskz_compress_epi8(leaf.first_uses, or_none));
+    };
+    put(from.pivot, from_before(pivots, 2));
+    put(from.before, from_before(entries, 1));
+    put(from.opposite, _mm512_mask_blend_epi8(leaf.pivots << 2, from_before(entries, 2), from_before(pivots, 3)));
+    return from;
+}
+/// Stores the vertices of a leaf, of which `open` has proved the numbers, axis by axis; more than there are.
+inline void decode_points(const StripLeaf& leaf, std::uint32_t* x, std::uint32_t* y, std::uint32_t* z) {
+    if (!fit_into_words(leaf)) return store_predicted_vertices(leaf, x, y, z);
+    alignas(64) std::uint64_t words[format::max_leaf_entries];
+    decode_words(leaf, predicted_from(leaf), words);
+    const __m512i low = _mm512_set1_epi64((1 << axis_bits) - 1);
+    for (unsigned first = 0; first < leaf.vertex_count; first += 8) {
+        const __m512i eight = _mm512_load_si512(words + first);
+        const auto put = [&](std::uint32_t* to, __m512i numbers) {
+            _mm256_storeu_si256(reinterpret_cast<__m256i*>(to + first),
+                                _mm512_cvtepi64_epi32(_mm512_and_si512(numbers, low)));
+        };
+        put(x, eight);
+        put(y, _mm512_srli_epi64(eight, axis_bits));
+        put(z, _mm512_srli_epi64(eight, 2 * axis_bits));
+    }
+}
+#endif
 
 #include <runtime/simd/leaf_corners.inl>
 

@@ -39,7 +39,7 @@ inline StripCorners corners_of(const StripLeaf& leaf) { return StripCorners(leaf
 inline std::uint32_t storage_index(const PlainLeaf& leaf, unsigned slot) { return leaf.first() + slot; }
 inline std::uint32_t storage_index(const StripLeaf& leaf, unsigned slot) {
     const StripLeaf::Slots before = leaf.windows & ((StripLeaf::Slots{1} << slot) - 1);
-    return leaf.first + static_cast<std::uint32_t>(std::popcount(before));
+    return leaf.first() + static_cast<std::uint32_t>(std::popcount(before));
 }
 /// The storage index that stands for the triangle in a slot.
 template <class Leaf>

@@ -39,3 +39,10 @@ private:
     std::uint32_t used_ = 0;
     std::uint32_t before_ = 0, middle_ = 0, pivot_ = 0;
 };
+
+#if ESPALIER_PREDICTED_STRIPS
+/// Stores the vertices of a leaf, of which `open` has proved the numbers, axis by axis.
+inline void decode_points(const StripLeaf& leaf, std::uint32_t* x, std::uint32_t* y, std::uint32_t* z) {
+    store_predicted_vertices(leaf, x, y, z);
+}
+#endif

@@ -1,0 +1,22 @@
+// Two blobs on their common grid, for tests that call the queries of an instruction set.
+#pragma once
+
+#include <runtime/leaf_kinds.hpp>
+#include <runtime/pair_frame.hpp>
+
+namespace espalier::tests {
+
+/// A frame with room for the vertices of predicted strips.
+struct TestPairFrame : detail::PairFrame {
+    detail::PredictedVertices room[2];
+
+    TestPairFrame() { vertices = room; }
+    TestPairFrame(const TestPairFrame& other) : PairFrame(other) { vertices = room; }
+    TestPairFrame& operator=(const TestPairFrame& other) {
+        PairFrame::operator=(other);
+        vertices = room;
+        return *this;
+    }
+};
+
+}  // namespace espalier::tests
