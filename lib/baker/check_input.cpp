@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "edge_flags.hpp"
 #include "text.hpp"
 #include "zero_area.hpp"
 
@@ -14,7 +13,8 @@ namespace espalier::baker {
 namespace {
 
 constexpr unsigned max_effort = 9;
-constexpr float most_expensive = 1e6f;  // sums over all nodes stay far from infinity, which means impossible there
+constexpr float most_expensive = 1e6f;   // sums over all nodes stay far from infinity, which means impossible there
+constexpr double max_flat_angle = 90.0;  // degrees; an angle that can be called flat is below this
 constexpr const char* corner_names[3] = {"first", "second", "third"};
 
 BakeError invalid_options(std::string message) { return {BakeError::Kind::invalid_options, std::move(message)}; }

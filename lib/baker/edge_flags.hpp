@@ -9,10 +9,7 @@
 
 namespace espalier::baker {
 
-/// The largest angle, in degrees, that can be called flat is below this.
-inline constexpr double max_flat_angle = 90.0;
-
-/// The squared sine of the angle in 2^-24, rounded down. 0 <= degrees < max_flat_angle. The same on every machine.
+/// The squared sine of the angle in 2^-24, rounded down. 0 <= degrees < 90. The same on every machine.
 [[nodiscard]] std::uint32_t flat_limit_of(double degrees);
 
 /// For each triangle and each edge, from corner e to the next, a number of format::edge_flags: 0 flat, 1 convex,
