@@ -32,8 +32,4 @@ struct StripBlock {
 [[nodiscard]] std::uint32_t put_predicted_strip(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
                                                 const LeafBox& box, std::vector<std::byte>& bytes);
 
-[[nodiscard]] inline std::int32_t coordinate_of(const LatticePoint& point, std::size_t axis) {
-    return axis == 0 ? point.x : axis == 1 ? point.y : point.z;
-}
-
 }  // namespace espalier::baker

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -18,6 +19,10 @@ struct LatticePoint {
     std::int32_t z = 0;
     friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
 };
+
+[[nodiscard]] inline std::int32_t coordinate_of(const LatticePoint& point, std::size_t axis) {
+    return axis == 0 ? point.x : axis == 1 ? point.y : point.z;
+}
 
 struct Lattice {
     Vec3 origin;

@@ -2,8 +2,6 @@
 
 #include <bit>
 
-#include "encode_leaf.hpp"
-
 namespace espalier::baker {
 
 namespace {
