@@ -3,7 +3,7 @@
 #include <cstring>
 #include <span>
 
-#include <baker/verify.hpp>
+#include <baker/verify/verify.hpp>
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 

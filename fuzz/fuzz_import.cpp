@@ -13,7 +13,7 @@
 #include <new>
 #include <string>
 
-#include <baker/verify.hpp>
+#include <baker/verify/verify.hpp>
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 

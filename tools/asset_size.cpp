@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <baker/zero_area.hpp>
+#include <baker/input/zero_area.hpp>
 
 namespace espalier::tools {
 

@@ -6,7 +6,7 @@
 
 #include <espalier/espalier.hpp>
 
-#include <baker/verify.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "bake_policy.hpp"
 #include "blob_file.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <baker/bake_with.hpp>
-#include <baker/build.hpp>
-#include <baker/optimise.hpp>
+#include <baker/build/build.hpp>
+#include <baker/optimise/reinsertion.hpp>
 #include <espalier/blob.hpp>
 #include <espalier/statistics.hpp>
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include <baker/sah_split.hpp>
+#include <baker/build/sah_split.hpp>
 
 namespace espalier::bench {
 namespace {

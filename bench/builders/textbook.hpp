@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include <baker/binary_tree.hpp>
-#include <baker/build_settings.hpp>
-#include <baker/lattice_mesh.hpp>
+#include <baker/build/binary_tree.hpp>
+#include <baker/build/settings.hpp>
+#include <baker/quantise/lattice_mesh.hpp>
 
 namespace espalier::bench {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <baker/bake_with.hpp>
-#include <baker/build.hpp>
-#include <baker/optimise.hpp>
+#include <baker/build/build.hpp>
+#include <baker/optimise/reinsertion.hpp>
 
 #include "../../tests/support/mesh_files.hpp"
 #include "../../tests/support/random.hpp"

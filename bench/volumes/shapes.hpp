@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <baker/half_spaces.hpp>
+#include <baker/sections/half_spaces.hpp>
 
 namespace espalier::bench {
 

@@ -5,23 +5,23 @@
 #include <chrono>
 #include <optional>
 
-#include "bake_with.hpp"
-#include "build.hpp"
-#include "check_input.hpp"
-#include "check_result.hpp"
-#include "closed.hpp"
-#include "collapse.hpp"
-#include "encode.hpp"
-#include "fit_lattice.hpp"
-#include "lattice.hpp"
-#include "leaf_size.hpp"
-#include "lost_closed.hpp"
-#include "optimise.hpp"
-#include "optional_sections.hpp"
-#include "order.hpp"
-#include "progress.hpp"
-#include "remap.hpp"
-#include "strip.hpp"
+#include <baker/bake_with.hpp>
+#include <baker/build/build.hpp>
+#include <baker/collapse/collapse.hpp>
+#include <baker/collapse/leaf_size.hpp>
+#include <baker/collapse/order.hpp>
+#include <baker/collapse/strip.hpp>
+#include <baker/encode/encode.hpp>
+#include <baker/encode/remap.hpp>
+#include <baker/error/fit_lattice.hpp>
+#include <baker/input/check_input.hpp>
+#include <baker/optimise/reinsertion.hpp>
+#include <baker/progress.hpp>
+#include <baker/quantise/closed.hpp>
+#include <baker/quantise/lattice.hpp>
+#include <baker/quantise/lost_closed.hpp>
+#include <baker/sections/optional_sections.hpp>
+#include <baker/verify/check_result.hpp>
 
 namespace espalier {
 

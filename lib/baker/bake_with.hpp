@@ -5,9 +5,9 @@
 
 #include <espalier/bake.hpp>
 
-#include "binary_tree.hpp"
-#include "build_settings.hpp"
-#include "lattice_mesh.hpp"
+#include <baker/build/binary_tree.hpp>
+#include <baker/build/settings.hpp>
+#include <baker/quantise/lattice_mesh.hpp>
 
 namespace espalier::baker {
 

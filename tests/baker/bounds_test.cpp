@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include <baker/fit_bounds.hpp>
-#include <baker/verify.hpp>
+#include <baker/sections/fit_bounds.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/checksum.hpp"

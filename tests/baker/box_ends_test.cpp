@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <baker/verify.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/blob_edits.hpp"

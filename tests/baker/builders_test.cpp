@@ -7,8 +7,8 @@
 #include <numeric>
 #include <string>
 
-#include <baker/build.hpp>
-#include <baker/verify.hpp>
+#include <baker/build/build.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/differences.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <baker/bake_with.hpp>
-#include <baker/closed.hpp>
+#include <baker/quantise/closed.hpp>
 #include <espalier/inside.hpp>
 
 #include "../support/baking.hpp"

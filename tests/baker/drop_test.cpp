@@ -4,7 +4,7 @@
 #include <chrono>
 #include <set>
 
-#include <baker/verify.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"

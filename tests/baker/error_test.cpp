@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <baker/float_rounding.hpp>
+#include <baker/base/float_rounding.hpp>
 
 #include "../support/mesh_makers.hpp"
 #include "../support/random.hpp"

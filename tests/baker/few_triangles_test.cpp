@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include <baker/verify.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "../support/profiles.hpp"
 #include "../support/sanitized.hpp"

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include <baker/lattice.hpp>
-#include <baker/snap.hpp>
+#include <baker/quantise/lattice.hpp>
+#include <baker/quantise/snap.hpp>
 
 #include "../support/mesh_makers.hpp"
 #include "baking_support.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <baker/verify.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "../support/hostile_values.hpp"
 #include "../support/profiles.hpp"

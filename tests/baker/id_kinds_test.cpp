@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include <baker/encode_ids.hpp>
+#include <baker/encode/ids.hpp>
 #include <espalier/format.hpp>
 
 #include "../support/answer_hash.hpp"

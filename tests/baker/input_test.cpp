@@ -4,7 +4,7 @@
 #include <limits>
 #include <thread>
 
-#include <baker/zero_area.hpp>
+#include <baker/input/zero_area.hpp>
 
 #include "../support/mesh_makers.hpp"
 #include "../support/random.hpp"

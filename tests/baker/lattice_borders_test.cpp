@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include <baker/float_rounding.hpp>
-#include <baker/lattice.hpp>
+#include <baker/base/float_rounding.hpp>
+#include <baker/quantise/lattice.hpp>
 
 #include "../support/mesh_makers.hpp"
 #include "../support/random.hpp"

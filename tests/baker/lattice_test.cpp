@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include <baker/lattice.hpp>
+#include <baker/quantise/lattice.hpp>
 #include <espalier/rounding.hpp>
 
 #include "../support/baking.hpp"

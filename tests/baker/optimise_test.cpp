@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include <baker/build_sah.hpp>
-#include <baker/optimise.hpp>
+#include <baker/build/sah.hpp>
+#include <baker/optimise/reinsertion.hpp>
 
 #include "tree_support.hpp"
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <set>
 
-#include <baker/build.hpp>
-#include <baker/build_spatial.hpp>
-#include <baker/verify.hpp>
+#include <baker/build/build.hpp>
+#include <baker/build/spatial.hpp>
+#include <baker/verify/verify.hpp>
 #include <espalier/nearest.hpp>
 #include <espalier/original.hpp>
 #include <espalier/statistics.hpp>

@@ -6,10 +6,10 @@
 #include <bit>
 #include <set>
 
-#include <baker/build_sah.hpp>
-#include <baker/leaf_size.hpp>
-#include <baker/strip.hpp>
-#include <baker/verify.hpp>
+#include <baker/build/sah.hpp>
+#include <baker/collapse/leaf_size.hpp>
+#include <baker/collapse/strip.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/differences.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include <baker/binary_tree.hpp>
-#include <baker/lattice_mesh.hpp>
+#include <baker/build/binary_tree.hpp>
+#include <baker/quantise/lattice_mesh.hpp>
 
 #include "../support/mesh.hpp"
 #include "../support/random.hpp"

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include <baker/build_sah.hpp>
-#include <baker/collapse.hpp>
-#include <baker/verify.hpp>
+#include <baker/build/sah.hpp>
+#include <baker/collapse/collapse.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/mesh_makers.hpp"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <baker/verify.hpp>
+#include <baker/verify/verify.hpp>
 
 #include "../support/baking.hpp"
 #include "../support/checksum.hpp"

@@ -26,10 +26,11 @@ PARTS = {
         "runtime/simd/strip_corners_portable.inl",
         "runtime/float_vertices.inl"],
     "quantiser": [
-        "baker/lattice.hpp", "baker/lattice.cpp", "baker/fit_lattice.cpp", "baker/snap.cpp", "baker/float_rounding.hpp",
-        "baker/encode_tree.cpp", "baker/encode_packed_node.cpp", "baker/encode_plain_node.cpp",
-        "baker/encode_plain_leaf.cpp", "baker/encode_strip_leaf.cpp", "baker/encode_predicted_strip.cpp",
-        "baker/numbered_entries.hpp", "baker/predicted_strip.cpp", "baker/closed.cpp"],
+        "baker/quantise/lattice.hpp", "baker/quantise/lattice.cpp", "baker/error/fit_lattice.cpp",
+        "baker/quantise/snap.cpp", "baker/base/float_rounding.hpp",
+        "baker/encode/tree.cpp", "baker/encode/packed_node.cpp", "baker/encode/plain_node.cpp",
+        "baker/encode/plain_leaf.cpp", "baker/encode/strip_leaf.cpp", "baker/encode/predicted_strip_leaf.cpp",
+        "baker/collapse/numbered_entries.hpp", "baker/collapse/predicted_strip.cpp", "baker/quantise/closed.cpp"],
     "traversal": [
         "runtime/traverse.inl", "runtime/ray_nodes.inl", "runtime/ray_plain_nodes.inl", "runtime/node_boxes.inl",
         "runtime/ray_lanes.hpp", "runtime/placed_planes.hpp",
@@ -47,7 +48,7 @@ PARTS = {
         "runtime/pair_queries.inl", "runtime/pair_beam.inl", "runtime/walk.cpp", "runtime/find_triangle.cpp",
         "runtime/scalar_walk.hpp", "runtime/original.cpp", "runtime/remap.cpp", "runtime/ray_queries_small.cpp",
         "runtime/point_queries_small.cpp"],
-    "ids": ["baker/id_kinds.hpp", "baker/id_kinds.cpp", "baker/encode_ids.cpp"],
+    "ids": ["baker/encode/id_kinds.hpp", "baker/encode/id_kinds.cpp", "baker/encode/ids.cpp"],
 }
 
 NUMBERS_OF_A_FILE = 1000

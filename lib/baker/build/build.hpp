@@ -1,0 +1,16 @@
+// Third stage: a binary tree over the triangles, by the builder that was asked for.
+#pragma once
+
+#include <espalier/bake.hpp>
+
+#include <baker/build/binary_tree.hpp>
+#include <baker/build/settings.hpp>
+#include <baker/quantise/lattice_mesh.hpp>
+
+namespace espalier::baker {
+
+/// Down to single triangles, at most most_height high, or as high as a balanced tree must be. The result depends on
+/// the triangles, the builder and the settings, but not on threads.
+[[nodiscard]] BinaryTree build(const LatticeMesh& mesh, Builder builder, const BuildSettings& settings);
+
+}  // namespace espalier::baker

@@ -1,0 +1,174 @@
+#include <baker/encode/encode.hpp>
+
+#include <bit>
+#include <limits>
+#include <string>
+
+#include <espalier/format.hpp>
+#include <runtime/checksum.hpp>
+
+#include <baker/base/byte_writer.hpp>
+#include <baker/encode/ids.hpp>
+#include <baker/encode/tree.hpp>
+
+namespace espalier::baker {
+
+namespace {
+
+std::uint32_t features_of(const BakeOptions& options, const Properties& properties, const WideTree& wide,
+                          const OptionalSections& sections) {
+    std::uint32_t features = sections.features;
+    if (options.original_ids) features |= format::feature::original_ids;
+    if (options.materials == Materials::bits_8) features |= format::feature::materials_8;
+    if (options.materials == Materials::bits_16) features |= format::feature::materials_16;
+    if (properties.closed) features |= format::feature::closed;
+    if (wide.copies != 0) features |= format::feature::split_references;
+    return features;
+}
+
+std::uint32_t original_id(const LatticeMesh& mesh, const WideTree& wide, std::size_t storage_index) {
+    return mesh.triangles[wide.triangles[storage_index]].original_id;
+}
+
+void put_source_table(std::vector<std::byte>& blob, const Source& source) {
+    for (std::size_t i = 0; i < source.meshes.size(); ++i) {
+        put_u32(blob, source.first_triangle[i]);
+        put_u32(blob, source.meshes[i].file);
+        put_u32(blob, source.meshes[i].mesh);
+    }
+}
+
+std::vector<std::uint32_t> numbers_of(const LatticeMesh& mesh, const WideTree& wide, format::Profile profile) {
+    std::vector<std::uint32_t> numbers(wide.triangles.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = format::ids::corner_factor(profile) * original_id(mesh, wide, i) + wide.first_corners[i];
+    return numbers;
+}
+
+void put_materials(std::vector<std::byte>& blob, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
+                   Materials width) {
+    for (std::size_t i = 0; i < wide.triangles.size(); ++i) {
+        const std::uint32_t material = material_of(source, original_id(mesh, wide, i));
+        if (width == Materials::bits_8) {
+            put_u8(blob, material);
+        } else {
+            put_u16(blob, material);
+        }
+    }
+    pad_to(blob, 4);
+}
+
+void put_copies(std::vector<std::byte>& blob, const LatticeMesh& mesh, const WideTree& wide) {
+    using namespace format::copies;
+    constexpr std::uint32_t none = 0xFFFFFFFFu;
+    std::vector<std::uint32_t> owners(mesh.triangles.size(), none);
+    std::vector<std::uint32_t> owners_of_copies;
+    put_u32(blob, wide.copies);
+    for (std::size_t first = 0; first < wide.triangles.size(); first += block_indices) {
+        put_u32(blob, static_cast<std::uint32_t>(owners_of_copies.size()));
+        BitStream bits(blob);
+        for (std::size_t i = first; i < first + block_indices; ++i) {
+            bool is_copy = false;
+            if (i < wide.triangles.size()) {
+                std::uint32_t& owner = owners[wide.triangles[i]];
+                is_copy = owner != none;
+                if (is_copy) owners_of_copies.push_back(owner);
+                else owner = static_cast<std::uint32_t>(i);
+            }
+            bits.put(is_copy ? 1 : 0, 1);
+        }
+        bits.finish();
+    }
+    for (const std::uint32_t owner : owners_of_copies) put_u32(blob, owner);
+}
+
+void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
+                const BakeOptions& options, const Properties& properties, const OptionalSections& sections) {
+    using namespace format::header;
+    const std::uint32_t features = features_of(options, properties, wide, sections);
+    set_u32(header + magic_at, format::magic);
+    set_u16(header + version_major_at, format::version_major);
+    set_u16(header + version_minor_at, format::version_minor);
+    set_u32(header + features_at, features);
+    set_u8(header + profile_at, static_cast<std::uint32_t>(options.profile));
+    set_u8(header + bits_at, mesh.lattice.bits);
+    set_u16(header + step_exponent_at, static_cast<std::uint32_t>(mesh.lattice.step_exponent) & 0xFFFF);
+    set_u32(header + triangle_count_at, static_cast<std::uint32_t>(wide.triangles.size()));
+    set_u32(header + vertex_count_at, mesh.used_vertices);
+    set_u32(header + node_count_at, static_cast<std::uint32_t>(wide.nodes.size()));
+    set_u32(header + origin_at, std::bit_cast<std::uint32_t>(mesh.lattice.origin.x));
+    set_u32(header + origin_at + 4, std::bit_cast<std::uint32_t>(mesh.lattice.origin.y));
+    set_u32(header + origin_at + 8, std::bit_cast<std::uint32_t>(mesh.lattice.origin.z));
+    set_u32(header + extent_at, static_cast<std::uint32_t>(mesh.extent.x));
+    set_u32(header + extent_at + 4, static_cast<std::uint32_t>(mesh.extent.y));
+    set_u32(header + extent_at + 8, static_cast<std::uint32_t>(mesh.extent.z));
+    set_u32(header + max_error_at, std::bit_cast<std::uint32_t>(properties.max_error));
+    set_u8(header + depth_at, wide.depth);
+    if (options.original_ids) {
+        set_u32(header + source_count_at, static_cast<std::uint32_t>(source.meshes.size()));
+    }
+    set_u32(header + source_triangles_at, source.triangle_count);
+}
+
+std::optional<BakeError> check_limits(const WideTree& wide, std::uint64_t total_bytes) {
+    constexpr const char* advice = "; split the input into several blobs";
+    if (wide.nodes.size() > format::max_nodes) {
+        return BakeError{BakeError::Kind::too_large, "the tree has " + std::to_string(wide.nodes.size()) +
+                                                         " nodes; a blob holds at most " +
+                                                         std::to_string(format::max_nodes) + advice};
+    }
+    if (wide.triangles.size() > format::max_triangles) {
+        return BakeError{BakeError::Kind::too_large, "with copies there are " + std::to_string(wide.triangles.size()) +
+                                                         " triangles; a blob holds at most " +
+                                                         std::to_string(format::max_triangles) + advice};
+    }
+    if (total_bytes > std::numeric_limits<std::uint32_t>::max()) {
+        return BakeError{BakeError::Kind::too_large, "the blob would have " + std::to_string(total_bytes) +
+                                                         " bytes; it can have at most 4294967295" + advice};
+    }
+    return std::nullopt;
+}
+
+std::optional<BakeError> check_number_limit(std::uint64_t limit) {
+    if (limit >> 32 == 0) return std::nullopt;
+    return BakeError{
+        BakeError::Kind::too_large,
+        "with original ids the sources can have at most 1431655765 triangles (4294967295 in profile fast), "
+        "dropped ones included; split the input into several blobs"};
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>, BakeError> encode(const Source& source, const LatticeMesh& mesh, const BinaryTree& tree,
+                                                 const WideTree& wide, const BakeOptions& options,
+                                                 const Properties& properties, const OptionalSections& sections) {
+    if (auto error = check_limits(wide, 0)) return *error;
+    const EncodedTree encoded = encode_tree(mesh, tree, wide, options.profile);
+
+    std::vector<std::byte> blob(format::header::bytes);
+    blob.reserve(format::header::bytes + encoded.nodes.size() + encoded.leaves.size() + format::guard_bytes);
+    blob.insert(blob.end(), encoded.nodes.begin(), encoded.nodes.end());
+    blob.insert(blob.end(), encoded.leaves.begin(), encoded.leaves.end());
+    blob.resize(blob.size() + format::guard_bytes);
+    IdSteps id_steps;
+    if (options.original_ids) {
+        const std::uint64_t limit = format::ids::number_limit(options.profile, source.triangle_count);
+        if (auto error = check_number_limit(limit)) return *error;
+        put_source_table(blob, source);
+        id_steps = put_ids(blob, numbers_of(mesh, wide, options.profile), format::ids::number_bits(limit));
+    }
+    if (options.materials != Materials::none) put_materials(blob, source, mesh, wide, options.materials);
+    if (wide.copies != 0) put_copies(blob, mesh, wide);
+    put_optional_sections(blob, sections, wide);
+    if (auto error = check_limits(wide, blob.size())) return *error;
+
+    put_header(blob.data(), source, mesh, wide, options, properties, sections);
+    set_u8(blob.data() + format::header::id_kind_bits_at, id_steps.kind_bits);
+    set_u32(blob.data() + format::header::id_step_bytes_at, id_steps.bytes);
+    set_u32(blob.data() + format::header::leaf_bytes_at, static_cast<std::uint32_t>(encoded.leaves.size()));
+    set_u32(blob.data() + format::header::total_bytes_at, static_cast<std::uint32_t>(blob.size()));
+    set_u32(blob.data() + format::header::checksum_at, detail::checksum_of_blob(blob));
+    return blob;
+}
+
+}  // namespace espalier::baker

@@ -1,0 +1,93 @@
+#include <baker/error/fit_lattice.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <baker/base/number_text.hpp>
+#include <baker/quantise/snap.hpp>
+
+namespace espalier::baker {
+
+namespace {
+
+FittedMesh snap_and_measure(const Source& source, const Lattice& lattice, BakeReport& report) {
+    FittedMesh fitted{snap_and_weld(source, lattice, report), {}};
+    fitted.error = measure_error(source, fitted.mesh);
+    return fitted;
+}
+
+BakeError too_far_away(const Source& source, const FittedMesh& fitted) {
+    return {BakeError::Kind::too_large,
+            triangle_name(source, fitted.error.dropped_triangle) +
+                ": it has no area and lies so far from all others that the distance cannot be "
+                "written; remove it from the mesh",
+            place_of(source, fitted.error.dropped_triangle)};
+}
+
+BakeError tolerance_error(const Source& source, const FittedMesh& last, double tolerance, const BakeError& too_fine) {
+    if (!last.error.is_of_dropped) return too_fine;
+    return {BakeError::Kind::too_fine,
+            triangle_name(source, last.error.dropped_triangle) + ": it has no area on the lattice and lies " +
+                number_text(double(last.error.largest)) +
+                " from the rest, so that dropping it exceeds the tolerance of " + number_text(tolerance) +
+                "; remove it from the mesh, or choose a coarser tolerance",
+            place_of(source, last.error.dropped_triangle)};
+}
+
+/// Queries near the asset are rounded to 2^-6 of a step (docs/numerics.md, 2). So on a lattice up to this many bits
+/// coarser than one that keeps any vertex within the tolerance, queries move by no more than the tolerance either.
+constexpr int query_fraction_bits = 6;
+
+/// Whether a blob or float32 queries have no use for a lattice as fine.
+bool is_finer_than_useful(const SourceBounds& bounds, int exponent, double tolerance) {
+    const auto lattice = lattice_for_tolerance(bounds, exponent, tolerance);
+    return !lattice || is_below_float_spacing(*lattice, bounds);
+}
+
+/// The coarsest exponent worth a try: at least the one that keeps any vertex within the tolerance, coarser while these
+/// vertices happen to stay within it and queries do too, and not so coarse that the whole mesh becomes a point.
+int first_exponent(const Source& source, const SourceBounds& bounds, double tolerance) {
+    int coarsest = 0;
+    std::frexp(bounds.largest_side, &coarsest);
+    coarsest = std::min(coarsest, format::max_step_exponent);
+    int exponent = std::min(step_exponent_for_tolerance(tolerance), coarsest);
+    const int coarsest_for_queries = exponent + query_fraction_bits;
+    // mutant(without 8, + -> -, + -> right side dropped) work: tries coarser lattices in vain: their points are points
+    // of all finer ones
+    while (exponent < coarsest && exponent >= format::min_step_exponent &&
+           (exponent < coarsest_for_queries || is_finer_than_useful(bounds, exponent, tolerance)) &&
+           vertices_are_within(source, exponent + 1, tolerance)) {
+        ++exponent;
+    }
+    return exponent;
+}
+
+Result<FittedMesh, BakeError> fit_tolerance(const Source& source, const SourceBounds& bounds, double tolerance,
+                                            BakeReport& report) {
+    FittedMesh last;
+    for (int exponent = first_exponent(source, bounds, tolerance);; --exponent) {
+        const auto lattice = lattice_for_tolerance(bounds, exponent, tolerance);
+        if (!lattice) return tolerance_error(source, last, tolerance, lattice.error());
+        last = snap_and_measure(source, *lattice, report);
+        // A surface that vanished as a whole keeps no tolerance.
+        const bool is_something_left = !last.mesh.triangles.empty();
+        if (is_something_left && double(last.error.largest) <= tolerance) return last;
+    }
+}
+
+}  // namespace
+
+Result<FittedMesh, BakeError> fit_lattice(const Source& source, const SourceBounds& bounds, const BakeOptions& options,
+                                          BakeReport& report) {
+    if (options.tolerance && !source.triangles.empty())
+        return fit_tolerance(source, bounds, *options.tolerance, report);
+    const auto lattice = options.tolerance       ? Result<Lattice, BakeError>(Lattice{})
+                         : options.step_exponent ? lattice_for_step(bounds, *options.step_exponent)
+                                                 : lattice_for_bits(bounds, options.bits);
+    if (!lattice) return lattice.error();
+    FittedMesh fitted = snap_and_measure(source, *lattice, report);
+    if (!std::isfinite(fitted.error.largest)) return too_far_away(source, fitted);
+    return fitted;
+}
+
+}  // namespace espalier::baker

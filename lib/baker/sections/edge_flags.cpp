@@ -1,0 +1,118 @@
+#include <baker/sections/edge_flags.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <espalier/contact.hpp>
+#include <espalier/format.hpp>
+#include <runtime/lattice_triangle.hpp>
+#include <runtime/wide_integer.hpp>
+
+namespace espalier::baker {
+
+namespace {
+
+using detail::Int128;
+using detail::Integer3;
+using detail::Unsigned256;
+
+/// One edge of one triangle.
+struct Edge {
+    std::uint64_t vertices;  // the lower one in the high bits
+    std::uint32_t triangle;
+    std::uint8_t number;
+    bool ascends;  // from the lower vertex to the higher
+};
+
+Integer3 between(const LatticePoint& from, const LatticePoint& to) {
+    return {std::int64_t{to.x} - from.x, std::int64_t{to.y} - from.y, std::int64_t{to.z} - from.z};
+}
+
+/// Edge `number` of a triangle as a vector, the vector from its start to the opposite corner, and the normal.
+struct Side {
+    Integer3 along;
+    Integer3 to_apex;
+    Integer3 normal;
+};
+
+Side side_of(const LatticeMesh& mesh, const Edge& edge) {
+    const auto corner = [&](unsigned k) -> const LatticePoint& {
+        return mesh.vertices[mesh.triangles[edge.triangle].corners[(edge.number + k) % 3u]];
+    };
+    const Integer3 along = between(corner(0), corner(1));
+    const Integer3 to_apex = between(corner(0), corner(2));
+    return {along, to_apex, detail::cross(along, to_apex)};
+}
+
+/// Of numbers that are not negative and whose product is below 2^127.
+Int128 small_product(Int128 a, Int128 b) {
+    const Unsigned256 product = Unsigned256::product(a, b);
+    return {static_cast<std::int64_t>(product.word[1]), product.word[0]};
+}
+
+/// Coordinates differ by less than 2^24, so that normals have lengths below 2^49 and the volume is below 2^74. The
+/// normals' cross product is the edge times the volume: |normals' cross|^2 = edge^2 volume^2, below 2^198.
+EdgeKind kind_of(const Side& here, const Side& there, std::uint32_t flat_limit) {
+    // From a common start: the other triangle runs along the edge in the opposite direction.
+    const Integer3 apex = {here.along.x + there.to_apex.x, here.along.y + there.to_apex.y,
+                           here.along.z + there.to_apex.z};
+    const Int128 height = detail::dot<Int128>(here.normal, apex);
+    const Int128 alike = detail::dot<Int128>(here.normal, there.normal);
+    if (!alike.is_negative() && !alike.is_zero()) {
+        const Int128 volume = height.is_negative() ? -height : height;
+        const Int128 edge = detail::dot<Int128>(here.along, here.along);
+        const Unsigned256 sine = Unsigned256::product(small_product(edge, volume), volume << 24);
+        const Unsigned256 limit = Unsigned256::product(
+            detail::dot<Int128>(here.normal, here.normal),
+            small_product(Int128(std::int64_t{flat_limit}), detail::dot<Int128>(there.normal, there.normal)));
+        if (detail::compare_scaled(sine, limit, 0) <= 0) return EdgeKind::flat;
+    }
+    return height.is_negative() || height.is_zero() ? EdgeKind::convex : EdgeKind::concave;
+}
+
+}  // namespace
+
+std::uint32_t flat_limit_of(double degrees) {
+    // The series of the sine in plain arithmetic: no two libraries need agree on its last bit.
+    const double angle = degrees * (3.14159265358979323846 / 180.0);
+    double term = angle;
+    double sine = angle;
+    for (int n = 2; n < 30; n += 2) {
+        term *= -angle * angle / (n * (n + 1));
+        sine += term;
+    }
+    return static_cast<std::uint32_t>(sine * sine * format::edge_flags::max_flat_limit);
+}
+
+std::vector<std::array<std::uint8_t, 3>> edge_flags_of(const LatticeMesh& mesh, std::uint32_t flat_limit) {
+    constexpr auto open_edge = static_cast<std::uint8_t>(EdgeKind::open);
+    std::vector<std::array<std::uint8_t, 3>> flags(mesh.triangles.size(), {open_edge, open_edge, open_edge});
+    std::vector<Edge> edges;
+    edges.reserve(3 * mesh.triangles.size());
+    for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+        const auto& corners = mesh.triangles[triangle].corners;
+        for (std::uint8_t number = 0; number < 3; ++number) {
+            const std::uint32_t from = corners[number];
+            const std::uint32_t to = corners[(number + 1u) % 3u];
+            edges.push_back(
+                {std::uint64_t{std::min(from, to)} << 32 | std::max(from, to), triangle, number, from < to});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.vertices < b.vertices; });
+    for (std::size_t begin = 0; begin < edges.size();) {
+        std::size_t end = begin + 1;
+        while (end < edges.size() && edges[end].vertices == edges[begin].vertices) ++end;
+        const Edge& here = edges[begin];
+        const Edge& there = edges[end - 1];
+        if (end - begin == 2 && here.ascends != there.ascends) {
+            const auto kind = static_cast<std::uint8_t>(kind_of(side_of(mesh, here), side_of(mesh, there), flat_limit));
+            flags[here.triangle][here.number] = kind;
+            flags[there.triangle][there.number] = kind;
+        }
+        begin = end;
+    }
+    return flags;
+}
+
+}  // namespace espalier::baker
