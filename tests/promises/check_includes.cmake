@@ -39,9 +39,44 @@ file(GLOB_RECURSE runtime ${root}/lib/runtime/*.hpp ${root}/lib/runtime/*.inl ${
 check("the runtime includes public headers, its own and freestanding ones only"
   "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds)\\.hpp>|<espalier/espalier\\.h>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
 
-file(GLOB_RECURSE baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
-check("the baker includes public and standard headers, the runtime's and its own only"
-  "<espalier/[a-z_]+\\.hpp>|<runtime/[a-z_]+\\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\\.hpp>|${standard_headers}|<immintrin\\.h>" ${baker})
+# The baker's folders in the order of its stages, each with the folders that its files may include besides their own.
+# A folder that has no row here fails.
+set(baker_includes_base "")
+set(baker_includes_input base)
+set(baker_includes_quantise base input)
+set(baker_includes_build base input quantise)
+set(baker_includes_error base input quantise build)
+set(baker_includes_optimise base input quantise build)
+set(baker_includes_collapse base input quantise build)
+set(baker_includes_sections base input quantise build collapse)
+set(baker_includes_encode base input quantise build collapse sections)
+set(baker_includes_verify base input quantise build collapse sections)
+
+file(GLOB baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
+check("a file of the baker's root includes public and standard headers and the baker's own only"
+  "<espalier/[a-z_]+\\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\\.hpp>|${standard_headers}" ${baker})
+file(GLOB entries ${root}/lib/baker/*)
+foreach(entry IN LISTS entries)
+  if(NOT IS_DIRECTORY ${entry})
+    continue()
+  endif()
+  cmake_path(GET entry FILENAME folder)
+  file(GLOB_RECURSE files ${entry}/*.hpp ${entry}/*.cpp)
+  if(NOT DEFINED baker_includes_${folder})
+    list(APPEND problems "lib/baker/${folder} has no row in check_includes.cmake")
+  endif()
+  list(JOIN baker_includes_${folder} "|" earlier)
+  check("lib/baker/${folder} includes public and standard headers, the runtime's, and of the baker its own and those of its row in check_includes.cmake"
+    "<espalier/[a-z_]+\\.hpp>|<runtime/[a-z_0-9/]+\\.hpp>|<baker/(${folder}|${earlier})/[a-z_0-9]+\\.hpp>|${standard_headers}" ${files})
+endforeach()
+# The baker's own reader testifies to what the rest of it writes and the runtime reads.
+file(GLOB witness ${root}/lib/baker/verify/decode_*.?pp ${root}/lib/baker/verify/check_tree.?pp ${root}/lib/baker/verify/field_reader.hpp)
+check("the baker's own reader includes the format and its own files only"
+  "<espalier/(format|function_ref)\\.hpp>|<baker/verify/(check_tree|decode_tree|field_reader)\\.hpp>|${standard_headers}" ${witness})
+list(LENGTH witness witness_count)
+if(witness_count LESS 6)
+  list(APPEND problems "only ${witness_count} files of the baker's own reader found")
+endif()
 
 foreach(folder IN ITEMS lib tests fuzz bench)
   file(GLOB_RECURSE files ${root}/${folder}/*.hpp ${root}/${folder}/*.inl ${root}/${folder}/*.cpp)
