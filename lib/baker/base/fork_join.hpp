@@ -14,7 +14,7 @@ inline constexpr std::uint32_t smallest_parallel = 4096;  // triangles; below th
 /// Calls left(threads) and right(threads), which share `threads` by their sizes: one after the other with one thread
 /// or few triangles.
 template <class Left, class Right>
-void in_two_threads(unsigned threads, std::uint32_t left_count, std::uint32_t right_count, Left left, Right right) {
+void fork_join(unsigned threads, std::uint32_t left_count, std::uint32_t right_count, Left left, Right right) {
     const double count = static_cast<double>(left_count) + static_cast<double>(right_count);
     if (threads <= 1 || count < smallest_parallel) {
         left(1u);

@@ -16,11 +16,11 @@ namespace espalier::baker {
     return key ^ (key >> 31);
 }
 
-class InsertionTable {
+class IndexedHashSet {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
-    explicit InsertionTable(std::size_t most_entries)
+    explicit IndexedHashSet(std::size_t most_entries)
         : mask_(std::bit_ceil(most_entries * 2 + 1) - 1), slots_(mask_ + 1, none) {}
 
     /// The number of the entry for which `equals(number)` holds, or `next` after having put it in.

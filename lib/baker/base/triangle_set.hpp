@@ -41,7 +41,7 @@ private:
         return mix_bits((std::uint64_t{key[0]} << 32 | key[1]) ^ mix_bits(key[2]));
     }
 
-    InsertionTable table_;
+    IndexedHashSet table_;
     std::vector<Corners> keys_;
 };
 

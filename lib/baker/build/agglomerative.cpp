@@ -127,7 +127,7 @@ public:
         }
         const std::uint32_t left_count = morton_split(std::span(entries_).subspan(first, count));
         Clusters right;
-        in_two_threads(
+        fork_join(
             threads, left_count, count - left_count,
             [&](unsigned share) { clusters = build(first, left_count, share); },
             [&](unsigned share) { right = build(first + left_count, count - left_count, share); });

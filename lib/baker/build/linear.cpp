@@ -27,7 +27,7 @@ public:
                 left_count = count / 2;
             const std::uint32_t right_count = count - left_count;
             LaneBox right;
-            in_two_threads(
+            fork_join(
                 threads, left_count, right_count,
                 [&](unsigned share) { box = build(first, left_count, node + 1, depth + 1, share); },
                 [&](unsigned share) {

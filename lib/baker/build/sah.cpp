@@ -37,7 +37,7 @@ public:
         const SplitRange& right = parts.second;
         const std::size_t left_node = node + 1;
         const std::size_t right_node = left_node + subtree_nodes(left.count);
-        in_two_threads(
+        fork_join(
             threads, left.count, right.count, [&](unsigned share) { build(left, left_node, depth + 1, share); },
             [&](unsigned share) { build(right, right_node, depth + 1, share); });
     }

@@ -53,7 +53,7 @@ public:
         const SweepSplit split = must_balance ? halves(first, count) : best_split(first, count);
         part(first, count, split);
         const std::uint32_t right_count = count - split.left_count;
-        in_two_threads(
+        fork_join(
             threads, split.left_count, right_count,
             [&](unsigned share) { build(first, split.left_count, node + 1, depth + 1, share); },
             [&](unsigned share) {

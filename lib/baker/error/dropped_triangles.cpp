@@ -9,7 +9,7 @@ namespace espalier::baker {
 
 namespace {
 
-constexpr std::uint32_t none = InsertionTable::none;
+constexpr std::uint32_t none = IndexedHashSet::none;
 
 std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
@@ -97,7 +97,7 @@ bool DroppedTriangles::is_edge(std::uint32_t a, std::uint32_t b) const {
 /// indices.
 void DroppedTriangles::find_vertices_of_those_without_area() {
     if (source_.without_area.empty()) return;
-    InsertionTable table(mesh_.vertices.size());
+    IndexedHashSet table(mesh_.vertices.size());
     for (std::uint32_t i = 0; i < mesh_.vertices.size(); ++i) {
         table.find_or_insert(hash_of(mesh_.vertices[i]), i, [&](std::uint32_t) { return false; });
     }

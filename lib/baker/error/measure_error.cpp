@@ -17,7 +17,7 @@ MeasuredError measure_error(const Source& source, const LatticeMesh& mesh) {
     double largest_square = 0.0;
     for (std::size_t i = 0; i < source.positions.size(); ++i) {
         const std::uint32_t vertex = mesh.vertex_of_position[i];
-        if (vertex == InsertionTable::none) continue;
+        if (vertex == IndexedHashSet::none) continue;
         const double square = square_snap_error(source.positions[i], origin, mesh.vertices[vertex], step);
         largest_square = std::max(largest_square, square);
     }

@@ -139,7 +139,7 @@ WeldedSource weld(const Source& source) {
     const auto is_same = [](const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
     WeldedSource welded;
     welded.vertex_count = source.positions.size();
-    InsertionTable table(source.positions.size());
+    IndexedHashSet table(source.positions.size());
     const auto vertex_of = [&](std::uint32_t position) {
         const Vec3& point = source.positions[position];
         // mutant(<< -> one more, << -> one less) equivalent: another hash of the same position

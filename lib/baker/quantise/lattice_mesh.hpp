@@ -23,7 +23,7 @@ struct LatticeMesh {
     std::vector<std::uint8_t> is_used;              ///< for each vertex: whether a kept triangle has it
     std::vector<LatticeTriangle> triangles;         ///< kept ones; ascending original ids
     std::vector<SourceTriangle> collapsed;          ///< with an area in the source and none on the lattice
-    std::vector<std::uint32_t> vertex_of_position;  ///< InsertionTable::none where no triangle with an area has it
+    std::vector<std::uint32_t> vertex_of_position;  ///< IndexedHashSet::none where no triangle with an area has it
     LatticePoint extent;                            ///< largest coordinates of the kept ones; the smallest are 0
     std::uint32_t used_vertices = 0;
 };

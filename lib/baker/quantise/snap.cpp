@@ -19,13 +19,13 @@ public:
           vertices_(mesh.vertices),
           welded_(mesh.vertex_of_position),
           table_(source.positions.size()) {
-        welded_.assign(source.positions.size(), InsertionTable::none);
+        welded_.assign(source.positions.size(), IndexedHashSet::none);
     }
 
     std::uint32_t weld(std::uint32_t position) {
         std::uint32_t& vertex = welded_[position];
         // mutant(== -> true) work: welds a position again for each of its triangles, to the same vertex
-        if (vertex == InsertionTable::none) {
+        if (vertex == IndexedHashSet::none) {
             const LatticePoint point = snap(source_.positions[position]);
             vertex = table_.find_or_insert(hash_of(point), static_cast<std::uint32_t>(vertices_.size()),
                                            [&](std::uint32_t other) { return vertices_[other] == point; });
@@ -46,7 +46,7 @@ private:
     double reciprocal_step_;
     std::vector<LatticePoint>& vertices_;
     std::vector<std::uint32_t>& welded_;
-    InsertionTable table_;
+    IndexedHashSet table_;
 };
 
 /// Keeps the first of equal triangles.

@@ -96,7 +96,7 @@ private:
     const detail::BlobData& data_;
     std::size_t leaves_at_;
     std::vector<std::uint8_t> corners_found_;  // of each triangle of the mesh, a bit for each corner
-    InsertionTable points_;
+    IndexedHashSet points_;
     TriangleSet triangles_;
 };
 
