@@ -49,6 +49,7 @@ PARTS = {
         "runtime/scalar_walk.hpp", "runtime/original.cpp", "runtime/remap.cpp", "runtime/ray_queries_small.cpp",
         "runtime/point_queries_small.cpp"],
     "ids": ["baker/encode/id_kinds.hpp", "baker/encode/id_kinds.cpp", "baker/encode/ids.cpp"],
+    "edges": ["baker/base/edge_table.hpp"],
 }
 
 NUMBERS_OF_A_FILE = 1000

@@ -2,7 +2,7 @@
 """mutate.py BUILD [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--most N] [--claims TEXT...] [--publish]:
 breaks the library in every way that instrument.py knows, one at a time, and prints what no claim noticed. PART is
 verifier, decode, quantiser, traversal, rounding, small (what microcontrollers have of their own), queries (what they do
-at nodes and leaves, batches) or ids (the section of original ids, as the baker writes it). --files chooses the mutants of
+at nodes and leaves, batches), ids (the section of original ids, as the baker writes it) or edges (the baker's table). --files chooses the mutants of
 some files of lib, --since those of files whose code has changed since a commit; all mutants when nothing is chosen. Exit
 status 1 when a mutant survives that no comment in the code excuses (excuses.py). --publish writes a row for
 each part that was run as a whole into the table of docs/testing.md.
@@ -54,7 +54,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/seam_rays", "runtime/seen_ray", "runtime/small_boxes", "runtime/ray_filter", "runtime/ray", "runtime/ray_batch", "runtime/closest_hits",
     "runtime/far_query", "runtime/collide", "runtime/pair_work", "runtime/copies", "runtime/packed_walk",
     "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds",
-    "baker/edge_flags", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles", "baker/input",
+    "baker/edge_flags", "baker/edge_table", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles", "baker/input",
     "baker/closed", "baker/seams", "baker/remap", "baker/id_kinds", "oracle/slab_test")]
 QUESTIONS = [5, 100]  # of a kind and blob
 BUILDS = {"build": "", "build_small_code": "ON"}

@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::uint32_t none = IndexedHashSet::none;
 
-std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-    return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-}
-
 double square_distance(const StepPoint& a, const StepPoint& b) {
     const double x = a[0] - b[0];
     const double y = a[1] - b[1];
@@ -90,7 +86,7 @@ bool DroppedTriangles::is_covered(const Line& line) const {
 /// Also true of a kept vertex alone.
 bool DroppedTriangles::is_edge(std::uint32_t a, std::uint32_t b) const {
     if (a == b) return mesh_.is_used[a] != 0;
-    return std::binary_search(edges_.begin(), edges_.end(), edge_key(a, b));
+    return edges_.contains(a, b);
 }
 
 /// Positions that only triangles without area have may still snap to a vertex, as they do where triangles share no
@@ -118,24 +114,25 @@ void DroppedTriangles::find_vertices_of_those_without_area() {
     }
 }
 
-/// The edges of kept triangles between vertices of dropped ones: the only ones that is_edge is asked for.
+/// Of kept triangles with two vertices of dropped ones, since is_edge is called for those only.
 void DroppedTriangles::gather_edges() {
-    std::vector<std::uint8_t> is_asked_for(mesh_.vertices.size(), 0);
+    std::vector<std::uint8_t> is_of_dropped(mesh_.vertices.size(), 0);
     const auto mark = [&](const SourceTriangle& triangle) {
         for (const std::uint32_t corner : triangle.corners) {
-            if (vertex_of(corner) != none) is_asked_for[vertex_of(corner)] = 1;
+            if (vertex_of(corner) != none) is_of_dropped[vertex_of(corner)] = 1;
         }
     };
     std::for_each(mesh_.collapsed.begin(), mesh_.collapsed.end(), mark);
     std::for_each(source_.without_area.begin(), source_.without_area.end(), mark);
-    for (const LatticeTriangle& triangle : mesh_.triangles) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t a = triangle.corners[i];
-            const std::uint32_t b = triangle.corners[(i + 1) % 3];
-            if (is_asked_for[a] != 0 && is_asked_for[b] != 0) edges_.push_back(edge_key(a, b));
-        }
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+        const auto [a, b, c] = mesh_.triangles[i].corners;
+        if (is_of_dropped[a] + is_of_dropped[b] + is_of_dropped[c] >= 2) near.push_back(i);
     }
-    std::sort(edges_.begin(), edges_.end());
+    const auto corners_of = [&](std::uint32_t i) -> const std::array<std::uint32_t, 3>& {
+        return mesh_.triangles[near[i]].corners;
+    };
+    edges_ = EdgeTable(static_cast<std::uint32_t>(near.size()), mesh_.vertices.size(), corners_of);
 }
 
 }  // namespace espalier::baker

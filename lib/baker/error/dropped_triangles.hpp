@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <baker/base/edge_table.hpp>
 #include <baker/error/kept_surface.hpp>
 #include <baker/quantise/lattice_mesh.hpp>
 
@@ -39,7 +40,7 @@ private:
     double step_;
     double reciprocal_step_;
     std::vector<std::uint32_t> vertex_of_position_;  // LatticeMesh's, and more
-    std::vector<std::uint64_t> edges_;               // of kept triangles, sorted
+    EdgeTable edges_;                                // of kept triangles
     std::optional<KeptSurface> surface_;             // built for the first triangle that needs it, which seldom comes
 };
 

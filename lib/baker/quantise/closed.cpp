@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <vector>
 
+#include <baker/base/edge_table.hpp>
 #include <baker/base/indexed_hash_set.hpp>
 
 namespace espalier::baker {
@@ -21,44 +23,18 @@ struct UnpairedEdge {
     std::int64_t count;
 };
 
-/// Calls visit(from, to) for every directed edge.
-template <class Triangles, class Visit>
-void for_each_edge(const Triangles& triangles, Visit visit) {
-    for (const auto& triangle : triangles) {
-        const auto [a, b, c] = triangle.corners;
-        visit(a, b);
-        visit(b, c);
-        visit(c, a);
-    }
-}
-
 /// Cancels edges in pairs of opposite direction and returns what is left.
 template <class Triangles>
 std::vector<UnpairedEdge> unpaired_edges(const Triangles& triangles, std::size_t vertex_count) {
-    // Edges sorted by their lower vertex (counting), then by the higher one: equal ones become neighbours.
-    std::vector<std::uint32_t> first(vertex_count + 1, 0);
-    for_each_edge(triangles, [&](std::uint32_t from, std::uint32_t to) { ++first[std::min(from, to) + 1]; });
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::uint64_t> edges(triangles.size() * 3);
-    std::vector<std::uint32_t> next = first;
-    for_each_edge(triangles, [&](std::uint32_t from, std::uint32_t to) {
-        // mutant(< -> <=) equivalent: an edge from a vertex to itself is left out below
-        // mutant(< -> >=) equivalent: every count changes its sign, and each sum of them
-        edges[next[std::min(from, to)]++] = std::uint64_t{std::max(from, to)} << 1 | (from < to ? 1 : 0);
-    });
+    const auto corners_of = [&](std::uint32_t triangle) -> const Corners& { return triangles[triangle].corners; };
     std::vector<UnpairedEdge> unpaired;
-    for (std::uint32_t low = 0; low < vertex_count; ++low) {
-        const auto begin = edges.begin() + first[low];
-        const auto end = edges.begin() + first[low + 1];
-        std::sort(begin, end);
-        for (auto edge = begin; edge != end;) {
-            const auto high = static_cast<std::uint32_t>(*edge >> 1);
-            std::int64_t count = 0;
-            // mutant(!= -> == 2) equivalent: every count changes its sign, and each sum of them
-            for (; edge != end && *edge >> 1 == high; ++edge) count += (*edge & 1) != 0 ? 1 : -1;
-            if (count != 0 && high != low) unpaired.push_back({low, high, count});
-        }
-    }
+    const EdgeTable table(static_cast<std::uint32_t>(triangles.size()), vertex_count, corners_of);
+    table.for_each_pair([&](std::uint32_t low, std::span<const TriangleEdge> edges) {
+        const std::uint32_t high = edges.front().higher_vertex;
+        std::int64_t count = 0;
+        for (const TriangleEdge& edge : edges) count += edge.ascends ? 1 : -1;
+        if (count != 0 && high != low) unpaired.push_back({low, high, count});
+    });
     return unpaired;
 }
 

@@ -1,13 +1,14 @@
 #include <baker/sections/edge_flags.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <span>
 
 #include <espalier/contact.hpp>
 #include <espalier/format.hpp>
 #include <runtime/lattice_triangle.hpp>
 #include <runtime/wide_integer.hpp>
+
+#include <baker/base/edge_table.hpp>
 
 namespace espalier::baker {
 
@@ -16,14 +17,6 @@ namespace {
 using detail::Int128;
 using detail::Integer3;
 using detail::Unsigned256;
-
-/// One edge of one triangle.
-struct Edge {
-    std::uint64_t vertices;  // the lower one in the high bits
-    std::uint32_t triangle;
-    std::uint8_t number;
-    bool ascends;  // from the lower vertex to the higher
-};
 
 Integer3 between(const LatticePoint& from, const LatticePoint& to) {
     return {std::int64_t{to.x} - from.x, std::int64_t{to.y} - from.y, std::int64_t{to.z} - from.z};
@@ -36,7 +29,7 @@ struct Side {
     Integer3 normal;
 };
 
-Side side_of(const LatticeMesh& mesh, const Edge& edge) {
+Side side_of(const LatticeMesh& mesh, const TriangleEdge& edge) {
     const auto corner = [&](unsigned k) -> const LatticePoint& {
         return mesh.vertices[mesh.triangles[edge.triangle].corners[(edge.number + k) % 3u]];
     };
@@ -88,30 +81,18 @@ std::uint32_t flat_limit_of(double degrees) {
 std::vector<std::array<std::uint8_t, 3>> edge_flags_of(const LatticeMesh& mesh, std::uint32_t flat_limit) {
     constexpr auto open_edge = static_cast<std::uint8_t>(EdgeKind::open);
     std::vector<std::array<std::uint8_t, 3>> flags(mesh.triangles.size(), {open_edge, open_edge, open_edge});
-    std::vector<Edge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-        const auto& corners = mesh.triangles[triangle].corners;
-        for (std::uint8_t number = 0; number < 3; ++number) {
-            const std::uint32_t from = corners[number];
-            const std::uint32_t to = corners[(number + 1u) % 3u];
-            edges.push_back(
-                {std::uint64_t{std::min(from, to)} << 32 | std::max(from, to), triangle, number, from < to});
-        }
-    }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.vertices < b.vertices; });
-    for (std::size_t begin = 0; begin < edges.size();) {
-        std::size_t end = begin + 1;
-        while (end < edges.size() && edges[end].vertices == edges[begin].vertices) ++end;
-        const Edge& here = edges[begin];
-        const Edge& there = edges[end - 1];
-        if (end - begin == 2 && here.ascends != there.ascends) {
-            const auto kind = static_cast<std::uint8_t>(kind_of(side_of(mesh, here), side_of(mesh, there), flat_limit));
-            flags[here.triangle][here.number] = kind;
-            flags[there.triangle][there.number] = kind;
-        }
-        begin = end;
-    }
+    const auto corners_of = [&](std::uint32_t triangle) -> const std::array<std::uint32_t, 3>& {
+        return mesh.triangles[triangle].corners;
+    };
+    const EdgeTable table(static_cast<std::uint32_t>(mesh.triangles.size()), mesh.vertices.size(), corners_of);
+    table.for_each_pair([&](std::uint32_t, std::span<const TriangleEdge> edges) {
+        const TriangleEdge& here = edges.front();
+        const TriangleEdge& there = edges.back();
+        if (edges.size() != 2 || here.ascends == there.ascends) return;
+        const auto kind = static_cast<std::uint8_t>(kind_of(side_of(mesh, here), side_of(mesh, there), flat_limit));
+        flags[here.triangle][here.number] = kind;
+        flags[there.triangle][there.number] = kind;
+    });
     return flags;
 }
 
