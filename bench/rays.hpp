@@ -6,7 +6,7 @@
 
 #include <espalier/ray.hpp>
 
-#include "../tests/support/mesh.hpp"
+#include "../tests/support/meshes/mesh.hpp"
 
 namespace espalier::bench {
 

@@ -8,7 +8,7 @@
 #include <espalier/espalier.hpp>
 
 #include "judge.hpp"
-#include "support/mesh.hpp"
+#include "support/meshes/mesh.hpp"
 #include "target.hpp"
 
 using namespace espalier;

@@ -17,8 +17,8 @@
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
-#include "exit_code.hpp"
-#include "import/import_files.hpp"
+#include "base/exit_code.hpp"
+#include "import/files.hpp"
 #include "importer_crash.hpp"
 #include "judge.hpp"
 #include "shared_coverage.hpp"

@@ -9,8 +9,8 @@
 #include <espalier/espalier.hpp>
 
 #include "judge.hpp"
-#include "support/checksum.hpp"
-#include "support/exact_buffer.hpp"
+#include "support/base/checksum.hpp"
+#include "support/machine/exact_buffer.hpp"
 #include "target.hpp"
 
 using namespace espalier;

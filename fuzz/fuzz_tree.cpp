@@ -7,8 +7,8 @@
 #include <espalier/espalier.hpp>
 
 #include "judge.hpp"
-#include "support/exact_buffer.hpp"
-#include "support/weird_blobs.hpp"
+#include "support/blobs/weird_blobs.hpp"
+#include "support/machine/exact_buffer.hpp"
 #include "target.hpp"
 
 using namespace espalier;

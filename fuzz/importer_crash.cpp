@@ -8,7 +8,7 @@
 #include <array>
 #include <cstring>
 
-#include "crash_guard.hpp"
+#include "import/guards/crash_guard.hpp"
 
 namespace {
 

@@ -5,12 +5,12 @@
 #include <exception>
 #include <optional>
 
-#include "support/differences.hpp"
-#include "support/exercise.hpp"
-#include "support/loop_answers.hpp"
-#include "support/path_answers.hpp"
-#include "support/query_maker.hpp"
-#include "support/soundness.hpp"
+#include "support/answers/differences.hpp"
+#include "support/answers/loop_answers.hpp"
+#include "support/answers/path_answers.hpp"
+#include "support/blobs/soundness.hpp"
+#include "support/exercise/exercise.hpp"
+#include "support/queries/ray_maker.hpp"
 
 namespace espalier::fuzz {
 

@@ -7,7 +7,7 @@
 
 #include <espalier/blob.hpp>
 
-#include "support/random.hpp"
+#include "support/base/random.hpp"
 
 namespace espalier::fuzz {
 

@@ -13,14 +13,14 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.hpp"
-#include "choices.hpp"
-#include "commands.hpp"
-#include "console.hpp"
-#include "failure.hpp"
-#include "numbers.hpp"
-#include "usage_error.hpp"
-#include "warnings.hpp"
+#include "bake/warnings.hpp"
+#include "base/choices.hpp"
+#include "base/numbers.hpp"
+#include "base/verb_arguments.hpp"
+#include "command_line/arguments.hpp"
+#include "command_line/usage_error.hpp"
+#include "report/console.hpp"
+#include "report/failure.hpp"
 
 namespace espalier::tools {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "../../tests/support/level_maker.hpp"
-#include "../../tests/support/mesh_files.hpp"
-#include "../../tests/support/mesh_makers.hpp"
-#include "../../tools/choices.hpp"
+#include "../../tests/support/meshes/files.hpp"
+#include "../../tests/support/meshes/level_maker.hpp"
+#include "../../tests/support/meshes/makers.hpp"
+#include "../../tools/base/choices.hpp"
 #include "../program.hpp"
 #include "report.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "../../tests/support/random.hpp"
+#include "../../tests/support/base/random.hpp"
 
 namespace espalier::bench {
 namespace {

@@ -9,10 +9,10 @@
 
 #include <espalier/espalier.hpp>
 
-#include "../../tests/support/random.hpp"
+#include "../../tests/oracle/surfaces.hpp"
+#include "../../tests/support/base/random.hpp"
 #include "../rays.hpp"
 #include "distribution.hpp"
-#include "../../tests/oracle/surfaces.hpp"
 
 namespace espalier::bench {
 

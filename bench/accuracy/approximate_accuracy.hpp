@@ -5,8 +5,8 @@
 
 #include <espalier/blob.hpp>
 
-#include "../../tests/support/mesh.hpp"
 #include "../../tests/oracle/double_tree.hpp"
+#include "../../tests/support/meshes/mesh.hpp"
 
 namespace espalier::bench {
 

@@ -12,14 +12,14 @@
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
-#include "../../tests/support/mesh_files.hpp"
+#include "../../tests/oracle/double_tree.hpp"
+#include "../../tests/oracle/hausdorff.hpp"
+#include "../../tests/oracle/surfaces.hpp"
+#include "../../tests/support/meshes/files.hpp"
 #include "../program.hpp"
 #include "../rays.hpp"
 #include "approximate_accuracy.hpp"
-#include "../../tests/oracle/double_tree.hpp"
-#include "../../tests/oracle/hausdorff.hpp"
 #include "ray_accuracy.hpp"
-#include "../../tests/oracle/surfaces.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include <espalier/blob.hpp>
 #include <espalier/statistics.hpp>
 
-#include "../../tests/support/mesh_files.hpp"
+#include "../../tests/support/meshes/files.hpp"
 #include "../program.hpp"
 #include "../rays.hpp"
 #include "textbook.hpp"

@@ -13,7 +13,7 @@
 #include <espalier/bake.hpp>
 #include <espalier/blob.hpp>
 
-#include "../../tests/support/mesh_files.hpp"
+#include "../../tests/support/meshes/files.hpp"
 #include "../program.hpp"
 #include "../rays.hpp"
 #include "least_squares.hpp"

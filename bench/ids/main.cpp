@@ -11,9 +11,9 @@
 
 #include <espalier/bake.hpp>
 
-#include "../../tests/support/mesh_files.hpp"
-#include "../../tests/support/mesh_makers.hpp"
-#include "../../tests/support/random.hpp"
+#include "../../tests/support/base/random.hpp"
+#include "../../tests/support/meshes/files.hpp"
+#include "../../tests/support/meshes/makers.hpp"
 #include "../program.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "../../tests/support/mesh_files.hpp"
+#include "../../tests/support/meshes/files.hpp"
 #include "../program.hpp"
 #include "pair_system.hpp"
 

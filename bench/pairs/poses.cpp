@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "../../tests/support/random.hpp"
+#include "../../tests/support/base/random.hpp"
 
 namespace espalier::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
-#include "../../tools/choices.hpp"
+#include "../../tools/base/choices.hpp"
 #include "stopwatch.hpp"
 #include "system.hpp"
 

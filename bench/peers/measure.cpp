@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "../../tests/support/mesh_files.hpp"
+#include "../../tests/support/meshes/files.hpp"
 #include "../rays.hpp"
 #include "agreement.hpp"
 #include "stopwatch.hpp"

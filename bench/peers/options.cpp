@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "../../tools/choices.hpp"
+#include "../../tools/base/choices.hpp"
 
 namespace espalier::bench {
 

@@ -6,7 +6,7 @@
 
 #include <runtime/simd/select.hpp>
 
-#include "../../tools/choices.hpp"
+#include "../../tools/base/choices.hpp"
 #include "../json_object.hpp"
 #include "../machine.hpp"
 

@@ -12,9 +12,9 @@
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
-#include "../../tests/support/mesh_files.hpp"
-#include "../../tests/support/random.hpp"
-#include "../../tools/choices.hpp"
+#include "../../tests/support/base/random.hpp"
+#include "../../tests/support/meshes/files.hpp"
+#include "../../tools/base/choices.hpp"
 #include "../peers/stopwatch.hpp"
 #include "../program.hpp"
 #include "../rays.hpp"

@@ -13,8 +13,8 @@
 #include <baker/build/build.hpp>
 #include <baker/optimise/reinsertion.hpp>
 
-#include "../../tests/support/mesh_files.hpp"
-#include "../../tests/support/random.hpp"
+#include "../../tests/support/base/random.hpp"
+#include "../../tests/support/meshes/files.hpp"
 #include "../program.hpp"
 #include "../rays.hpp"
 #include "shapes.hpp"

@@ -4,11 +4,11 @@
 #include <new>
 #include <vector>
 
-#include "../support/allocation_counter.hpp"
-#include "../support/mesh_makers.hpp"
-#include "../support/profiles.hpp"
-#include "../support/sanitized.hpp"
 #include "baking_support.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/sanitized.hpp"
+#include "support/machine/allocation_counter.hpp"
+#include "support/meshes/makers.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;

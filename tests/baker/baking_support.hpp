@@ -10,8 +10,8 @@
 
 #include <espalier/bake.hpp>
 
-#include "../support/decoder.hpp"
-#include "../support/mesh.hpp"
+#include "support/format/decoder.hpp"
+#include "support/meshes/mesh.hpp"
 
 namespace espalier::tests {
 

@@ -7,9 +7,9 @@
 
 #include <baker/verify/verify.hpp>
 
-#include "../support/profiles.hpp"
-#include "../support/sanitized.hpp"
 #include "baking_support.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/sanitized.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;

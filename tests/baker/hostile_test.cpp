@@ -6,11 +6,11 @@
 
 #include <baker/verify/verify.hpp>
 
-#include "../support/hostile_values.hpp"
-#include "../support/profiles.hpp"
-#include "../support/random.hpp"
-#include "../support/test_scale.hpp"
 #include "baking_support.hpp"
+#include "support/base/hostile_values.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;

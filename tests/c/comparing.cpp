@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "../support/hostile_arguments.hpp"
-#include "../support/mesh_makers.hpp"
-#include "../support/profiles.hpp"
 #include "expecting.hpp"
+#include "support/base/profiles.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/queries/hostile_arguments.hpp"
 
 namespace espalier::tests {
 

@@ -6,9 +6,9 @@
 #include <espalier/espalier.h>
 #include <espalier/espalier.hpp>
 
-#include "../support/random.hpp"
-#include "../support/test_blobs.hpp"
 #include "asking.h"
+#include "support/base/random.hpp"
+#include "support/blobs/test_blobs.hpp"
 
 namespace espalier::tests {
 

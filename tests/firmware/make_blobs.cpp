@@ -8,9 +8,9 @@
 
 #include <espalier/bake.hpp>
 
-#include "../support/level_maker.hpp"
-#include "../support/mesh_files.hpp"
-#include "../support/mesh_makers.hpp"
+#include "support/meshes/files.hpp"
+#include "support/meshes/level_maker.hpp"
+#include "support/meshes/makers.hpp"
 
 namespace {
 

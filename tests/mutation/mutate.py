@@ -44,18 +44,21 @@ SCALE = os.environ.get("ESPALIER_TEST_SCALE", "0.05")  # enough for most mutants
 
 # Claims by file. Those of files and query answers are asked too: tests/platform.
 CLAIMS = [f"{name}_test.cpp" for name in (
-    "runtime/open", "runtime/open_rules", "runtime/open_ids", "runtime/open_leaves", "runtime/trusted_image",
-    "runtime/weird_blob",
-    "runtime/statistics", "runtime/work", "runtime/node_boxes", "runtime/traversal", "runtime/lattice_ray",
-    "runtime/lattice_point", "runtime/lattice_queries", "runtime/lattice_steps", "runtime/identity", "runtime/nearest",
-    "runtime/overlap", "runtime/volume", "runtime/volume_edges", "runtime/approximate", "runtime/walk",
-    "runtime/rounding", "runtime/rounding_error", "runtime/rounding_formula", "runtime/rounded_ray",
-    "runtime/rounded_ray_borders",
-    "runtime/seam_rays", "runtime/seen_ray", "runtime/small_boxes", "runtime/ray_filter", "runtime/ray", "runtime/ray_batch", "runtime/closest_hits",
-    "runtime/far_query", "runtime/collide", "runtime/pair_work", "runtime/copies", "runtime/packed_walk",
-    "baker/lattice", "baker/lattice_borders", "baker/fit_lattice", "baker/tree", "baker/strip", "baker/bounds",
-    "baker/edge_flags", "baker/edge_table", "baker/error", "baker/drop", "baker/spatial", "baker/few_triangles", "baker/input",
-    "baker/closed", "baker/seams", "baker/remap", "baker/id_kinds", "oracle/slab_test")]
+    "runtime/blob/open", "runtime/blob/open_rules", "runtime/blob/open_ids", "runtime/blob/open_leaves",
+    "runtime/blob/trusted_image", "runtime/blob/weird_blob", "runtime/traversal/statistics", "runtime/traversal/work",
+    "runtime/traversal/node_boxes", "runtime/rays/traversal", "runtime/lattice/round_ray",
+    "runtime/lattice/round_point", "runtime/lattice/step_queries", "runtime/lattice/steps", "runtime/asset/identity",
+    "runtime/proximity/nearest", "runtime/overlap/overlap", "runtime/overlap/volume", "runtime/overlap/volume_edges",
+    "runtime/traversal/approximate", "runtime/traversal/walk", "runtime/lattice/rounding",
+    "runtime/lattice/rounding_error", "runtime/lattice/rounding_formula", "runtime/rays/rounded_ray",
+    "runtime/rays/rounded_ray_borders", "runtime/rays/seam_rays", "runtime/rays/seen_ray",
+    "runtime/traversal/small_boxes", "runtime/rays/leaf_filter", "runtime/rays/ray", "runtime/rays/batch",
+    "runtime/rays/closest_hits", "runtime/rays/far_query", "runtime/pairs/collide", "runtime/pairs/distance_work",
+    "runtime/blob/copies", "runtime/traversal/packed_walk", "baker/quantise/lattice", "baker/quantise/lattice_borders",
+    "baker/error/fit_lattice", "baker/build/tree", "baker/collapse/strip", "baker/sections/bounds",
+    "baker/sections/edge_flags", "baker/base/edge_table", "baker/error/error", "baker/quantise/drop",
+    "baker/build/spatial", "baker/few_triangles", "baker/input/input", "baker/quantise/closed", "baker/quantise/seams",
+    "baker/encode/remap", "baker/encode/id_kinds", "oracle/slab_test")]
 QUESTIONS = [5, 100]  # of a kind and blob
 BUILDS = {"build": "", "build_small_code": "ON"}
 
@@ -108,7 +111,7 @@ def leave_out_wide_lanes(fresh):
     dispatch = fresh / "lib/runtime/simd/dispatch.hpp"
     text = dispatch.read_text().replace("defined(__x86_64__)", "0")
     dispatch.write_text(text.replace("avx2::query", "sse42::query"))
-    paths = fresh / "tests/support/instruction_paths.cpp"
+    paths = fresh / "tests/support/machine/instruction_paths.cpp"
     text = paths.read_text().replace("defined(__x86_64__)", "0")
     paths.write_text(re.sub(r".*ESPALIER_PATH\(avx2\).*\n", "", text))
 

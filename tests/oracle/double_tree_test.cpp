@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "../support/mesh_makers.hpp"
-#include "../support/random.hpp"
-#include "../support/test_scale.hpp"
 #include "double_tree.hpp"
 #include "hausdorff.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/meshes/makers.hpp"
 #include "surfaces.hpp"
 
 using namespace espalier;

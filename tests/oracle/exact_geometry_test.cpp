@@ -1,9 +1,9 @@
 // Claims about the oracle's geometry, on cases whose answers are known without it.
 #include <doctest/doctest.h>
 
-#include "../support/random.hpp"
-#include "../support/test_scale.hpp"
 #include "exact_geometry.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
 
 using namespace espalier;
 using espalier::oracle::Point;

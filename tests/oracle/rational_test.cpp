@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "../support/random.hpp"
-#include "../support/test_scale.hpp"
 #include "rational.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
 
 using espalier::oracle::BigInteger;
 using espalier::oracle::error_in_ulp;

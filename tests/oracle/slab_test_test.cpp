@@ -24,9 +24,9 @@
 #include <runtime/simd/lanes_simd128.hpp>
 #endif
 
-#include "../support/random.hpp"
-#include "../support/test_scale.hpp"
 #include "rational.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
 
 namespace espalier::detail {
 namespace scalar {

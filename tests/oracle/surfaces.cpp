@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../support/decoder.hpp"
+#include "support/format/decoder.hpp"
 
 namespace espalier::reference {
 

@@ -7,8 +7,8 @@
 
 #include <espalier/types.hpp>
 
-#include "../support/mesh.hpp"
 #include "double_geometry.hpp"
+#include "support/meshes/mesh.hpp"
 
 namespace espalier::reference {
 

@@ -9,15 +9,15 @@
 #include <runtime/moving_sphere.hpp>
 #include <runtime/segment_triangle.hpp>
 
-#include "../support/exercise.hpp"
-#include "../support/float_mode.hpp"
-#include "../support/hostile_values.hpp"
-#include "../support/mesh_makers.hpp"
-#include "../support/profiles.hpp"
-#include "../support/query_maker.hpp"
-#include "../support/same_bits.hpp"
-#include "../support/test_blobs.hpp"
-#include "../support/test_scale.hpp"
+#include "support/base/hostile_values.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/same_bits.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/exercise/exercise.hpp"
+#include "support/machine/float_mode.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/queries/ray_maker.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;

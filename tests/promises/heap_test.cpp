@@ -6,10 +6,10 @@
 
 #include <espalier/espalier.hpp>
 
-#include "../support/allocation_counter.hpp"
-#include "../support/exercise.hpp"
-#include "../support/query_maker.hpp"
-#include "../support/test_blobs.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/exercise/exercise.hpp"
+#include "support/machine/allocation_counter.hpp"
+#include "support/queries/ray_maker.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;

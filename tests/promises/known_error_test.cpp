@@ -4,8 +4,8 @@
 #include "../oracle/double_tree.hpp"
 #include "../oracle/hausdorff.hpp"
 #include "../oracle/surfaces.hpp"
-#include "../support/baking.hpp"
-#include "../support/mesh_makers.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/makers.hpp"
 
 using namespace espalier;
 using namespace espalier::reference;

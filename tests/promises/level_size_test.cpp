@@ -6,8 +6,8 @@
 
 #include <espalier/bake.hpp>
 
-#include "../support/baking.hpp"
-#include "../support/level_maker.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/level_maker.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;

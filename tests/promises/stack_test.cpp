@@ -11,15 +11,15 @@
 
 #include <espalier/espalier.hpp>
 
-#include "../support/instruction_paths.hpp"
-#include "../support/placement_maker.hpp"
-#include "../support/query_maker.hpp"
-#include "../support/sanitized.hpp"
-#include "../support/shape_maker.hpp"
-#include "../support/stack_use.hpp"
-#include "../support/sweep_maker.hpp"
-#include "../support/test_blobs.hpp"
-#include "../support/test_pair_frame.hpp"
+#include "support/base/sanitized.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/machine/instruction_paths.hpp"
+#include "support/machine/stack_use.hpp"
+#include "support/queries/placement_maker.hpp"
+#include "support/queries/ray_maker.hpp"
+#include "support/queries/shape_maker.hpp"
+#include "support/queries/sweep_maker.hpp"
+#include "support/queries/test_pair_frame.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;

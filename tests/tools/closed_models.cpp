@@ -1,5 +1,5 @@
 // Every closed model of a folder, as the command reads it, baked with 8, 10, 12 and 16 bits: whether it is called
-// closed rightly, and whether `contains` is right. The judge is tests/baker/closed_check.hpp.
+// closed rightly, and whether `contains` is right. The judge is tests/baker/quantise/closed_check.hpp.
 //
 // closed_models FOLDER [POINTS_OF_EACH_BAKE]
 #include <algorithm>
@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include <import/import_files.hpp>
+#include <import/files.hpp>
 
-#include "../baker/closed_check.hpp"
+#include "baker/quantise/closed_check.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;

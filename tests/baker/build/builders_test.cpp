@@ -1,0 +1,193 @@
+// Claims about every builder: a sound tree within the height on any mesh, the same at any number of threads, and one
+// that changes no answer.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <string>
+
+#include <baker/build/build.hpp>
+#include <baker/verify/verify.hpp>
+
+#include "baker/baking_support.hpp"
+#include "support/answers/differences.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/queries/ray_maker.hpp"
+#include "tree_support.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+struct NamedBuilder {
+    const char* name;
+    Builder builder;
+};
+constexpr std::array builders = {
+    NamedBuilder{"binned_sah", Builder::binned_sah},       NamedBuilder{"sweep_sah", Builder::sweep_sah},
+    NamedBuilder{"agglomerative", Builder::agglomerative}, NamedBuilder{"linear", Builder::linear},
+    NamedBuilder{"insertion", Builder::insertion},
+};
+
+unsigned balanced_height_of(std::size_t count) { return baker::balanced_height(static_cast<std::uint32_t>(count)); }
+
+/// The height of a tree that has every triangle once, in a leaf with the triangle's own box.
+unsigned height_of_sound_tree(const baker::LatticeMesh& mesh, const baker::BinaryTree& tree) {
+    REQUIRE(tree.triangles.size() == mesh.triangles.size());
+    auto sorted = tree.triangles;
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<std::uint32_t> all(sorted.size());
+    std::iota(all.begin(), all.end(), 0u);
+    REQUIRE(sorted == all);
+    REQUIRE(tree.nodes[0].first == 0);
+    REQUIRE(tree.nodes[0].count == all.size());
+    std::size_t loose_boxes = 0;
+    for (std::size_t i = 0; i < tree.node_count(); ++i) {
+        const baker::BinaryNode& node = tree.nodes[i];
+        if (!node.is_leaf()) continue;
+        const auto& corners = mesh.triangles[tree.triangles[node.first]].corners;
+        const auto [low_x, high_x] =
+            std::minmax({mesh.vertices[corners[0]].x, mesh.vertices[corners[1]].x, mesh.vertices[corners[2]].x});
+        const auto [low_y, high_y] =
+            std::minmax({mesh.vertices[corners[0]].y, mesh.vertices[corners[1]].y, mesh.vertices[corners[2]].y});
+        const auto [low_z, high_z] =
+            std::minmax({mesh.vertices[corners[0]].z, mesh.vertices[corners[1]].z, mesh.vertices[corners[2]].z});
+        const bool is_tight = double(node.lo[0]) == low_x && double(node.hi[0]) == high_x &&
+                              double(node.lo[1]) == low_y && double(node.hi[1]) == high_y &&
+                              double(node.lo[2]) == low_z && double(node.hi[2]) == high_z;
+        if (!is_tight) ++loose_boxes;
+    }
+    CHECK(loose_boxes == 0);
+    return checked_height(tree, 0);
+}
+
+bool is_same(const baker::BinaryTree& a, const baker::BinaryTree& b) {
+    return a.triangles == b.triangles &&
+           std::memcmp(a.nodes.get(), b.nodes.get(), a.node_count() * sizeof(baker::BinaryNode)) == 0;
+}
+
+}  // namespace
+
+TEST_SUITE("builders") {
+    TEST_CASE("builder: no triangles give an empty tree") {
+        for (const NamedBuilder& named : builders) {
+            CAPTURE(named.name);
+            CHECK(baker::build({}, named.builder, baker::build_settings(5, 1)).triangles.empty());
+        }
+    }
+
+    TEST_CASE("builder: awkward small inputs give a sound tree within the height of the format") {
+        std::vector<baker::LatticeMesh> meshes;
+        for (const std::uint32_t count : {1u, 2u, 3u, 4u, 5u, 19u, 20u, 21u}) {
+            meshes.push_back(mixed_sizes(count, count));
+            meshes.push_back(identical_triangles(count));
+        }
+        meshes.push_back(mixed_sizes(10'000, 1));
+        meshes.push_back(concentric_triangles(5'000));
+        meshes.push_back(exponential_stairs(1));
+        meshes.push_back(exponential_stairs(100));
+        meshes.push_back(nearly_equal_boxes(5'000));
+        for (const NamedBuilder& named : builders) {
+            CAPTURE(named.name);
+            for (const baker::LatticeMesh& mesh : meshes) {
+                CAPTURE(mesh.triangles.size());
+                for (const unsigned effort : {0u, 5u, 9u}) {
+                    const auto tree = baker::build(mesh, named.builder, baker::build_settings(effort, 1));
+                    CHECK(height_of_sound_tree(mesh, tree) <= baker::max_binary_height);
+                }
+            }
+        }
+    }
+
+    TEST_CASE("builder: 100000 identical triangles give a sound tree within the height of the format") {
+        const baker::LatticeMesh mesh = identical_triangles(100'000);
+        for (const NamedBuilder& named : builders) {
+            CAPTURE(named.name);
+            const auto tree = baker::build(mesh, named.builder, baker::build_settings(5, 1));
+            CHECK(height_of_sound_tree(mesh, tree) <= baker::max_binary_height);
+        }
+    }
+
+    TEST_CASE("builder: every builder falls back to balanced splits where its tree would become too high") {
+        for (const baker::LatticeMesh& mesh :
+             {nearly_equal_boxes(1'025), exponential_stairs(40), mixed_sizes(1'000, 3)}) {
+            const unsigned balanced = balanced_height_of(mesh.triangles.size());
+            for (const NamedBuilder& named : builders) {
+                CAPTURE(named.name);
+                baker::BuildSettings settings = baker::build_settings(5, 1);
+                const unsigned free_height = height_of_sound_tree(mesh, baker::build(mesh, named.builder, settings));
+                REQUIRE(free_height > balanced);  // or this claim would test nothing
+                for (settings.most_height = 0; settings.most_height <= free_height; ++settings.most_height) {
+                    const auto tree = baker::build(mesh, named.builder, settings);
+                    const unsigned height = height_of_sound_tree(mesh, tree);
+                    CHECK(height <= std::max(settings.most_height, balanced));
+                    if (settings.most_height == free_height) CHECK(height == free_height);
+                }
+            }
+        }
+    }
+
+    TEST_CASE("builder: the tree is the same at any number of threads") {
+        for (const baker::LatticeMesh& mesh : {mixed_sizes(20'000, 7), nearly_equal_boxes(9'000)}) {
+            for (const NamedBuilder& named : builders) {
+                CAPTURE(named.name);
+                const auto one = baker::build(mesh, named.builder, baker::build_settings(3, 1));
+                for (const unsigned threads : {2u, 3u, 16u}) {
+                    CHECK(is_same(baker::build(mesh, named.builder, baker::build_settings(3, threads)), one));
+                }
+            }
+        }
+    }
+
+    TEST_CASE("builder: the bytes are the same with 1 and 2 threads and differ between builders") {
+        const Mesh mesh = make_terrain(60, 1);
+        std::vector<std::vector<std::byte>> blobs;
+        for (const NamedBuilder& named : builders) {
+            CAPTURE(named.name);
+            BakeOptions options;
+            options.builder = named.builder;
+            const auto one = bake_mesh(mesh, options);
+            options.threads = 2;
+            const auto two = bake_mesh(mesh, options);
+            REQUIRE(one);
+            REQUIRE(two);
+            CHECK(one->blob == two->blob);
+            const auto complaint = baker::verify_deep(one->blob);
+            if (complaint) FAIL_CHECK(*complaint);
+            CHECK(std::find(blobs.begin(), blobs.end(), one->blob) == blobs.end());
+            blobs.push_back(one->blob);
+        }
+    }
+
+    TEST_CASE("builder: rays and spheres and closest points equal the loop for every builder") {
+        for (const Mesh& mesh : {make_soup(400, 4), make_coplanar_stacks(300, 2), make_needle_fan(200)}) {
+            for (const NamedBuilder& named : builders) {
+                CAPTURE(named.name);
+                BakeOptions options;
+                options.builder = named.builder;
+                const OpenedBlob opened(mesh, options);
+                const DecodedBlob decoded = decode(opened.bytes);
+                const TriangleLoop loop(decoded);
+                QueryMaker maker(decoded, 500);
+                std::uint64_t hits = 0;
+                for (std::uint64_t i = 0; i < scaled(150); ++i) {
+                    Ray ray = maker.any_ray();
+                    if (maker.random().below(4) == 0) maker.restrict(ray);
+                    const auto difference = ray_difference(opened.blob, loop, ray, hits);
+                    REQUIRE_MESSAGE(!difference, *difference);
+                }
+                CHECK(hits > 0);
+                std::uint64_t found = 0;
+                for (std::uint64_t i = 0; i < scaled(40); ++i) {
+                    const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), found);
+                    REQUIRE_MESSAGE(!difference, *difference);
+                }
+                CHECK(found > 0);
+            }
+        }
+    }
+}

@@ -1,0 +1,312 @@
+// Claims about triangles that lie in several leaves: their parts hold all of them, and no query can tell.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <set>
+
+#include <baker/build/build.hpp>
+#include <baker/build/spatial.hpp>
+#include <baker/verify/verify.hpp>
+#include <espalier/nearest.hpp>
+#include <espalier/original.hpp>
+#include <espalier/statistics.hpp>
+#include <espalier/walk.hpp>
+
+#include "baker/baking_support.hpp"
+#include "support/answers/differences.hpp"
+#include "support/base/checksum.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/format/edits.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/queries/ray_maker.hpp"
+#include "tree_support.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+BakeOptions with_splits(double duplicates = 1.0, unsigned bits = 16) {
+    BakeOptions options;
+    options.builder = Builder::spatial_splits;
+    options.profile = format::Profile::fast;
+    options.duplicates = duplicates;
+    options.bits = bits;
+    return options;
+}
+
+/// Long slanted triangles through a crowd of small ones: what spatial splits are for.
+Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed) {
+    Mesh mesh;
+    mesh.name = "beams";
+    Random random(seed);
+    const auto unit = [&] { return static_cast<float>(random.below(1'000'000)) * 1e-6f; };
+    const auto add = [&](Vec3 a, Vec3 b, Vec3 c) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), {a, b, c});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    };
+    for (unsigned i = 0; i < beams; ++i) {
+        const Vec3 a = {unit(), 0.0f, unit()};
+        const Vec3 b = {unit(), 1.0f, unit()};
+        add(a, b, {b.x + 0.01f * unit(), b.y, b.z + 0.01f * unit()});
+    }
+    for (unsigned i = 0; i < small; ++i) {
+        const Vec3 a = {unit(), unit(), unit()};
+        add(a, {a.x + 0.02f * unit(), a.y, a.z + 0.01f}, {a.x, a.y + 0.02f * unit(), a.z});
+    }
+    return mesh;
+}
+
+/// Whether the boxes hold all points of a fine grid on the triangle, exactly: coordinates are compared as fractions.
+bool hold_grid(const std::vector<baker::BinaryNode>& boxes, const std::array<baker::LatticePoint, 3>& corners) {
+    constexpr std::int64_t steps = 60;
+    for (std::int64_t i = 0; i <= steps; ++i) {
+        for (std::int64_t j = 0; i + j <= steps; ++j) {
+            const auto times_steps = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+                return static_cast<double>((steps - i - j) * a + i * b + j * c);  // below 2^53
+            };
+            const double at[3] = {times_steps(corners[0].x, corners[1].x, corners[2].x),
+                                  times_steps(corners[0].y, corners[1].y, corners[2].y),
+                                  times_steps(corners[0].z, corners[1].z, corners[2].z)};
+            const auto holds = [&](const baker::BinaryNode& box) {
+                bool inside = true;
+                for (int axis = 0; axis < 3; ++axis) {
+                    inside = inside && double(box.lo[axis]) * double(steps) <= at[axis] &&
+                             at[axis] <= double(box.hi[axis]) * double(steps);
+                }
+                return inside;
+            };
+            if (std::none_of(boxes.begin(), boxes.end(), holds)) return false;
+        }
+    }
+    return true;
+}
+
+std::vector<Mesh> meshes_to_split() {
+    return {crossed_by_beams(60, 600, 1), make_soup(500, 4), make_coplanar_stacks(300, 2), make_needle_fan(200),
+            make_slivers(300, 3)};
+}
+
+}  // namespace
+
+TEST_SUITE("spatial") {
+    TEST_CASE("spatial split: the parts of a triangle cover it within the budget and the height") {
+        for (const baker::LatticeMesh& mesh :
+             {mixed_sizes(2'000, 3), nearly_equal_boxes(500), exponential_stairs(20), identical_triangles(1'000),
+              concentric_triangles(300), mixed_sizes(1, 1), mixed_sizes(2, 1)}) {
+            const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+            CAPTURE(count);
+            for (const double duplicates : {0.0, 0.1, 1.0}) {
+                baker::BuildSettings settings = baker::build_settings(5, 1);
+                settings.duplicates = duplicates;
+                const baker::BinaryTree tree = baker::build_spatial(mesh, settings);
+                CHECK(static_cast<double>(tree.triangles.size()) <= (1.0 + duplicates) * count);
+                CHECK(checked_height(tree, 0) <= baker::max_binary_height);
+                std::vector<std::vector<baker::BinaryNode>> boxes(count);
+                for (std::size_t i = 0; i < tree.node_count(); ++i) {
+                    if (tree.nodes[i].is_leaf()) boxes[tree.triangles[tree.nodes[i].first]].push_back(tree.nodes[i]);
+                }
+                for (std::uint32_t t = 0; t < count; ++t) {
+                    const auto& corners = mesh.triangles[t].corners;
+                    REQUIRE(hold_grid(
+                        boxes[t], {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]}));
+                }
+            }
+        }
+    }
+
+    TEST_CASE("spatial split: splits fall back to balance where the tree would become too high") {
+        const baker::LatticeMesh mesh = mixed_sizes(1'000, 3);
+        baker::BuildSettings settings = baker::build_settings(5, 1);
+        settings.duplicates = 1.0;
+        for (settings.most_height = 0; settings.most_height < 24; ++settings.most_height) {
+            const baker::BinaryTree tree = baker::build_spatial(mesh, settings);
+            CHECK(checked_height(tree, 0) <= std::max(settings.most_height, 10u));
+        }
+    }
+
+    TEST_CASE("spatial split: without a budget the tree is that of binned SAH") {
+        const Mesh mesh = crossed_by_beams(60, 600, 1);
+        const auto split = bake_mesh(mesh, with_splits(0.0));
+        BakeOptions ordinary;
+        ordinary.profile = format::Profile::fast;
+        const auto plain = bake_mesh(mesh, ordinary);
+        REQUIRE(split);
+        REQUIRE(plain);
+        CHECK(split->blob == plain->blob);
+        CHECK(split->report.copies == 0);
+    }
+
+    TEST_CASE("spatial split: copies are counted and sound and reduce the visits at any number of threads") {
+        const Mesh mesh = crossed_by_beams(60, 600, 1);
+        const auto one = bake_mesh(mesh, with_splits());
+        BakeOptions options = with_splits();
+        options.threads = 3;
+        const auto three = bake_mesh(mesh, options);
+        REQUIRE(one);
+        REQUIRE(three);
+        CHECK(one->blob == three->blob);
+        CHECK(one->report.copies > 20);
+        const OpenedBlob opened(one->blob);
+        CHECK(opened.blob.copy_count() == one->report.copies);
+        CHECK(opened.blob.triangle_count() == one->report.triangles + one->report.copies);
+        CHECK((opened.blob.data().features & format::feature::split_references) != 0);
+        const auto complaint = baker::verify_deep(one->blob);
+        if (complaint) FAIL_CHECK(*complaint);
+
+        const OpenedBlob plain(mesh);
+        QueryCounters counters;
+        QueryCounters plain_counters;
+        for (unsigned i = 0; i < 500; ++i) {
+            const float x = static_cast<float>(i % 25) * 0.04f;
+            const float y = static_cast<float>(i / 25) * 0.05f;
+            RayHit hit;
+            raycast_counted(opened.blob, {.origin = {x, y, 5.0f}, .direction = {0, 0, -1}}, hit, counters);
+            raycast_counted(plain.blob, {.origin = {x, y, 5.0f}, .direction = {0, 0, -1}}, hit, plain_counters);
+        }
+        CHECK(counters.triangles < plain_counters.triangles);
+    }
+
+    TEST_CASE("spatial split: rays and spheres and closest points equal the loop and report owners only") {
+        std::uint64_t copies = 0;
+        for (const Mesh& mesh : meshes_to_split()) {
+            for (const unsigned bits : {9u, 15u, 16u, 20u, 24u}) {
+                CAPTURE(mesh.name);
+                CAPTURE(bits);
+                const OpenedBlob opened(mesh, with_splits(1.0, bits));
+                copies += opened.blob.copy_count();
+                const auto complaint = baker::verify_deep(opened.bytes);
+                if (complaint) FAIL_CHECK(*complaint);
+                const DecodedBlob decoded = decode(opened.bytes);
+                const TriangleLoop loop(decoded);
+                QueryMaker maker(decoded, 500 + bits);
+                std::uint64_t hits = 0;
+                for (std::uint64_t i = 0; i < scaled(200); ++i) {
+                    Ray ray = maker.any_ray();
+                    if (maker.random().below(4) == 0) maker.restrict(ray);
+                    const auto difference = ray_difference(opened.blob, loop, ray, hits);
+                    REQUIRE_MESSAGE(!difference, *difference);
+                }
+                CHECK(hits > 0);
+                std::uint64_t found = 0, near = 0;
+                for (std::uint64_t i = 0; i < scaled(50); ++i) {
+                    const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), found);
+                    REQUIRE_MESSAGE(!difference, *difference);
+                    const Vec3 from = maker.sphere().center, to = maker.sphere().center;
+                    const float infinity = std::numeric_limits<float>::infinity();
+                    NearestPair pair;
+                    // Some shapes are too far away to be asked about.
+                    const bool is_near = closest_to_segment(opened.blob, {from, to}, infinity, pair) == QueryStatus::ok;
+                    if (is_near) CHECK(decoded.owners[pair.triangle.index] == pair.triangle.index);
+                    near += is_near ? 1u : 0u;
+                    const Box box = {{std::min(from.x, to.x), std::min(from.y, to.y), std::min(from.z, to.z)},
+                                     {std::max(from.x, to.x), std::max(from.y, to.y), std::max(from.z, to.z)}};
+                    if (closest_to_box(opened.blob, box, infinity, pair) == QueryStatus::ok)
+                        CHECK(decoded.owners[pair.triangle.index] == pair.triangle.index);
+                }
+                if (asks_enough()) CHECK(found > 0);
+                if (asks_enough()) CHECK(near > 0);
+            }
+        }
+        CHECK(copies > 500);  // or this claim would test nothing
+    }
+
+    TEST_CASE("spatial split: filters are called with owners only") {
+        const OpenedBlob opened(crossed_by_beams(60, 600, 1), with_splits());
+        const DecodedBlob decoded = decode(opened.bytes);
+        QueryMaker maker(decoded, 7);
+        bool only_owners = true;
+        std::uint64_t asked = 0;
+        for (unsigned i = 0; i < 300; ++i) {
+            const auto filter = [&](Triangle triangle) {
+                ++asked;
+                only_owners = only_owners && decoded.owners[triangle.index] == triangle.index;
+                return false;
+            };
+            RayHit hit;
+            CHECK(!raycast(opened.blob, maker.any_ray(), hit, filter));
+            CHECK(!occluded(opened.blob, maker.any_ray(), filter));
+        }
+        CHECK(asked > 100);
+        CHECK(only_owners);
+    }
+
+    TEST_CASE("spatial split: queries that would report a triangle twice are refused") {
+        const OpenedBlob opened(crossed_by_beams(60, 600, 1), with_splits());
+        REQUIRE(opened.blob.copy_count() > 0);
+        unsigned visits = 0;
+        const auto count_hit = [&](const RayHit&) { return ++visits, keep_going; };
+        const auto count_overlap = [&](Triangle) { return ++visits, keep_going; };
+        CHECK(!for_each_hit(opened.blob, {.origin = {0.5f, 0.5f, 5.0f}, .direction = {0, 0, -1}}, count_hit));
+        CHECK(!for_each_overlap(opened.blob, {.center = {0.5f, 0.5f, 0.5f}, .radius = 10.0f}, count_overlap));
+        CHECK(visits == 0);
+        std::set<std::uint32_t> walked;
+        for_each_triangle(opened.blob, [&](Triangle triangle, const Corners&) {
+            walked.insert(triangle.index);
+            return keep_going;
+        });
+        CHECK(walked.size() == opened.blob.triangle_count() - opened.blob.copy_count());
+    }
+
+    TEST_CASE("spatial split: ids and materials of an owner are those of its source") {
+        Mesh mesh = crossed_by_beams(60, 600, 1);
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(static_cast<std::uint32_t>(i));
+        BakeOptions options = with_splits();
+        options.original_ids = true;
+        options.materials = Materials::bits_16;
+        const OpenedBlob opened(mesh, options);
+        for (std::uint32_t i = 0; i < opened.blob.triangle_count(); ++i) {
+            OriginalTriangle original;
+            REQUIRE(original_triangle(opened.blob, Triangle{i}, original));
+            CHECK(original.triangle == material(opened.blob, Triangle{i}));
+        }
+    }
+
+    TEST_CASE("spatial split: every bit of the map of copies is checked or harmless") {
+        const OpenedBlob opened(crossed_by_beams(20, 100, 2), with_splits());
+        REQUIRE(opened.blob.copy_count() > 0);
+        const auto map_at = static_cast<std::size_t>(opened.blob.data().copies - opened.bytes.data());
+        std::uint64_t refused = 0;
+        std::uint64_t opens = 0;
+        for (std::size_t bit = 8 * map_at; bit < 8 * opened.bytes.size(); ++bit) {
+            auto bytes = opened.bytes;
+            bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+            repair_checksum(bytes);
+            Blob blob;
+            if (open(bytes, blob) != Status::ok) {
+                ++refused;
+                continue;
+            }
+            ++opens;  // another owner, that is: lower, and no copy itself
+            CHECK(baker::verify_deep(bytes));
+            RayHit hit;
+            raycast(blob, {.origin = {0.5f, 0.5f, 5.0f}, .direction = {0, 0, -1}}, hit);
+        }
+        CHECK(refused > opens);
+        for (std::size_t size = map_at; size < opened.bytes.size(); size += 4) {
+            auto bytes = opened.bytes;
+            bytes.resize(size);
+            Blob blob;
+            CHECK(open(bytes, blob) != Status::ok);
+        }
+    }
+
+    TEST_CASE("verify: parts that leave out a corner of their triangle are found") {
+        const OpenedBlob opened(crossed_by_beams(60, 600, 1), with_splits());
+        auto bytes = opened.bytes;
+        // The highest plane of the root's first child, one lower: whatever reached up to it is now cut off.
+        const std::size_t plane = format::header::bytes + format::plain_node::hi_at + format::plain_node::row_bytes;
+        REQUIRE(get(bytes, plane, 2) > get(bytes, plane - 96, 2) + 1);
+        put(bytes, plane, (get(bytes, plane, 2) + get(bytes, plane - 96, 2)) / 2, 2);
+        repair_checksum(bytes);
+        Blob blob;
+        REQUIRE(open(bytes, blob) == Status::ok);
+        const auto complaint = baker::verify_deep(bytes);
+        REQUIRE(complaint);
+        CHECK(contains(*complaint, "corner"));
+    }
+}

@@ -1,0 +1,171 @@
+// Claims about welding, collapsed triangles and duplicates.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <set>
+
+#include <baker/verify/verify.hpp>
+
+#include "baker/baking_support.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/makers.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+/// The same surface with three vertices of its own for every triangle.
+Mesh torn_apart(const Mesh& mesh) {
+    Mesh torn;
+    torn.name = mesh.name;
+    for (const TriangleVertices& triangle : mesh.triangles) {
+        const auto first = static_cast<std::uint32_t>(torn.positions.size());
+        for (const std::uint32_t corner : triangle) torn.positions.push_back(mesh.positions[corner]);
+        torn.triangles.push_back({first, first + 1, first + 2});
+    }
+    return torn;
+}
+
+}  // namespace
+
+TEST_SUITE("drop") {
+    TEST_CASE("weld: shared and unshared indices give the same bytes") {
+        for (const Mesh& mesh : {make_icosphere(4, 1.0, {0, 0, 0}), make_terrain(20, 2), make_needle_fan(50)}) {
+            const auto shared = bake_mesh(mesh);
+            const auto torn = bake_mesh(torn_apart(mesh));
+            REQUIRE(shared);
+            REQUIRE(torn);
+            CHECK(shared->blob == torn->blob);
+            CHECK(shared->report.vertices == torn->report.vertices);
+        }
+    }
+
+    TEST_CASE("weld: the vertex count is the number of distinct lattice points") {
+        for (const unsigned bits : {4u, 8u, 16u}) {
+            const auto result = bake_mesh(make_icosphere(4, 1.0, {0, 0, 0}), with_bits(bits));
+            REQUIRE(result);
+            const DecodedBlob decoded = decode(result->blob);
+            CHECK(decoded.vertex_count == distinct_corners(decoded).size());
+        }
+    }
+
+    TEST_CASE("weld: triangles that lose their area on the lattice are dropped and counted") {
+        const Mesh mesh = make_icosphere(5, 1.0, {0, 0, 0});
+        const auto result = bake_mesh(mesh, with_bits(4));
+        REQUIRE(result);
+        CHECK(result->report.collapsed.count > 1000);
+        CHECK(contains(result->report.collapsed.first, ", triangle "));
+        CHECK(result->report.triangles + result->report.collapsed.count + result->report.duplicate.count ==
+              mesh.triangles.size());
+        for (const GridTriangle& triangle : decode(result->blob).triangles) {
+            CHECK(triangle.a != triangle.b);
+            CHECK(triangle.b != triangle.c);
+            CHECK(triangle.c != triangle.a);
+        }
+        CHECK(!baker::verify_deep(result->blob));
+    }
+
+    TEST_CASE("weld: the first of several triangles with the same corners and winding is kept") {
+        Mesh cube = make_cube(0.0f, 1.0f);
+        const auto [a, b, c] = cube.triangles[4];
+        cube.triangles.push_back({a, b, c});
+        cube.triangles.push_back({b, c, a});
+        cube.triangles.push_back({c, a, b});
+        cube.name = "cube";
+        BakeOptions options;
+        options.original_ids = true;
+        const auto result = bake_mesh(cube, options);
+        REQUIRE(result);
+        CHECK(result->report.triangles == 12);
+        CHECK(result->report.duplicate.count == 3);
+        CHECK(result->report.duplicate.first == "cube, triangle 12");
+        REQUIRE(result->report.duplicate.place);
+        CHECK(result->report.duplicate.place->triangle == 12u);
+        const DecodedBlob decoded = decode(result->blob);
+        for (const std::uint32_t id : decoded.original_ids) CHECK(id < 12);
+    }
+
+    TEST_CASE("weld: the same corners with the other winding are another triangle") {
+        Mesh cube = make_cube(0.0f, 1.0f);
+        const auto [a, b, c] = cube.triangles[4];
+        cube.triangles.push_back({b, a, c});
+        const auto result = bake_mesh(cube);
+        REQUIRE(result);
+        CHECK(result->report.triangles == 13);
+        CHECK(result->report.duplicate.count == 0);
+    }
+
+    TEST_CASE("weld: triangles that become equal on the lattice are duplicates") {
+        Mesh mesh = make_cube(0.0f, 1.0f);
+        Mesh nearly = make_cube(0.0f, 1.0f);
+        for (Vec3& point : nearly.positions) point.x += 1e-7f;
+        append(mesh, nearly);
+        const auto result = bake_mesh(mesh);
+        REQUIRE(result);
+        CHECK(result->report.triangles == 12);
+        CHECK(result->report.duplicate.count == 12);
+    }
+
+    TEST_CASE("weld: a million identical triangles become one within five seconds") {
+        const std::uint32_t millions = scaled(1) >= 10 ? 10 : 1;  // ten million need some gigabytes
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        mesh.triangles.assign(millions * 1'000'000u, {0, 1, 2});
+        const auto start = std::chrono::steady_clock::now();
+        const auto shared = bake_mesh(mesh);
+        const auto torn = bake_mesh(torn_apart(mesh));
+        CHECK(std::chrono::steady_clock::now() - start < millions * std::chrono::seconds(5));
+        REQUIRE(shared);
+        REQUIRE(torn);
+        CHECK(shared->report.triangles == 1);
+        CHECK(shared->report.duplicate.count == millions * 1'000'000u - 1);
+        CHECK(shared->blob.size() < 512);
+        CHECK(shared->report.nodes == 1);
+    }
+
+    TEST_CASE("weld: a million different triangles in one place bake within five seconds") {
+        // Specks around one lattice point beside a large triangle: every one collapses.
+        Mesh mesh;
+        mesh.positions = {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}};
+        mesh.triangles = {{0, 1, 2}};
+        Random random(5);
+        for (std::uint32_t i = 0; i < 1'000'000; ++i) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            for (int corner = 0; corner < 3; ++corner) {
+                mesh.positions.push_back(
+                    {400 + random.unit() * 1e-3f, 300 + random.unit() * 1e-3f, random.unit() * 1e-3f});
+            }
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const auto result = bake_mesh(mesh);
+        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+        REQUIRE(result);
+        CHECK(result->report.triangles == 1);
+        CHECK(result->report.collapsed.count == 1'000'000);
+        CHECK(result->report.max_error < 2 * result->report.step);
+    }
+
+    TEST_CASE("weld: corners keep the winding of the source and its order from the first corner on") {
+        for_each_profile([](format::Profile profile) {
+            const Mesh mesh = make_terrain(9, 8);
+            BakeOptions options = with_profile(profile);
+            options.original_ids = true;
+            const DecodedBlob decoded = decode(bake_or_throw(mesh, options));
+            for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
+                const auto corners = world_corners(decoded, decoded.triangles[i]);
+                const TriangleVertices& source = mesh.triangles[decoded.original_ids[i]];
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    const Vec3& meant = mesh.positions[source[(decoded.first_corners[i] + corner) % 3]];
+                    CHECK(std::abs(corners[corner][0] - double(meant.x)) <= double(decoded.max_error));
+                    CHECK(std::abs(corners[corner][1] - double(meant.y)) <= double(decoded.max_error));
+                    CHECK(std::abs(corners[corner][2] - double(meant.z)) <= double(decoded.max_error));
+                }
+            }
+        });
+    }
+}

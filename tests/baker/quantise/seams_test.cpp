@@ -1,0 +1,121 @@
+// Claims about blobs with one step: where their sources share vertices, they share lattice points.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include <espalier/original.hpp>
+
+#include "baker/baking_support.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/meshes/splits.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+/// A place in whole steps from the world's origin.
+using WorldSteps = std::array<double, 3>;
+
+/// Where each position of the mesh is, as the blob has it.
+std::map<std::uint32_t, WorldSteps> places_of(const Mesh& mesh, const OpenedBlob& opened) {
+    const DecodedBlob decoded = decode(opened.bytes);
+    std::map<std::uint32_t, WorldSteps> places;
+    for (std::uint32_t i = 0; i < decoded.triangles.size(); ++i) {
+        OriginalTriangle original;
+        REQUIRE(original_triangle(opened.blob, {i}, original));
+        const GridPoint* corners[3] = {&decoded.triangles[i].a, &decoded.triangles[i].b, &decoded.triangles[i].c};
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            WorldSteps place{};
+            for (std::size_t k = 0; k < 3; ++k)
+                place[k] = std::ldexp(double(decoded.origin[k]), -decoded.step_exponent) + (*corners[corner])[k];
+            const auto position = mesh.triangles[original.triangle][(original.first_corner + corner) % 3];
+            const auto at = places.emplace(position, place).first;
+            REQUIRE(at->second == place);
+        }
+    }
+    return places;
+}
+
+WorldSteps nearest_steps(const Vec3& position, int exponent) {
+    const float at[3] = {position.x, position.y, position.z};
+    WorldSteps steps{};
+    for (std::size_t k = 0; k < 3; ++k) steps[k] = std::nearbyint(std::ldexp(double(at[k]), -exponent));
+    return steps;
+}
+
+BakeOptions with_step(int exponent) {
+    BakeOptions options;
+    options.step_exponent = exponent;
+    options.original_ids = true;
+    return options;
+}
+
+}  // namespace
+
+TEST_SUITE("seams") {
+    TEST_CASE("seams: parts of a mesh baked apart with one step share their border vertices bit for bit") {
+        std::uint64_t shared = 0;
+        const auto splits = static_cast<std::uint32_t>(scaled(100));
+        for (std::uint32_t number = 0; number < splits; ++number) {
+            const Split split = make_split(number);
+            CAPTURE(split.name);
+            std::map<std::uint32_t, WorldSteps> places;  // of the whole's positions
+            for (const Split::Part& part : split.parts) {
+                const OpenedBlob opened(part.mesh, split.options);
+                REQUIRE(opened.blob.triangle_count() == part.mesh.triangles.size());
+                for (const auto& [position, place] : places_of(part.mesh, opened)) {
+                    REQUIRE(place == nearest_steps(part.mesh.positions[position], *split.options.step_exponent));
+                    const auto [at, is_new] = places.emplace(part.in_whole[position], place);
+                    REQUIRE(at->second == place);
+                    shared += is_new ? 0 : 1;
+                }
+            }
+        }
+        CHECK(shared > 20 * splits);
+    }
+
+    TEST_CASE("seams: the step is the one given for meshes of any size and place") {
+        Random random(4);
+        for (int i = 0; i < 50; ++i) {
+            const int exponent = random.between(-90, 90);
+            Mesh mesh = scaled_by(make_icosphere(1, 1.0, random.in_cube(1000.0f)), std::ldexp(1.0f, exponent + 8));
+            const auto result = bake_mesh(mesh, with_step(exponent));
+            REQUIRE(result);
+            CHECK(result->report.step == std::ldexp(1.0, exponent));
+            CHECK(result->report.bits == 10);
+            CHECK(result->report.max_error <= std::sqrt(0.75) * result->report.step * 1.000001);
+            const DecodedBlob decoded = decode(result->blob);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double steps = std::ldexp(double(decoded.origin[k]), -exponent);
+                CHECK(steps == std::nearbyint(steps));
+            }
+        }
+        const auto empty = bake_mesh({}, with_step(-3));
+        REQUIRE(empty);
+        CHECK(decode(empty->blob).step_exponent == -3);
+    }
+
+    TEST_CASE("seams: a step is refused together with a tolerance and where the format has none") {
+        BakeOptions both = with_step(-4);
+        both.tolerance = 0.1;
+        for (const BakeOptions& options : {both, with_step(-101), with_step(101)}) {
+            const auto refused = bake_mesh(make_cube(0.0f, 1.0f), options);
+            REQUIRE(!refused);
+            CHECK(refused.error().kind == BakeError::Kind::invalid_options);
+        }
+        CHECK(contains(bake_mesh(make_cube(0.0f, 1.0f), both).error().message, "a step and a tolerance"));
+        CHECK(contains(bake_mesh(make_cube(0.0f, 1.0f), with_step(101)).error().message, "from 2^-100 to 2^100"));
+        const auto too_fine = bake_mesh(make_cube(0.0f, 1.0f), with_step(-24));
+        REQUIRE(!too_fine);
+        CHECK(too_fine.error().kind == BakeError::Kind::too_fine);
+        CHECK(contains(too_fine.error().message, "the finest step is 2^-23"));
+    }
+}

@@ -1,0 +1,101 @@
+// Claims about espalier.h: asked from C, every query answers what it answers C++.
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "comparing.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/meshes/makers.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+OpenedBlob blob_with_materials_alone() {
+    Mesh mesh = make_cube(-1.0f, 1.0f);
+    mesh.materials.assign(mesh.triangles.size(), 5);
+    BakeOptions options;
+    options.materials = Materials::bits_8;
+    return {mesh, options};
+}
+
+}  // namespace
+
+TEST_SUITE("answers") {
+    TEST_CASE("c api: every query gives the bits of C++") {
+        std::vector<OpenedBlob> special;
+        for (const format::Profile profile : every_profile) special.push_back(blob_with_everything(profile));
+        special.push_back(blob_with_materials_alone());
+        special.push_back(blob_with_copies());
+        std::vector<const OpenedBlob*> blobs;
+        for (const TestBlob& blob : small_test_blobs()) blobs.push_back(&blob.opened);
+        for (const OpenedBlob& blob : special) blobs.push_back(&blob);
+        Random random(1);
+        for (const OpenedBlob* opened : blobs) {
+            const OpenedBlob& other = *blobs[random.below(static_cast<std::uint32_t>(blobs.size()))];
+            const espalier_blob c_blob = open_from_c(opened->bytes), c_other = open_from_c(other.bytes);
+            for (std::uint64_t i = 0; i < scaled(20); ++i)
+                compare_all(c_blob, c_other, opened->blob, other.blob, some_question(opened->blob, random));
+        }
+    }
+
+    TEST_CASE("c api: a blob filled with zeros is the empty blob") {
+        espalier_blob zero;
+        std::memset(&zero, 0, sizeof zero);
+        static const Blob empty;  // static, so that what lies between its fields is zero too
+        CHECK(std::memcmp(&zero, static_cast<const void*>(&empty), sizeof zero) == 0);
+        const OpenedBlob opened = blob_with_everything(format::Profile::fast);
+        const espalier_blob c_opened = open_from_c(opened.bytes);
+        Random random(2);
+        for (std::uint64_t i = 0; i < scaled(50); ++i) {
+            const question asked = some_question(opened.blob, random);
+            compare_all(zero, zero, empty, empty, asked);
+            compare_all(zero, c_opened, empty, opened.blob, asked);
+            compare_all(c_opened, zero, opened.blob, empty, asked);
+        }
+    }
+
+    TEST_CASE("c api: a ray and a placement from C have the defaults of C++") {
+        const Ray ray = {.origin = {1, 2, 3}, .direction = {4, 5, 6}};
+        const espalier_ray c_ray = espalier_ray_from({1, 2, 3}, {4, 5, 6});
+        CHECK(c(ray.origin).x == c_ray.origin.x);
+        CHECK(c(ray.direction).z == c_ray.direction.z);
+        CHECK(ray.t_min == c_ray.t_min);
+        CHECK(ray.t_max == c_ray.t_max);
+        CHECK(static_cast<espalier_faces>(ray.faces) == c_ray.faces);
+        const Placement placement;
+        const espalier_placement c_placement = espalier_unplaced();
+        CHECK(std::memcmp(&placement, &c_placement, sizeof placement) == 0);
+    }
+
+    TEST_CASE("c api: every status has the same sentence in C") {
+        for (unsigned value = 0; value < 256; ++value) {
+            const auto byte = static_cast<std::uint8_t>(value);
+            CHECK(std::string(espalier_describe_status(byte)) == describe(Status{byte}));
+            CHECK(std::string(espalier_describe_query_status(byte)) == describe(QueryStatus{byte}));
+        }
+    }
+
+    TEST_CASE("c api: opening gives the status of C++ and no half-open blob") {
+        const OpenedBlob good = blob_with_everything(format::Profile::balanced);
+        CHECK(misbehaviour_of_open(good.bytes.data(), good.bytes.size()) == 0);
+        std::vector<std::byte> bytes(good.bytes.begin(), good.bytes.end());
+        Random random(3);
+        for (int i = 0; i < 500; ++i) {
+            const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
+            const std::byte was = bytes[at];
+            bytes[at] ^= static_cast<std::byte>(1 + random.below(255));
+            Blob blob;
+            espalier_blob c_blob;
+            const Status status = open(bytes, blob);
+            REQUIRE(espalier_open(bytes.data(), bytes.size(), &c_blob) == static_cast<espalier_status>(status));
+            REQUIRE(espalier_open_trusted_image(bytes.data(), bytes.size(), &c_blob) ==
+                    static_cast<espalier_status>(open_trusted_image(bytes, blob)));
+            bytes[at] = was;
+        }
+    }
+}

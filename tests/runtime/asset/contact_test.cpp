@@ -1,0 +1,202 @@
+// Claims about contacts: what slides over inner edges does not feel them, and what meets a real one does.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+
+#include "support/base/hostile_values.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/random.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/meshes/makers.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+BakeOptions with_flags(format::Profile profile) {
+    BakeOptions options = with_profile(profile);
+    options.edge_flags = 5.0;
+    return options;
+}
+
+Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+float length(Vec3 a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
+
+/// The contacts of a sphere as a collision engine makes them: with each triangle that it touches, on its own.
+std::vector<Nearest> contacts_of(const Blob& blob, const Sphere& sphere) {
+    std::vector<Nearest> contacts(blob.triangle_count());
+    contacts.resize(closest_triangles(blob, sphere.center, sphere.radius, contacts));
+    return contacts;
+}
+
+Vec3 normal_of(const Nearest& contact, const Sphere& sphere) {
+    const Vec3 away = minus(sphere.center, contact.point);
+    const float distance = length(away);
+    return {away.x / distance, away.y / distance, away.z / distance};
+}
+
+}  // namespace
+
+TEST_SUITE("contact") {
+    TEST_CASE("contact: a sphere that slides over a floor gets the normal of the floor at every contact") {
+        for_each_profile([](format::Profile profile) {
+            const OpenedBlob floor(make_plane_grid(6), with_flags(profile));
+            const Vec3 low = floor.blob.bounds_min();
+            const Vec3 high = floor.blob.bounds_max();
+            const Vec3 side = minus(high, low);
+            // The grid may lie in any plane: up is where it has no extent.
+            const int up = side.x == 0.0f ? 0 : side.y == 0.0f ? 1 : 2;
+            const float size = std::max({side.x, side.y, side.z});
+            std::uint64_t corrected = 0;
+            std::uint64_t slanted = 0;
+            for (int step = 0; step <= 200; ++step) {
+                const float at = 0.2f + 0.6f * static_cast<float>(step) / 200.0f;
+                float center[3] = {low.x + at * side.x, low.y + (0.3f + 0.4f * at) * side.y, low.z + at * side.z};
+                const float radius = 0.15f * size;
+                center[up] += 0.9f * radius;
+                const Sphere sphere = {{center[0], center[1], center[2]}, radius};
+                for (const Nearest& each : contacts_of(floor.blob, sphere)) {
+                    Vec3 normal = normal_of(each, sphere);
+                    const float before[3] = {normal.x, normal.y, normal.z};
+                    slanted += before[up] < 0.99f ? 1u : 0u;
+                    corrected += is_on_inner_edge(floor.blob, {each.triangle, each.feature, normal}, normal) ? 1u : 0u;
+                    const float after[3] = {normal.x, normal.y, normal.z};
+                    REQUIRE(after[up] > 0.9999f);
+                }
+            }
+            CHECK(slanted > 100);  // else there would be nothing to correct
+            CHECK(corrected >= slanted);
+        });
+    }
+
+    TEST_CASE("contact: a sphere that rolls over the ridge of a box keeps the normal of the contact") {
+        for_each_profile([](format::Profile profile) {
+            const OpenedBlob box(make_cube(-1.0f, 1.0f), with_flags(profile));
+            for (int step = 1; step < 16; ++step) {
+                // Around the ridge at x = 1, z = 1.
+                const float angle = static_cast<float>(step) / 16.0f * 1.5707963f;
+                const Vec3 away = {std::sin(angle), 0.0f, std::cos(angle)};
+                const Vec3 center = {1.0f + 0.45f * away.x, 0.1f, 1.0f + 0.45f * away.z};
+                float least = 1.0f;
+                Vec3 deepest;
+                const Sphere sphere = {center, 0.5f};
+                for (const Nearest& each : contacts_of(box.blob, sphere)) {
+                    Vec3 normal = normal_of(each, sphere);
+                    is_on_inner_edge(box.blob, {each.triangle, each.feature, normal}, normal);
+                    if (each.distance < least) least = each.distance, deepest = normal;
+                }
+                CHECK(least < 0.4501f);
+                CHECK(length(minus(deepest, away)) < 1e-3f);
+            }
+        });
+    }
+
+    TEST_CASE("contact: the feature names the edges of a contact and limits its normal") {
+        for_each_profile([](format::Profile profile) {
+            const OpenedBlob box(make_cube(-1.0f, 1.0f), with_flags(profile));
+            for (std::uint32_t i = 0; i < 12; ++i) {
+                EdgeKinds kinds;
+                Corners corners;
+                REQUIRE(edge_kinds(box.blob, {i}, kinds));
+                REQUIRE(triangle_corners(box.blob, {i}, corners));
+                const Vec3 out = {corners.a.x + corners.b.x + corners.c.x, corners.a.y + corners.b.y + corners.c.y,
+                                  corners.a.z + corners.b.z + corners.c.z};
+                struct At {
+                    Feature feature;
+                    bool inner;
+                };
+                const bool ab = kinds.ab == EdgeKind::flat;
+                const bool bc = kinds.bc == EdgeKind::flat;
+                const bool ca = kinds.ca == EdgeKind::flat;
+                REQUIRE(int{ab} + int{bc} + int{ca} == 1);
+                // Two of a triangle's edges are ridges, so that each corner is on one.
+                for (const At& at :
+                     {At{Feature::face, false}, At{Feature::edge_ab, ab}, At{Feature::edge_bc, bc},
+                      At{Feature::edge_ca, ca}, At{Feature::vertex_a, false}, At{Feature::vertex_b, false},
+                      At{Feature::vertex_c, false}, At{static_cast<Feature>(7), false}}) {
+                    const int feature = static_cast<int>(at.feature);
+                    CAPTURE(feature);
+                    Vec3 normal = {3.0f, 4.0f, 5.0f};
+                    REQUIRE(is_on_inner_edge(box.blob, {{i}, at.feature, out}, normal) == at.inner);
+                    if (!at.inner) CHECK(normal == Vec3{3.0f, 4.0f, 5.0f});
+                    else {
+                        CHECK(length(normal) == 1.0f);
+                        CHECK(normal.x * out.x + normal.y * out.y + normal.z * out.z > 2.9f);
+                        Vec3 behind;
+                        REQUIRE(is_on_inner_edge(box.blob, {{i}, at.feature, {-out.x, -out.y, -out.z}}, behind));
+                        CHECK(behind == Vec3{-normal.x, -normal.y, -normal.z});
+                    }
+                }
+            }
+        });
+    }
+
+    TEST_CASE("contact: concave edges are inner and borders are not and without flags none is") {
+        for_each_profile([](format::Profile profile) {
+            Mesh valley;
+            valley.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}, {0, -1, 1}};
+            valley.triangles = {{0, 1, 2}, {1, 0, 3}};
+            const OpenedBlob with(valley, with_flags(profile));
+            const OpenedBlob without(valley, with_profile(profile));
+            for (std::uint32_t i = 0; i < 2; ++i) {
+                EdgeKinds kinds;
+                REQUIRE(edge_kinds(with.blob, {i}, kinds));
+                const std::array<EdgeKind, 3> all = {kinds.ab, kinds.bc, kinds.ca};
+                CHECK(std::count(all.begin(), all.end(), EdgeKind::concave) == 1);
+                CHECK(std::count(all.begin(), all.end(), EdgeKind::open) == 2);
+                constexpr Feature edges[3] = {Feature::edge_ab, Feature::edge_bc, Feature::edge_ca};
+                for (std::size_t edge = 0; edge < 3; ++edge) {
+                    Vec3 normal;
+                    CHECK(is_on_inner_edge(with.blob, {{i}, edges[edge], {0, 0, 1}}, normal) ==
+                          (all[edge] == EdgeKind::concave));
+                    CHECK(!is_on_inner_edge(without.blob, {{i}, edges[edge], {0, 0, 1}}, normal));
+                }
+            }
+        });
+    }
+
+    TEST_CASE("contact: a corner between two inner edges is inner and one on a border is not") {
+        for_each_profile([](format::Profile profile) {
+            const OpenedBlob floor(make_plane_grid(4), with_flags(profile));
+            std::uint64_t inner = 0;
+            std::uint64_t outer = 0;
+            for (std::uint32_t i = 0; i < floor.blob.triangle_count(); ++i) {
+                EdgeKinds kinds;
+                REQUIRE(edge_kinds(floor.blob, {i}, kinds));
+                const bool open[3] = {kinds.ab == EdgeKind::open, kinds.bc == EdgeKind::open,
+                                      kinds.ca == EdgeKind::open};
+                constexpr Feature corners[3] = {Feature::vertex_a, Feature::vertex_b, Feature::vertex_c};
+                for (std::size_t k = 0; k < 3; ++k) {
+                    Vec3 normal;
+                    const bool expected = !open[k] && !open[(k + 2) % 3];
+                    REQUIRE(is_on_inner_edge(floor.blob, {{i}, corners[k], {1, 2, 3}}, normal) == expected);
+                    ++(expected ? inner : outer);
+                }
+            }
+            CHECK(inner > 0);
+            CHECK(outer > 0);
+        });
+    }
+
+    TEST_CASE("contact: contacts of any bits give a unit normal or none") {
+        Random random(8);
+        for (const TestBlob& blob : small_test_blobs()) {
+            for (int i = 0; i < 2'000; ++i) {
+                const auto any = [&] { return hostile_values[random.below(hostile_values.size())]; };
+                Vec3 normal;
+                const Contact contact = {{random.below(blob.opened.blob.triangle_count() + 2)},
+                                         static_cast<Feature>(random.below(256)),
+                                         {any(), any(), any()}};
+                if (!is_on_inner_edge(blob.opened.blob, contact, normal)) CHECK(normal == Vec3{});
+                else CHECK(std::abs(length(normal) - 1.0f) < 1e-6f);
+            }
+        }
+    }
+}

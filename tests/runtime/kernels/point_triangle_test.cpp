@@ -1,0 +1,160 @@
+// Claims about the distance kernel: exact squared distances and exact decisions, against the oracle's projections.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include <runtime/point_triangle.hpp>
+
+#include "support/base/calls.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/exact/as_rationals.hpp"
+
+using namespace espalier;
+using detail::LatticePoint;
+using detail::PointDistance;
+using oracle::BigInteger;
+using oracle::Rational;
+using tests::decisions_made;
+using tests::GridPoint;
+using tests::GridTriangle;
+using tests::Random;
+using tests::scaled;
+
+namespace {
+
+Rational exact(detail::Int128 value) {
+    const BigInteger low = BigInteger(static_cast<std::int64_t>(value.low >> 32)).shifted_left(32) +
+                           BigInteger(static_cast<std::int64_t>(value.low & 0xFFFFFFFFu));
+    return {BigInteger(value.high).shifted_left(64) + low, 1};
+}
+
+Rational exact_square(const PointDistance& distance, int fraction_bits) {
+    Rational numerator = exact(distance.numerator);
+    if (distance.square_numerator) numerator *= numerator;
+    return numerator / exact(distance.denominator) * Rational::of(1, -2 * fraction_bits);
+}
+
+/// Which part of the triangle a point of it lies on.
+Feature exact_feature(const oracle::Triangle& t, const oracle::Point& p) {
+    if (p == t.a) return Feature::vertex_a;
+    if (p == t.b) return Feature::vertex_b;
+    if (p == t.c) return Feature::vertex_c;
+    const auto is_on = [&](const oracle::Point& from, const oracle::Point& to) {
+        return oracle::normal_of({from, to, p}) == oracle::Point(0, 0, 0);
+    };
+    return is_on(t.a, t.b)   ? Feature::edge_ab
+           : is_on(t.b, t.c) ? Feature::edge_bc
+           : is_on(t.c, t.a) ? Feature::edge_ca
+                             : Feature::face;
+}
+
+struct Case {
+    GridTriangle triangle;
+    LatticePoint point;
+};
+
+/// Triangles and points on and around one another, at all sizes; false when the triangle has no area.
+bool some_case(Random& random, Case& result) {
+    const unsigned bits = 1 + random.below(24);
+    const std::int32_t limit = (1 << bits) - 1;
+    const auto some_point = [&] {
+        const std::int32_t x = random.between(0, limit);
+        const std::int32_t y = random.between(0, limit);
+        const std::int32_t z = random.below(3) == 0 ? 0 : random.between(0, limit);
+        return GridPoint{x, y, z};
+    };
+    GridTriangle& triangle = result.triangle;
+    triangle = {some_point(), some_point(), some_point()};
+    if (random.below(3) == 0) {
+        for (unsigned k = 0; k < 3; ++k)
+            triangle.c[k] = std::clamp((triangle.a[k] + triangle.b[k]) / 2 + random.between(-1, 1), 0, limit);
+    }
+    if (oracle::normal_of(tests::exact_triangle(triangle)) == oracle::Point(0, 0, 0)) return false;
+
+    const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
+    const GridPoint p = corners[random.below(3)];
+    const GridPoint q = corners[random.below(3)];
+    const auto coordinate = [&](unsigned k, float share, float off) {
+        return static_cast<float>(p[k]) + share * static_cast<float>(q[k] - p[k]) + off;
+    };
+    const float share = random.coin() ? 0.5f : random.unit();
+    const float reach =
+        random.below(4) == 0 ? 0.0f : std::ldexp(1.0f, random.between(-6, static_cast<std::int32_t>(bits) + 12));
+    const Vec3 off = random.in_cube(reach);
+    const Vec3 world{coordinate(0, share, off.x), coordinate(1, share, off.y), coordinate(2, share, off.z)};
+    return detail::round_point(tests::lattice_asset(bits), world, 0.0f, result.point);
+}
+
+}  // namespace
+
+TEST_SUITE("point triangle") {
+    TEST_CASE("kernel: the squared distance of point and triangle is exact as a quotient and within 6 ulp") {
+        Random random(1);
+        Rational worst = 0;
+        std::uint64_t zero = 0;
+        std::uint64_t face = 0;
+        std::uint64_t checked = 0;
+        std::array<std::uint64_t, 7> features{};
+        const std::uint64_t count = scaled(20'000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Case c;
+            if (!some_case(random, c)) continue;
+            const oracle::Triangle triangle = tests::exact_triangle(c.triangle);
+            const auto closest = oracle::closest_on_triangle(triangle, tests::exact_center(c.point));
+            const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
+            REQUIRE(exact_square(distance, c.point.fraction_bits) == closest.squared_distance);
+            worst = std::max(worst, oracle::error_in_ulp(distance.squared, closest.squared_distance));
+            REQUIRE(distance.feature == exact_feature(triangle, closest.point));
+            ++features.at(static_cast<std::size_t>(distance.feature));
+            // The weights lead to the closest point, to the precision of the triangle's size.
+            const Rational u = Rational::of(distance.u);
+            const Rational v = Rational::of(distance.v);
+            const oracle::Point at = triangle.a + (triangle.b - triangle.a) * u + (triangle.c - triangle.a) * v;
+            for (int k = 0; k < 3; ++k) {
+                const Rational size =
+                    oracle::absolute(triangle.b[k] - triangle.a[k]) + oracle::absolute(triangle.c[k] - triangle.a[k]);
+                REQUIRE(oracle::absolute(at[k] - closest.point[k]) <= size * Rational::of(1, -22));
+            }
+            if (closest.squared_distance.sign() == 0) ++zero;
+            if (distance.square_numerator) ++face;
+            ++checked;
+        }
+        CHECK(worst <= Rational(6));
+        CHECK(checked > count / 2);
+        CHECK(zero > count / 100);
+        CHECK(face > count / 50);
+        for (const std::uint64_t met : features) CHECK(met > count / 100);
+    }
+
+    TEST_CASE("kernel: a triangle within a radius of a point is decided exactly") {
+        std::uint64_t decided = 0;
+        Random random(2);
+        std::uint64_t touching = 0;
+        const std::uint64_t count = scaled(10'000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Case c;
+            if (!some_case(random, c)) continue;
+            const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
+            const Rational squared = exact_square(distance, c.point.fraction_bits);
+            float radius = std::sqrt(distance.squared);
+            for (int step = 0; step < 4 && radius > 0.0f; ++step) radius = std::nextafter(radius, 0.0f);
+            for (int step = 0; step < 9; ++step, radius = std::nextafter(radius, 1e30f)) {
+                if (radius > 0.0f && radius < 0x1p-100f) radius = 0x1p-100f;
+                const Rational exact_radius = Rational::of(radius);
+                const bool expected = squared <= exact_radius * exact_radius;
+                CAPTURE(radius);
+                ++decided;
+                REQUIRE(detail::is_within_radius(c.point, distance, radius) == expected);
+                if (squared == exact_radius * exact_radius) ++touching;
+            }
+            REQUIRE(detail::is_within_radius(c.point, distance, 1e30f));
+            REQUIRE(detail::is_within_radius(c.point, distance, std::numeric_limits<float>::infinity()));
+        }
+        CHECK(touching > count / 100);
+        MESSAGE(decisions_made("point and triangle within a radius", decided));
+    }
+}

@@ -1,0 +1,245 @@
+// Claims about how far a query moves when it is rounded: the bound holds, in exact arithmetic, and is not far above
+// what happens.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <espalier/rounding.hpp>
+#include <runtime/lattice_corners.hpp>
+#include <runtime/lattice_oriented_box.hpp>
+#include <runtime/lattice_point.hpp>
+#include <runtime/lattice_ray.hpp>
+#include <runtime/lattice_segment.hpp>
+
+#include "oracle/rational.hpp"
+#include "support/base/profiles.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/queries/hostile_arguments.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using oracle::Rational;
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+using Exact = std::array<Rational, 3>;
+
+Exact exact(const Vec3& v) { return {Rational::of(v.x), Rational::of(v.y), Rational::of(v.z)}; }
+Exact minus(const Exact& a, const Exact& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Exact cross(const Exact& a, const Exact& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Rational square(const Exact& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
+
+/// A place in lattice steps, exactly.
+Exact in_steps(const detail::BlobData& blob, const Vec3& world) {
+    const Rational per_unit = Rational::of(1, -blob.step_exponent);
+    const Exact at = exact(world);
+    return {(at[0] - Rational::of(blob.origin[0])) * per_unit, (at[1] - Rational::of(blob.origin[1])) * per_unit,
+            (at[2] - Rational::of(blob.origin[2])) * per_unit};
+}
+template <class Units>
+Exact from_units(const Units& units, int fraction_bits) {
+    return {Rational::of(std::int64_t{units[0]}, -fraction_bits), Rational::of(std::int64_t{units[1]}, -fraction_bits),
+            Rational::of(std::int64_t{units[2]}, -fraction_bits)};
+}
+Exact from_units(const detail::Integer3& units, int fraction_bits) {
+    const std::int64_t all[3] = {units.x, units.y, units.z};
+    return from_units(all, fraction_bits);
+}
+
+/// What was seen of one kind of query: the bound holds at each, and some come near it.
+struct Held {
+    std::uint64_t queries = 0;
+    std::uint64_t above_an_eighth = 0;
+
+    void check(const detail::BlobData& blob, const Result<float>& bound, const Rational& squared_move) {
+        REQUIRE(bound.status == QueryStatus::ok);
+        const Rational steps = Rational::of(bound.value) * Rational::of(1, -blob.step_exponent);
+        REQUIRE(squared_move <= steps * steps);
+        ++queries;
+        above_an_eighth += squared_move * Rational(64) >= steps * steps ? 1u : 0u;
+    }
+};
+
+/// In the asset's box or around it, up to 2^`exponent` of its sizes away.
+Vec3 some_place(const Blob& blob, Random& random, int exponent) {
+    const Vec3 low = blob.bounds_min(), high = blob.bounds_max();
+    const float size = std::max({high.x - low.x, high.y - low.y, high.z - low.z, blob.step()});
+    const Vec3 off =
+        random.in_cube(std::ldexp(size, static_cast<int>(random.below(static_cast<unsigned>(exponent + 1)))));
+    return {low.x + off.x, low.y + off.y, low.z + off.z};
+}
+
+constexpr int exponents[] = {0, 4, 12};
+
+}  // namespace
+
+TEST_SUITE("rounding error") {
+    TEST_CASE("rounding: no point or segment or volume moves farther than the error and some move an eighth as far") {
+        for (const int exponent : exponents) {
+            CAPTURE(exponent);
+            Held points, segments, triangles, boxes;
+            Random random(2500 + static_cast<std::uint64_t>(exponent));
+            for (const TestBlob& test : small_test_blobs()) {
+                if (test.decoded.triangle_count == 0) continue;
+                const Blob& blob = test.opened.blob;
+                const detail::BlobData& data = blob.data();
+                for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
+                    const Vec3 a = some_place(blob, random, exponent), b = some_place(blob, random, exponent),
+                               c = some_place(blob, random, exponent);
+                    detail::LatticePoint point{};
+                    REQUIRE(detail::round_point(data, a, infinity, point));
+                    points.check(data, rounding_error(blob, a),
+                                 square(minus(in_steps(data, a), from_units(point.origin, point.fraction_bits))));
+                    detail::LatticeSegment segment{};
+                    REQUIRE(detail::round_segment(data, {a, b}, segment) == QueryStatus::ok);
+                    const auto moved_end =
+                        std::max(square(minus(in_steps(data, a), from_units(segment.from, segment.fraction_bits))),
+                                 square(minus(in_steps(data, b), from_units(segment.to, segment.fraction_bits))));
+                    segments.check(data, rounding_error(blob, Segment{a, b}), moved_end);
+                    detail::LatticeCorners corners;
+                    REQUIRE(detail::round_volume(data, Corners{a, b, c}, corners) == QueryStatus::ok);
+                    if (!corners.is_empty) {
+                        Rational most;
+                        for (int k = 0; k < 3; ++k)
+                            most = std::max(
+                                most, square(minus(in_steps(data, k == 0   ? a
+                                                                  : k == 1 ? b
+                                                                           : c),
+                                                   from_units(corners.triangle.corner[k], corners.fraction_bits))));
+                        triangles.check(data, rounding_error(blob, Corners{a, b, c}), most);
+                    }
+                    const OrientedBox world = {a,
+                                               {{b.x - a.x, b.y - a.y, b.z - a.z},
+                                                {c.x - a.x, c.y - a.y, c.z - a.z},
+                                                {a.x - c.z, b.y - c.x, c.z - a.y}}};
+                    detail::LatticeOrientedBox box;
+                    const QueryStatus status = detail::round_volume(data, world, box);
+                    if (status != QueryStatus::ok) REQUIRE(rounding_error(blob, world).status == status);
+                    if (box.is_empty) continue;
+                    Rational most;
+                    for (unsigned corner = 0; corner < 8; ++corner) {
+                        Exact moved = minus(in_steps(data, world.center), from_units(box.center, box.fraction_bits));
+                        for (unsigned half = 0; half < 3; ++half) {
+                            const Exact along = exact(world.half_axes[half]);
+                            const Exact rounded = from_units(box.half[half], box.fraction_bits);
+                            for (std::size_t k = 0; k < 3; ++k) {
+                                const Rational change = along[k] * Rational::of(1, -data.step_exponent) - rounded[k];
+                                moved[k] += (corner >> half & 1u) != 0 ? change : -change;
+                            }
+                        }
+                        most = std::max(most, square(moved));
+                    }
+                    boxes.check(data, rounding_error(blob, world), most);
+                }
+            }
+            for (const Held& held : {points, segments, triangles, boxes}) {
+                CHECK(held.queries > 0);
+                if (asks_enough()) CHECK(held.above_an_eighth > 0);
+            }
+        }
+    }
+
+    TEST_CASE("rounding: no ray moves farther than the error and some move an eighth as far") {
+        for (const int exponent : {0, 4, 12, 20}) {
+            CAPTURE(exponent);
+            Held rays;
+            Random random(2600 + static_cast<std::uint64_t>(exponent));
+            for (const TestBlob& test : small_test_blobs()) {
+                if (test.decoded.triangle_count == 0) continue;
+                const Blob& blob = test.opened.blob;
+                const detail::BlobData& data = blob.data();
+                for (std::uint64_t i = 0; i < scaled_share(100); ++i) {
+                    const Vec3 from = some_place(blob, random, exponent), to = some_place(blob, random, 0);
+                    const Ray world = {.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}};
+                    detail::LatticeRay ray;
+                    if (!detail::round_ray(data, world, ray)) continue;
+                    const Exact origin = in_steps(data, from), way = exact(world.direction);
+                    const Exact rounded_origin = from_units(ray.origin, ray.fraction_bits);
+                    Rational most;
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        if (ray.direction[k] == 0) continue;
+                        for (const std::int64_t plane : {std::int64_t{0}, std::int64_t{data.extent[k]}}) {
+                            const Rational tau =
+                                (Rational(plane) - rounded_origin[k]) / Rational(std::int64_t{ray.direction[k]});
+                            if (tau.sign() < 0) continue;
+                            Exact place = rounded_origin;
+                            bool is_in_box = true;
+                            for (std::size_t j = 0; j < 3; ++j) {
+                                place[j] += tau * Rational(std::int64_t{ray.direction[j]});
+                                is_in_box = is_in_box && place[j].sign() >= 0 &&
+                                            place[j] <= Rational(std::int64_t{data.extent[j]});
+                            }
+                            if (is_in_box)
+                                most = std::max(most, square(cross(minus(place, origin), way)) / square(way));
+                        }
+                    }
+                    rays.check(data, rounding_error(blob, world), most);
+                }
+            }
+            CHECK(rays.queries > 0);
+            if (asks_enough()) CHECK(rays.above_an_eighth > 0);
+        }
+    }
+
+    TEST_CASE("rounding: the error in a unit box of 16 bits and of shapes made of points") {
+        const OpenedBlob opened(make_cube(0.0f, 1.0f));
+        const Blob& blob = opened.blob;
+        REQUIRE(blob.max_error() == 0.0f);
+        const Result<float> moved = rounding_error(blob, Vec3{0.3f, 0.4f, 0.5f});
+        REQUIRE(moved);
+        CHECK(moved.value >= 1.7320508f * blob.step() / 128.0f);
+        CHECK(moved.value <= 1.7320508f * blob.step() / 96.0f);
+        const Vec3 a = {0.25f, 0.5f, 1.5f}, b = {7.0f, -3.0f, 0.1f};
+        CHECK(rounding_error(blob, Sphere{a, 0.5f}).value == rounding_error(blob, a).value);
+        CHECK(rounding_error(blob, Capsule{a, b, 0.5f}).value == rounding_error(blob, Segment{a, b}).value);
+        CHECK(rounding_error(blob, Box{b, a}).value == rounding_error(blob, Segment{b, a}).value);
+    }
+
+    TEST_CASE("rounding: the error of what is no query is refused and of an empty blob it is zero") {
+        const OpenedBlob opened(make_cube(0.0f, 1.0f));
+        const Blob& blob = opened.blob;
+        const Vec3 origin = {0.0f, 0.0f, 0.0f}, nowhere = {0.0f, not_a_number, 0.0f}, far = {1e30f, 0.0f, 0.0f};
+        const auto status_of = [&](const auto& shape) { return rounding_error(blob, shape).status; };
+        CHECK(status_of(nowhere) == QueryStatus::invalid_argument);
+        CHECK(status_of(Sphere{origin, -1.0f}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Sphere{origin, not_a_number}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Capsule{origin, nowhere, 1.0f}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Capsule{nowhere, origin, 1.0f}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Capsule{origin, origin, -1.0f}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Box{origin, {infinity, 1.0f, 1.0f}}) == QueryStatus::invalid_argument);
+        CHECK(status_of(OrientedBox{origin, {origin, nowhere, origin}}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Corners{origin, origin, nowhere}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Corners{nowhere, origin, origin}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Ray{.origin = nowhere, .direction = {1.0f, 0.0f, 0.0f}}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Ray{.origin = origin, .direction = nowhere}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Ray{.origin = origin, .direction = origin}) == QueryStatus::invalid_argument);
+        CHECK(status_of(far) == QueryStatus::out_of_range);
+        CHECK(status_of(Segment{origin, far}) == QueryStatus::out_of_range);
+        CHECK(status_of(OrientedBox{origin, {far, far, far}}) == QueryStatus::out_of_range);
+        CHECK(status_of(Ray{.origin = far, .direction = {-1.0f, 0.0f, 0.0f}}) == QueryStatus::ok);
+        CHECK(status_of(Ray{.origin = {0.0f, -3e38f, 0.0f}, .direction = far}) == QueryStatus::out_of_range);
+        const Result<float> of_nothing = rounding_error(Blob(), Vec3{1.0f, 2.0f, 3.0f});
+        CHECK(of_nothing.status == QueryStatus::ok);
+        CHECK(of_nothing.value == 0.0f);
+        Random random(2700);
+        for (std::uint64_t i = 0; i < scaled(2000); ++i) {
+            const Vec3 a = some_point(blob, random), b = some_point(blob, random), c = some_point(blob, random);
+            const float length = some_length(blob, random);
+            for (const Result<float>& result :
+                 {rounding_error(blob, a), rounding_error(blob, Sphere{a, length}),
+                  rounding_error(blob, Capsule{a, b, length}), rounding_error(blob, Box{a, b}),
+                  rounding_error(blob, OrientedBox{a, {a, b, c}}), rounding_error(blob, Corners{a, b, c}),
+                  rounding_error(blob, Ray{.origin = a, .direction = b})})
+                REQUIRE((result.status == QueryStatus::ok ? result.value > 0.0f : result.value == 0.0f));
+        }
+    }
+}

@@ -1,0 +1,367 @@
+// Claims about queries in lattice steps: the kernel is exact, every query equals the loop over all triangles, and what
+// is out of range is refused.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <climits>
+
+#include <espalier/espalier.hpp>
+#include <runtime/lattice_box.hpp>
+#include <runtime/scalar_walk.hpp>
+#include <runtime/whole_segment.hpp>
+
+#include "oracle/convex_hull.hpp"
+#include "support/base/calls.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/exact/as_rationals.hpp"
+#include "support/exact/grid_triangles.hpp"
+#include "support/loops/triangle_loop.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/meshes/real_meshes.hpp"
+#include "support/queries/steps_maker.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using oracle::BigInteger;
+using oracle::Rational;
+
+namespace {
+
+Steps steps(const GridPoint& p) { return {p[0], p[1], p[2]}; }
+
+/// Towards a corner, a side or a place in the face more often than not, from near or from anywhere.
+SegmentInSteps some_segment(Random& random, unsigned bits, const GridTriangle& triangle) {
+    const auto far = [&] { return random.between(-max_segment_steps, max_segment_steps); };
+    const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
+    GridPoint from = some_grid_point(random, bits), to = some_grid_point(random, bits);
+    if (random.below(4) == 0) from = {far(), far(), far()};
+    const GridPoint& p = corners[random.below(3)];
+    const GridPoint& q = corners[random.below(3)];
+    GridPoint target = p;
+    if (random.coin())
+        for (unsigned k = 0; k < 3; ++k) target[k] = (p[k] + q[k]) / 2 + random.between(-1, 1);
+    switch (random.below(4)) {
+        case 0:
+            to = target;
+            break;
+        case 1:
+        case 2:  // as far behind it as before it
+            to = target;
+            for (unsigned k = 0; k < 3; ++k)
+                to[k] = std::clamp(2 * target[k] - from[k], -max_segment_steps, max_segment_steps);
+            break;
+        default:
+            if (random.coin()) {  // along an axis
+                const std::uint32_t axis = random.below(3);
+                to = from = target;
+                from[axis] = far(), to[axis] = far();
+            }
+    }
+    return random.coin() ? SegmentInSteps{steps(from), steps(to)} : SegmentInSteps{steps(to), steps(from)};
+}
+
+oracle::Point exact(const Steps& p) { return oracle::Point(Rational(p.x), Rational(p.y), Rational(p.z)); }
+
+/// Where the segment crosses the triangle, if it does.
+std::optional<oracle::Crossing> crossing_in_truth(const SegmentInSteps& segment, const GridTriangle& triangle) {
+    if (segment.from == segment.to) return std::nullopt;
+    const oracle::Point from = exact(segment.from), to = exact(segment.to);
+    auto crossing = oracle::cross({from, to - from}, exact_triangle(triangle));
+    if (!crossing || crossing->t.sign() < 0 || crossing->t > Rational(1)) return std::nullopt;
+    return crossing;
+}
+
+Rational quotient(const detail::Crossing& crossing) {
+    const auto whole = [](const detail::Int128& a) {
+        return BigInteger(a.high).shifted_left(64) +
+               BigInteger(static_cast<std::int64_t>(a.low >> 32)).shifted_left(32) +
+               BigInteger(static_cast<std::int64_t>(a.low & 0xFFFFFFFFu));
+    };
+    return {whole(crossing.numerator), whole(crossing.denominator)};
+}
+
+struct Tally {
+    std::uint64_t segments = 0;
+    std::uint64_t hits = 0;
+    std::uint64_t boxes = 0;
+    std::uint64_t overlapping = 0;
+};
+
+void check_segment(const TestBlob& test_blob, const TriangleLoop& loop, const SegmentInSteps& segment, Tally& tally) {
+    CAPTURE(describe(segment));
+    const Blob& blob = test_blob.opened.blob;
+    HitInSteps expected;
+    detail::WholeSegment whole;
+    if (whole.set(blob.data(), segment)) expected = loop.first_hit(whole);
+    HitInSteps hit = {7, Faces::both, Triangle{7}};
+    bool any = expected.triangle == no_triangle;
+    REQUIRE(first_hit(blob, segment, hit) == QueryStatus::ok);
+    REQUIRE(any_hit(blob, segment, any) == QueryStatus::ok);
+    REQUIRE(hit.triangle == expected.triangle);
+    REQUIRE(hit.t == expected.t);
+    REQUIRE(hit.side == expected.side);
+    REQUIRE(any == (hit.triangle != no_triangle));
+    ++tally.segments;
+    tally.hits += any ? 1u : 0u;
+}
+
+void check_box(const TestBlob& test_blob, const TriangleLoop& loop, const BoxInSteps& box, Random& random,
+               Tally& tally) {
+    CAPTURE(describe(box));
+    const Blob& blob = test_blob.opened.blob;
+    detail::LatticeBox rounded;
+    REQUIRE(detail::round_volume(blob.data(), box, rounded) == QueryStatus::ok);
+    const auto expected = rounded.is_empty ? std::vector<std::uint32_t>() : loop.every_overlap(rounded);
+    REQUIRE(overlaps(blob, box) == !expected.empty());
+    std::vector<std::uint32_t> found;
+    REQUIRE(for_each_overlap(blob, box, [&](Triangle t) { return found.push_back(t.index), keep_going; }));
+    REQUIRE(found == expected);
+    found.clear();
+    std::vector<Triangle> room(1 + random.below(50));
+    OverlapPage page;
+    do {
+        page = collect_overlaps(blob, box, room, page.next);
+        for (std::uint32_t i = 0; i < page.count; ++i) found.push_back(room[i].index);
+    } while (page.status == QueryStatus::output_full);
+    REQUIRE(page.status == QueryStatus::ok);
+    REQUIRE(found == expected);
+    ++tally.boxes;
+    tally.overlapping += expected.empty() ? 0u : 1u;
+}
+
+void check_blob(const TestBlob& blob, std::uint64_t count, std::uint64_t seed, Tally& tally) {
+    CAPTURE(blob.name);
+    const TriangleLoop loop(blob.decoded);
+    StepsMaker maker(blob.decoded, seed);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        check_segment(blob, loop, maker.segment(i % 2 == 1), tally);
+        check_box(blob, loop, maker.box(i % 2 == 1), maker.random(), tally);
+    }
+}
+
+void tell(const Tally& tally, const std::string& mesh) {
+    MESSAGE(tally.segments, " segments, ", tally.hits, " of them hit; ", tally.boxes, " boxes, ", tally.overlapping,
+            " of them overlap something");
+    MESSAGE(calls_made("segments in steps", mesh, tally.segments / 2, tally.segments / 2));
+    MESSAGE(calls_made("boxes in steps", mesh, tally.boxes / 2, tally.boxes / 2));
+}
+
+}  // namespace
+
+TEST_SUITE("step queries") {
+    TEST_CASE("lattice query: crossings of a segment equal exact arithmetic in place and side") {
+        Random random(1);
+        std::uint64_t crossed = 0, touches = 0, ends = 0, narrow = 0;
+        const std::uint64_t count = scaled(100'000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const unsigned bits = 1 + random.below(24);
+            const GridTriangle triangle = some_triangle(random, bits);
+            const SegmentInSteps segment = some_segment(random, bits, triangle);
+            CAPTURE(describe(segment));
+            const auto expected = crossing_in_truth(segment, triangle);
+            detail::WholeSegment whole;
+            detail::Crossing crossing;
+            const bool crosses =
+                whole.set(lattice_asset(bits), segment) && detail::crosses(whole, lattice_triangle(triangle), crossing);
+            REQUIRE(crosses == expected.has_value());
+            if (!crosses) continue;
+            ++crossed;
+            narrow += whole.is_narrow ? 1u : 0u;
+            REQUIRE(crossing.front == expected->front);
+            REQUIRE(quotient(crossing) == expected->t);
+            const Rational t = Rational::of(std::int64_t{detail::fixed_point(crossing)}, -31);
+            REQUIRE(t <= expected->t);
+            REQUIRE(expected->t < t + Rational::of(1, -31));
+            if (expected->u.sign() == 0 || expected->v.sign() == 0 || expected->u + expected->v == Rational(1))
+                ++touches;
+            if (expected->t.sign() == 0 || expected->t == Rational(1)) ++ends;
+        }
+        CHECK(crossed > count / 10);
+        CHECK(touches > count / 50);
+        CHECK(ends > count / 50);
+        CHECK(narrow > crossed / 4);
+        CHECK(narrow < crossed);
+        MESSAGE(decisions_made("segment in steps and triangle", count));
+    }
+
+    TEST_CASE("lattice query: the first of two hits is decided exactly") {
+        Random random(2);
+        std::uint64_t alike = 0;
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            const auto some = [&] {
+                detail::Crossing crossing;
+                const auto bits = static_cast<int>(1 + random.below(82));
+                const detail::Int128 wide(static_cast<std::int64_t>(random.next() >> 1), random.next());
+                crossing.denominator = wide >> (127 - bits);
+                crossing.denominator = crossing.denominator + detail::Int128(1);
+                crossing.numerator = crossing.denominator >> static_cast<int>(random.below(4));
+                return crossing;
+            };
+            const detail::Crossing a = some();
+            detail::Crossing b = some();
+            if (random.coin()) {  // as near as can be
+                b = a;
+                if (random.coin()) b.denominator = b.denominator + detail::Int128(1);
+            }
+            REQUIRE(detail::is_before(a, b) == (quotient(a) < quotient(b)));
+            alike += quotient(a) == quotient(b) ? 1u : 0u;
+        }
+        CHECK(alike > 0);
+    }
+
+    TEST_CASE("lattice query: segments and boxes equal the loop") {
+        Tally tally;
+        for (const TestBlob& blob : small_test_blobs()) check_blob(blob, scaled_share(600), 3, tally);
+        for (const TestBlob& blob : medium_test_blobs()) check_blob(blob, scaled_share(100), 4, tally);
+        CHECK(tally.hits > tally.segments / 10);
+        CHECK(tally.overlapping > tally.boxes / 10);
+        tell(tally, generated_meshes);
+    }
+
+    TEST_CASE("lattice query: segments and boxes equal the loop on real meshes") {
+        for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
+            OpenedBlob opened(mesh, with_profile(profile));
+            DecodedBlob decoded = decode(opened.bytes);
+            const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 3 : 112);
+            const TestBlob blob = {mesh.name, std::move(opened), std::move(decoded)};
+            Tally tally;
+            check_blob(blob, count, 5, tally);
+            tell(tally, mesh.name);
+        });
+    }
+
+    TEST_CASE("lattice query: a box overlaps the triangles that exact arithmetic gives") {
+        std::uint64_t met = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            if (blob.decoded.bits > 8) continue;
+            CAPTURE(blob.name);
+            StepsMaker maker(blob.decoded, 6);
+            for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
+                const BoxInSteps box = maker.box(true);
+                CAPTURE(describe(box));
+                std::vector<std::uint32_t> expected, found;
+                const auto inside = [](std::int32_t a) { return std::int64_t{std::clamp(a, -1000, 1000)}; };
+                const std::int64_t low[3] = {inside(box.min.x), inside(box.min.y), inside(box.min.z)};
+                const std::int64_t high[3] = {inside(box.max.x), inside(box.max.y), inside(box.max.z)};
+                const bool is_empty = box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z;
+                for (std::uint32_t t = 0; t < blob.decoded.triangles.size() && !is_empty; ++t) {
+                    if (blob.decoded.owners[t] != t) continue;
+                    std::vector<oracle::WholePoint<std::int64_t>> box_corners, corners;
+                    for (int signs = 0; signs < 8; ++signs) {
+                        const oracle::WholePoint<std::int64_t> corner = {(signs & 1) != 0 ? high[0] : low[0],
+                                                                         (signs & 2) != 0 ? high[1] : low[1],
+                                                                         (signs & 4) != 0 ? high[2] : low[2]};
+                        if (std::find(box_corners.begin(), box_corners.end(), corner) == box_corners.end())
+                            box_corners.push_back(corner);
+                    }
+                    const GridTriangle& triangle = blob.decoded.triangles[t];
+                    for (const GridPoint& p : {triangle.a, triangle.b, triangle.c})
+                        corners.push_back({p[0], p[1], p[2]});
+                    if (oracle::hulls_meet(box_corners, corners)) expected.push_back(t);
+                }
+                for_each_overlap(blob.opened.blob, box,
+                                 [&](Triangle t) { return found.push_back(t.index), keep_going; });
+                REQUIRE(found == expected);
+                met += expected.size();
+            }
+        }
+        CHECK(met > 0);
+    }
+
+    TEST_CASE("lattice query: the lowest storage index wins at one place also with copies") {
+        BakeOptions options = with_profile(format::Profile::fast);
+        options.builder = Builder::spatial_splits;
+        options.duplicates = 1.0;
+        OpenedBlob opened(make_soup(300, 1), options);
+        REQUIRE(opened.blob.copy_count() > 0);
+        DecodedBlob decoded = decode(opened.bytes);
+        const TestBlob blob = {"with copies", std::move(opened), std::move(decoded)};
+        const TriangleLoop loop(blob.decoded);
+        StepsMaker maker(blob.decoded, 7);
+        Tally tally;
+        for (std::uint64_t i = 0; i < scaled(1'000); ++i) check_segment(blob, loop, maker.segment(i % 4 != 0), tally);
+        CHECK(tally.hits > tally.segments / 10);
+        Triangle room[1];
+        CHECK(collect_overlaps(blob.opened.blob, maker.box(false), room).status == QueryStatus::has_copies);
+        CHECK_FALSE(for_each_overlap(blob.opened.blob, maker.box(false), [](Triangle) { return keep_going; }));
+    }
+
+    TEST_CASE("lattice query: an end beyond the range is refused and an end at it is answered") {
+        for_each_profile([](format::Profile profile) {
+            const OpenedBlob cube(make_cube(-1.0f, 1.0f), with_profile(profile));
+            const Lattice lattice = lattice_of(cube.blob);
+            const std::int32_t middle = lattice.extent[0] / 2 + 1;
+            constexpr std::int32_t most = max_segment_steps;
+            HitInSteps hit;
+            bool any = false;
+            CHECK(first_hit(cube.blob, {{middle, middle - 2, -most}, {middle, middle - 2, most}}, hit) ==
+                  QueryStatus::ok);
+            CHECK(hit.triangle != no_triangle);
+            CHECK(hit.side == Faces::front);
+            CHECK(hit.t == 1u << 30);
+            CHECK(first_hit(cube.blob, {{middle, middle - 2, middle}, {middle, middle - 2, most}}, hit) ==
+                  QueryStatus::ok);
+            CHECK(hit.side == Faces::back);
+            const HitInSteps before = hit;
+            for (const std::int32_t beyond : {most + 1, -most - 1, INT32_MAX, INT32_MIN}) {
+                for (int place = 0; place < 6; ++place) {
+                    std::int32_t c[6] = {};
+                    c[place] = beyond;
+                    const SegmentInSteps segment = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}};
+                    for (const Blob& blob : {cube.blob, Blob()}) {
+                        CHECK(first_hit(blob, segment, hit) == QueryStatus::out_of_range);
+                        CHECK(any_hit(blob, segment, any) == QueryStatus::out_of_range);
+                    }
+                    CHECK(hit.triangle == before.triangle);
+                    CHECK(hit.t == before.t);
+                    CHECK_FALSE(any);
+                }
+            }
+        });
+    }
+
+    TEST_CASE("lattice query: places in a leaf have no more bits than its grid") {
+        for (const TestBlob& test_blob : small_test_blobs()) {
+            const detail::BlobData& blob = test_blob.opened.blob.data();
+            detail::scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
+                for (std::uint32_t index = 0; index < blob.node_count; ++index) {
+                    const auto node = detail::node_at<typename Leaf::Node>(blob, index);
+                    for (unsigned number = 0; number < node.leaf_children(); ++number) {
+                        const auto leaf = detail::leaf_at<Leaf>(blob, node, number);
+                        // Places in a plain leaf have a sign.
+                        const int least = Leaf::counts_from_zero ? -(1 << (leaf.grid_bits() - 1)) : 0;
+                        const int end = least + (1 << leaf.grid_bits());
+                        for (int k = 0; k < 3; ++k) {
+                            for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+                                const int place = leaf.anchor(k) + leaf.offset(k, vertex) - leaf.grid_base(k);
+                                REQUIRE((least <= place && place < end));
+                            }
+                        }
+                    }
+                }
+            });
+        }
+    }
+
+    TEST_CASE("lattice query: empty segments and coplanar ones and empty blobs have no hit") {
+        const OpenedBlob plane(make_plane_grid(4));
+        const Lattice lattice = lattice_of(plane.blob);
+        const Steps corner = {}, opposite = {lattice.extent[0], lattice.extent[1], lattice.extent[2]};
+        bool any = true;
+        CHECK(any_hit(plane.blob, {corner, corner}, any) == QueryStatus::ok);
+        CHECK_FALSE(any);
+        any = true;
+        CHECK(any_hit(plane.blob, {corner, opposite}, any) == QueryStatus::ok);
+        CHECK_FALSE(any);
+        CHECK(overlaps(plane.blob, BoxInSteps{corner, corner}));
+        CHECK_FALSE(overlaps(plane.blob, BoxInSteps{opposite, {-1, -1, -1}}));
+        HitInSteps hit = {1, Faces::back, Triangle{1}};
+        CHECK(first_hit(Blob(), {corner, {1, 1, 1}}, hit) == QueryStatus::ok);
+        CHECK(hit.triangle == no_triangle);
+        CHECK_FALSE(overlaps(Blob(), BoxInSteps{{INT32_MIN, INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX, INT32_MAX}}));
+        Triangle room[1];
+        CHECK(collect_overlaps(Blob(), BoxInSteps{corner, corner}, room).status == QueryStatus::ok);
+        CHECK(lattice_of(Blob()).extent[1] == 0);
+    }
+}

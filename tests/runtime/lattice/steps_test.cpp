@@ -1,0 +1,220 @@
+// Claims about going from the world to lattice steps and back: exactly rounded, for all floats and every lattice.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <climits>
+#include <cmath>
+#include <limits>
+
+#include <espalier/format.hpp>
+#include <espalier/lattice.hpp>
+
+#include "oracle/rational.hpp"
+#include "support/base/hostile_values.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using oracle::BigInteger;
+using oracle::Rational;
+
+namespace {
+
+/// Subnormal ones count as zero.
+float normal(float x) { return std::fpclassify(x) == FP_SUBNORMAL ? 0.0f : x; }
+
+Rational exact_steps(float origin, float world, int step_exponent) {
+    return (Rational::of(normal(world)) - Rational::of(normal(origin))) * Rational::of(1, -step_exponent);
+}
+
+Rational rounded_down(const Rational& a) {
+    const BigInteger magnitude = a.sign() < 0 ? -a.numerator() : a.numerator();
+    // The quotient, bit by bit.
+    BigInteger quotient, rest;
+    for (int bit = magnitude.bit_length() - 1; bit >= 0; --bit) {
+        rest = rest.shifted_left(1);
+        if (!(magnitude.shifted_right(bit) == magnitude.shifted_right(bit + 1).shifted_left(1))) rest = rest + 1;
+        quotient = quotient.shifted_left(1);
+        if (rest < a.denominator()) continue;
+        rest = rest - a.denominator();
+        quotient = quotient + 1;
+    }
+    if (a.sign() < 0) quotient = rest.is_zero() ? -quotient : -quotient - 1;
+    return {quotient, 1};
+}
+
+bool is_in_range(const Rational& steps) { return oracle::absolute(steps) <= Rational(max_segment_steps); }
+
+struct Drawn {
+    Lattice lattice;
+    float low, high;  ///< two coordinates along every axis
+};
+
+/// Anything, or a few steps from the origin, or near a half of a step, or at the range's end.
+float some_coordinate(Random& random, const Lattice& lattice) {
+    const float origin = lattice.origin.x;
+    const auto beside = [&](float steps) { return origin + std::ldexp(steps, lattice.step_exponent); };
+    float x = 0.0f;
+    switch (random.below(6)) {
+        case 0:
+            x = std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+            break;
+        case 1:
+            x = hostile_values[random.below(hostile_values.size())];
+            break;
+        case 2:
+            x = beside(static_cast<float>(random.between(-100, 100)) * 0.5f);
+            break;
+        case 3:
+            x = beside(std::ldexp(random.signed_unit(), random.between(-60, 30)));
+            break;
+        case 4:
+            x = random.coin() ? origin : -origin;
+            break;
+        default:
+            x = beside(random.coin() ? 0x1p29f : -0x1p29f);
+    }
+    if (random.below(3) == 0) x = std::nextafter(x, random.coin() ? 1e38f : -1e38f);
+    return x;
+}
+
+Drawn draw(Random& random) {
+    Drawn drawn;
+    const int exponent =
+        random.coin() ? random.between(-24, 0) : random.between(format::min_step_exponent, format::max_step_exponent);
+    float origin = std::ldexp(random.signed_unit(), random.between(-130, 127));
+    if (random.coin()) origin = std::ldexp(random.signed_unit(), exponent + random.between(-10, 30));
+    if (random.below(4) == 0) origin = 0.0f;
+    origin = normal(std::isfinite(origin) ? origin : 0.0f);
+    drawn.lattice = {{origin, origin, origin}, exponent, {1, 1, 1}};
+    drawn.low = some_coordinate(random, drawn.lattice);
+    drawn.high = random.below(3) == 0 ? drawn.low : some_coordinate(random, drawn.lattice);
+    return drawn;
+}
+
+}  // namespace
+
+TEST_SUITE("steps") {
+    TEST_CASE("lattice: a point converts to the nearest lattice point and ties go up") {
+        Random random(1);
+        std::uint64_t rounded = 0, refused = 0, halves = 0;
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            const Drawn drawn = draw(random);
+            const Lattice& lattice = drawn.lattice;
+            const float x = drawn.low;
+            CAPTURE(lattice.step_exponent);
+            CAPTURE(lattice.origin.x);
+            CAPTURE(x);
+            Steps steps = {7, 7, 7};
+            const QueryStatus status = to_steps(lattice, {x, x, x}, steps);
+            if (!std::isfinite(x)) {
+                REQUIRE(status == QueryStatus::invalid_argument);
+                REQUIRE(steps == Steps{7, 7, 7});
+                continue;
+            }
+            const Rational place = exact_steps(lattice.origin.x, x, lattice.step_exponent) + Rational::of(1, -1);
+            const Rational expected = rounded_down(place);
+            REQUIRE(status == (is_in_range(expected) ? QueryStatus::ok : QueryStatus::out_of_range));
+            if (status != QueryStatus::ok) {
+                REQUIRE(steps == Steps{7, 7, 7});
+                ++refused;
+                continue;
+            }
+            REQUIRE(Rational(std::int64_t{steps.x}) == expected);
+            REQUIRE(steps == Steps{steps.x, steps.x, steps.x});
+            ++rounded;
+            halves += place == expected && place.sign() != 0 ? 1u : 0u;
+        }
+        if (!asks_enough()) return;
+        CHECK(rounded > 2'000);
+        CHECK(refused > 1'000);
+        CHECK(halves > 100);
+    }
+
+    TEST_CASE("lattice: a box converts to the smallest box in whole steps that holds it") {
+        Random random(2);
+        std::uint64_t rounded = 0, refused = 0, empty = 0;
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            const Drawn drawn = draw(random);
+            const Lattice& lattice = drawn.lattice;
+            const float low = drawn.low, high = drawn.high;
+            CAPTURE(lattice.step_exponent);
+            CAPTURE(lattice.origin.x);
+            CAPTURE(low);
+            CAPTURE(high);
+            const BoxInSteps before = {{7, 7, 7}, {7, 7, 7}};
+            BoxInSteps box = before;
+            const QueryStatus status = steps_around(lattice, {{low, low, low}, {high, high, high}}, box);
+            if (status != QueryStatus::ok) {
+                REQUIRE(box.min == before.min);
+                REQUIRE(box.max == before.max);
+            }
+            if (!std::isfinite(low) || !std::isfinite(high)) {
+                REQUIRE(status == QueryStatus::invalid_argument);
+                continue;
+            }
+            const Rational min = rounded_down(exact_steps(lattice.origin.x, low, lattice.step_exponent));
+            const Rational max = -rounded_down(-exact_steps(lattice.origin.x, high, lattice.step_exponent));
+            REQUIRE(status == (is_in_range(min) && is_in_range(max) ? QueryStatus::ok : QueryStatus::out_of_range));
+            if (status != QueryStatus::ok) {
+                ++refused;
+                continue;
+            }
+            if (normal(low) > normal(high)) {
+                REQUIRE(box.min.x > box.max.x);
+                ++empty;
+                continue;
+            }
+            REQUIRE(Rational(std::int64_t{box.min.x}) == min);
+            REQUIRE(Rational(std::int64_t{box.max.z}) == max);
+            ++rounded;
+        }
+        if (!asks_enough()) return;
+        CHECK(rounded > 1'000);
+        CHECK(refused > 1'000);
+        CHECK(empty > 100);
+    }
+
+    TEST_CASE("lattice: a lattice point converts to its place within two roundings of the larger part") {
+        Random random(3);
+        for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
+            const Lattice lattice = draw(random).lattice;
+            const auto number = static_cast<std::int32_t>(random.next()) >> random.below(32);
+            CAPTURE(lattice.step_exponent);
+            CAPTURE(lattice.origin.x);
+            CAPTURE(number);
+            const float world = to_world(lattice, {number, number, number}).x;
+            if (!std::isfinite(world)) continue;
+            const Rational part = Rational(std::int64_t{number}) * Rational::of(1, lattice.step_exponent);
+            const Rational exact = Rational::of(lattice.origin.x) + part;
+            const Rational larger = std::max(oracle::absolute(part), oracle::absolute(exact));
+            REQUIRE(oracle::absolute(Rational::of(world) - exact) <=
+                    larger * Rational::of(1, -23) + Rational::of(1, -125));
+        }
+    }
+
+    TEST_CASE("lattice: a lattice that no blob has is answered or refused without overflow") {
+        const float nan = std::numeric_limits<float>::quiet_NaN();
+        const float endless = std::numeric_limits<float>::infinity();
+        for (const std::int32_t exponent : {INT32_MIN, INT32_MIN + 1, -1000, -101, 101, 1000, INT32_MAX})
+            for (const float origin : {0.0f, 1.0f, -1e30f, 1e-45f}) {
+                const Lattice lattice = {{origin, origin, origin}, exponent, {1, 1, 1}};
+                Steps steps = {7, 7, 7};
+                BoxInSteps box = {{7, 7, 7}, {7, 7, 7}};
+                CHECK(to_steps(lattice, {1.0f, 2.0f, 3.0f}, steps) == QueryStatus::invalid_argument);
+                CHECK(steps_around(lattice, {{1.0f, 2.0f, 3.0f}, {1.0f, 2.0f, 3.0f}}, box) ==
+                      QueryStatus::invalid_argument);
+                CHECK(steps == Steps{7, 7, 7});
+                CHECK(box.min == Steps{7, 7, 7});
+                (void)to_world(lattice, {INT32_MIN, INT32_MAX, 1});
+            }
+        for (const float origin : {nan, endless, -endless}) {
+            const Lattice lattice = {{0.0f, origin, 0.0f}, 0, {1, 1, 1}};
+            Steps steps;
+            BoxInSteps box;
+            CHECK(to_steps(lattice, {}, steps) == QueryStatus::invalid_argument);
+            CHECK(steps_around(lattice, {}, box) == QueryStatus::invalid_argument);
+        }
+    }
+}

@@ -1,0 +1,242 @@
+// Volumes: every query equals the loop over all triangles, page by page too.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <espalier/overlap.hpp>
+#include <runtime/lattice_box.hpp>
+#include <runtime/lattice_capsule.hpp>
+#include <runtime/lattice_corners.hpp>
+#include <runtime/lattice_half_spaces.hpp>
+#include <runtime/lattice_oriented_box.hpp>
+#include <runtime/segment_triangle.hpp>
+
+#include "support/base/calls.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/exact/as_rationals.hpp"
+#include "support/loops/triangle_loop.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/meshes/real_meshes.hpp"
+#include "support/queries/ray_maker.hpp"
+#include "support/queries/shape_maker.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using detail::round_volume;
+
+namespace {
+
+std::vector<std::uint32_t> indices_of(std::span<const Triangle> triangles) {
+    std::vector<std::uint32_t> indices;
+    for (const Triangle triangle : triangles) indices.push_back(triangle.index);
+    return indices;
+}
+
+template <class Shape>
+std::vector<std::uint32_t> every_overlap(const Blob& blob, const Shape& shape) {
+    std::vector<std::uint32_t> found;
+    CHECK(for_each_overlap(blob, shape, [&](Triangle t) { return found.push_back(t.index), keep_going; }));
+    return found;
+}
+
+/// All pages, of sizes that change; some tens of them when there are that many overlaps.
+template <class Shape>
+std::vector<std::uint32_t> all_pages(const Blob& blob, const Shape& shape, std::size_t overlaps, Random& random) {
+    std::vector<std::uint32_t> found;
+    std::vector<Triangle> room(1 + random.below(40 + static_cast<std::uint32_t>(overlaps / 8)));
+    for (std::uint32_t first = 0;;) {
+        const std::span<Triangle> part =
+            std::span(room).first(1 + random.below(static_cast<std::uint32_t>(room.size())));
+        const OverlapPage page = collect_overlaps(blob, shape, part, first);
+        REQUIRE(page.count <= part.size());
+        for (const std::uint32_t index : indices_of(part.first(page.count))) found.push_back(index);
+        if (page.status == QueryStatus::ok) {
+            CHECK(page.next == blob.triangle_count());
+            return found;
+        }
+        REQUIRE(page.status == QueryStatus::output_full);
+        REQUIRE(page.count == part.size());
+        REQUIRE(page.next > first);
+        first = page.next;
+    }
+}
+
+struct Tally {
+    std::uint64_t asked = 0;
+    std::uint64_t awkward = 0;
+    std::uint64_t overlapping = 0;  ///< queries with an overlap
+    std::uint64_t out_of_range = 0;
+};
+
+template <class Shape>
+void check_answers(const Blob& blob, const Shape& shape, const std::vector<std::uint32_t>& expected, Random& random,
+                   Tally& tally) {
+    REQUIRE(overlaps(blob, shape) == !expected.empty());
+    REQUIRE(every_overlap(blob, shape) == expected);
+    REQUIRE(all_pages(blob, shape, expected.size(), random) == expected);
+    tally.overlapping += expected.empty() ? 0u : 1u;
+}
+
+template <class Rounded, class Shape>
+void check_against_loop(const Blob& blob, const TriangleLoop& loop, const Shape& shape, Random& random, Tally& tally) {
+    CAPTURE(describe(shape));
+    Rounded rounded;
+    const QueryStatus status = round_volume(blob.data(), shape, rounded);
+    if (status != QueryStatus::ok) {
+        ++tally.out_of_range;
+        Triangle room[1];
+        REQUIRE(collect_overlaps(blob, shape, room).status == status);
+        REQUIRE_FALSE(overlaps(blob, shape));
+        return;
+    }
+    check_answers(blob, shape, rounded.is_empty ? std::vector<std::uint32_t>() : loop.every_overlap(rounded), random,
+                  tally);
+}
+
+void check_sphere(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere, Random& random, Tally& tally) {
+    CAPTURE(describe(sphere));
+    detail::LatticePoint rounded;
+    if (detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) {
+        check_answers(blob, sphere, loop.every_overlap(rounded), random, tally);
+        return;
+    }
+    // Too far away for its radius, or one that a hair's breadth made negative.
+    ++tally.out_of_range;
+    const bool is_valid = sphere.radius >= 0.0f;
+    Triangle room[1];
+    const OverlapPage page = collect_overlaps(blob, sphere, room);
+    REQUIRE(page.status == (is_valid ? QueryStatus::ok : QueryStatus::invalid_argument));
+    REQUIRE(page.count == 0);
+    REQUIRE_FALSE(overlaps(blob, sphere));
+}
+
+struct Makers {
+    Makers(const DecodedBlob& decoded, std::uint64_t seed) : spheres(decoded, seed), shapes(decoded, seed) {}
+    QueryMaker spheres;
+    ShapeMaker shapes;
+};
+
+struct ShapeKind {
+    const char* name;
+    void (*check)(const Blob&, const TriangleLoop&, Makers&, bool awkward, Tally&);
+};
+constexpr ShapeKind shape_kinds[] = {
+    {"spheres",
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         check_sphere(blob, loop, awkward ? makers.spheres.sphere() : makers.spheres.random_sphere(),
+                      makers.shapes.random(), tally);
+     }},
+    {"capsules",
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
+         check_against_loop<detail::LatticeCapsule>(blob, loop, maker.capsule(awkward), maker.random(), tally);
+     }},
+    {"boxes",
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
+         check_against_loop<detail::LatticeBox>(blob, loop, maker.box(awkward), maker.random(), tally);
+     }},
+    {"oriented boxes",
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
+         check_against_loop<detail::LatticeOrientedBox>(blob, loop, maker.oriented_box(awkward), maker.random(), tally);
+     }},
+    {"triangles",
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
+         check_against_loop<detail::LatticeCorners>(blob, loop, maker.corners(awkward), maker.random(), tally);
+     }},
+    {"sets of planes",
+     [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
+         ShapeMaker& maker = makers.shapes;
+         check_against_loop<detail::LatticeHalfSpaces>(blob, loop, maker.planes(awkward), maker.random(), tally);
+     }},
+};
+
+void tell_calls(const ShapeKind& kind, const std::string& mesh, const Tally& tally) {
+    MESSAGE(calls_made(std::string(kind.name) + ": any, all, pages", mesh, tally.asked - tally.awkward, tally.awkward));
+}
+
+void check_shapes(const std::vector<TestBlob>& blobs, const ShapeKind& kind, std::uint64_t count) {
+    Tally tally;
+    for (const TestBlob& blob : blobs) {
+        CAPTURE(blob.name);
+        const TriangleLoop loop(blob.decoded);
+        Makers makers(blob.decoded, 40);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const bool awkward = makers.shapes.random().coin();
+            kind.check(blob.opened.blob, loop, makers, awkward, tally);
+            ++tally.asked;
+            tally.awkward += awkward ? 1u : 0u;
+        }
+    }
+    tell_calls(kind, generated_meshes, tally);
+    CHECK(tally.overlapping > tally.asked / 5);
+    CHECK(tally.overlapping < tally.asked);
+    CHECK(tally.out_of_range < tally.asked / 10);
+}
+
+void check_shapes(const char* name) {
+    const auto kind = std::find_if(std::begin(shape_kinds), std::end(shape_kinds),
+                                   [&](const ShapeKind& k) { return std::string(k.name) == name; });
+    check_shapes(small_test_blobs(), *kind, scaled_share(1'500));
+    check_shapes(medium_test_blobs(), *kind, scaled_share(200));
+}
+
+/// Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
+void check_real_mesh(const Mesh& mesh, format::Profile profile) {
+    const OpenedBlob opened(mesh, with_profile(profile));
+    const DecodedBlob decoded = decode(opened.bytes);
+    const TriangleLoop loop(decoded);
+    for (const ShapeKind& kind : shape_kinds) {
+        const std::string kind_name = kind.name;
+        CAPTURE(kind_name);
+        Makers makers(decoded, 50 + static_cast<std::uint64_t>(profile));
+        Tally tally;
+        const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 3 : 112);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const bool awkward = i % 10 == 9;
+            kind.check(opened.blob, loop, makers, awkward, tally);
+            ++tally.asked;
+            tally.awkward += awkward ? 1u : 0u;
+        }
+        tell_calls(kind, mesh.name, tally);
+        if (count >= 20) CHECK(tally.overlapping > 0);  // fewer may all be beside it
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("volume") {
+    TEST_CASE("kernel: a capsule overlaps a triangle exactly within its radius") {
+        std::uint64_t near = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            ShapeMaker maker(blob.decoded, 70);
+            for (std::uint64_t i = 0; i < scaled_share(150); ++i) {
+                const Capsule capsule = maker.capsule(maker.random().coin());
+                CAPTURE(describe(capsule));
+                detail::LatticeCapsule rounded;
+                if (round_volume(blob.opened.blob.data(), capsule, rounded) != QueryStatus::ok) continue;
+                const auto& all = blob.decoded.triangles;
+                for (int k = 0; k < 40; ++k) {
+                    const detail::LatticeTriangle triangle =
+                        lattice_triangle(all[maker.random().below(static_cast<std::uint32_t>(all.size()))]);
+                    const auto distance = detail::distance_to(rounded.segment, triangle);
+                    const bool expected = detail::is_within_radius(rounded.segment, triangle, distance, rounded.radius);
+                    REQUIRE(meets(rounded, triangle) == expected);
+                    near += expected ? 1u : 0u;
+                }
+            }
+        }
+        CHECK(near > 100);
+    }
+    TEST_CASE("overlap: spheres equal the loop in any and all and pages") { check_shapes("spheres"); }
+    TEST_CASE("overlap: capsules equal the loop in any and all and pages") { check_shapes("capsules"); }
+    TEST_CASE("overlap: boxes equal the loop in any and all and pages") { check_shapes("boxes"); }
+    TEST_CASE("overlap: oriented boxes equal the loop in any and all and pages") { check_shapes("oriented boxes"); }
+    TEST_CASE("overlap: triangles equal the loop in any and all and pages") { check_shapes("triangles"); }
+    TEST_CASE("overlap: sets of planes equal the loop in any and all and pages") { check_shapes("sets of planes"); }
+    TEST_CASE("overlap: volumes of every kind equal the loop on real meshes") { for_each_real_mesh(check_real_mesh); }
+}

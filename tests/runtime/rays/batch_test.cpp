@@ -1,0 +1,300 @@
+// Claims about batches of rays: the answers of one call for each ray, to the bit, whatever stands next to it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+
+#include "support/base/hostile_values.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/same_bits.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/machine/instruction_paths.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/queries/ray_maker.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+Vec3 beside(Vec3 v, float distance, Random& random) {
+    const Vec3 by = random.in_cube(distance);
+    return {v.x + by.x, v.y + by.y, v.z + by.z};
+}
+
+float length_of(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// Neighbours of one ray: what is answered as a group, most often.
+void add_alike(std::vector<Ray>& rays, QueryMaker& maker, std::size_t count) {
+    const Ray first = maker.any_ray();
+    for (std::size_t i = 0; i < count; ++i) {
+        Ray ray = first;
+        ray.direction = beside(first.direction, length_of(first.direction) * 0.05f, maker.random());
+        if (maker.random().below(4) == 0) maker.restrict(ray);
+        rays.push_back(ray);
+    }
+}
+
+/// The same direction from everywhere, and axis by axis in turn: neighbours that part early or differ in signs.
+void add_almost_alike(std::vector<Ray>& rays, QueryMaker& maker, std::size_t count) {
+    const Ray first = maker.ray(RayKind::axis_parallel);
+    for (std::size_t i = 0; i < count; ++i) {
+        Ray ray = first;
+        if (i % 3 != 0) ray.direction = beside(first.direction, length_of(first.direction) * 0.001f, maker.random());
+        rays.push_back(ray);
+    }
+}
+
+void add_hostile(std::vector<Ray>& rays, Random& random) {
+    const auto value = [&] { return hostile_values[random.below(hostile_values.size())]; };
+    rays.push_back({.origin = {value(), value(), value()},
+                    .direction = {value(), value(), value()},
+                    .t_min = value(),
+                    .t_max = value(),
+                    .faces = static_cast<Faces>(random.below(4))});
+}
+
+/// A ray that is like its neighbours but for one number.
+void spoil_some(std::vector<Ray>& rays, Random& random) {
+    for (Ray& ray : rays) {
+        if (random.below(24) != 0) continue;
+        float* numbers[] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
+                            &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
+        *numbers[random.below(8)] = hostile_values[random.below(hostile_values.size())];
+    }
+}
+
+/// Runs of all sorts and lengths, so that groups begin and end everywhere.
+std::vector<Ray> mixed_rays(QueryMaker& maker, std::size_t count) {
+    std::vector<Ray> rays;
+    Random& random = maker.random();
+    while (rays.size() < count) {
+        const std::size_t run = 1 + random.below(60);
+        switch (random.below(4)) {
+            case 0:
+                for (std::size_t i = 0; i < run; ++i) rays.push_back(maker.any_ray());
+                break;
+            case 1:
+                add_alike(rays, maker, run);
+                break;
+            case 2:
+                add_almost_alike(rays, maker, run);
+                break;
+            default:
+                add_hostile(rays, random);
+        }
+    }
+    rays.resize(count);
+    spoil_some(rays, random);
+    return rays;
+}
+
+struct Expected {
+    std::vector<RayHit> hits;
+    std::vector<std::uint8_t> occluded;
+    std::size_t count = 0;
+};
+
+Expected one_by_one(const Blob& blob, const std::vector<Ray>& rays) {
+    Expected expected;
+    for (const Ray& ray : rays) {
+        RayHit hit;
+        const bool found = detail::scalar::closest_hit(blob.data(), ray, hit, nullptr);
+        if (!found) {
+            hit = {};
+            hit.t = std::numeric_limits<float>::infinity();
+            hit.triangle = no_triangle;
+        }
+        expected.hits.push_back(hit);
+        expected.occluded.push_back(found ? 1 : 0);
+        expected.count += found ? 1 : 0;
+    }
+    return expected;
+}
+
+/// What tells bytes that nobody wrote.
+constexpr std::uint8_t untouched = 77;
+const RayHit untouched_hit = {-5.0f, 1.0f, 2.0f, {3.0f, 4.0f, 5.0f}, {6}};
+
+/// The number of the first ray that is answered differently, or how many there are.
+template <class ClosestHits, class AnyHits>
+std::size_t first_difference(const Expected& expected, ClosestHits closest_hits, AnyHits any_hits) {
+    const std::size_t size = expected.hits.size();
+    std::vector<RayHit> hits(size, untouched_hit);
+    std::vector<std::uint8_t> occluded(size, untouched);
+    REQUIRE(closest_hits(hits) == expected.count);
+    REQUIRE(any_hits(occluded) == expected.count);
+    std::size_t i = 0;
+    while (i < size && same_bits(hits[i], expected.hits[i]) && occluded[i] == expected.occluded[i]) ++i;
+    return i;
+}
+
+/// The same blob as a batch answers it whose nodes and leaves are beyond a cache. Queries of rays use the size of
+/// leaves for nothing else.
+detail::BlobData as_if_large(const Blob& blob) {
+    detail::BlobData large = blob.data();
+    large.leaf_bytes = 1u << 30;
+    return large;
+}
+
+/// How many rays hit.
+std::size_t check_batch(const Blob& blob, const std::vector<Ray>& rays) {
+    const Expected expected = one_by_one(blob, rays);
+    for (const InstructionPath& path : instruction_paths()) {
+        const std::string name = path.name;
+        CAPTURE(name);
+        for (const detail::BlobData& asset : {blob.data(), as_if_large(blob)}) {
+            CAPTURE(asset.leaf_bytes);
+            const std::size_t different = first_difference(
+                expected,
+                [&](std::vector<RayHit>& hits) {
+                    return path.closest_hits(asset, rays.data(), hits.data(), rays.size());
+                },
+                [&](std::vector<std::uint8_t>& answers) {
+                    return path.any_hits(asset, rays.data(), answers.data(), rays.size());
+                });
+            REQUIRE_MESSAGE(different == rays.size(), "ray ", different, ": ", describe(rays[different % rays.size()]));
+        }
+    }
+    REQUIRE(first_difference(
+                expected, [&](std::vector<RayHit>& hits) { return raycast(blob, rays, hits); },
+                [&](std::vector<std::uint8_t>& answers) { return occluded(blob, rays, answers); }) == rays.size());
+    return expected.count;
+}
+
+void check_batches(const std::vector<TestBlob>& blobs, std::uint64_t batches) {
+    for (const TestBlob& blob : blobs) {
+        CAPTURE(blob.name);
+        QueryMaker maker(blob.decoded, 400);
+        std::size_t rays = 0;
+        std::size_t hits = 0;
+        for (std::uint64_t batch = 0; batch < batches; ++batch) {
+            const std::size_t count = maker.random().below(400);
+            hits += check_batch(blob.opened.blob, mixed_rays(maker, count));
+            rays += count;
+        }
+        // Rays that all miss would prove nothing.
+        CHECK(hits > rays / 20);
+    }
+}
+
+/// Sixteen rays from each corner of each triangle, on every path, against one call for each. How many hit at once.
+std::uint32_t check_beginnings(const Blob& blob) {
+    std::uint32_t at_once = 0;
+    for (std::uint32_t index = 0; index < blob.triangle_count(); ++index) {
+        Corners corners;
+        REQUIRE(triangle_corners(blob, {index}, corners));
+        for (const Vec3 origin : {corners.a, corners.b, corners.c}) {
+            std::vector<Ray> rays(16, Ray{origin, {0.25f, 0.125f, -1.0f}});
+            for (std::size_t i = 0; i < rays.size(); ++i) rays[i].direction.x += static_cast<float>(i) * 0x1p-9f;
+            std::vector<RayHit> hits(rays.size());
+            for (const InstructionPath& path : instruction_paths()) {
+                path.closest_hits(blob.data(), rays.data(), hits.data(), rays.size());
+                CAPTURE(path.name);
+                for (std::size_t i = 0; i < rays.size(); ++i) {
+                    RayHit alone;
+                    const bool is_hit = raycast(blob, rays[i], alone);
+                    at_once += is_hit && alone.t == 0.0f && i == 0 ? 1u : 0u;
+                    CHECK(is_hit == (hits[i].triangle.index != no_triangle.index));
+                    if (is_hit) CHECK(hits[i].triangle.index == alone.triangle.index);
+                }
+            }
+        }
+    }
+    return at_once;
+}
+
+/// Small triangles and large ones, which spatial splits cut; two have their first corner in common.
+Mesh make_soup_of_pairs() {
+    Mesh mesh = make_soup(400, 3);
+    const std::size_t count = mesh.triangles.size();
+    for (std::size_t i = 0; i < count; ++i)
+        mesh.triangles.push_back(
+            {mesh.triangles[i][0], mesh.triangles[(i + 1) % count][1], mesh.triangles[(i + 2) % count][2]});
+    return mesh;
+}
+
+}  // namespace
+
+TEST_SUITE("batch") {
+    TEST_CASE("batch: each ray gets the answer of a single call on every path") {
+        check_batches(small_test_blobs(), scaled_share(12));
+        check_batches(medium_test_blobs(), scaled_share(12));
+    }
+
+    TEST_CASE("batch: each ray gets the answer of a single call also with copies") {
+        BakeOptions options = with_profile(format::Profile::fast);
+        options.builder = Builder::spatial_splits;
+        options.duplicates = 1.0;
+        const OpenedBlob opened(make_soup(400, 3), options);
+        REQUIRE(opened.blob.copy_count() > 0);
+        const DecodedBlob decoded = decode(opened.bytes);
+        QueryMaker maker(decoded, 401);
+        std::size_t hits = 0;
+        for (std::uint64_t batch = 0; batch < scaled(12); ++batch)
+            hits += check_batch(opened.blob, mixed_rays(maker, 300));
+        CHECK(hits > 0);
+    }
+
+    TEST_CASE("batch: groups of only alike or only unlike or only invalid rays give the same answers") {
+        for (const TestBlob& blob : medium_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 402);
+            std::vector<Ray> alike, strangers, nonsense;
+            add_alike(alike, maker, 256);
+            for (std::uint64_t i = 0; i < scaled(600); ++i) strangers.push_back(maker.any_ray());
+            for (std::uint64_t i = 0; i < scaled(100); ++i) add_hostile(nonsense, maker.random());
+            check_batch(blob.opened.blob, alike);
+            check_batch(blob.opened.blob, strangers);
+            check_batch(blob.opened.blob, nonsense);
+        }
+    }
+
+    TEST_CASE("batch: a batch that begins where triangles meet gives the first of them") {
+        for (const bool has_copies : {false, true})
+            for_each_profile([&](format::Profile profile) {
+                if (has_copies && profile != format::Profile::fast) return;
+                BakeOptions options = with_profile(profile);
+                options.bits = 10;  // then floats hold every vertex
+                if (has_copies) {
+                    options.builder = Builder::spatial_splits;
+                    options.duplicates = 1.0;
+                }
+                const OpenedBlob opened(has_copies ? make_soup_of_pairs() : make_terrain(20, 3), options);
+                if (has_copies) REQUIRE(opened.blob.copy_count() > 20);
+                CHECK(check_beginnings(opened.blob) > 300);
+            });
+    }
+
+    TEST_CASE("batch: the shorter of two spans counts and nothing behind it is written") {
+        const OpenedBlob opened(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}));
+        const Ray ray = {.origin = {0.0f, 0.0f, 5.0f}, .direction = {0.0f, 0.0f, -1.0f}};
+        for (const Blob& blob : {opened.blob, Blob()}) {
+            const std::size_t hit = blob.triangle_count() != 0 ? 1 : 0;
+            for (const std::size_t rays_size : {0u, 1u, 15u, 16u, 17u, 40u}) {
+                for (const std::size_t answers_size : {0u, 1u, 15u, 16u, 17u, 40u}) {
+                    const std::vector<Ray> rays(rays_size, ray);
+                    std::vector<RayHit> hits(answers_size, untouched_hit);
+                    std::vector<std::uint8_t> answers(answers_size, untouched);
+                    const std::size_t asked = std::min(rays_size, answers_size);
+                    CHECK(raycast(blob, rays, hits) == asked * hit);
+                    CHECK(occluded(blob, rays, answers) == asked * hit);
+                    for (std::size_t i = 0; i < answers_size; ++i) {
+                        REQUIRE(same_bits(hits[i], untouched_hit) == (i >= asked));
+                        REQUIRE((hits[i].triangle == no_triangle) == (i < asked && hit == 0));
+                        REQUIRE(answers[i] == (i < asked ? hit : untouched));
+                    }
+                }
+            }
+        }
+    }
+
+    TEST_CASE("batch: the number for no triangle belongs to no triangle") {
+        CHECK(no_triangle.index == 0xFFFFFFFFu);
+        CHECK(no_triangle.index >= format::max_triangles);
+    }
+}

@@ -1,0 +1,90 @@
+// Queries from far away and from a hair outside: where rounding, ties and subnormal numbers meet.
+#include <cfenv>
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <espalier/espalier.hpp>
+
+#include "support/base/profiles.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/mesh.hpp"
+
+using namespace espalier;
+using tests::Mesh;
+using tests::OpenedBlob;
+
+namespace {
+
+void add_triangle(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {a, b, c});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+}
+
+/// Triangles in planes z = 0, 1, 2 .. over the same square.
+Mesh stacked_triangles(unsigned count) {
+    Mesh mesh;
+    for (unsigned i = 0; i < count; ++i) {
+        const auto z = static_cast<float>(i);
+        add_triangle(mesh, {0.0f, 0.0f, z}, {64.0f, 0.0f, z}, {0.0f, 64.0f, z});
+    }
+    return mesh;
+}
+
+bool is_not_the_first(Triangle triangle) { return triangle.index != 0; }
+
+}  // namespace
+
+TEST_SUITE("far query") {
+    TEST_CASE("ray: the lowest index wins among far hits that round to the same t") {
+        tests::for_each_profile([](format::Profile profile) {
+            const OpenedBlob stack(stacked_triangles(40), tests::with_profile(profile));
+            const Ray ray{{8.0f, 8.0f, 0x1p34f}, {0.0f, 0.0f, -1.0f}};
+            RayHit hit;
+            REQUIRE(raycast(stack.blob, ray, hit));
+            CHECK(hit.t == 0x1p34f);
+            CHECK(hit.triangle.index == 0);
+            unsigned hits = 0;
+            for_each_hit(stack.blob, ray, [&](const RayHit& each) {
+                CHECK(each.t == 0x1p34f);
+                return ++hits, keep_going;
+            });
+            CHECK(hits == 40);
+        });
+    }
+
+    TEST_CASE("ray: a plain function serves as a filter from far away") {
+        const OpenedBlob stack(stacked_triangles(2));
+        RayHit hit;
+        REQUIRE(raycast(stack.blob, {{8.0f, 8.0f, 10.0f}, {0.0f, 0.0f, -1.0f}}, hit, is_not_the_first));
+        CHECK(hit.triangle.index == 1);
+    }
+
+    TEST_CASE("closest point: the nearer of two corners is found from 2^32 steps away") {
+        Mesh mesh;
+        const float top = 16777215.0f;
+        add_triangle(mesh, {0.0f, 0.0f, 0.0f}, {0.0f, 1000.0f, 0.0f}, {0.0f, 0.0f, 1000.0f});
+        add_triangle(mesh, {40000.0f, top, 0.0f}, {41000.0f, top, 0.0f}, {40000.0f, top, 1000.0f});
+        BakeOptions options;
+        options.bits = 24;
+        const OpenedBlob blob(mesh, options);
+        const Vec3 point{-1.5f * 0x1p32f, top, 0.0f};
+        Nearest nearest;
+        REQUIRE(closest_point(blob.blob, point, INFINITY, nearest));
+        CHECK(nearest.point.x == 0.0f);
+        const double exact = std::hypot(1.5 * 0x1p32, static_cast<double>(top) - 1000.0);
+        CHECK(std::abs(static_cast<double>(nearest.distance) - exact) < exact * 0x1p-22);
+        CHECK(overlaps(blob.blob, Sphere{point, static_cast<float>(exact * (1.0 + 0x1p-21))}));
+    }
+
+    TEST_CASE("promise: no query divides by zero") {
+        const OpenedBlob stack(stacked_triangles(20));
+        std::feclearexcept(FE_ALL_EXCEPT);
+        RayHit hit;
+        CHECK(raycast(stack.blob, {{8.0f, 8.0f, 100.0f}, {0.0f, 0.0f, -1.0f}}, hit));
+        CHECK(raycast(stack.blob, {{9.0f, 8.0f, 100.0f}, {0.1f, 0.2f, -1.0f}}, hit));
+        CHECK(overlaps(stack.blob, Sphere{{8.0f, 8.0f, 1.0f}, 0.5f}));
+        CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
+    }
+}

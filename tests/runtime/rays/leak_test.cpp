@@ -1,0 +1,92 @@
+// No ray gets out of a closed mesh: not through a vertex, not through a side, on no instruction set.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include <espalier/ray.hpp>
+
+#include "support/base/profiles.hpp"
+#include "support/blobs/closed_shapes.hpp"
+#include "support/machine/instruction_paths.hpp"
+#include "support/queries/ray_maker.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+/// A lattice point's place in the world where float32 holds it exactly, else false.
+bool exact_place(const DecodedBlob& decoded, const GridPoint& point, Vec3& place) {
+    float out[3];
+    for (unsigned k = 0; k < 3; ++k) {
+        const double exact = static_cast<double>(decoded.origin[k]) + std::ldexp(point[k], decoded.step_exponent);
+        out[k] = static_cast<float>(exact);
+        if (static_cast<double>(out[k]) != exact) return false;
+    }
+    place = {out[0], out[1], out[2]};
+    return true;
+}
+
+/// Rounds a lattice point to one that float32 holds; on the shape's grid of floats where that is coarser than the
+/// lattice.
+GridPoint on_float_grid(const DecodedBlob& decoded, GridPoint point) {
+    for (unsigned k = 0; k < 3; ++k) {
+        const auto place =
+            static_cast<float>(static_cast<double>(decoded.origin[k]) + std::ldexp(point[k], decoded.step_exponent));
+        const double steps =
+            std::ldexp(static_cast<double>(place) - static_cast<double>(decoded.origin[k]), -decoded.step_exponent);
+        point[k] = static_cast<std::int32_t>(steps);
+    }
+    return point;
+}
+
+}  // namespace
+
+TEST_SUITE("leak") {
+    TEST_CASE("ray: no ray from inside a closed mesh leaks through a vertex or a side") {
+        // Times a scale of 1,000 these are ten million rays.
+        const std::uint64_t count = scaled_share(2'500);
+        for (const ClosedShape& shape : make_closed_shapes()) {
+            CAPTURE(shape.name);
+            REQUIRE(shape.opened.blob.closed());
+            Random random(1);
+            std::uint64_t exact_aims = 0;
+            for (std::uint64_t i = 0; i < count; ++i) {
+                const GridPoint from = on_float_grid(shape.decoded, shape.inside(shape.decoded, random));
+                const GridTriangle& triangle =
+                    shape.decoded.triangles[random.below(static_cast<std::uint32_t>(shape.decoded.triangles.size()))];
+                const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
+                const GridPoint& p = corners[random.below(3)];
+                const GridPoint& q = corners[random.below(3)];  // the same corner in a third of the rays
+                Ray ray;
+                const bool exact_origin = exact_place(shape.decoded, from, ray.origin);
+                REQUIRE(exact_origin);
+                // Twice the way to a middle is a whole number of steps: the direction is exact, and so is the aim.
+                const auto toward = [&](unsigned k) {
+                    return std::ldexp(static_cast<float>(p[k] + q[k] - 2 * from[k]), shape.decoded.step_exponent);
+                };
+                ray.direction = {toward(0), toward(1), toward(2)};
+                RayHit hit;
+                const bool found = raycast(shape.opened.blob, ray, hit);
+                REQUIRE_MESSAGE(found, describe(ray));
+                REQUIRE_MESSAGE(occluded(shape.opened.blob, ray), describe(ray));
+                detail::LatticeRay rounded{};
+                REQUIRE(detail::round_ray(shape.opened.blob.data(), ray, rounded));
+                bool exact_aim = true;
+                for (unsigned k = 0; k < 3; ++k) {
+                    exact_aim = exact_aim && rounded.origin[k] == from[k] << rounded.fraction_bits;
+                }
+                if (exact_aim) ++exact_aims;
+                for (const InstructionPath& path : instruction_paths()) {
+                    RayHit path_hit;
+                    REQUIRE_MESSAGE(path.closest_hit(shape.opened.blob.data(), ray, path_hit, nullptr),
+                                    std::string(path.name), ": ", describe(ray));
+                    REQUIRE_MESSAGE(path.any_hit(shape.opened.blob.data(), ray, nullptr), std::string(path.name), ": ",
+                                    describe(ray));
+                }
+            }
+            CHECK(exact_aims == count);
+        }
+    }
+}

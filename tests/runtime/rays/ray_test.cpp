@@ -1,0 +1,346 @@
+// Claims about the ray queries as the header words them: against exact arithmetic over all triangles, and their
+// manners.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <espalier/ray.hpp>
+#include <espalier/rounded_ray.hpp>
+
+#include "support/base/profiles.hpp"
+#include "support/base/same_bits.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/exact/as_rationals.hpp"
+#include "support/machine/instruction_paths.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/queries/ray_maker.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using oracle::Rational;
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+struct ExactHit {
+    std::uint32_t index;
+    oracle::Crossing crossing;
+};
+
+/// What the rounded ray hits, by the oracle.
+std::vector<ExactHit> exact_hits(const DecodedBlob& decoded, const detail::LatticeRay& rounded, Faces faces) {
+    const oracle::Line line = exact_line(rounded);
+    const Rational low = Rational::of(rounded.tau_min);
+    const std::optional<Rational> high =
+        std::isinf(rounded.tau_max) ? std::nullopt : std::optional(Rational::of(rounded.tau_max));
+    std::vector<ExactHit> hits;
+    for (std::uint32_t i = 0; i < decoded.triangles.size(); ++i) {
+        const auto crossing = oracle::cross(line, exact_triangle(decoded.triangles[i]));
+        if (!crossing || crossing->t < low || (high && *high < crossing->t)) continue;
+        if (faces != Faces::both && (faces == Faces::front) != crossing->front) continue;
+        hits.push_back({i, *crossing});
+    }
+    return hits;
+}
+
+/// Collected before anything is required of them: no exception may pass through the runtime.
+std::vector<RayHit> every_hit(const Blob& blob, const Ray& ray) {
+    std::vector<RayHit> hits;
+    for_each_hit(blob, ray, [&](const RayHit& hit) { return hits.push_back(hit), keep_going; });
+    return hits;
+}
+
+/// In units of the caller's t.
+Rational exact_t(const detail::LatticeRay& rounded, const Rational& tau) {
+    return (Rational::of(rounded.tau_offset) + tau) * Rational::of(1, rounded.t_exponent);
+}
+
+}  // namespace
+
+TEST_SUITE("ray") {
+    TEST_CASE("ray: every hit is found with t and u and v within 4 ulp") {
+        // Times a scale of 100 these are more than 10^5 rays.
+        const std::uint64_t count = scaled_share(100);
+        Rational worst_t = 0;
+        Rational worst_weight = 0;
+        std::uint64_t hits = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 400);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                Ray ray = maker.any_ray();
+                if (maker.random().below(3) == 0) maker.restrict(ray);
+                CAPTURE(describe(ray));
+                detail::LatticeRay rounded;
+                RayHit closest;
+                const bool found = raycast(blob.opened.blob, ray, closest);
+                if (!detail::round_ray(blob.opened.blob.data(), ray, rounded)) {
+                    REQUIRE_FALSE(found);
+                    continue;
+                }
+                const std::vector<ExactHit> exact = exact_hits(blob.decoded, rounded, ray.faces);
+                REQUIRE(found == !exact.empty());
+                REQUIRE(occluded(blob.opened.blob, ray) == found);
+                const std::vector<RayHit> every = every_hit(blob.opened.blob, ray);
+                REQUIRE(every.size() == exact.size());
+                for (std::size_t k = 0; k < every.size(); ++k) {
+                    const RayHit& hit = every[k];
+                    const oracle::Crossing& expected = exact[k].crossing;
+                    REQUIRE(hit.triangle.index == exact[k].index);
+                    const Rational t = exact_t(rounded, expected.t);
+                    if (std::isinf(hit.t)) {
+                        REQUIRE(t > Rational::of(std::numeric_limits<float>::max()));  // where float32 ends
+                    } else {
+                        worst_t = std::max(worst_t, oracle::error_in_ulp(hit.t, t));
+                    }
+                    worst_weight = std::max({worst_weight, oracle::error_in_ulp(hit.u, expected.u),
+                                             oracle::error_in_ulp(hit.v, expected.v)});
+                    if (hit.triangle == closest.triangle) REQUIRE(same_bits(hit, closest));
+                    REQUIRE(closest.t <= hit.t);
+                }
+                hits += every.size();
+            }
+        }
+        CHECK(worst_t <= Rational(4));
+        CHECK(worst_weight <= Rational(4));
+        CHECK(hits > count);
+    }
+}
+
+TEST_SUITE("ray") {
+    TEST_CASE("ray: closest hit on a cube matches hand-computed values") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        RayHit hit;
+        REQUIRE(raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}}, hit));
+        CHECK(hit.t == 2.0f);
+        CHECK(hit.normal == Vec3{0.0f, 0.0f, 1.0f});
+        REQUIRE(raycast(cube.blob, {{0.25f, 0.5f, 0.0f}, {1.0f, 0.0f, 0.0f}}, hit));
+        CHECK(hit.t == 0.75f);
+        CHECK(hit.normal == Vec3{1.0f, 0.0f, 0.0f});
+        CHECK_FALSE(raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, 1.0f}}, hit));
+    }
+
+    TEST_CASE("ray: the front is seen from outside and the back from inside") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
+        RayHit hit;
+        ray.faces = Faces::front;
+        REQUIRE(raycast(cube.blob, ray, hit));
+        CHECK(hit.t == 4.0f);
+        ray.faces = Faces::back;
+        REQUIRE(raycast(cube.blob, ray, hit));
+        CHECK(hit.t == 6.0f);
+        CHECK(hit.normal == Vec3{0.0f, 0.0f, -1.0f});
+        ray.origin.z = 0.0f;
+        ray.faces = Faces::front;
+        CHECK_FALSE(raycast(cube.blob, ray, hit));
+        ray.faces = Faces::both;
+        CHECK(raycast(cube.blob, ray, hit));
+    }
+
+    TEST_CASE("ray: the window is closed at both ends and may be infinite") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
+        RayHit hit;
+        ray.t_max = 4.0f;
+        CHECK(raycast(cube.blob, ray, hit));
+        ray.t_max = std::nextafter(4.0f, 0.0f);
+        CHECK_FALSE(raycast(cube.blob, ray, hit));
+        ray.t_min = 4.0f;
+        ray.t_max = infinity;
+        REQUIRE(raycast(cube.blob, ray, hit));
+        CHECK(hit.t == 4.0f);
+        ray.t_min = std::nextafter(4.0f, 5.0f);
+        REQUIRE(raycast(cube.blob, ray, hit));
+        CHECK(hit.t == 6.0f);
+        ray.t_min = -infinity;
+        ray.t_max = 0.0f;
+        CHECK_FALSE(raycast(cube.blob, ray, hit));
+        ray.origin.z = 1.0f;
+        CHECK(raycast(cube.blob, ray, hit));
+        CHECK(hit.t == 0.0f);
+    }
+
+    TEST_CASE("ray: a window that ends at -0 holds a hit at its origin") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        Ray ray{{0.25f, 0.5f, 1.0f}, {0.0f, 0.0f, -1.0f}};
+        for (const float begin : {0.0f, -0.0f}) {
+            ray.t_min = begin;
+            ray.t_max = -0.0f;
+            const RoundedRay rounded = round_ray(lattice_of(cube.blob), ray);
+            for (const InstructionPath& path : instruction_paths()) {
+                CAPTURE(path.name);
+                RayHit hit;
+                REQUIRE(path.closest_hit(cube.blob.data(), ray, hit, nullptr));
+                CHECK(hit.t == 0.0f);
+                CHECK(path.any_hit(cube.blob.data(), ray, nullptr));
+                std::uint8_t occluded = 0;
+                CHECK(path.any_hits(cube.blob.data(), &ray, &occluded, 1) == 1);
+                CHECK(path.closest_hits(cube.blob.data(), &ray, &hit, 1) == 1);
+            }
+            RayHit hit;
+            REQUIRE(raycast(cube.blob, rounded, hit) == QueryStatus::ok);
+            CHECK(hit.t == 0.0f);
+        }
+    }
+
+    TEST_CASE("ray: a reported t is inside the window after rounding") {
+        std::uint64_t at_the_end = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 475);
+            for (std::uint64_t i = 0; i < scaled_share(1'000); ++i) {
+                Ray ray = maker.any_ray();
+                RayHit hit;
+                if (!raycast(blob.opened.blob, ray, hit)) continue;
+                const float t = hit.t;
+                // The exact t lies between two of these floats: as ends of the window they cut off the rounding.
+                for (const float bound : {std::nextafter(std::nextafter(t, 0.0f), 0.0f), std::nextafter(t, 0.0f), t,
+                                          std::nextafter(t, infinity)}) {
+                    CAPTURE(describe(ray));
+                    ray.t_min = 0.0f;
+                    ray.t_max = bound;
+                    if (raycast(blob.opened.blob, ray, hit)) {
+                        REQUIRE(hit.t <= bound);
+                        if (hit.t == bound) ++at_the_end;
+                    }
+                    ray.t_min = bound;
+                    ray.t_max = infinity;
+                    if (raycast(blob.opened.blob, ray, hit)) REQUIRE(hit.t >= bound);
+                }
+            }
+        }
+        CHECK(at_the_end > 0);
+    }
+
+    TEST_CASE("ray: no hit leaves the result untouched") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        const RayHit before{17.0f, 0.1f, 0.2f, {3.0f, 4.0f, 5.0f}, Triangle{99}};
+        RayHit hit = before;
+        CHECK_FALSE(raycast(cube.blob, {{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f}}, hit));
+        CHECK(same_bits(hit, before));
+        CHECK_FALSE(raycast(cube.blob, {{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}}, hit, [](Triangle) { return false; }));
+        CHECK(same_bits(hit, before));
+        CHECK_FALSE(raycast(Blob(), {{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}}, hit));
+        CHECK(same_bits(hit, before));
+    }
+
+    TEST_CASE("ray: the lowest storage index wins among hits of equal t") {
+        // Triangles of one plane, all of them over the origin.
+        Mesh mesh;
+        for (unsigned i = 0; i < 100; ++i) {
+            const auto reach = static_cast<float>(1 + i);
+            const std::uint32_t first = 3 * i;
+            mesh.positions.insert(mesh.positions.end(),
+                                  {{-reach, -1.0f, 0.0f}, {reach, -1.0f, 0.0f}, {0.0f, reach, 0.0f}});
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+        const OpenedBlob stack(mesh);
+        REQUIRE(stack.blob.triangle_count() == 100);
+        const Ray ray{{0.0f, -0.5f, 3.0f}, {0.0f, 0.0f, -1.0f}};
+        RayHit hit;
+        REQUIRE(raycast(stack.blob, ray, hit));
+        CHECK(hit.triangle.index == 0);
+        for (std::uint32_t below = 0; below < 100; below += 7) {
+            REQUIRE(raycast(stack.blob, ray, hit, [&](Triangle triangle) { return triangle.index >= below; }));
+            CHECK(hit.triangle.index == below);
+        }
+    }
+
+    TEST_CASE("ray: no hit is nearer than the closest one") {
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 450);
+            for (std::uint64_t i = 0; i < scaled_share(2'000); ++i) {
+                const Ray ray = maker.any_ray();
+                CAPTURE(describe(ray));
+                std::optional<RayHit> first;
+                for (const RayHit& hit : every_hit(blob.opened.blob, ray)) {
+                    if (!first || hit.t < first->t) first = hit;
+                }
+                RayHit hit;
+                REQUIRE(raycast(blob.opened.blob, ray, hit) == first.has_value());
+                if (!first) continue;
+                REQUIRE(same_bits(hit.t, first->t));
+                // Where t leaves float32's range the order is that of t before it did.
+                if (std::isnormal(hit.t) || hit.t == 0.0f) REQUIRE(same_bits(hit, *first));
+            }
+        }
+    }
+
+    TEST_CASE("ray: a visitor that stops is not called again and the status reports it") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
+        int calls = 0;
+        CHECK_FALSE(for_each_hit(cube.blob, ray, [&](const RayHit&) { return ++calls, stop; }));
+        CHECK(calls == 1);
+        CHECK(for_each_hit(cube.blob, ray, [&](const RayHit&) { return ++calls, keep_going; }));
+        CHECK(calls == 3);
+        CHECK(for_each_hit(Blob(), ray, [&](const RayHit&) { return stop; }));
+    }
+
+    TEST_CASE("ray: a ray in the plane of a triangle misses it and hits its neighbours") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        RayHit hit;
+        // Within the top face: only the sides at both ends are hit.
+        REQUIRE(raycast(cube.blob, {{-5.0f, 0.25f, 1.0f}, {1.0f, 0.0f, 0.0f}}, hit));
+        CHECK(hit.t == 4.0f);
+        CHECK(std::fabs(hit.normal.x) == 1.0f);
+    }
+
+    TEST_CASE("ray: length and scale of a direction change only t") {
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            QueryMaker maker(blob.decoded, 500);
+            for (std::uint64_t i = 0; i < scaled_share(200); ++i) {
+                const Ray ray = maker.ray(RayKind::incoherent);
+                Ray longer = ray;
+                longer.direction = {ray.direction.x * 8.0f, ray.direction.y * 8.0f, ray.direction.z * 8.0f};
+                RayHit hit;
+                RayHit longer_hit;
+                const bool found = raycast(blob.opened.blob, ray, hit);
+                REQUIRE(raycast(blob.opened.blob, longer, longer_hit) == found);
+                if (!found) continue;
+                REQUIRE(same_bits(longer_hit.t * 8.0f, hit.t));
+                longer_hit.t = hit.t;
+                REQUIRE(same_bits(longer_hit, hit));
+            }
+        }
+    }
+
+    TEST_CASE("ray: a mesh scaled by a power of two gives the scaled answers") {
+        const Mesh mesh = make_torus(40, 20, 2.0, 0.5);
+        const OpenedBlob plain(mesh);
+        const DecodedBlob decoded = decode(plain.bytes);
+        for (const float scale : {0x1p20f, 0x1p-20f}) {
+            const OpenedBlob scaled_blob(scaled_by(mesh, scale));
+            QueryMaker maker(decoded, 600);
+            for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+                Ray ray = maker.any_ray();
+                RayHit hit;
+                const bool found = raycast(plain.blob, ray, hit);
+                ray.origin = {ray.origin.x * scale, ray.origin.y * scale, ray.origin.z * scale};
+                ray.direction = {ray.direction.x * scale, ray.direction.y * scale, ray.direction.z * scale};
+                RayHit scaled_hit;
+                REQUIRE(raycast(scaled_blob.blob, ray, scaled_hit) == found);
+                if (found) REQUIRE(same_bits(scaled_hit, hit));
+                Sphere sphere = maker.sphere();
+                Nearest nearest;
+                const bool any = closest_point(plain.blob, sphere.center, sphere.radius, nearest);
+                sphere.center = {sphere.center.x * scale, sphere.center.y * scale, sphere.center.z * scale};
+                Nearest scaled_nearest;
+                REQUIRE(closest_point(scaled_blob.blob, sphere.center, sphere.radius * scale, scaled_nearest) == any);
+                if (any) {
+                    REQUIRE(scaled_nearest.triangle == nearest.triangle);
+                    REQUIRE(same_bits(scaled_nearest.distance, nearest.distance * scale));
+                }
+            }
+        }
+    }
+}

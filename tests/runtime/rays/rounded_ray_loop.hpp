@@ -1,0 +1,96 @@
+// A rounded ray against every triangle: what the public calls and every instruction set must return.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include <espalier/rounded_ray.hpp>
+#include <runtime/ray_triangle.hpp>
+
+#include "support/base/same_bits.hpp"
+#include "support/format/decoder.hpp"
+#include "support/machine/instruction_paths.hpp"
+
+namespace espalier::tests {
+
+/// In the region's own steps: nothing is moved onto the blob.
+inline RayHit loop_over_triangles(const DecodedBlob& decoded, const std::int32_t (&before)[3],
+                                  const RoundedRay& rounded) {
+    const detail::RoundedRayData& data = rounded.data();
+    RayHit best = {INFINITY, 0.0f, 0.0f, {}, no_triangle};
+    if (data.may_hit == 0) return best;
+    detail::IntegerRay ray{};
+    for (int k = 0; k < 3; ++k) {
+        ray.origin[k] = data.origin[k];
+        ray.direction[k] = data.direction[k];
+    }
+    ray.fraction_bits = data.fraction_bits;
+    ray.t_exponent = data.t_exponent;
+    ray.tau_min = data.tau_min;
+    ray.tau_max = data.tau_max;
+    ray.tau_offset = data.tau_offset;
+    ray.faces = data.faces;
+    detail::TriangleHit nearest{};
+    nearest.whole_tau = INFINITY;
+    for (std::uint32_t i = 0; i < decoded.triangles.size(); ++i) {
+        if (decoded.owners.size() > i && decoded.owners[i] != i) continue;
+        const GridPoint* corners[3] = {&decoded.triangles[i].a, &decoded.triangles[i].b, &decoded.triangles[i].c};
+        detail::LatticeTriangle triangle{};
+        for (int corner = 0; corner < 3; ++corner)
+            for (int k = 0; k < 3; ++k)
+                triangle.corner[corner][k] = (*corners[corner])[static_cast<std::size_t>(k)] + before[k];
+        detail::TriangleHit hit{};
+        if (!detail::intersect(ray, triangle, hit)) continue;
+        if (best.triangle != no_triangle && !(hit.whole_tau < nearest.whole_tau)) continue;
+        nearest = hit;
+        Ray window;
+        window.t_min = data.t_min;
+        window.t_max = data.t_max;
+        best = detail::to_ray_hit(ray, window, hit, i);
+    }
+    return best;
+}
+
+inline detail::RayOnLattice moved(const RoundedRay& rounded, const std::int32_t (&before)[3]) {
+    const detail::RoundedRayData& data = rounded.data();
+    detail::RayOnLattice result{};
+    for (int k = 0; k < 3; ++k) {
+        result.ray.origin[k] = data.origin[k] - before[k] * (1 << data.fraction_bits);
+        result.ray.direction[k] = data.direction[k];
+    }
+    result.ray.fraction_bits = data.fraction_bits;
+    result.ray.t_exponent = data.t_exponent;
+    result.ray.tau_min = data.tau_min;
+    result.ray.tau_max = data.tau_max;
+    result.ray.tau_offset = data.tau_offset;
+    result.ray.faces = data.faces;
+    detail::set_longest_axis(result.ray, data.longest_axis);
+    result.t_min = data.t_min;
+    result.t_max = data.t_max;
+    return result;
+}
+
+/// Requires the loop's bits of a ray in the blob's own region, from the public calls and on every instruction set.
+inline void require_answers_of_the_loop(const DecodedBlob& decoded, const Blob& blob, const RoundedRay& ray) {
+    constexpr std::int32_t nothing_before[3] = {};
+    RayHit hit;
+    bool any = false;
+    REQUIRE(raycast(blob, ray, hit) == QueryStatus::ok);
+    REQUIRE(occluded(blob, ray, any) == QueryStatus::ok);
+    const RayHit expected = loop_over_triangles(decoded, nothing_before, ray);
+    REQUIRE(same_bits(hit, expected));
+    REQUIRE(any == (expected.triangle != no_triangle));
+    if (ray.data().may_hit == 0) return;
+    const detail::RayOnLattice on_blob = moved(ray, nothing_before);
+    for (const InstructionPath& path : instruction_paths()) {
+        RayHit path_hit;
+        REQUIRE(path.closest_hit_on_lattice(blob.data(), on_blob, path_hit) == any);
+        if (any) REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
+        REQUIRE(path.any_hit_on_lattice(blob.data(), on_blob) == any);
+    }
+}
+
+}  // namespace espalier::tests

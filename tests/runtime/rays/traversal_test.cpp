@@ -1,0 +1,181 @@
+// The tree changes nothing: every query, on every instruction set, gives the bits that the loop over all triangles
+// gives.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "support/answers/differences.hpp"
+#include "support/base/calls.hpp"
+#include "support/base/same_bits.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/machine/instruction_paths.hpp"
+#include "support/meshes/real_meshes.hpp"
+#include "support/queries/ray_maker.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+constexpr const char* ray_queries = "rays: closest, any, all, first few";
+constexpr const char* segment_queries = "rays: segments";
+constexpr const char* batch_queries = "rays: many in one call";
+constexpr const char* sphere_queries = "spheres: any, all; closest point, k nearest";
+
+void check_ray(const Blob& blob, const TriangleLoop& loop, const Ray& ray, std::uint64_t& hits) {
+    const auto difference = ray_difference(blob, loop, ray, hits);
+    REQUIRE_MESSAGE(!difference, *difference);
+    const Vec3 &from = ray.origin, &way = ray.direction;
+    const auto along_segment = segment_difference(blob, loop, {from, {from.x + way.x, from.y + way.y, from.z + way.z}});
+    REQUIRE_MESSAGE(!along_segment, *along_segment);
+}
+
+/// Many rays in one call against one call for each, which are held against the loop; a few in bundles, which share
+/// their way through the tree.
+void check_batch(const Blob& blob, std::vector<Ray> rays, Random& random) {
+    for (std::size_t i = 0, single = rays.size(); i < single; i += 64) {
+        const Ray ray = rays[i];
+        const auto beside = [&](float x) { return x * (1.0f + 0x1p-10f * random.signed_unit()); };
+        for (int k = 0; k < 16; ++k) {
+            rays.push_back(ray);
+            rays.back().direction = {beside(ray.direction.x), beside(ray.direction.y), beside(ray.direction.z)};
+        }
+    }
+    std::vector<RayHit> hits(rays.size());
+    std::vector<std::uint8_t> answers(rays.size());
+    std::size_t count = 0;
+    REQUIRE(raycast(blob, rays, hits) == occluded(blob, rays, answers));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        CAPTURE(describe(rays[i]));
+        RayHit hit;
+        const bool found = raycast(blob, rays[i], hit);
+        REQUIRE((hits[i].triangle != no_triangle) == found);
+        if (found) REQUIRE(same_bits(hits[i], hit));
+        REQUIRE(answers[i] == (found ? 1 : 0));
+        count += answers[i];
+    }
+    REQUIRE(raycast(blob, rays, hits) == count);
+}
+
+void check_sphere(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere, std::uint64_t& overlaps) {
+    const auto difference = sphere_difference(blob, loop, sphere, overlaps);
+    REQUIRE_MESSAGE(!difference, *difference);
+}
+
+void check_rays_of_kind(const std::vector<TestBlob>& blobs, RayKind kind, std::uint64_t count) {
+    std::uint64_t hits = 0;
+    for (const TestBlob& blob : blobs) {
+        CAPTURE(blob.name);
+        const TriangleLoop loop(blob.decoded);
+        QueryMaker maker(blob.decoded, 100 + static_cast<std::uint64_t>(kind));
+        std::vector<Ray> rays;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            rays.push_back(maker.ray(kind));
+            if (maker.random().below(3) == 0) maker.restrict(rays.back());
+            check_ray(blob.opened.blob, loop, rays.back(), hits);
+        }
+        check_batch(blob.opened.blob, rays, maker.random());
+    }
+    const std::uint64_t asked = count * blobs.size();
+    const std::uint64_t random = kind == RayKind::incoherent ? asked : 0;
+    for (const char* queries : {ray_queries, segment_queries, batch_queries})
+        MESSAGE(calls_made(queries, generated_meshes, random, asked - random));
+    // Queries that all miss would prove nothing.
+    CHECK(hits > asked / 5);
+}
+
+/// As many random spheres as awkward ones.
+void check_spheres(const std::vector<TestBlob>& blobs, std::uint64_t count) {
+    for (const TestBlob& blob : blobs) {
+        CAPTURE(blob.name);
+        const TriangleLoop loop(blob.decoded);
+        QueryMaker maker(blob.decoded, 200);
+        std::uint64_t overlaps = 0;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            check_sphere(blob.opened.blob, loop, maker.sphere(), overlaps);
+            check_sphere(blob.opened.blob, loop, maker.random_sphere(), overlaps);
+        }
+        if (asks_enough()) CHECK(overlaps > count / 10);
+    }
+    MESSAGE(calls_made(sphere_queries, generated_meshes, count * blobs.size(), count * blobs.size()));
+}
+
+/// Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
+void check_real_mesh(const Mesh& mesh, format::Profile profile) {
+    const OpenedBlob opened(mesh, with_profile(profile));
+    const DecodedBlob decoded = decode(opened.bytes);
+    const TriangleLoop loop(decoded);
+    QueryMaker maker(decoded, 300 + static_cast<std::uint64_t>(profile));
+    const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 10 : 101);
+    std::uint64_t hits = 0;
+    std::uint64_t overlaps = 0;
+    std::vector<Ray> rays;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        for (const RayKind kind :
+             {RayKind::incoherent, all_ray_kinds[1 + maker.random().below(all_ray_kinds.size() - 1)]}) {
+            rays.push_back(maker.ray(kind));
+            if (maker.random().below(4) == 0) maker.restrict(rays.back());
+            check_ray(opened.blob, loop, rays.back(), hits);
+        }
+    }
+    check_batch(opened.blob, rays, maker.random());
+    const std::uint64_t awkward_spheres = (count + 4) / 5;
+    for (std::uint64_t i = 0; i < count; ++i) check_sphere(opened.blob, loop, maker.random_sphere(), overlaps);
+    for (std::uint64_t i = 0; i < awkward_spheres; ++i) check_sphere(opened.blob, loop, maker.sphere(), overlaps);
+    for (const char* queries : {ray_queries, segment_queries, batch_queries})
+        MESSAGE(calls_made(queries, mesh.name, count, count));
+    MESSAGE(calls_made(sphere_queries, mesh.name, count, awkward_spheres));
+    if (count >= 20) CHECK(hits > 0);  // fewer may all miss
+}
+
+}  // namespace
+
+TEST_SUITE("traversal") {
+    TEST_CASE("ray: random rays equal the loop on every path") {
+        for (const InstructionPath& path : instruction_paths()) MESSAGE("instruction set: ", std::string(path.name));
+        check_rays_of_kind(small_test_blobs(), RayKind::incoherent, scaled_share(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::incoherent, scaled_share(100));
+    }
+    TEST_CASE("ray: rays through vertices equal the loop on every path") {
+        check_rays_of_kind(small_test_blobs(), RayKind::through_vertex, scaled_share(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::through_vertex, scaled_share(100));
+    }
+    TEST_CASE("ray: rays through the middles of sides equal the loop on every path") {
+        check_rays_of_kind(small_test_blobs(), RayKind::through_edge, scaled_share(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::through_edge, scaled_share(100));
+    }
+    TEST_CASE("ray: axis-parallel rays equal the loop on every path") {
+        check_rays_of_kind(small_test_blobs(), RayKind::axis_parallel, scaled_share(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::axis_parallel, scaled_share(100));
+    }
+    TEST_CASE("ray: diagonal rays equal the loop on every path") {
+        check_rays_of_kind(small_test_blobs(), RayKind::diagonal, scaled_share(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::diagonal, scaled_share(100));
+    }
+    TEST_CASE("ray: rays along sides equal the loop on every path") {
+        check_rays_of_kind(small_test_blobs(), RayKind::in_plane, scaled_share(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::in_plane, scaled_share(100));
+    }
+    TEST_CASE("ray: rays that start on a face equal the loop on every path") {
+        check_rays_of_kind(small_test_blobs(), RayKind::from_face, scaled_share(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::from_face, scaled_share(100));
+    }
+    TEST_CASE("ray: rays from 10000 sizes away equal the loop on every path") {
+        check_rays_of_kind(small_test_blobs(), RayKind::far_ten_thousand, scaled_share(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::far_ten_thousand, scaled_share(100));
+    }
+    TEST_CASE("ray: rays from 1000000 sizes away equal the loop on every path") {
+        check_rays_of_kind(small_test_blobs(), RayKind::far_million, scaled_share(500));
+        check_rays_of_kind(medium_test_blobs(), RayKind::far_million, scaled_share(100));
+    }
+    TEST_CASE("closest point: spheres and closest points equal the loop on every path") {
+        check_spheres(small_test_blobs(), scaled_share(400));
+        check_spheres(medium_test_blobs(), scaled_share(60));
+    }
+
+    TEST_CASE("ray: rays and spheres and closest points equal the loop on real meshes") {
+        for_each_real_mesh(check_real_mesh);
+    }
+}

@@ -1,0 +1,359 @@
+// Claims about sweeps: they equal the loop over all triangles, agree with the overlap queries, and have manners.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <espalier/overlap.hpp>
+#include <espalier/sweep.hpp>
+#include <runtime/sweep_queries.hpp>
+
+#include "support/base/calls.hpp"
+#include "support/base/same_bits.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/loops/triangle_loop.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/meshes/real_meshes.hpp"
+#include "support/queries/sweep_maker.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+bool same_bits(const SweepHit& a, const SweepHit& b) {
+    return tests::same_bits(a.t, b.t) && tests::same_bits(a.point, b.point) && tests::same_bits(a.normal, b.normal) &&
+           a.triangle == b.triangle && a.starts_overlapping == b.starts_overlapping;
+}
+
+bool third_is_left_out(Triangle triangle) { return triangle.index % 3 != 2; }
+
+detail::SphereSweep rounded_of(const Sphere&) { return {}; }
+detail::CapsuleSweep rounded_of(const Capsule&) { return {}; }
+detail::BoxSweep rounded_of(const Box&) { return {}; }
+
+/// What the loop says, of all triangles and of those that the filter leaves.
+template <class Shape>
+std::array<std::optional<SweepHit>, 2> ask(const TriangleLoop& loop, const Blob& blob, const Moving<Shape>& moving) {
+    auto sweep = rounded_of(moving.shape);
+    if (round_sweep(blob.data(), moving.shape, moving.displacement, sweep) != QueryStatus::ok) return {};
+    const detail::FoundContact found[2] = {loop.first_contact(sweep, [](Triangle) { return true; }),
+                                           loop.first_contact(sweep, third_is_left_out)};
+    std::array<std::optional<SweepHit>, 2> hits;
+    for (unsigned i = 0; i < 2; ++i)
+        if (found[i].step != detail::no_contact) hits[i] = to_sweep_hit(blob.data(), sweep, found[i]);
+    return hits;
+}
+
+struct Seen {
+    std::uint64_t hits = 0;
+    std::uint64_t starts = 0;
+    std::uint64_t asked = 0;
+};
+
+template <class Shape>
+void require_equal(const Blob& blob, const TriangleLoop& loop, const Moving<Shape>& moving, Seen& seen) {
+    const auto expected = ask(loop, blob, moving);
+    for (unsigned i = 0; i < 2; ++i) {
+        SweepHit hit;
+        const bool found = i == 0 ? sweep(blob, moving.shape, moving.displacement, hit)
+                                  : sweep(blob, moving.shape, moving.displacement, hit, third_is_left_out);
+        REQUIRE_MESSAGE(found == expected[i].has_value(), describe(moving));
+        if (found) REQUIRE_MESSAGE(same_bits(hit, *expected[i]), describe(moving));
+        REQUIRE_MESSAGE((check_sweep(blob, moving.shape, moving.displacement) == QueryStatus::ok || !found),
+                        describe(moving));
+        if (i != 0 || !found) continue;
+        ++seen.hits;
+        seen.starts += hit.starts_overlapping ? 1 : 0;
+        const Vec3& n = hit.normal;
+        REQUIRE_MESSAGE(std::fabs(n.x * n.x + n.y * n.y + n.z * n.z - 1.0f) < 0x1p-20f, describe(moving));
+    }
+    ++seen.asked;
+}
+
+/// Two random sweeps to each awkward one.
+void check_sweeps(const Blob& blob, const DecodedBlob& decoded, std::uint64_t seed, std::uint64_t count, Seen* seen) {
+    const TriangleLoop loop(decoded);
+    SweepMaker maker(decoded, seed);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const bool awkward = i % 3 == 0;
+        require_equal(blob, loop, awkward ? maker.awkward_sphere() : maker.random_sphere(), seen[0]);
+        require_equal(blob, loop, awkward ? maker.awkward_capsule() : maker.random_capsule(), seen[1]);
+        require_equal(blob, loop, awkward ? maker.awkward_box() : maker.random_box(), seen[2]);
+    }
+}
+
+void tell_calls(const std::string& mesh, std::uint64_t count, std::uint64_t meshes = 1) {
+    const std::uint64_t awkward = (count + 2) / 3;
+    for (const char* shape : {"spheres", "capsules", "boxes"})
+        MESSAGE(calls_made(std::string("sweeps: ") + shape, mesh, (count - awkward) * meshes, awkward * meshes));
+}
+
+void check_blobs(const std::vector<TestBlob>& blobs, std::uint64_t count) {
+    Seen seen[3];
+    for (const TestBlob& blob : blobs) {
+        CAPTURE(blob.name);
+        check_sweeps(blob.opened.blob, blob.decoded, 500, count, seen);
+    }
+    tell_calls(generated_meshes, count, blobs.size());
+    if (!asks_enough()) return;
+    for (const Seen& each : seen) {
+        CHECK(each.hits > each.asked / 5);
+        CHECK(each.starts > each.asked / 50);
+        CHECK(each.starts < each.hits);
+    }
+}
+
+struct Cube {
+    explicit Cube(format::Profile profile) : opened(make_cube(-1.0f, 1.0f), with_profile(profile)) {}
+    OpenedBlob opened;
+    [[nodiscard]] const Blob& blob() const { return opened.blob; }
+};
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+}  // namespace
+
+TEST_SUITE("sweep") {
+    TEST_CASE("sweep: spheres and capsules and boxes equal the loop on small meshes") {
+        check_blobs(small_test_blobs(), scaled_share(45));
+    }
+    TEST_CASE("sweep: spheres and capsules and boxes equal the loop on medium meshes") {
+        check_blobs(medium_test_blobs(), scaled_share(6));
+    }
+    TEST_CASE("sweep: blobs with copies equal the loop") {
+        BakeOptions options = with_profile(format::Profile::fast);
+        options.builder = Builder::spatial_splits;
+        options.duplicates = 1.0;
+        const OpenedBlob opened(make_soup(400, 3), options);
+        REQUIRE(opened.blob.copy_count() > 0);
+        Seen seen[3];
+        check_sweeps(opened.blob, decode(opened.bytes), 500, scaled(150), seen);
+        for (const Seen& each : seen) CHECK(each.hits > each.asked / 5);
+    }
+    TEST_CASE("sweep: spheres and capsules and boxes equal the loop on real meshes") {
+        for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
+            const OpenedBlob opened(mesh, with_profile(profile));
+            const DecodedBlob decoded = decode(opened.bytes);
+            Seen seen[3];
+            // Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
+            const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 2 : 151);
+            check_sweeps(opened.blob, decoded, 510 + static_cast<std::uint64_t>(profile), count, seen);
+            tell_calls(mesh.name, count);
+            for (const Seen& each : seen)
+                if (count >= 20) CHECK(each.hits > 0);  // fewer may all pass by
+        });
+    }
+}
+
+TEST_SUITE("sweep") {
+    TEST_CASE("sweep: a first contact has time and point and normal") {
+        for_each_profile([](format::Profile profile) {
+            const Cube cube(profile);
+            SweepHit hit;
+            REQUIRE(sweep(cube.blob(), Sphere{{0.25f, 0.5f, 5.0f}, 1.0f}, {0.0f, 0.0f, -6.0f}, hit));
+            CHECK(hit.t == doctest::Approx(0.5));
+            CHECK(hit.t <= 0.5f);
+            CHECK(hit.point.z == doctest::Approx(1.0));
+            CHECK(hit.point.x == doctest::Approx(0.25).epsilon(0.001));
+            CHECK(tests::same_bits(hit.normal.z, 1.0f));
+            CHECK_FALSE(hit.starts_overlapping);
+
+            // A corner.
+            REQUIRE(sweep(cube.blob(), Sphere{{5.0f, 5.0f, 5.0f}, 1.0f}, {-8.0f, -8.0f, -8.0f}, hit));
+            CHECK(hit.t == doctest::Approx((4.0 - std::sqrt(1.0 / 3.0)) / 8.0).epsilon(0.0001));
+            CHECK(hit.normal.x == doctest::Approx(std::sqrt(1.0 / 3.0)).epsilon(0.001));
+            CHECK(hit.point.x == doctest::Approx(1.0));
+
+            REQUIRE(
+                sweep(cube.blob(), Capsule{{0.0f, 0.0f, 3.0f}, {0.0f, 0.0f, 9.0f}, 0.5f}, {0.0f, 0.0f, -3.0f}, hit));
+            CHECK(hit.t == doctest::Approx(0.5));
+            CHECK(hit.normal.z == doctest::Approx(1.0));
+
+            REQUIRE(sweep(cube.blob(), Box{{-0.5f, -0.5f, 2.0f}, {0.5f, 0.5f, 3.0f}}, {0.0f, 0.0f, -2.0f}, hit));
+            CHECK(hit.t == doctest::Approx(0.5));
+            CHECK(tests::same_bits(hit.normal.z, 1.0f));
+            CHECK(hit.point.z == doctest::Approx(1.0));
+            CHECK(std::fabs(hit.point.x) <= 0.51f);
+            CHECK(std::fabs(hit.point.y) <= 0.51f);
+        });
+    }
+
+    TEST_CASE("sweep: a sphere touches exactly when the capsule along its way overlaps") {
+        std::uint64_t touched = 0;
+        std::uint64_t asked = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            SweepMaker maker(blob.decoded, 502);
+            const float step = blob.opened.blob.step();
+            // Whole steps from the lattice's origin: both queries round nothing.
+            const auto snap = [&](Vec3 at, Vec3 from) {
+                const auto axis = [&](float a, float b) { return b + std::nearbyint((a - b) / step) * step; };
+                return Vec3{axis(at.x, from.x), axis(at.y, from.y), axis(at.z, from.z)};
+            };
+            const Vec3 origin = blob.opened.blob.bounds_min();
+            for (std::uint64_t i = 0; i < scaled_share(300); ++i) {
+                Moving<Sphere> moving = i % 3 == 0 ? maker.awkward_sphere() : maker.random_sphere();
+                moving.shape.center = snap(moving.shape.center, origin);
+                moving.shape.radius = std::nearbyint(moving.shape.radius / step) * step;
+                const Vec3 end =
+                    snap({moving.shape.center.x + moving.displacement.x, moving.shape.center.y + moving.displacement.y,
+                          moving.shape.center.z + moving.displacement.z},
+                         origin);
+                moving.displacement = {end.x - moving.shape.center.x, end.y - moving.shape.center.y,
+                                       end.z - moving.shape.center.z};
+                detail::SphereSweep rounded;
+                detail::LatticeSegment segment;
+                const auto& data = blob.opened.blob.data();
+                if (round_sweep(data, moving.shape, moving.displacement, rounded) != QueryStatus::ok ||
+                    round_segment(data, {moving.shape.center, end}, segment) != QueryStatus::ok)
+                    continue;
+                const int shift = segment.fraction_bits - rounded.fraction_bits;
+                const detail::Integer3 to = rounded.center + rounded.displacement;
+                if (shift < 0 || segment.from[0] != rounded.center.x << shift ||
+                    segment.from[1] != rounded.center.y << shift || segment.from[2] != rounded.center.z << shift ||
+                    segment.to[0] != to.x << shift || segment.to[1] != to.y << shift || segment.to[2] != to.z << shift)
+                    continue;
+                SweepHit hit;
+                const bool found = sweep(blob.opened.blob, moving.shape, moving.displacement, hit);
+                REQUIRE_MESSAGE(
+                    found == overlaps(blob.opened.blob, Capsule{moving.shape.center, end, moving.shape.radius}),
+                    describe(moving));
+                ++asked;
+                touched += found ? 1 : 0;
+                SweepHit at_start;
+                const bool starts = sweep(blob.opened.blob, moving.shape, {0.0f, 0.0f, 0.0f}, at_start);
+                REQUIRE(starts == overlaps(blob.opened.blob, moving.shape));
+                REQUIRE((!found || hit.starts_overlapping == starts));
+            }
+        }
+        CHECK(touched > asked / 4);
+        CHECK(asked > 13 * scaled_share(300));
+    }
+
+    TEST_CASE("sweep: contact at the start gives t 0 and the lowest triangle and a normal to the middle") {
+        for_each_profile([](format::Profile profile) {
+            const Cube cube(profile);
+            const auto lowest = [&](const auto& shape) {
+                std::uint32_t first = no_triangle.index;
+                for_each_overlap(cube.blob(), shape, [&](Triangle triangle) { return first = triangle.index, stop; });
+                return first;
+            };
+            const Vec3 anywhere = {1.0f, 2.0f, 3.0f};
+            SweepHit hit;
+            const Sphere sphere = {{0.25f, 0.5f, 1.5f}, 1.0f};
+            REQUIRE(sweep(cube.blob(), sphere, anywhere, hit));
+            CHECK(hit.starts_overlapping);
+            CHECK(hit.t == 0.0f);
+            CHECK(hit.triangle.index == lowest(sphere));
+            const Capsule capsule = {{0.0f, 0.0f, 0.5f}, {0.0f, 0.0f, 2.5f}, 0.125f};
+            REQUIRE(sweep(cube.blob(), capsule, anywhere, hit));
+            CHECK(hit.starts_overlapping);
+            CHECK(hit.triangle.index == lowest(capsule));
+            CHECK(hit.normal.z == doctest::Approx(1.0));
+            const Box box = {{-0.5f, -0.5f, 0.0f}, {0.5f, 0.5f, 3.0f}};
+            REQUIRE(sweep(cube.blob(), box, anywhere, hit));
+            CHECK(hit.starts_overlapping);
+            CHECK(hit.triangle.index == lowest(box));
+            // Touching from outside, and moving away.
+            REQUIRE(sweep(cube.blob(), Sphere{{0.25f, 0.5f, 2.0f}, 1.0f}, {0.0f, 0.0f, 1.0f}, hit));
+            CHECK(hit.starts_overlapping);
+            // Inside, touching nothing.
+            CHECK_FALSE(sweep(cube.blob(), Sphere{{0.0f, 0.0f, 0.0f}, 0.5f}, {0.0f, 0.0f, 0.25f}, hit));
+        });
+    }
+
+    TEST_CASE("sweep: shapes without size and ways without length are valid") {
+        for_each_profile([](format::Profile profile) {
+            const Cube cube(profile);
+            const Vec3 down = {0.0f, 0.0f, -2.0f};
+            const Vec3 nowhere = {0.0f, -0.0f, 0.0f};
+            SweepHit of_sphere;
+            SweepHit of_capsule;
+            SweepHit of_box;
+            const Vec3 at = {0.25f, 0.5f, 2.0f};
+            REQUIRE(sweep(cube.blob(), Sphere{at, 0.0f}, down, of_sphere));
+            REQUIRE(sweep(cube.blob(), Capsule{at, at, 0.0f}, down, of_capsule));
+            REQUIRE(sweep(cube.blob(), Box{at, at}, down, of_box));
+            CHECK(of_sphere.t == doctest::Approx(0.5));
+            CHECK(same_bits(of_sphere, of_capsule));
+            CHECK(of_sphere.t == of_box.t);
+            CHECK(of_sphere.triangle == of_box.triangle);
+            CHECK(of_sphere.normal == of_box.normal);
+            CHECK(of_box.point.z == doctest::Approx(1.0));
+            CHECK_FALSE(sweep(cube.blob(), Sphere{at, 0.5f}, nowhere, of_sphere));
+            CHECK(sweep(cube.blob(), Sphere{at, 1.0f}, nowhere, of_sphere));
+            CHECK(of_sphere.starts_overlapping);
+            CHECK_FALSE(sweep(cube.blob(), Box{{2.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, down, of_box));
+            CHECK(check_sweep(cube.blob(), Box{{2.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, down) == QueryStatus::ok);
+        });
+    }
+
+    TEST_CASE("sweep: a refused sweep reports it and leaves the hit untouched") {
+        const Cube cube(format::Profile::balanced);
+        const Blob& blob = cube.blob();
+        const Vec3 zero = {0.0f, 0.0f, 0.0f};
+        SweepHit hit;
+        hit.t = 7.0f;
+        const auto refused = [&](const auto& shape, Vec3 way, QueryStatus status) {
+            CHECK(check_sweep(blob, shape, way) == status);
+            CHECK_FALSE(sweep(blob, shape, way, hit));
+            CHECK(hit.t == 7.0f);
+        };
+        for (const float bad : {not_a_number, infinity, -infinity}) {
+            refused(Sphere{{bad, 0.0f, 0.0f}, 1.0f}, zero, QueryStatus::invalid_argument);
+            refused(Sphere{zero, bad}, zero, QueryStatus::invalid_argument);
+            refused(Sphere{zero, 1.0f}, {0.0f, bad, 0.0f}, QueryStatus::invalid_argument);
+            refused(Capsule{zero, {0.0f, 0.0f, bad}, 1.0f}, zero, QueryStatus::invalid_argument);
+            refused(Box{{bad, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, zero, QueryStatus::invalid_argument);
+            refused(Box{zero, {1.0f, 1.0f, 1.0f}}, {bad, 0.0f, 0.0f}, QueryStatus::invalid_argument);
+        }
+        refused(Sphere{zero, -1.0f}, zero, QueryStatus::invalid_argument);
+        refused(Capsule{zero, zero, -1.0f}, zero, QueryStatus::invalid_argument);
+        CHECK(check_sweep(blob, Sphere{zero, -0.0f}, zero) == QueryStatus::ok);
+        const float far = 0x1p35f * blob.step();
+        refused(Sphere{{far, 0.0f, 0.0f}, 1.0f}, zero, QueryStatus::out_of_range);
+        refused(Sphere{zero, far}, zero, QueryStatus::out_of_range);
+        refused(Sphere{zero, 1.0f}, {0.0f, far, 0.0f}, QueryStatus::out_of_range);
+        refused(Capsule{zero, {0.0f, 0.0f, 0x1p26f * blob.step()}, 1.0f}, zero, QueryStatus::out_of_range);
+        refused(Box{{-far, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, zero, QueryStatus::out_of_range);
+        const float most = std::numeric_limits<float>::max();
+        refused(Box{{-most, -most, -most}, {most, most, most}}, {most, most, most}, QueryStatus::out_of_range);
+
+        CHECK_FALSE(sweep(Blob(), Sphere{zero, 1.0f}, zero, hit));
+        CHECK_FALSE(sweep(Blob(), Capsule{zero, zero, 1.0f}, zero, hit));
+        CHECK_FALSE(sweep(Blob(), Box{zero, zero}, zero, hit));
+
+        // Just within range: a sphere larger than the asset from far away.
+        REQUIRE(sweep(blob, Sphere{{0.0f, 0.0f, far / 4.0f}, far / 8.0f}, {0.0f, 0.0f, -far / 4.0f}, hit));
+        CHECK(hit.t == doctest::Approx(0.5));
+    }
+
+    TEST_CASE("sweep: a filter leaves out triangles and the ones behind them are hit") {
+        for_each_profile([](format::Profile profile) {
+            const Cube cube(profile);
+            SweepHit hit;
+            const Sphere sphere = {{0.25f, 0.5f, 5.0f}, 0.25f};
+            const Vec3 down = {0.0f, 0.0f, -8.0f};
+            REQUIRE(sweep(cube.blob(), sphere, down, hit));
+            const float first = hit.point.z;
+            std::vector<Triangle> top;
+            for_each_overlap(cube.blob(), Box{{-2.0f, -2.0f, 0.999f}, {2.0f, 2.0f, 2.0f}},
+                             [&](Triangle triangle) { return top.push_back(triangle), keep_going; });
+            REQUIRE(sweep(cube.blob(), sphere, down, hit, [&](Triangle triangle) {
+                for (const Triangle each : top)
+                    if (each == triangle) return false;
+                return true;
+            }));
+            CHECK(first == doctest::Approx(1.0));
+            CHECK(hit.point.z == doctest::Approx(-1.0));
+            CHECK_FALSE(sweep(cube.blob(), sphere, down, hit, [](Triangle) { return false; }));
+        });
+    }
+}

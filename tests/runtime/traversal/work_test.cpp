@@ -1,0 +1,239 @@
+// Claims about how much queries look at: an order or a culling that is a little wrong changes no answer. Counted only
+// in builds with ESPALIER_COUNT_STEPS, as those with sanitizers, with mutants and of small code are.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+#include <runtime/simd/select.hpp>
+#include <runtime/step_counter.hpp>
+
+#include "platform/answers.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/makers.hpp"
+
+#if ESPALIER_COUNT_STEPS && !ESPALIER_NEON
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+/// Asks with these lanes and no others. Those that multiply and add at once round the planes of a node otherwise,
+/// outward alike, and may look at a node more or less.
+class Lanes {
+public:
+#if ESPALIER_X86
+    explicit Lanes(detail::InstructionSet set) {
+        detail::known_instruction_set = static_cast<std::uint8_t>(static_cast<unsigned>(set) + 1u);
+    }
+    ~Lanes() { detail::known_instruction_set = before_; }
+#else
+    explicit Lanes(detail::InstructionSet) {}
+    ~Lanes() = default;
+#endif
+    Lanes(const Lanes&) = delete;
+    Lanes& operator=(const Lanes&) = delete;
+
+private:
+#if ESPALIER_X86
+    std::uint8_t before_ = detail::known_instruction_set;
+#endif
+};
+
+struct Work {
+    std::uint64_t nodes, leaves, decisions, axes = 0;
+};
+
+using AskSome = void (*)(const Blob&, platform::Questions&, std::uint32_t, platform::Answers&);
+
+void ask_contacts(const Blob& blob, platform::Questions& questions, std::uint32_t count, platform::Answers&) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Placement placement = questions.placement(number, blob);
+        TrianglePair pairs[8], first;
+        std::size_t found = 0;
+        bool touch = false;
+        all_contacts(blob, blob, placement, pairs, found);
+        collides(blob, blob, placement, touch);
+        first_contact(blob, blob, placement, first, touch);
+    }
+}
+
+void ask_distances(const Blob& blob, platform::Questions& questions, std::uint32_t count, platform::Answers&) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Placement placement = questions.placement(number, blob);
+        PairDistance nearest;
+        bool is_near = false;
+        minimum_distance(blob, blob, placement, questions.distance(number), nearest, is_near);
+        within_distance(blob, blob, placement, questions.distance(1), is_near);
+    }
+}
+
+void ask_pages(const Blob& blob, platform::Questions& questions, std::uint32_t count, platform::Answers&) {
+    for (std::uint32_t number = 0; number < count; ++number) {
+        const Sphere sphere = questions.sphere(number);
+        Triangle places[16];
+        OverlapPage page = {QueryStatus::output_full, 0, 0};
+        const auto out = std::span(places).first(1 + number % 16);
+        while (page.status == QueryStatus::output_full) page = collect_overlaps(blob, sphere, out, page.next);
+    }
+}
+
+struct Group {
+    std::string query;
+    AskSome ask;
+    std::uint32_t count;
+    Work expected, expected_of_small_code = {};
+};
+
+void check_work(const Blob& blob, detail::InstructionSet set, const std::vector<Group>& groups) {
+    const Lanes lanes(set);
+    for (const Group& group : groups) {
+        CAPTURE(group.query);
+        platform::Questions questions(blob);
+        platform::Answers answers;
+        detail::step_counter = {};
+        group.ask(blob, questions, group.count, answers);
+        const detail::StepCounter counted = detail::step_counter;
+        const Work& expected = detail::small_code ? group.expected_of_small_code : group.expected;
+        CHECK(counted.nodes == expected.nodes);
+        CHECK(counted.leaves == expected.leaves);
+        CHECK(counted.decisions == expected.decisions);
+        CHECK(counted.axes == expected.axes);
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("work") {
+    TEST_CASE("work: queries of a terrain visit the recorded numbers of nodes and leaves") {
+        const OpenedBlob landscape(make_terrain(24, 7), {.bits = 18, .profile = format::Profile::fast});
+        check_work(
+            landscape.blob, detail::InstructionSet::scalar,
+            {{"closest hits", platform::ask_closest_hits, 200, {680, 793, 2172}, {1029, 787, 2447, 13146}},
+             {"filtered and any hits", platform::ask_filtered_hits, 100, {745, 772, 1597}, {929, 775, 1813, 17572}},
+             {"all hits", platform::ask_all_hits, 100, {336, 463, 1264}, {343, 471, 1433, 6212}},
+             {"first hits", platform::ask_first_hits, 50, {359, 354, 800}, {504, 358, 891, 8150}},
+             {"batches", platform::ask_batches, 60, {2929, 2464, 3650}, {3774, 2433, 4519, 72468}},
+             {"sweeps", platform::ask_sweeps, 20, {416, 849, 445}, {416, 849, 497}},
+             {"spheres", platform::ask_spheres, 100, {426, 456, 1183}, {426, 456, 1919}},
+             {"pages", ask_pages, 100, {2773, 25346, 1187}, {2773, 25346, 9106}},
+             {"volumes", platform::ask_volumes, 30, {1876, 2191, 3778}, {1876, 2176, 4731}},
+             {"approximate queries", platform::ask_approximately, 50, {434, 653, 4062}, {436, 659, 4404, 2110}},
+             {"closest points", platform::ask_closest_points, 100, {459, 1123, 8867}, {459, 1123, 9301}},
+             {"segments and boxes", platform::ask_closest_pairs, 25, {130, 224, 151}, {130, 224, 174}},
+             {"contacts", ask_contacts, 40, {944, 547, 0, 83001}, {944, 547, 0, 83001}},
+             {"distances", ask_distances, 10, {204, 156, 0, 13152}, {204, 156, 0, 13152}}});
+    }
+
+    TEST_CASE("work: queries of a closed body visit the recorded numbers of nodes and leaves") {
+        const OpenedBlob body(make_torus(32, 16, 3.0, 1.0), {.bits = 12, .profile = format::Profile::balanced});
+        check_work(
+            body.blob, detail::InstructionSet::scalar,
+            {{"closest hits", platform::ask_closest_hits, 200, {687, 747, 1391}, {1139, 725, 2194, 8576}},
+             {"filtered and any hits", platform::ask_filtered_hits, 100, {865, 919, 1257}, {1134, 943, 2097, 12414}},
+             {"all hits", platform::ask_all_hits, 100, {382, 501, 845}, {391, 517, 1456, 4650}},
+             {"first hits", platform::ask_first_hits, 50, {383, 361, 474}, {587, 350, 837, 5570}},
+             {"batches", platform::ask_batches, 60, {3009, 2731, 3649}, {4199, 2750, 5564, 43400}},
+             {"sweeps", platform::ask_sweeps, 20, {439, 759, 155}, {439, 759, 266}},
+             {"spheres", platform::ask_spheres, 100, {434, 368, 577}, {434, 368, 1458}},
+             {"pages", ask_pages, 100, {2901, 13335, 580}, {2901, 13335, 9789}},
+             {"volumes", platform::ask_volumes, 30, {2077, 2393, 3716}, {2077, 2389, 4790}},
+             {"approximate queries", platform::ask_approximately, 50, {455, 606, 5216}, {457, 613, 5816, 1272}},
+             {"closest points", platform::ask_closest_points, 100, {987, 1916, 21048}, {987, 1916, 22117}},
+             {"segments and boxes", platform::ask_closest_pairs, 25, {140, 216, 70}, {140, 216, 149}},
+             {"contacts", ask_contacts, 40, {569, 303, 0, 39960}, {569, 303, 0, 39960}},
+             {"distances", ask_distances, 10, {187, 184, 0, 8211}, {187, 184, 0, 8211}}});
+    }
+
+#if ESPALIER_X86
+    TEST_CASE("work: four lanes leave the recorded number of triangles undecided") {
+        if (detail::detect_instruction_set() < detail::InstructionSet::sse42) return;
+        const OpenedBlob landscape(make_terrain(24, 7), {.bits = 18, .profile = format::Profile::fast});
+        check_work(landscape.blob, detail::InstructionSet::sse42,
+                   {{"closest hits", platform::ask_closest_hits, 200, {680, 793, 859}},
+                    {"batches", platform::ask_batches, 60, {2849, 2026, 2446}},
+                    {"spheres", platform::ask_spheres, 100, {426, 456, 437}},
+                    {"closest points", platform::ask_closest_points, 100, {459, 1123, 7714}},
+                    {"contacts", ask_contacts, 40, {944, 547, 0, 30597}},
+                    {"distances", ask_distances, 10, {204, 156, 0, 4485}}});
+        const OpenedBlob body(make_torus(32, 16, 3.0, 1.0), {.bits = 12, .profile = format::Profile::balanced});
+        check_work(body.blob, detail::InstructionSet::sse42,
+                   {{"closest hits", platform::ask_closest_hits, 200, {687, 747, 894}},
+                    {"batches", platform::ask_batches, 60, {3024, 2343, 3083}},
+                    {"spheres", platform::ask_spheres, 100, {434, 368, 342}},
+                    {"closest points", platform::ask_closest_points, 100, {987, 1916, 18807}},
+                    {"contacts", ask_contacts, 40, {569, 303, 0, 14802}},
+                    {"distances", ask_distances, 10, {187, 184, 0, 2862}}});
+    }
+
+    TEST_CASE("work: batches of alike rays walk together as far as recorded") {
+        if (detail::detect_instruction_set() < detail::InstructionSet::sse42) return;  // by one lane each walks alone
+        const OpenedBlob landscape(make_terrain(24, 7), {.bits = 12, .profile = format::Profile::fast});
+        const detail::BlobData& asset = landscape.blob.data();
+        std::int32_t longest = 0;
+        for (const std::int32_t side : asset.extent) longest = std::max(longest, side);
+        // As far apart as rays of a group may be, exactly.
+        const float near = std::ldexp(static_cast<float>(longest), asset.step_exponent - 4);
+        const Lanes lanes(detail::InstructionSet::sse42);
+        platform::Fingerprint work;
+        std::uint64_t leaves = 0;
+        const auto ask = [&](const std::vector<Ray>& rays, std::size_t count) {
+            std::vector<RayHit> hits(rays.size());
+            std::vector<std::uint8_t> yes(rays.size());
+            for (const bool any : {false, true}) {
+                detail::step_counter = {};
+                if (any) occluded(landscape.blob, std::span(rays).first(count), std::span(yes).first(count));
+                else raycast(landscape.blob, std::span(rays).first(count), std::span(hits).first(count));
+                const detail::StepCounter counted = detail::step_counter;
+                for (const std::uint64_t number : {counted.nodes, counted.leaves, counted.decisions})
+                    work.add(static_cast<std::uint32_t>(number));
+                leaves = counted.leaves;
+            }
+        };
+        const Vec3 low = landscape.blob.bounds_min(), high = landscape.blob.bounds_max();
+        const Ray first = {{0.5f * (low.x + high.x), 0.5f * (low.y + high.y), high.z + (high.x - low.x)},
+                           {0.25f, 0.125f, -1.0f}};
+        ask(std::vector<Ray>(15, first), 15);
+        const std::uint64_t leaves_alone = leaves;
+        ask(std::vector<Ray>(16, first), 16);
+        CHECK(leaves < leaves_alone);
+        // One of the rays that are compared with the first, along one axis, at the border and beside it.
+        for (const std::size_t count : {std::size_t{15}, std::size_t{16}, std::size_t{17}, std::size_t{40}})
+            for (const std::size_t other : {std::size_t{4}, std::size_t{5}, std::size_t{10}, std::size_t{15}})
+                for (int axis = 0; axis < 3; ++axis)
+                    for (const float share : {-2.0f, -1.0f, 0.0f, 1.0f, 1.0f + 0x1p-20f, 2.0f})
+                        for (const bool turns : {false, true}) {
+                            std::vector<Ray> rays(48, first);
+                            for (std::size_t i = 0; i < rays.size(); ++i) {
+                                rays[i].origin.x += static_cast<float>(i % 16) * near * 0x1p-6f;
+                                rays[i].direction.y += static_cast<float>(i % 16) * 0x1p-8f;
+                            }
+                            Ray& ray = rays[other];
+                            ray = first;
+                            float* const origin[3] = {&ray.origin.x, &ray.origin.y, &ray.origin.z};
+                            float* const direction[3] = {&ray.direction.x, &ray.direction.y, &ray.direction.z};
+                            if (turns) *direction[axis] += share * 0.25f;
+                            else *origin[axis] += share * near;
+                            ask(rays, count);
+                        }
+        // Some alike, some not, many of each.
+        for (const std::size_t count : {std::size_t{64}, std::size_t{600}, std::size_t{1'100}}) {
+            platform::Questions questions(landscape.blob);
+            std::vector<Ray> rays(count, first);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (i % 200 > 120) rays[i] = questions.ray(static_cast<std::uint32_t>(i));
+                else rays[i].origin.x += static_cast<float>(i % 40) * near * 0x1p-5f;
+            }
+            ask(rays, count);
+        }
+        CHECK(work.value() == 8597428973744789044u);
+    }
+#endif
+}
+
+#endif

@@ -1,0 +1,302 @@
+#include "differences.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <span>
+#include <vector>
+
+#include <espalier/nearest.hpp>
+#include <runtime/nearest_world.hpp>
+#include <runtime/ray_triangle.hpp>
+
+#include "support/base/same_bits.hpp"
+#include "support/machine/float_mode.hpp"
+#include "support/machine/instruction_paths.hpp"
+#include "support/queries/ray_maker.hpp"
+
+namespace espalier::tests {
+
+namespace {
+
+bool third_is_left_out(std::uint32_t index) { return index % 3 != 2; }
+
+std::string difference(const char* path, const char* what, const Ray& ray) {
+    return std::string(path) + ": " + what + " differs: " + describe(ray);
+}
+
+/// How many places an array of answers is given: some queries get none, some more than they need.
+std::size_t places_for(float one, float other) {
+    constexpr std::size_t places[] = {0, 1, 2, 3, 5, 17, 64, 4096};
+    const auto bits = std::bit_cast<std::uint32_t>(one) ^ std::bit_cast<std::uint32_t>(other);
+    return places[(bits ^ bits >> 11 ^ bits >> 22) % std::size(places)];
+}
+std::size_t places_for(const Ray& ray) { return places_for(ray.origin.x, ray.direction.y); }
+
+struct RayAnswers {
+    std::optional<RayHit> closest;
+    std::optional<RayHit> closest_filtered;
+    std::vector<RayHit> first;
+    std::vector<RayHit> first_filtered;
+    QueryStatus first_status = QueryStatus::ok;
+    QueryStatus first_status_filtered = QueryStatus::ok;
+    bool any = false;
+    bool any_filtered = false;
+    std::vector<RayHit> every;
+};
+
+/// Calls the function with as many places as the ray gets, and keeps those that it says it filled.
+template <class Ask>
+void ask_first(const Ray& ray, std::vector<RayHit>& first, QueryStatus& status, Ask ask_for) {
+    first.resize(places_for(ray));
+    const HitCount count = ask_for(std::span<RayHit>(first));
+    first.resize(count.count);
+    status = count.status;
+}
+
+/// What an instruction set says, in full.
+RayAnswers ask(const InstructionPath& path, const detail::BlobData& data, const Ray& ray) {
+    const auto keep = [](Triangle triangle) { return third_is_left_out(triangle.index); };
+    const TriangleFilter filter = keep;
+    RayAnswers answers;
+    RayHit hit;
+    if (path.closest_hit(data, ray, hit, nullptr)) answers.closest = hit;
+    if (path.closest_hit(data, ray, hit, &filter)) answers.closest_filtered = hit;
+    ask_first(ray, answers.first, answers.first_status,
+              [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, nullptr); });
+    ask_first(ray, answers.first_filtered, answers.first_status_filtered,
+              [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, &filter); });
+    answers.any = path.any_hit(data, ray, nullptr);
+    answers.any_filtered = path.any_hit(data, ray, &filter);
+    if (data.copy_count == 0)
+        path.every_hit(data, ray, [&](const RayHit& each) {
+            answers.every.push_back(each);
+            return keep_going;
+        });
+    return answers;
+}
+
+/// What the public functions say.
+RayAnswers ask(const Blob& blob, const Ray& ray) {
+    const auto keep = [](Triangle triangle) { return third_is_left_out(triangle.index); };
+    RayAnswers answers;
+    RayHit hit;
+    if (raycast(blob, ray, hit)) answers.closest = hit;
+    if (raycast(blob, ray, hit, keep)) answers.closest_filtered = hit;
+    ask_first(ray, answers.first, answers.first_status,
+              [&](std::span<RayHit> hits) { return closest_hits(blob, ray, hits); });
+    ask_first(ray, answers.first_filtered, answers.first_status_filtered,
+              [&](std::span<RayHit> hits) { return closest_hits(blob, ray, hits, keep); });
+    answers.any = occluded(blob, ray);
+    answers.any_filtered = occluded(blob, ray, keep);
+    for_each_hit(blob, ray, [&](const RayHit& each) {
+        answers.every.push_back(each);
+        return keep_going;
+    });
+    return answers;
+}
+
+/// What the loop says. The closest hit is that of the smallest tau: from far away several of them round to one t.
+RayAnswers ask(const TriangleLoop& loop, const detail::BlobData& data, const Ray& ray, std::uint64_t& hits) {
+    RayAnswers answers;
+    detail::LatticeRay rounded;
+    if (!detail::round_ray(data, ray, rounded)) return answers;
+    std::optional<detail::FoundHit> closest;
+    std::optional<detail::FoundHit> closest_filtered;
+    std::vector<detail::FoundHit> first;
+    std::vector<detail::FoundHit> first_filtered;
+    // The runtime's own translation: the traversal, not the translation, is compared here.
+    const auto translate = [&](const detail::FoundHit& found) {
+        return detail::to_ray_hit(rounded, ray, found.hit, found.index);
+    };
+    for (const detail::FoundHit& found : loop.every_hit(rounded)) {
+        if (data.copy_count == 0) answers.every.push_back(translate(found));
+        ++hits;
+        first.push_back(found);
+        if (!closest || found.hit.whole_tau < closest->hit.whole_tau) closest = found;
+        if (!third_is_left_out(found.index)) continue;
+        first_filtered.push_back(found);
+        if (!closest_filtered || found.hit.whole_tau < closest_filtered->hit.whole_tau) closest_filtered = found;
+    }
+    const auto sort_and_cut = [&](std::vector<detail::FoundHit>& all, std::vector<RayHit>& few) {
+        std::stable_sort(all.begin(), all.end(), [](const detail::FoundHit& a, const detail::FoundHit& b) {
+            return a.hit.whole_tau < b.hit.whole_tau;
+        });
+        const std::size_t count = std::min(all.size(), places_for(ray));
+        for (std::size_t i = 0; i < count; ++i) few.push_back(translate(all[i]));
+        return all.size() > count ? QueryStatus::output_full : QueryStatus::ok;
+    };
+    answers.first_status = sort_and_cut(first, answers.first);
+    answers.first_status_filtered = sort_and_cut(first_filtered, answers.first_filtered);
+    if (closest) answers.closest = translate(*closest);
+    if (closest_filtered) answers.closest_filtered = translate(*closest_filtered);
+    answers.any = closest.has_value();
+    answers.any_filtered = closest_filtered.has_value();
+    return answers;
+}
+
+bool same(const std::optional<RayHit>& a, const std::optional<RayHit>& b) {
+    return a.has_value() == b.has_value() && (!a || same_bits(*a, *b));
+}
+
+/// The name of the first answer that differs, or null.
+const char* first_difference(const RayAnswers& a, const RayAnswers& b) {
+    if (!same(a.closest, b.closest)) return "the closest hit";
+    if (!same(a.closest_filtered, b.closest_filtered)) return "the closest hit under a filter";
+    if (a.any != b.any) return "whether anything is hit";
+    if (a.any_filtered != b.any_filtered) return "whether anything is hit under a filter";
+    const auto equal = [](const std::vector<RayHit>& x, const std::vector<RayHit>& y) {
+        return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                          [](const RayHit& p, const RayHit& q) { return same_bits(p, q); });
+    };
+    if (a.first_status != b.first_status || !equal(a.first, b.first)) return "the row of the first hits";
+    if (a.first_status_filtered != b.first_status_filtered || !equal(a.first_filtered, b.first_filtered))
+        return "the row of the first hits under a filter";
+    return equal(a.every, b.every) ? nullptr : "the row of all hits";
+}
+
+}  // namespace
+
+std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray,
+                                          std::uint64_t& hits, unsigned float_mode) {
+    const RayAnswers expected = ask(loop, blob.data(), ray, hits);
+    const FloatMode in_mode(float_mode);
+    for (const InstructionPath& path : instruction_paths()) {
+        const char* what = first_difference(ask(path, blob.data(), ray), expected);
+        if (what != nullptr) return difference(path.name, what, ray);
+    }
+    const char* what = first_difference(ask(blob, ray), expected);
+    if (what != nullptr) return difference("the public function", what, ray);
+    return std::nullopt;
+}
+
+std::optional<std::string> segment_difference(const Blob& blob, const TriangleLoop& loop, const Segment& segment) {
+    const Ray ray = along(segment);
+    std::uint64_t hits = 0;
+    const RayAnswers expected = ask(loop, blob.data(), ray, hits);
+    RayHit hit;
+    if (raycast(blob, segment, hit) != expected.any) return difference("raycast", "whether a segment hits", ray);
+    if (expected.closest && !same_bits(hit, *expected.closest))
+        return difference("raycast", "the closest hit of a segment", ray);
+    if (occluded(blob, segment) != expected.any) return difference("occluded", "whether a segment hits", ray);
+    return std::nullopt;
+}
+
+std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere,
+                                             std::uint64_t& hits) {
+    const auto difference_at = [&](const char* path, const char* what) {
+        return std::string(path) + ": " + what + " differs: " + describe(sphere);
+    };
+    detail::LatticePoint rounded;
+    Nearest nearest;
+    if (!detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) {
+        if (overlaps(blob, sphere) || closest_point(blob, sphere.center, sphere.radius, nearest)) {
+            return difference_at("overlaps", "a refused sphere's answer");
+        }
+        return std::nullopt;
+    }
+    const std::vector<std::uint32_t> expected = loop.every_overlap(rounded);
+    const std::size_t places = places_for(sphere.center.x, sphere.center.y);
+    const std::vector<detail::FoundNearest> by_distance = loop.by_distance(rounded, std::max<std::size_t>(places, 1));
+    const bool any_closest = !by_distance.empty();
+    hits += expected.size();
+    std::vector<Nearest> row;
+    for (std::size_t i = 0; i < std::min(places, by_distance.size()); ++i) {
+        // The runtime's own translation: the traversal, not the translation, is compared here.
+        row.push_back(detail::to_nearest(blob.data(), by_distance[i]));
+        row.back().distance = detail::to_world_distance(blob.data(), by_distance[i].distance.squared,
+                                                        rounded.distance_offset, sphere.radius);
+    }
+    const auto is_row = [&](auto&& fill) {
+        std::vector<Nearest> filled(places);
+        filled.resize(fill(std::span<Nearest>(filled)));
+        return std::equal(filled.begin(), filled.end(), row.begin(), row.end(),
+                          [](const Nearest& a, const Nearest& b) { return same_bits(a, b); });
+    };
+    const auto matches = [&](auto&& enumerate) {
+        if (blob.copy_count() != 0) return true;  // refused, which has a claim of its own
+        std::size_t seen = 0;
+        const bool all = enumerate([&](Triangle triangle) {
+            if (seen >= expected.size() || triangle.index != expected[seen]) return stop;
+            ++seen;
+            return keep_going;
+        });
+        return all && seen == expected.size();
+    };
+    for (const InstructionPath& path : instruction_paths()) {
+        if (path.any_overlap(blob.data(), rounded) == expected.empty()) return difference_at(path.name, "any overlap");
+        if (!matches([&](auto visit) { return path.every_overlap(blob.data(), rounded, 0, visit); })) {
+            return difference_at(path.name, "the row of all overlaps");
+        }
+        detail::FoundNearest found{};
+        if (path.closest_triangle(blob.data(), rounded, found) != any_closest) {
+            return difference_at(path.name, "whether there is a closest triangle");
+        }
+        if (any_closest && !same_bits(found, by_distance[0])) return difference_at(path.name, "the closest triangle");
+        const bool same_row = places == 0 || is_row([&](std::span<Nearest> filled) {
+                                  detail::ClosestFew few(filled);
+                                  path.closest_triangles(blob.data(), rounded, few);
+                                  return finish(blob.data(), few, rounded.distance_offset, sphere.radius);
+                              });
+        if (!same_row) return difference_at(path.name, "the row of the closest triangles");
+    }
+    if (overlaps(blob, sphere) == expected.empty()) return difference_at("overlaps", "the answer");
+    if (!matches([&](auto visit) { return for_each_overlap(blob, sphere, visit); })) {
+        return difference_at("for_each_overlap", "the row of all overlaps");
+    }
+    if (closest_point(blob, sphere.center, sphere.radius, nearest) != any_closest) {
+        return difference_at("closest_point", "whether there is one");
+    }
+    if (any_closest && nearest.triangle.index != by_distance[0].index)
+        return difference_at("closest_point", "the triangle");
+    if (!row.empty() && !same_bits(nearest, row[0])) return difference_at("closest_point", "the answer");
+    if (!is_row(
+            [&](std::span<Nearest> filled) { return closest_triangles(blob, sphere.center, sphere.radius, filled); }))
+        return difference_at("closest_triangles", "the row");
+    return std::nullopt;
+}
+
+std::optional<std::string> path_difference(const Blob& blob, const Ray& ray) {
+    if (blob.triangle_count() == 0) return std::nullopt;
+    const RayAnswers expected = ask(instruction_paths().front(), blob.data(), ray);
+    for (const InstructionPath& path : instruction_paths()) {
+        const char* what = first_difference(ask(path, blob.data(), ray), expected);
+        if (what != nullptr) return difference(path.name, what, ray);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> path_difference(const Blob& blob, const Sphere& sphere) {
+    detail::LatticePoint rounded;
+    if (blob.triangle_count() == 0 || !detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) {
+        return std::nullopt;
+    }
+    struct Answers {
+        bool closest = false;
+        bool any = false;
+        detail::FoundNearest nearest{};
+        std::vector<Triangle> every;
+    };
+    const auto ask = [&](const InstructionPath& path) {
+        Answers answers;
+        answers.closest = path.closest_triangle(blob.data(), rounded, answers.nearest);
+        answers.any = path.any_overlap(blob.data(), rounded);
+        path.every_overlap(blob.data(), rounded, 0, [&](Triangle triangle) {
+            answers.every.push_back(triangle);
+            return keep_going;
+        });
+        return answers;
+    };
+    const Answers expected = ask(instruction_paths().front());
+    for (const InstructionPath& path : instruction_paths()) {
+        const Answers answers = ask(path);
+        if (answers.closest == expected.closest && answers.any == expected.any && answers.every == expected.every &&
+            (!answers.closest || same_bits(answers.nearest, expected.nearest))) {
+            continue;
+        }
+        return std::string(path.name) + " and scalar differ: " + describe(sphere);
+    }
+    return std::nullopt;
+}
+
+}  // namespace espalier::tests

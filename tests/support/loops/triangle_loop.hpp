@@ -1,0 +1,76 @@
+// The loop over all baked triangles: what every traversal must equal, bit for bit. It asks the runtime's kernels about
+// each triangle that the independent decoder found and that is not clear of the query (triangle_bounds.hpp), in storage
+// order, and knows no tree.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <espalier/blob.hpp>
+#include <runtime/closest_pair.hpp>
+#include <runtime/found.hpp>
+#include <runtime/lattice_box.hpp>
+#include <runtime/lattice_capsule.hpp>
+#include <runtime/lattice_corners.hpp>
+#include <runtime/lattice_half_spaces.hpp>
+#include <runtime/lattice_oriented_box.hpp>
+#include <runtime/sweep_queries.hpp>
+#include <runtime/whole_segment.hpp>
+#include <runtime/winding.hpp>
+
+#include "support/format/decoder.hpp"
+#include "triangle_bounds.hpp"
+
+namespace espalier::tests {
+
+class TriangleLoop {
+public:
+    explicit TriangleLoop(const DecodedBlob& decoded, LeftOut left_out = LeftOut::what_is_clear);
+
+    /// In storage order.
+    [[nodiscard]] std::vector<detail::FoundHit> every_hit(const detail::LatticeRay& ray) const;
+
+    /// Of no triangle where there is none.
+    [[nodiscard]] HitInSteps first_hit(const detail::WholeSegment& segment) const;
+
+    using Indices = std::vector<std::uint32_t>;
+    [[nodiscard]] Indices every_overlap(const detail::LatticePoint& point) const;
+    // Of volumes that were rounded and are not empty.
+    [[nodiscard]] Indices every_overlap(const detail::LatticeCapsule& capsule) const;
+    [[nodiscard]] Indices every_overlap(const detail::LatticeBox& box) const;
+    [[nodiscard]] Indices every_overlap(const detail::LatticeOrientedBox& box) const;
+    [[nodiscard]] Indices every_overlap(const detail::LatticeCorners& corners) const;
+    [[nodiscard]] Indices every_overlap(const detail::LatticeHalfSpaces& set) const;
+
+    /// The first `count` of those within the radius, sorted by distance and index.
+    [[nodiscard]] std::vector<detail::FoundNearest> by_distance(const detail::LatticePoint& point,
+                                                                std::size_t count = TriangleBounds::all) const;
+    /// The first of them.
+    [[nodiscard]] std::optional<detail::FoundNearest> closest_within(const detail::LatticePoint& point) const;
+    [[nodiscard]] std::optional<detail::FoundPair> closest_pair(const detail::DistantSegment& segment) const;
+    [[nodiscard]] std::optional<detail::FoundPair> closest_pair(const detail::DistantBox& box) const;
+    /// Along the ray's direction.
+    [[nodiscard]] detail::Winding winding(const detail::WindingRay& ray) const;
+
+    /// The first of those that the filter leaves.
+    using Filter = bool (*)(Triangle);
+    [[nodiscard]] detail::FoundContact first_contact(const detail::SphereSweep& sweep, Filter filter) const;
+    [[nodiscard]] detail::FoundContact first_contact(const detail::CapsuleSweep& sweep, Filter filter) const;
+    [[nodiscard]] detail::FoundContact first_contact(const detail::BoxSweep& sweep, Filter filter) const;
+
+private:
+    [[nodiscard]] Indices every_overlap(const detail::Volume& volume, const TriangleBounds::Numbers& numbers) const;
+    [[nodiscard]] std::optional<detail::FoundPair> closest_pair(const detail::DistantShape& shape,
+                                                                const TriangleBounds::Numbers& numbers) const;
+    template <class Sweep>
+    [[nodiscard]] detail::FoundContact first_contact_of(const Sweep& sweep, const detail::Integer3& low,
+                                                        const detail::Integer3& high, Filter filter) const;
+
+    // Copies are no triangles of their own: without them.
+    std::vector<detail::LatticeTriangle> triangles_;
+    std::vector<std::uint32_t> indices_;
+    TriangleBounds bounds_;
+};
+
+}  // namespace espalier::tests

@@ -1,0 +1,43 @@
+// Points and lengths to ask with: some near the asset, some that break careless code.
+#pragma once
+
+#include <bit>
+
+#include <espalier/blob.hpp>
+
+#include "support/base/hostile_values.hpp"
+#include "support/base/random.hpp"
+
+namespace espalier::tests {
+
+/// A point near the asset more often than not, so that queries reach the leaves.
+inline Vec3 some_point(const Blob& blob, Random& random) {
+    const Vec3 low = blob.bounds_min();
+    const Vec3 high = blob.bounds_max();
+    const auto coordinate = [&](float from, float to) {
+        switch (random.below(8)) {
+            case 0:
+                return hostile_values[random.below(hostile_values.size())];
+            case 1:
+                return std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+            case 2:
+                return from;
+            case 3:
+                return to;
+            default:
+                return from + (to - from) * (random.unit() * 1.5f - 0.25f);
+        }
+    };
+    const float x = coordinate(low.x, high.x);
+    const float y = coordinate(low.y, high.y);
+    const float z = coordinate(low.z, high.z);
+    return {x, y, z};
+}
+
+/// Of the asset's own size, or anything.
+inline float some_length(const Blob& blob, Random& random) {
+    if (random.below(3) == 0) return hostile_values[random.below(hostile_values.size())];
+    return (blob.bounds_max().x - blob.bounds_min().x) * random.unit();
+}
+
+}  // namespace espalier::tests

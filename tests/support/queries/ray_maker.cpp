@@ -1,0 +1,246 @@
+#include "ray_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace espalier::tests {
+
+namespace {
+
+Vec3 difference(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+Vec3 middle(Vec3 a, Vec3 b) { return {0.5f * (a.x + b.x), 0.5f * (a.y + b.y), 0.5f * (a.z + b.z)}; }
+
+bool is_zero(Vec3 a) { return a.x == 0.0f && a.y == 0.0f && a.z == 0.0f; }
+
+}  // namespace
+
+QueryMaker::QueryMaker(const DecodedBlob& decoded, std::uint64_t seed)
+    : decoded_(decoded), random_(seed), step_(std::ldexp(1.0, decoded.step_exponent)) {
+    if (decoded.triangles.empty()) throw std::runtime_error("QueryMaker: the blob is empty");
+    size_ = step_ * *std::max_element(decoded.extent.begin(), decoded.extent.end());
+}
+
+Vec3 QueryMaker::to_world(double x, double y, double z) const {
+    const auto axis = [&](unsigned k, double steps) {
+        return static_cast<float>(static_cast<double>(decoded_.origin[k]) + steps * step_);
+    };
+    return {axis(0, x), axis(1, y), axis(2, z)};
+}
+
+const GridTriangle& QueryMaker::some_triangle() {
+    return decoded_.triangles[random_.below(static_cast<std::uint32_t>(decoded_.triangles.size()))];
+}
+
+GridPoint QueryMaker::some_vertex() {
+    const GridTriangle& t = some_triangle();
+    const std::uint32_t corner = random_.below(3);
+    return corner == 0 ? t.a : corner == 1 ? t.b : t.c;
+}
+
+Vec3 QueryMaker::some_edge_middle() {
+    const GridTriangle& t = some_triangle();
+    const GridPoint corners[3] = {t.a, t.b, t.c};
+    const std::uint32_t first = random_.below(3);
+    const GridPoint& p = corners[first];
+    const GridPoint& q = corners[(first + 1) % 3];
+    return to_world(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]));
+}
+
+Vec3 QueryMaker::some_target() { return random_.coin() ? to_world(some_vertex()) : some_edge_middle(); }
+
+/// On a sphere around the middle of the asset.
+Vec3 QueryMaker::around(double sizes) {
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    double length = 0;
+    do {
+        x = static_cast<double>(random_.signed_unit());
+        y = static_cast<double>(random_.signed_unit());
+        z = static_cast<double>(random_.signed_unit());
+        length = std::sqrt(x * x + y * y + z * z);
+    } while (length > 1.0 || length < 0.01);
+    const double scale = sizes * size_ / step_ / length;
+    return to_world(0.5 * decoded_.extent[0] + x * scale, 0.5 * decoded_.extent[1] + y * scale,
+                    0.5 * decoded_.extent[2] + z * scale);
+}
+
+/// Two ulp to either side in half of the calls.
+float QueryMaker::nudged(float value) {
+    if (random_.coin()) return value;
+    const std::int32_t by = random_.between(-2, 2);
+    for (std::int32_t i = 0; i < std::abs(by); ++i) value = std::nextafter(value, by < 0 ? -INFINITY : INFINITY);
+    return value;
+}
+
+Ray QueryMaker::ray(RayKind kind) {
+    Ray ray;
+    Vec3 target = some_target();
+    ray.origin = around(1.2);
+    switch (kind) {
+        case RayKind::incoherent: {
+            const double x = static_cast<double>(random_.unit());
+            const double y = static_cast<double>(random_.unit());
+            const double z = static_cast<double>(random_.unit());
+            target = to_world(x * decoded_.extent[0], y * decoded_.extent[1], z * decoded_.extent[2]);
+            break;
+        }
+        case RayKind::through_vertex:
+            target = to_world(some_vertex());
+            // From another lattice point the aim is exact where the asset lies near the world's origin.
+            if (random_.coin()) ray.origin = to_world(some_vertex());
+            break;
+        case RayKind::through_edge:
+            target = some_edge_middle();
+            break;
+        case RayKind::axis_parallel: {
+            const std::uint32_t axis = random_.below(3);
+            const float length = std::ldexp(random_.coin() ? 1.0f : -0.7f, random_.between(-20, 20));
+            ray.direction = {axis == 0 ? length : 0.0f,
+                             axis == 1        ? length
+                             : random_.coin() ? -0.0f
+                                              : 0.0f,
+                             axis == 2 ? length : 0.0f};
+            ray.origin = {axis == 0 ? ray.origin.x : nudged(target.x), axis == 1 ? ray.origin.y : nudged(target.y),
+                          axis == 2 ? ray.origin.z : nudged(target.z)};
+            return ray;
+        }
+        case RayKind::diagonal: {
+            const auto away = static_cast<float>(size_) * (0.25f + random_.unit());
+            ray.direction = {random_.coin() ? away : -away, random_.coin() ? away : -away,
+                             random_.below(3) == 0 ? 0.0f : away};
+            ray.origin = difference(target, ray.direction);
+            return ray;
+        }
+        case RayKind::in_plane: {
+            const GridTriangle& t = some_triangle();
+            const Vec3 a = to_world(t.a);
+            target = random_.coin() ? to_world(t.b) : middle(to_world(t.b), to_world(t.c));
+            const Vec3 along = difference(target, a);
+            ray.origin = random_.coin() ? a : difference(a, along);
+            ray.direction = {nudged(along.x), nudged(along.y), nudged(along.z)};
+            if (is_zero(ray.direction)) ray.direction.z = 1.0f;
+            return ray;
+        }
+        case RayKind::from_face: {
+            ray.origin = random_.coin() ? target : middle(target, to_world(some_triangle().a));
+            const Vec3 anywhere = random_.in_cube(static_cast<float>(size_));
+            ray.direction = {nudged(anywhere.x), nudged(anywhere.y), anywhere.z};
+            return ray;
+        }
+        case RayKind::far_ten_thousand:
+            ray.origin = around(1e4);
+            break;
+        case RayKind::far_million:
+            ray.origin = around(1e6);
+            break;
+    }
+    ray.direction = difference(target, ray.origin);
+    ray.direction = {nudged(ray.direction.x), nudged(ray.direction.y), nudged(ray.direction.z)};
+    if (random_.below(4) == 0) {
+        const float scale = std::ldexp(1.0f, random_.between(-20, 20));
+        ray.direction = {ray.direction.x * scale, ray.direction.y * scale, ray.direction.z * scale};
+    }
+    if (is_zero(ray.direction)) ray.direction = {1.0f, 0.0f, 0.0f};
+    return ray;
+}
+
+Ray QueryMaker::any_ray() { return ray(all_ray_kinds[random_.below(all_ray_kinds.size())]); }
+
+void QueryMaker::restrict(Ray& ray) {
+    const auto longest = std::max({std::fabs(ray.direction.x), std::fabs(ray.direction.y), std::fabs(ray.direction.z)});
+    const auto sizes = [&] { return static_cast<float>(size_) / longest * random_.unit(); };
+    switch (random_.below(4)) {
+        case 0:
+            ray.t_min = sizes();
+            break;
+        case 1:
+            ray.t_max = sizes() * 2.0f;
+            break;
+        case 2:
+            ray.t_min = sizes();
+            ray.t_max = ray.t_min + sizes();
+            break;
+        default:
+            ray.t_min = -1.0f;
+    }
+    ray.faces = static_cast<Faces>(random_.below(3));
+}
+
+Sphere QueryMaker::sphere() {
+    Sphere sphere;
+    const Vec3 target = some_target();
+    switch (random_.below(8)) {
+        case 0:
+            sphere.center = target;
+            break;
+        case 1:
+            sphere.center = middle(target, to_world(some_triangle().a));
+            break;
+        case 2:
+            sphere.center = around(1e4);
+            break;
+        case 3:
+            sphere.center = around(random_.coin() ? 1e6 : 10.0);
+            break;
+        case 4:
+            sphere.center = to_world(0.5 * decoded_.extent[0], 0.5 * decoded_.extent[1], 0.5 * decoded_.extent[2]);
+            break;
+        default: {
+            const Vec3 off = random_.in_cube(static_cast<float>(size_) * (random_.coin() ? 0.02f : 0.7f));
+            sphere.center = {target.x + off.x, target.y + off.y, target.z + off.z};
+        }
+    }
+    const Vec3 gap = difference(to_world(some_vertex()), sphere.center);
+    const double distance = std::sqrt(static_cast<double>(gap.x) * static_cast<double>(gap.x) +
+                                      static_cast<double>(gap.y) * static_cast<double>(gap.y) +
+                                      static_cast<double>(gap.z) * static_cast<double>(gap.z));
+    switch (random_.below(6)) {
+        case 0:
+            sphere.radius = 0.0f;
+            break;
+        case 1:
+            sphere.radius = INFINITY;
+            break;
+        case 2:
+            sphere.radius = nudged(static_cast<float>(distance));
+            break;
+        case 3:
+            sphere.radius = static_cast<float>(size_) * 0.01f * random_.unit();
+            break;
+        default:
+            sphere.radius = static_cast<float>(distance) * random_.unit();
+    }
+    return sphere;
+}
+
+Sphere QueryMaker::random_sphere() {
+    const auto along = [&](unsigned k) {
+        return (static_cast<double>(random_.unit()) * 1.5 - 0.25) * decoded_.extent[k];
+    };
+    const double x = along(0), y = along(1), z = along(2);
+    const auto size = static_cast<float>(size_) * random_.unit();
+    return {to_world(x, y, z), std::ldexp(size, -random_.between(0, 8))};
+}
+
+std::string describe(const Ray& ray) {
+    char text[256];
+    const auto d = [](float x) { return static_cast<double>(x); };
+    std::snprintf(text, sizeof text, "origin %a %a %a direction %a %a %a t %a..%a faces %d", d(ray.origin.x),
+                  d(ray.origin.y), d(ray.origin.z), d(ray.direction.x), d(ray.direction.y), d(ray.direction.z),
+                  d(ray.t_min), d(ray.t_max), static_cast<int>(ray.faces));
+    return text;
+}
+
+std::string describe(const Sphere& sphere) {
+    char text[128];
+    const auto d = [](float x) { return static_cast<double>(x); };
+    std::snprintf(text, sizeof text, "center %a %a %a radius %a", d(sphere.center.x), d(sphere.center.y),
+                  d(sphere.center.z), d(sphere.radius));
+    return text;
+}
+
+}  // namespace espalier::tests

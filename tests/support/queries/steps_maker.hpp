@@ -1,0 +1,39 @@
+// Boxes and segments in lattice steps to ask a blob with: half of them touch it, run through its corners or along its
+// sides, or are as far away as they may be.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <espalier/lattice.hpp>
+
+#include "support/base/random.hpp"
+#include "support/format/decoder.hpp"
+
+namespace espalier::tests {
+
+class StepsMaker {
+public:
+    StepsMaker(const DecodedBlob& decoded, std::uint64_t seed) : decoded_(decoded), random_(seed) {}
+
+    BoxInSteps box(bool awkward);
+    SegmentInSteps segment(bool awkward);
+    [[nodiscard]] Random& random() { return random_; }
+
+private:
+    [[nodiscard]] std::int32_t extent(std::size_t axis) const;
+    /// In the asset's box or up to half its size beside it.
+    GridPoint anywhere();
+    /// Of the asset.
+    GridPoint vertex();
+    /// The middle of a side, or near to it.
+    GridPoint side_middle();
+
+    const DecodedBlob& decoded_;
+    Random random_;
+};
+
+std::string describe(const BoxInSteps& box);
+std::string describe(const SegmentInSteps& segment);
+
+}  // namespace espalier::tests

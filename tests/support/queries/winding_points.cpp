@@ -1,0 +1,100 @@
+#include "winding_points.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "support/base/profiles.hpp"
+#include "support/meshes/makers.hpp"
+
+namespace espalier::tests {
+
+const std::vector<TestBlob>& closed_blobs() {
+    static const std::vector<TestBlob> blobs = [] {
+        std::vector<TestBlob> made;
+        const auto add = [&](const Mesh& mesh, unsigned bits) {
+            for (const format::Profile profile : every_profile) {
+                BakeOptions options = with_profile(profile);
+                options.bits = bits;
+                OpenedBlob opened(mesh, options);
+                if (!opened.blob.closed()) throw std::runtime_error(mesh.name + " is not closed");
+                DecodedBlob decoded = decode(opened.bytes);
+                made.push_back({mesh.name + ", profile " + name_of(profile), std::move(opened), std::move(decoded)});
+            }
+        };
+        const auto sphere = [](double radius, Vec3 center) { return make_icosphere(1, radius, center); };
+        add(make_cube(-1.0f, 1.0f), 16);
+        add(make_cube(0.0f, 1.0f), 1);
+        add(make_torus(16, 8, 2.0, 0.7), 5);
+        add(make_torus(24, 12, 2.0, 0.7), 24);
+        add(make_uv_sphere(8, 12, 1.0, {0.0f, 0.0f, 0.0f}), 12);
+        add(make_icosphere(2, 2.0, {148376.0f, 1234.0f, -223423.0f}), 16);
+        add(turned_inside_out(sphere(1.0, {0.0f, 0.0f, 0.0f})), 10);
+        add(joined(make_cube(-2.0f, 2.0f), turned_inside_out(make_cube(-1.0f, 1.0f))), 8);
+        add(joined(joined(make_cube(-4.0f, 4.0f), turned_inside_out(sphere(3.0, {0.0f, 0.0f, 0.0f}))),
+                   sphere(1.5, {0.5f, 0.25f, 0.0f})),
+            16);
+        add(joined(sphere(1.0, {0.0f, 0.0f, 0.0f}), sphere(1.0, {0.75f, 0.5f, 0.0f})), 16);
+        add(joined(make_cube(0.0f, 2.0f), turned_inside_out(make_cube(1.0f, 3.0f))), 4);
+        return made;
+    }();
+    return blobs;
+}
+
+Vec3 awkward_point(const TestBlob& blob, Random& random) {
+    const auto some_vertex = [&] {
+        const GridTriangle& t =
+            blob.decoded.triangles[random.below(static_cast<std::uint32_t>(blob.decoded.triangles.size()))];
+        const std::uint32_t corner = random.below(3);
+        return corner == 0 ? t.a : corner == 1 ? t.b : t.c;
+    };
+    const GridTriangle& t =
+        blob.decoded.triangles[random.below(static_cast<std::uint32_t>(blob.decoded.triangles.size()))];
+    const std::uint32_t kind = random.below(5);
+    double at[3];
+    for (unsigned k = 0; k < 3; ++k) {
+        switch (kind) {
+            case 0:
+                at[k] = t.a[k];
+                break;
+            case 1:
+                at[k] = 0.5 * (t.a[k] + t.b[k]);
+                break;
+            case 2:
+                at[k] = 0.25 * t.a[k] + 0.25 * t.b[k] + 0.5 * t.c[k];
+                break;
+            default:
+                at[k] = some_vertex()[k];
+        }
+    }
+    if (kind < 3 && random.below(4) != 0) {
+        const std::uint32_t axis = random.below(3);
+        at[axis] = random.coin() ? some_vertex()[axis] : static_cast<double>(random.unit()) * blob.decoded.extent[axis];
+    }
+    const double step = std::ldexp(1.0, blob.decoded.step_exponent);
+    const auto world = [&](unsigned k) {
+        return static_cast<float>(static_cast<double>(blob.decoded.origin[k]) + at[k] * step);
+    };
+    return {world(0), world(1), world(2)};
+}
+
+Vec3 random_point(const TestBlob& blob, Random& random) {
+    const Vec3 low = blob.opened.blob.bounds_min();
+    const Vec3 high = blob.opened.blob.bounds_max();
+    const auto between = [&](float from, float to) { return from + (to - from) * (random.unit() * 1.1f - 0.05f); };
+    const float x = between(low.x, high.x);
+    const float y = between(low.y, high.y);
+    return {x, y, between(low.z, high.z)};
+}
+
+std::optional<detail::WindingRay> shortest_way_out(const Blob& blob, Vec3 point) {
+    detail::LatticePoint rounded;
+    detail::WindingRay ray;
+    if (!detail::round_point(blob.data(), point, std::numeric_limits<float>::infinity(), rounded)) return std::nullopt;
+    if (!detail::shortest_way_out(blob.data(), rounded, ray)) return std::nullopt;
+    return ray;
+}
+
+}  // namespace espalier::tests

@@ -1,0 +1,178 @@
+#include "policy.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "asset_size.hpp"
+#include "baking.hpp"
+#include "base/lengths.hpp"
+#include "base/numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::array unit_names{"um", "mm", "cm", "in", "ft", "m", "km"};
+
+BakePolicy::SizeRange parse_size_range(const std::string& words) {
+    constexpr const char* option = "--expect-size";
+    const std::size_t dots = words.find("..");
+    if (dots == std::string::npos) {
+        throw CommandError(ExitCode::usage, text(option, " '", printable(words),
+                                                 "': write the least and the largest size with '..' between: "
+                                                 "0.1m..10m."));
+    }
+    BakePolicy::SizeRange range{parse_length(words.substr(0, dots), option),
+                                parse_length(words.substr(dots + 2), option), words};
+    if (range.least < 0.0 || range.most < range.least) {
+        throw CommandError(ExitCode::usage, text(option, " '", printable(words),
+                                                 "': the least size is zero or more, and the largest no smaller."));
+    }
+    return range;
+}
+
+/// Triangles whose surface, if they had any, is missing from the blob. Of duplicates it is there once.
+std::uint64_t dropped_triangles(const BakeReport& report) {
+    return report.not_finite.count + report.index_out_of_range.count + report.zero_area.count + report.collapsed.count;
+}
+
+/// "3 without area (first: box.obj, mesh 0, triangle 5)" for each kind.
+std::string dropped_words(const BakeReport& report) {
+    std::string words;
+    const auto add = [&words](const Finding& finding, const char* what) {
+        if (finding.count == 0) return;
+        words += text(words.empty() ? "" : ", ", finding.count, ' ', what, " (first: ", finding.first, ")");
+    };
+    add(report.not_finite, "not finite");
+    add(report.index_out_of_range, "with an index out of range");
+    add(report.zero_area, "without area");
+    add(report.collapsed, "without area on the lattice");
+    return words;
+}
+
+/// Of the first kind that dropped_words lists.
+ErrorDetails place_of_dropped(const BakeReport& report, const Imported& imported) {
+    for (const Finding* finding :
+         {&report.not_finite, &report.index_out_of_range, &report.zero_area, &report.collapsed}) {
+        if (finding->place) return details_of(*finding->place, imported);
+    }
+    return {};
+}
+
+void refuse_dropped(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
+    if (!drops_more_than(policy.max_dropped, report)) return;
+    ErrorDetails details = place_of_dropped(report, imported);
+    details.kind = "dropped";
+    const bool is_empty = report.triangles == 0 && !policy.allow_empty;
+    throw CommandError(
+        ExitCode::invalid_input,
+        text("dropped ", dropped_triangles(report), " of ", counted(report.source_triangles, "triangle"), ": ",
+             dropped_words(report), ". At most ", rounded(policy.max_dropped),
+             " % may be, so nothing was written. Mend the mesh",
+             report.collapsed.count > 0 ? " or choose a finer lattice" : "", "; if the loss is intended, ",
+             "raise --max-dropped", is_empty ? " and give --allow-empty." : "."),
+        std::move(details));
+}
+
+void refuse_empty(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
+    if (policy.allow_empty || report.triangles != 0) return;
+    throw CommandError(ExitCode::invalid_input,
+                       text(names_of_inputs(imported),
+                            ": no triangle is left, so nothing was written. Check the "
+                            "input; if an empty blob is intended, give --allow-empty."),
+                       {.file = only_input(imported), .kind = "empty"});
+}
+
+bool is_within(const BakePolicy::SizeRange& range, const AssetSize& size) {
+    return size.extent + size.uncertainty >= range.least && size.extent - size.uncertainty <= range.most;
+}
+
+/// "--unit mm makes it 0.36 m" for each unit with which the size is as expected.
+std::string unit_hints(const BakePolicy::SizeRange& range, const Imported& imported, const AssetSize& size) {
+    const double now = imported.files.front().metres_per_unit;
+    for (const ImportedFile& file : imported.files)
+        if (file.metres_per_unit != now) return {};
+    std::string hints;
+    for (const char* unit : unit_names) {
+        const double factor = *metres_in(unit) / now;
+        const AssetSize other{size.extent * factor, size.uncertainty * factor};
+        if (!is_within(range, other)) continue;
+        hints += text(hints.empty() ? " " : ", ", "--unit ", unit, " makes it ", rounded(other.extent, 4), " m");
+    }
+    return hints.empty() ? hints : hints + ".";
+}
+
+void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
+    if (!policy.expected_size || report.triangles == 0) return;
+    const BakePolicy::SizeRange& range = *policy.expected_size;
+    const AssetSize size = asset_size(imported);
+    if (is_within(range, size)) return;
+    throw CommandError(
+        ExitCode::invalid_input,
+        text(names_of_inputs(imported), ": the asset is ", rounded(size.extent), " m across, outside of --expect-size ",
+             printable(range.words), ", so nothing was written. Check the unit of its file, which --unit states.",
+             unit_hints(range, imported, size)),
+        {.file = only_input(imported), .kind = "size"});
+}
+
+}  // namespace
+
+BakePolicy bake_policy(const BakeArguments& arguments) {
+    BakePolicy policy;
+    policy.strict = arguments.source.strict;
+    policy.allow_empty = arguments.source.allow_empty;
+    policy.max_dropped = arguments.max_dropped;
+    if (!arguments.expected_size.empty()) policy.expected_size = parse_size_range(arguments.expected_size);
+    return policy;
+}
+
+void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
+             std::span<const Warning> warnings) {
+    if (!policy.allow_empty) refuse_empty_files(imported);
+    refuse_dropped(policy, imported, report);
+    refuse_empty(policy, imported, report);
+    refuse_size(policy, imported, report);
+    if (policy.strict) refuse_warnings(warnings, imported);
+}
+
+std::string only_input(const Imported& imported) {
+    return imported.files.size() == 1 ? imported.files.front().path : std::string();
+}
+
+std::string names_of_inputs(const Imported& imported) {
+    std::string names;
+    for (const ImportedFile& file : imported.files)
+        names += text(names.empty() ? "'" : ", '", printable(file.path), '\'');
+    return names;
+}
+
+bool drops_more_than(double percent, const BakeReport& report) {
+    const double source = static_cast<double>(report.source_triangles);
+    return static_cast<double>(dropped_triangles(report)) * 100.0 > percent * source;
+}
+
+void refuse_empty_files(const Imported& imported) {
+    for (const ImportedFile& file : imported.files) {
+        if (file.triangles != 0) continue;
+        const std::string cause = file.warnings.empty() ? std::string() : " " + file.warnings.front().message;
+        throw CommandError(ExitCode::invalid_input,
+                           text("'", printable(file.path), "': the input has no triangles.", cause,
+                                " Check the file; if that is intended, give --allow-empty."),
+                           {.file = file.path, .kind = "empty"});
+    }
+}
+
+void refuse_warnings(std::span<const Warning> warnings, const Imported& imported) {
+    if (warnings.empty()) return;
+    std::string kinds;
+    for (const Warning& warning : warnings) kinds += (kinds.empty() ? "" : ", ") + warning.kind;
+    const Warning& first = warnings.front();
+    throw CommandError(
+        ExitCode::invalid_input,
+        text(first.file.empty() ? names_of_inputs(imported) : text('\'', printable(first.file), '\''),
+             ": --strict refuses ", counted(warnings.size(), "warning"), ": ", kinds, ". Nothing was written."),
+        {first.file, first.mesh, first.triangle, "strict"});
+}
+
+}  // namespace espalier::tools

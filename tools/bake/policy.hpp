@@ -1,0 +1,51 @@
+// What a bake may lose before it is an error: the options by which a pipeline trusts an exit status.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "base/verb_arguments.hpp"
+#include "base/warning.hpp"
+#include "import/base/imported.hpp"
+
+namespace espalier::tools {
+
+struct BakePolicy {
+    struct SizeRange {
+        double least = 0.0;  ///< metres
+        double most = 0.0;
+        std::string words;  ///< as given
+    };
+    bool strict = false;
+    bool allow_empty = false;
+    double max_dropped = 10.0;  ///< percent of the source's triangles
+    std::optional<SizeRange> expected_size;
+};
+
+/// Throws CommandError (usage) for a range of sizes that is none.
+BakePolicy bake_policy(const BakeArguments& arguments);
+
+/// Throws CommandError (invalid_input) when the result is not what the policy allows: too much dropped, empty, of an
+/// unexpected size, with warnings under --strict. Called before anything is written.
+void enforce(const BakePolicy& policy, const Imported& imported, const BakeReport& report,
+             std::span<const Warning> warnings);
+
+/// Returns whether more than this share, in percent, of the source's triangles has no surface in the blob.
+bool drops_more_than(double percent, const BakeReport& report);
+
+/// Throws CommandError (invalid_input) when a file has no triangles: of several files, each contributes some.
+void refuse_empty_files(const Imported& imported);
+
+/// Throws CommandError (invalid_input) when there are warnings. What the first is about is named.
+void refuse_warnings(std::span<const Warning> warnings, const Imported& imported);
+
+/// Returns the path of the input, or nothing if there are several.
+std::string only_input(const Imported& imported);
+/// Returns "'body.obj', 'wheel.obj'".
+std::string names_of_inputs(const Imported& imported);
+
+}  // namespace espalier::tools

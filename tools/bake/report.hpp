@@ -1,0 +1,25 @@
+// What a bake tells: as lines for people, as JSON for scripts.
+#pragma once
+
+#include <span>
+
+#include <espalier/bake.hpp>
+#include <espalier/blob.hpp>
+
+#include "base/verb_arguments.hpp"
+#include "base/warning.hpp"
+#include "import/base/imported.hpp"
+#include "report/console.hpp"
+#include "report/json_output.hpp"
+
+namespace espalier::tools {
+
+/// Where the coordinates come from and what was done to them: unit, axes, skipped elements, for each file.
+void say_import(const Console& console, const BakeArguments& arguments, const Imported& imported);
+/// What was wrong with the input, what became of it, and the result in numbers.
+void say_report(const Console& console, const BakeReport& report);
+
+Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
+               std::span<const Warning> warnings);
+
+}  // namespace espalier::tools

@@ -1,0 +1,161 @@
+// The verbs of the command and what each takes. main.cpp fills these in; commands/<verb>.cpp carries them out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+#include <espalier/ray.hpp>
+
+#include "exit_code.hpp"
+#include "placement.hpp"
+
+namespace espalier::tools {
+
+/// How the numbers in mesh files are understood. The same for bake and for verify --source.
+struct SourceArguments {
+    double scale = 1.0;
+    std::string unit;  ///< empty: what the file says, else metres
+    std::optional<Axis> up;
+    bool strict = false;            ///< warnings are errors
+    bool allow_empty = false;       ///< files without triangles are none
+    std::string import_memory;      ///< an amount of bytes; empty: half of the machine's memory
+    double import_seconds = 600.0;  ///< of processor time, for one file
+    bool verbose = false;           ///< print what importers report
+};
+
+struct BakeArguments {
+    std::vector<std::string> inputs;
+    std::string output;
+    std::string depfile;  ///< empty: none
+    std::string remap;    ///< empty: none
+    std::string reorder;  ///< a mesh file; empty: none
+    SourceArguments source;
+    std::string tolerance;   ///< a length; empty: bits or a step decide
+    std::string step;        ///< a power of two; empty: none
+    std::string lattice_of;  ///< a blob whose step is taken; empty: none
+    unsigned bits = 16;
+    std::optional<std::string> max_bytes;      ///< an amount of bytes
+    std::optional<std::string> max_error;      ///< a length; without it --tolerance, --bits or a step decides
+    std::optional<std::string> fastest_under;  ///< an amount of bytes
+    std::optional<format::Profile> profile;    ///< without one: the library's, or what the picking options pick
+    std::optional<unsigned> leaf_size;         ///< likewise
+    std::string cost_model;                    ///< a JSON file; empty: the committed constants
+    std::optional<double> duplicates;          ///< without one: the library's
+    std::optional<Builder> builder;            ///< likewise
+    bool original_ids = false;
+    unsigned material_bits = 0;  ///< 0, 8 or 16
+    bool edge_flags = false;
+    double flat_angle = 5.0;          ///< degrees up to which an edge is flat
+    std::vector<std::string> bounds;  ///< of obb, sphere, kdop
+    bool repair = false;
+    double max_dropped = 10.0;  ///< percent
+    std::string expected_size;  ///< two lengths with ".." between; empty: any
+    unsigned effort = 5;
+    unsigned threads = 0;
+    bool json = false;
+    bool quiet = false;
+};
+ExitCode run_bake(const BakeArguments& arguments);
+
+struct EmbedArguments {
+    std::string blob;
+    std::string output;
+    std::string header;   ///< empty: none
+    std::string symbol;   ///< empty: named after the output
+    std::string section;  ///< empty: one of its own in .rodata
+    unsigned alignment = 16;
+    bool json = false;
+    bool quiet = false;
+};
+ExitCode run_embed(const EmbedArguments& arguments);
+
+/// Lists stay text here; commands/trade.cpp reads them.
+struct TradeArguments {
+    std::vector<std::string> inputs;
+    std::string output;  ///< the picture; empty: none
+    std::string csv;     ///< empty: to stdout
+    SourceArguments source;
+    std::string bits = "12,14,16,20";
+    std::string leaf_sizes = "16,32,54";
+    std::string byte_prices = "1,5";
+    std::string profiles = "all";
+    std::string builders = "binned_sah";
+    std::string cost_model;  ///< a JSON file; empty: the committed constants
+    unsigned rays = 20'000;
+    unsigned repetitions = 5;
+    unsigned effort = 5;
+    unsigned threads = 0;
+    bool repair = false;
+    bool json = false;
+    bool quiet = false;
+};
+ExitCode run_trade(const TradeArguments& arguments);
+
+struct InfoArguments {
+    std::string blob;
+    bool json = false;
+};
+ExitCode run_info(const InfoArguments& arguments);
+
+struct VerifyArguments {
+    std::string blob;
+    bool deep = false;
+    std::vector<std::string> sources;
+    SourceArguments source;
+    bool json = false;
+};
+ExitCode run_verify(const VerifyArguments& arguments);
+
+/// Numbers and lengths stay text here, so that inf and nan arrive as the floats they name. Which of these an `espalier
+/// query` takes depends on its kind (query/kinds.hpp).
+struct QueryArguments {
+    std::string blob;
+    std::vector<std::string> words;  ///< what stands after the kind
+    std::string t_min = "0";
+    std::string t_max = "inf";
+    Faces faces = Faces::both;
+    bool any = false;
+    bool all = false;
+    std::optional<std::uint32_t> first;
+    std::string accuracy;  ///< empty: exact
+    bool bounds_only = false;
+    std::optional<std::uint32_t> limit;
+    std::uint32_t from = 0;
+    std::string max_distance = "inf";
+    std::vector<std::string> rotation{"0", "0", "0", "1"};
+    std::vector<std::string> translation{"0", "0", "0"};
+    std::string scale = "1";
+    std::uint64_t work_limit = ~std::uint64_t{0};
+    unsigned depth = ~0u;
+    bool json = false;
+};
+struct QueryKind;
+ExitCode run_query(const QueryKind& kind, const QueryArguments& arguments);
+
+struct RenderArguments {
+    std::string blob;
+    std::string output;
+    std::string size = "1280x720";
+    bool heatmap = false;
+    Axis up = Axis::y;
+    double azimuth = 35.0;    ///< degrees around the up axis
+    double elevation = 25.0;  ///< degrees above the horizon
+    unsigned samples = 2;     ///< along each side of a pixel
+    unsigned threads = 0;
+    bool json = false;
+    bool quiet = false;
+};
+ExitCode run_render(const RenderArguments& arguments);
+
+struct DumpArguments {
+    std::string blob;
+    std::size_t limit = 0;  ///< lines; 0: all
+    bool json = false;
+};
+ExitCode run_dump(const DumpArguments& arguments);
+
+}  // namespace espalier::tools

@@ -1,0 +1,180 @@
+// bake: meshes in, one blob out.
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bake/baking.hpp"
+#include "bake/lattice_step.hpp"
+#include "bake/policy.hpp"
+#include "bake/reordered_mesh.hpp"
+#include "bake/report.hpp"
+#include "bake/source_options.hpp"
+#include "bake/warnings.hpp"
+#include "base/byte_sizes.hpp"
+#include "base/lengths.hpp"
+#include "base/numbers.hpp"
+#include "base/verb_arguments.hpp"
+#include "files/cost_model_file.hpp"
+#include "files/depfile.hpp"
+#include "files/output_file.hpp"
+#include "files/output_names.hpp"
+#include "report/console.hpp"
+#include "report/failure.hpp"
+#include "trade/pick.hpp"
+#include "trade/pick_report.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+/// Above zero, in units of the blob.
+double error_bound(const std::string& length, const char* option) {
+    const double bound = parse_length(length, option);
+    if (bound <= 0.0) {
+        throw CommandError(ExitCode::usage, text(option, ' ', printable(length), ": it must be above zero."));
+    }
+    return bound;
+}
+
+BakeOptions bake_options(const BakeArguments& arguments) {
+    BakeOptions options;
+    if (!arguments.tolerance.empty()) options.tolerance = error_bound(arguments.tolerance, "--tolerance");
+    if (arguments.max_error) options.tolerance = error_bound(*arguments.max_error, "--max-error");
+    options.bits = arguments.bits;
+    if (!arguments.step.empty()) options.step_exponent = parse_step_exponent(arguments.step, "--step");
+    if (!arguments.lattice_of.empty()) options.step_exponent = step_exponent_of_blob(arguments.lattice_of);
+    if (arguments.profile) options.profile = *arguments.profile;
+    if (arguments.leaf_size) options.max_leaf_triangles = *arguments.leaf_size;
+    if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
+    if (arguments.builder) options.builder = *arguments.builder;
+    if (arguments.duplicates) {
+        if (options.builder != Builder::spatial_splits) {
+            throw CommandError(ExitCode::usage,
+                               "--duplicates needs --builder spatial_splits beside it: the other builders store each "
+                               "triangle once.");
+        }
+        options.duplicates = *arguments.duplicates;
+    }
+    options.original_ids = arguments.original_ids;
+    options.materials = arguments.material_bits == 8    ? Materials::bits_8
+                        : arguments.material_bits == 16 ? Materials::bits_16
+                                                        : Materials::none;
+    if (arguments.edge_flags) options.edge_flags = arguments.flat_angle;
+    for (const std::string& name : arguments.bounds) {
+        options.bounds.oriented_box |= name == "obb";
+        options.bounds.sphere |= name == "sphere";
+        options.bounds.k_dop |= name == "kdop";
+    }
+    options.repair = arguments.repair;
+    options.effort = arguments.effort;
+    options.threads = arguments.threads;
+    return options;
+}
+
+/// Nothing when no picking option was given.
+std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
+    PickGoal goal;
+    if (arguments.max_bytes) {
+        goal.max_bytes = parse_byte_size(*arguments.max_bytes, "--max-bytes");
+        goal.may_coarsen = arguments.tolerance.empty() && arguments.step.empty() && arguments.lattice_of.empty() &&
+                           !arguments.max_error;
+        goal.limit_name = text("--max-bytes ", printable(*arguments.max_bytes));
+    } else if (arguments.fastest_under) {
+        goal.max_bytes = parse_byte_size(*arguments.fastest_under, "--fastest-under");
+        goal.limit_name = text("--fastest-under ", printable(*arguments.fastest_under));
+    } else if (!arguments.max_error) {
+        return std::nullopt;
+    }
+    goal.max_dropped = arguments.max_dropped;
+    goal.profile = arguments.profile;
+    goal.builder = arguments.builder;
+    goal.leaf_size = arguments.leaf_size;
+    return goal;
+}
+
+std::string depfile_of(const BakeArguments& arguments, const Imported& imported) {
+    std::vector<std::string> sources;
+    for (const ImportedFile& file : imported.files) {
+        sources.insert(sources.end(), file.opened.begin(), file.opened.end());
+    }
+    if (!arguments.cost_model.empty()) sources.push_back(arguments.cost_model);
+    if (!arguments.lattice_of.empty() && arguments.lattice_of != "-") sources.push_back(arguments.lattice_of);
+    return depfile_text(arguments.output, sources);
+}
+
+/// The depfile is renamed before the blob: were it the other way round and the second failed, a change of a file that
+/// is new to the list would go unnoticed.
+void write_outputs(const BakeArguments& arguments, const Imported& imported, const Baked& baked) {
+    const std::string rule = arguments.depfile.empty() ? std::string() : depfile_of(arguments, imported);
+    const std::vector<std::byte> remap = arguments.remap.empty() ? std::vector<std::byte>() : remap_file(baked);
+    const std::vector<std::byte> reordered =
+        arguments.reorder.empty() ? std::vector<std::byte>() : reordered_mesh(arguments.reorder, imported, baked.remap);
+    OutputFiles files;
+    if (!arguments.depfile.empty()) files.add(arguments.depfile, std::as_bytes(std::span(rule)));
+    if (!arguments.remap.empty()) files.add(arguments.remap, remap);
+    if (!arguments.reorder.empty()) files.add(arguments.reorder, reordered);
+    files.add(arguments.output, baked.blob);
+    files.commit();
+}
+
+/// What was picked is said here; the rest of the verb sees a bake like any other.
+Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, BakeOptions options,
+                   const Console& console, Json& picked_json) {
+    const std::optional<PickGoal> goal = pick_goal(arguments);
+    Progress progress(arguments.quiet);
+    options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
+    if (!goal) return bake_or_throw(imported, options);
+    Picked picked = pick(imported, options, *goal);
+    say_pick(console, picked, options);
+    picked_json = pick_json(picked);
+    return std::move(picked.baked);
+}
+
+ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>& warnings) {
+    const Console console(arguments.quiet);
+    const NamedOutput outputs[] = {{"-o", arguments.output},
+                                   {"--depfile", arguments.depfile},
+                                   {"--remap", arguments.remap},
+                                   {"--reorder", arguments.reorder}};
+    refuse_one_file_for_two(outputs);
+    for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
+    for (const std::string& input : {arguments.lattice_of, arguments.cost_model})
+        refuse_to_overwrite_input(outputs, input);
+    require_writable_mesh(arguments.reorder);
+    require_writable(outputs);
+    if (arguments.json) refuse_standard_output(outputs);
+    const BakePolicy policy = bake_policy(arguments);
+    ImportOptions source = import_options(arguments.source, arguments.json, warnings);
+    source.materials = arguments.material_bits != 0;
+    const BakeOptions options = bake_options(arguments);  // reports typing errors before a long import
+    static_cast<void>(pick_goal(arguments));
+
+    const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
+    for (const ImportedFile& file : imported.files)
+        for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
+    say_import(console, arguments, imported);
+    Json picked_json;
+    const Baked baked = bake_or_pick(imported, arguments, options, console, picked_json);
+    give(bake_warnings(baked.report, policy, imported), warnings);
+    enforce(policy, imported, baked.report, warnings);
+    say_report(console, baked.report);
+    write_outputs(arguments, imported, baked);
+    for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
+        if (!written.empty()) console.say(text("wrote ", printable(written)));
+    if (arguments.json) {
+        Json document = bake_json(arguments, imported, baked.report, opened(baked), warnings);
+        if (!picked_json.is_null()) document["picked"] = std::move(picked_json);
+        print_json(document);
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode run_bake(const BakeArguments& arguments) {
+    return with_warnings([&](std::vector<Warning>& warnings) { return bake_with_warnings(arguments, warnings); });
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,146 @@
+// info: what is inside a blob.
+#include <iomanip>
+#include <iostream>
+
+#include <espalier/espalier.hpp>
+
+#include "base/numbers.hpp"
+#include "base/verb_arguments.hpp"
+#include "files/blob_file.hpp"
+#include "layout/blob_layout.hpp"
+#include "report/console.hpp"
+#include "report/json_output.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+/// Copies left out.
+std::uint32_t triangles_of(const Blob& blob) { return blob.triangle_count() - blob.copy_count(); }
+
+double bytes_per_triangle(std::size_t bytes, const Blob& blob) {
+    return blob.triangle_count() == 0 ? 0.0 : static_cast<double>(bytes) / triangles_of(blob);
+}
+
+double extent_of(const Blob& blob) {
+    std::int32_t largest = 0;
+    for (const std::int32_t side : blob.data().extent) largest = std::max(largest, side);
+    return static_cast<double>(blob.step()) * largest;
+}
+
+std::string format_version(const BlobFile& file) {
+    return text(read_u16(file.bytes, format::header::version_major_at), '.',
+                read_u16(file.bytes, format::header::version_minor_at));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string result;
+    for (const std::string& name : names) result += (result.empty() ? "" : ", ") + name;
+    return result.empty() ? "none" : result;
+}
+
+void print_json_info(const InfoArguments& arguments, const BlobFile& file) {
+    const Blob& blob = file.blob;
+    Json document = json_document();
+    document["file"] = arguments.blob;
+    document["format_version"] = format_version(file);
+    document["profile"] = name_of(blob.profile());
+    document["triangles"] = triangles_of(blob);
+    document["copies"] = blob.copy_count();
+    document["vertices"] = blob.vertex_count();
+    document["bytes"] = blob.size_bytes();
+    document["bytes_per_triangle"] = bytes_per_triangle(blob.size_bytes(), blob);
+    Json sections = Json::object();
+    for (const Section& section : sections_of(blob)) sections[section.name] = section.bytes;
+    document["sections"] = std::move(sections);
+    document["bits"] = blob.bits();
+    document["step"] = json_number(blob.step());
+    document["extent"] = extent_of(blob);
+    document["max_error"] = json_number(blob.max_error());
+    document["bounds"] = {{"min", json_point(blob.bounds_min())}, {"max", json_point(blob.bounds_max())}};
+    Sphere sphere;
+    if (bounding_sphere(blob, sphere)) {
+        document["sphere"] = {{"center", json_point(sphere.center)}, {"radius", json_number(sphere.radius)}};
+    }
+    OrientedBox box;
+    if (oriented_bounds(blob, box)) {
+        Json half_axes = Json::array();
+        for (const Vec3& axis : box.half_axes) half_axes.push_back(json_point(axis));
+        document["oriented_box"] = {{"center", json_point(box.center)}, {"half_axes", std::move(half_axes)}};
+    }
+    KDop k_dop;
+    if (k_dop_bounds(blob, k_dop)) {
+        Json slabs = Json::array();
+        for (unsigned k = 0; k < KDop::count; ++k) {
+            slabs.push_back({{"direction", json_point(KDop::directions[k])},
+                             {"min", json_number(k_dop.lo[k])},
+                             {"max", json_number(k_dop.hi[k])}});
+        }
+        document["k_dop"] = std::move(slabs);
+    }
+    document["depth"] = blob.depth();
+    document["nodes"] = blob.data().node_count;
+    document["leaves"] = leaf_count(file.bytes, blob);
+    document["features"] = feature_names(blob.data().features);
+    document["closed"] = blob.closed();
+    document["sources"] = blob.data().source_count;
+    document["source_triangles"] = blob.data().source_triangles;
+    document["checksum"] = checksum_text(blob.checksum());
+    print_json(document);
+}
+
+void print_table(const InfoArguments& arguments, const BlobFile& file) {
+    const Blob& blob = file.blob;
+    const auto line = [](const char* name, const std::string& value) {
+        std::cout << "  " << std::left << std::setw(14) << name << value << '\n';
+    };
+    std::cout << printable(arguments.blob) << '\n';
+    line("format", text(format_version(file), ", profile ", name_of(blob.profile())));
+    line("triangles", text(triangles_of(blob)));
+    if (blob.copy_count() != 0)
+        line("copies", text(blob.copy_count(), ", in further leaves: answers rays, enumerates nothing"));
+    line("vertices", text(blob.vertex_count()));
+    line("bounds", text(shortest(blob.bounds_min()), " to ", shortest(blob.bounds_max())));
+    Sphere sphere;
+    if (bounding_sphere(blob, sphere)) {
+        line("sphere", text("center ", shortest(sphere.center), ", radius ", shortest(sphere.radius)));
+    }
+    OrientedBox box;
+    if (oriented_bounds(blob, box)) {
+        line("oriented box", text("center ", shortest(box.center)));
+        for (const Vec3& axis : box.half_axes) line("  half axis", shortest(axis));
+    }
+    line("extent", rounded(extent_of(blob)));
+    line("lattice", text(blob.bits(), " bits, step ", shortest(blob.step())));
+    line("max error", shortest(blob.max_error()));
+    line("features", joined(feature_names(blob.data().features)));
+    if (blob.has_original_ids()) {
+        line("sources", text(blob.data().source_count, blob.data().source_count == 1 ? " mesh" : " meshes", " with ",
+                             counted(blob.data().source_triangles, "triangle")));
+    }
+    const std::uint64_t leaves = leaf_count(file.bytes, blob);
+    line("tree", text(counted(blob.data().node_count, "node"), ", ", leaves, leaves == 1 ? " leaf" : " leaves",
+                      ", depth ", blob.depth()));
+    line("checksum", checksum_text(blob.checksum()));
+    line("bytes", text(blob.size_bytes(), ", ", rounded(bytes_per_triangle(blob.size_bytes(), blob), 4),
+                       " per triangle, of which"));
+    for (const Section& section : sections_of(blob)) {
+        std::cout << "    " << std::left << std::setw(14) << section.name << std::right << std::setw(12)
+                  << section.bytes << std::setw(10) << rounded(bytes_per_triangle(section.bytes, blob), 3) << '\n';
+    }
+    finish_standard_output();
+}
+
+}  // namespace
+
+ExitCode run_info(const InfoArguments& arguments) {
+    const BlobFile file = open_blob_file(arguments.blob);
+    if (arguments.json) {
+        print_json_info(arguments, file);
+    } else {
+        print_table(arguments, file);
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace espalier::tools

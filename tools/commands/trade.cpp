@@ -1,0 +1,143 @@
+// trade: one source baked in many ways, measured, and shown.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <span>
+
+#include <runtime/simd/select.hpp>
+
+#include "bake/policy.hpp"
+#include "bake/source_options.hpp"
+#include "bake/warnings.hpp"
+#include "base/lists.hpp"
+#include "base/numbers.hpp"
+#include "base/verb_arguments.hpp"
+#include "files/cost_model_file.hpp"
+#include "files/output_file.hpp"
+#include "files/output_names.hpp"
+#include "report/console.hpp"
+#include "report/failure.hpp"
+#include "report/json_output.hpp"
+#include "trade/chart.hpp"
+#include "trade/measure.hpp"
+#include "trade/table.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr float dearest_byte = 1e6f;
+
+TradeSpace trade_space(const TradeArguments& arguments) {
+    TradeSpace space;
+    space.bits = parse_whole_numbers(arguments.bits, "--bits", 1, format::max_bits);
+    space.leaf_sizes = parse_whole_numbers(arguments.leaf_sizes, "--leaf-sizes", 1, format::max_leaf_triangles);
+    space.byte_prices = parse_numbers(arguments.byte_prices, "--byte-prices", 0.0f, dearest_byte);
+    space.profiles = parse_names(arguments.profiles, "--profiles", profile_choices);
+    space.builders = parse_names(arguments.builders, "--builders", builder_choices);
+    space.rays = arguments.rays;
+    space.repetitions = arguments.repetitions;
+    return space;
+}
+
+std::string names_of(const TradeArguments& arguments) {
+    std::string names;
+    for (const std::string& input : arguments.inputs) {
+        names += (names.empty() ? "" : " + ") + std::filesystem::path(input).filename().string();
+    }
+    return names;
+}
+
+const char* instruction_set_name() {
+    switch (detail::instruction_set()) {
+        case detail::InstructionSet::scalar:
+            return "scalar";
+        case detail::InstructionSet::sse42:
+            return "SSE4.2";
+        case detail::InstructionSet::avx2:
+            return "AVX2";
+        case detail::InstructionSet::avx512:
+            return "AVX-512";
+        case detail::InstructionSet::neon:
+            return "NEON";
+        case detail::InstructionSet::simd128:
+            return "SIMD128";
+    }
+    return "";
+}
+
+/// How the figures came about.
+std::string conditions(const TradeArguments& arguments, std::uint64_t triangles) {
+    return text(counted(triangles, "triangle"), ", effort ", arguments.effort, ". ",
+                counted(arguments.rays, "random ray"), " and spheres, one thread, ", instruction_set_name(),
+                ", all in turn, medians of ", counted(arguments.repetitions, "repetition"), ".");
+}
+
+void write_text(const std::string& path, const std::string& words) {
+    write_output_file(path, std::as_bytes(std::span(words)));
+}
+
+ExitCode trade_with_warnings(const TradeArguments& arguments, std::vector<Warning>& warnings) {
+    const Console console(arguments.quiet);
+    const NamedOutput outputs[] = {{"-o", arguments.output}, {"--csv", arguments.csv}};
+    for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
+    require_ending(outputs[0], ".svg", "the picture is an SVG");
+    require_writable(outputs);
+    if (arguments.json) refuse_standard_output(outputs);
+    const TradeSpace space = trade_space(arguments);
+    BakeOptions options;
+    options.effort = arguments.effort;
+    options.threads = arguments.threads;
+    options.repair = arguments.repair;
+    if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
+    const ImportOptions source = import_options(arguments.source, arguments.json, warnings);
+
+    std::vector<TradePoint> points;
+    std::uint64_t triangles = 0;
+    {
+        const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
+        if (!arguments.source.allow_empty) refuse_empty_files(imported);
+        if (arguments.source.strict) refuse_warnings(warnings, imported);
+        for (const ImportedFile& file : imported.files) triangles += file.triangles;
+        Progress progress(arguments.quiet);
+        points = measure_trade(imported, options, space,
+                               [&progress](const char* stage, double done) { progress.show(stage, done); });
+    }
+    const std::string names = names_of(arguments);
+    const std::string how = conditions(arguments, triangles);
+    const std::vector<bool> front = pareto_front(points, timed_queries[0]);
+    console.say(text(names, ": ", how));
+    console.say(text(counted(points.size(), "bake"), ", of which ", std::count(front.begin(), front.end(), true),
+                     " are on the front of bytes, time of closest hits, and error"));
+    if (!arguments.output.empty()) {
+        write_text(arguments.output, trade_chart(names, how, points));
+        console.say(text("wrote ", printable(arguments.output)));
+    }
+    if (!arguments.csv.empty()) {
+        write_text(arguments.csv, trade_csv(names, points));
+        console.say(text("wrote ", printable(arguments.csv)));
+    }
+    if (arguments.json) {
+        Json document = json_document();
+        document["mesh"] = names;
+        document["rays"] = arguments.rays;
+        document["repetitions"] = arguments.repetitions;
+        document["effort"] = arguments.effort;
+        document["instruction_set"] = instruction_set_name();
+        document["points"] = trade_json(points);
+        document["warnings"] = warnings_json(warnings);
+        print_json(document);
+    } else if (arguments.csv.empty()) {
+        std::cout << trade_csv(names, points);
+        finish_standard_output();
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode run_trade(const TradeArguments& arguments) {
+    return with_warnings([&](std::vector<Warning>& warnings) { return trade_with_warnings(arguments, warnings); });
+}
+
+}  // namespace espalier::tools

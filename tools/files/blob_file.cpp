@@ -1,0 +1,94 @@
+#include "blob_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "base/numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::size_t largest_blob = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t chunk = std::size_t{1} << 20;
+
+[[noreturn]] void fail_to_read(const std::string& path, int error) {
+    throw CommandError(
+        ExitCode::file_access,
+        text("cannot read '", printable(path), "': ", std::strerror(error), ". Check the path and the rights on it."),
+        {.file = path});
+}
+
+class Descriptor {
+public:
+    explicit Descriptor(const std::string& path)
+        : value_(path == "-" ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    ~Descriptor() {
+        if (value_ >= 0) ::close(value_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int value() const { return value_; }
+
+private:
+    int value_;
+};
+
+}  // namespace
+
+// In chunks and not by the file's stated size: pipes and devices state none.
+std::vector<std::byte> read_file(const std::string& path) {
+    const Descriptor file(path);
+    if (file.value() < 0) fail_to_read(path, errno);
+    std::vector<std::byte> bytes;
+    while (true) {
+        const std::size_t have = bytes.size();
+        if (have > largest_blob) {
+            throw CommandError(ExitCode::unsupported,
+                               text("'", printable(path), "' is larger than 4 GiB, which no blob is."), {.file = path});
+        }
+        bytes.resize(have + chunk);
+        const ssize_t count = ::read(file.value(), bytes.data() + have, chunk);
+        const int error = errno;
+        bytes.resize(have + (count > 0 ? static_cast<std::size_t>(count) : 0));
+        if (count == 0) return bytes;
+        if (count < 0 && error != EINTR) fail_to_read(path, error);
+    }
+}
+
+ExitCode exit_code_of(Status status) {
+    switch (status) {
+        case Status::ok:
+            return ExitCode::ok;
+        case Status::unsupported_version:
+        case Status::unsupported_profile:
+        case Status::unsupported_feature:
+            return ExitCode::unsupported;
+        default:
+            return ExitCode::invalid_input;
+    }
+}
+
+std::string refusal_text(const std::string& path, Status status) {
+    const char* advice = exit_code_of(status) == ExitCode::unsupported
+                             ? "Use a newer espalier, or bake it again with this one."
+                         : status == Status::not_a_blob ? "A mesh is made into a blob by 'espalier bake'."
+                                                        : "Bake it again, or fetch it again.";
+    return text("'", printable(path), "' is refused: ", describe(status), " (status ", static_cast<int>(status), "). ",
+                advice);
+}
+
+BlobFile open_blob_file(const std::string& path) {
+    BlobFile file;
+    file.bytes = read_file(path);
+    const Status status = open(file.bytes, file.blob);
+    if (status != Status::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});
+    return file;
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,74 @@
+// What an importer returns: triangles in the asset's units and axes, and a record of each file.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "base/exit_code.hpp"
+#include "base/placement.hpp"
+#include "base/warning.hpp"
+
+namespace espalier::tools {
+
+/// What reading one file may take: a broken file makes importers reserve memory and read on without bound.
+struct ImportLimits {
+    std::uint64_t memory = 0;  ///< bytes of address space that are added; 0: unlimited
+    double seconds = 0.0;      ///< of processor time; 0: unlimited
+};
+
+struct ImportOptions {
+    /// What one unit of the files is in metres. Without it: what a file says of itself, else a metre.
+    std::optional<double> metres_per_unit;
+    double scale = 1.0;
+    /// The axis that points up in the files; it is turned to +Y. Without it the axes stay as they are.
+    std::optional<Axis> up;
+    bool materials = false;  ///< the numbers of materials are baked, so that it is warned of what changes them
+    /// Called now and then with what is read and how much of it is done, 0..1.
+    std::function<void(const char* stage, double done)> progress;
+    /// Called with each warning about a file when the file is read; not called when empty.
+    std::function<void(const Warning& warning)> warn;
+    /// Called with what an importer reports for people who look for a fault; not called when empty.
+    std::function<void(const std::string& line)> log;
+    ImportLimits limits;
+    /// Returns what stdout gets when a crash or a limit ends the process while a file is read. Empty: nothing.
+    std::function<std::string(const CommandError& error)> failure_document;
+};
+
+/// One mesh at one place of the scene: a mesh that is placed twice is there twice.
+struct ImportedMesh {
+    std::vector<Vec3> positions;
+    std::vector<TriangleVertices> triangles;
+    std::vector<std::uint32_t> materials;  ///< one for each triangle; numbers of one file never meet those of another
+    std::uint32_t file = 0;
+    std::uint32_t mesh = 0;
+    std::string name;  ///< "level.obj, mesh 3 (walls)"
+};
+
+/// What was found in one file.
+struct ImportedFile {
+    std::string path;
+    std::vector<std::string> opened;  ///< the file itself and what it refers to that was there: .mtl, .bin
+    std::string format;
+    std::uint32_t meshes = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t materials = 0;
+    std::uint64_t points_and_lines = 0;  ///< skipped: they have no surface
+    double metres_per_unit = 1.0;
+    std::string unit_origin;        ///< who says so: "--unit", "FBX unit scale factor 1", "not stated"
+    std::optional<Axis> stated_up;  ///< stated by the file and not carried out by its importer
+    std::vector<Warning> warnings;  ///< where the triangles may differ from what the file contains
+};
+
+struct Imported {
+    std::vector<ImportedMesh> meshes;
+    std::vector<ImportedFile> files;
+
+    [[nodiscard]] std::vector<MeshView> views() const;
+};
+
+}  // namespace espalier::tools

@@ -1,0 +1,129 @@
+#include "files.hpp"
+
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "base/exit_code.hpp"
+#include "base/numbers.hpp"
+#include "import/assimp/importer.hpp"
+#include "import/gltf/importer.hpp"
+#include "import/guards/limit_guard.hpp"
+#include "import/readers/obj_reader.hpp"
+#include "import/readers/ply_reader.hpp"
+#include "import/readers/raw_reader.hpp"
+#include "import/readers/stl_reader.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+void require_readable(const std::string& path) {
+    if (path == "-") {
+        throw CommandError(ExitCode::usage, "-: a mesh needs the name of a file, by whose ending it is read.");
+    }
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    const char* reason = nullptr;
+    if (!std::filesystem::exists(status)) {
+        reason = std::strerror(error ? error.value() : ENOENT);
+    } else if (std::filesystem::is_directory(status)) {
+        reason = "it is a folder";
+    } else if (!std::filesystem::is_regular_file(status)) {
+        reason = "importers read files only, no pipes or devices";
+    } else if (errno = 0; !std::ifstream(path, std::ios::binary).is_open()) {
+        reason = std::strerror(errno);
+    }
+    if (reason == nullptr && std::filesystem::file_size(path, error) == 0) {
+        throw CommandError(ExitCode::invalid_input, text("'", printable(path), "' is empty. Export it again."),
+                           {.file = path});
+    }
+    if (reason == nullptr) return;
+    throw CommandError(ExitCode::file_access,
+                       text("cannot read '", printable(path), "': ", reason, ". Check the path and the rights on it."),
+                       {.file = path});
+}
+
+using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);
+
+/// By the content where it names its format, else by the name's ending. Throws CommandError (unsupported) for a blob.
+Import* importer_of(const std::string& path) {
+    char begin[5] = {};
+    std::ifstream(path, std::ios::binary).read(begin, sizeof(begin));
+    const std::string_view content(begin, sizeof(begin));
+    if (content.starts_with("ESPL")) {
+        throw CommandError(ExitCode::unsupported,
+                           text("'", printable(path), "' is a blob already. Give the mesh that it was baked from."),
+                           {.file = path});
+    }
+    if (content.starts_with("ply\n") || content.starts_with("ply\r")) return import_ply;
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    if (ending == ".obj") return import_obj;
+    if (ending == ".ply") return import_ply;
+    if (ending == ".raw") return import_raw;
+    if (ending == ".stl" || (ending.empty() && content == "solid")) return import_stl;
+    return import_with_assimp;
+}
+
+/// The error as one about this file, for scripts.
+[[noreturn]] void rethrow_with_file(const CommandError& error, const std::string& path) {
+    ErrorDetails details = error.details();
+    if (details.file.empty()) details.file = path;
+    throw CommandError(error.code(), error.what(), std::move(details));
+}
+
+void import_within_limits(const std::string& path, const ImportOptions& options, Imported& imported) {
+    const LimitGuard guard(path, options);
+    try {
+        if (!import_gltf(path, options, imported)) importer_of(path)(path, options, imported);
+    } catch (const CommandError& error) {
+        if (guard.memory_ran_out()) guard.refuse_memory();
+        rethrow_with_file(error, path);
+    } catch (const std::bad_alloc&) {
+        guard.refuse_memory();
+    }
+    if (guard.memory_ran_out()) guard.refuse_memory();
+}
+
+void warn_about_up_axis(ImportedFile& file, const ImportOptions& options) {
+    if (!file.stated_up || options.up) return;
+    const std::string axis = axis_name(*file.stated_up);
+    file.warnings.push_back({"up_axis_kept",
+                             text(printable(file.path), " states that ", axis, " is up, and its axes were kept; --up ",
+                                  axis == "+X" ? "x" : "z", " turns ", axis, " to +Y."),
+                             file.path,
+                             {},
+                             {}});
+}
+
+}  // namespace
+
+std::vector<MeshView> Imported::views() const {
+    std::vector<MeshView> result;
+    result.reserve(meshes.size());
+    for (const ImportedMesh& mesh : meshes) {
+        result.push_back({mesh.positions, mesh.triangles, mesh.materials, mesh.file, mesh.mesh, mesh.name});
+    }
+    return result;
+}
+
+Imported import_files(std::span<const std::string> paths, const ImportOptions& options) {
+    Imported imported;
+    for (const std::string& path : paths) {
+        require_readable(path);
+        import_within_limits(path, options, imported);
+        ImportedFile& file = imported.files.back();
+        warn_about_up_axis(file, options);
+        for (const Warning& warning : file.warnings)
+            if (options.warn) options.warn(warning);
+    }
+    return imported;
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,180 @@
+#include "container.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "base/exit_code.hpp"
+#include "base/numbers.hpp"
+#include "json_keys.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::size_t header_bytes = 12;
+constexpr std::size_t chunk_header_bytes = 8;
+constexpr std::uint32_t json_chunk = 0x4e4f534a;
+constexpr std::uint32_t binary_chunk = 0x004e4942;
+constexpr std::size_t longest_quotation = 160;
+
+[[noreturn]] void fail(const std::string& path, std::string_view problem) {
+    throw CommandError(ExitCode::invalid_input, text("'", printable(path), "' cannot be imported: ", problem));
+}
+
+/// Among others 1.0: assimp reads that, and misplaces nodes that are rotated.
+[[noreturn]] void refuse_version(const std::string& path, const std::string& version) {
+    throw CommandError(ExitCode::unsupported, text("'", printable(path), "' cannot be imported: it is glTF ",
+                                                   printable(version), ", and 2.0 is read. Convert it to glTF 2.0."));
+}
+
+bool ends_as_gltf(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending == ".gltf" || ending == ".glb";
+}
+
+enum class Content { binary, json, other };
+
+Content content_of(std::string_view start) {
+    if (start.starts_with("glTF")) return Content::binary;
+    if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+    const std::size_t first = start.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && start[first] == '{' ? Content::json : Content::other;
+}
+
+std::vector<std::byte> whole_file(const std::string& path) {
+    std::vector<std::byte> bytes(std::filesystem::file_size(path));
+    std::ifstream file(path, std::ios::binary);
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+    return bytes;
+}
+
+std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
+    std::uint32_t result = 0;
+    for (std::size_t i = 4; i-- > 0;) result = result << 8 | std::to_integer<std::uint32_t>(bytes[offset + i]);
+    return result;
+}
+
+std::string_view characters(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+struct Chunks {
+    std::span<const std::byte> json, binary;
+    std::size_t trailing_bytes = 0;
+};
+
+Chunks chunks_of(const std::string& path, std::span<const std::byte> file) {
+    const std::uint64_t length = word_at(file, 8);
+    if (length > file.size()) {
+        fail(path, text("it has ", file.size(), " bytes of the ", length,
+                        " that its header states. It is cut off; copy or export it again."));
+    }
+    Chunks chunks;
+    if (length < header_bytes) fail(path, text("its header states a length of ", length, " bytes. Export it again."));
+    std::span<const std::byte> rest = file.first(length).subspan(header_bytes);
+    for (bool first = true; rest.size() >= chunk_header_bytes; first = false) {
+        const std::uint32_t bytes = word_at(rest, 0);
+        const std::uint32_t type = word_at(rest, 4);
+        rest = rest.subspan(chunk_header_bytes);
+        if (bytes > rest.size()) {
+            fail(path, text("a chunk of it ends behind the ", length,
+                            " bytes that its header states. Is it whole? Copy or export it again."));
+        }
+        if (first && type == json_chunk) chunks.json = rest.first(bytes);
+        if (!first && type == binary_chunk && chunks.binary.empty()) chunks.binary = rest.first(bytes);
+        rest = rest.subspan(bytes);
+    }
+    chunks.trailing_bytes = rest.size() + (file.size() - length);
+    if (chunks.json.empty()) fail(path, "its first chunk is no JSON. The file is broken; export it again.");
+    return chunks;
+}
+
+/// Without the megabytes that a file may have.
+std::string quoted(std::string words) {
+    if (words.size() > longest_quotation) words = words.substr(0, longest_quotation) + "...";
+    return printable(words);
+}
+
+/// The parser's reason without its own number.
+std::string reason_of(const std::exception& error) {
+    std::string reason = error.what();
+    if (const std::size_t end = reason.find("] "); reason.starts_with('[') && end != std::string::npos) {
+        reason.erase(0, end + 2);
+    }
+    return quoted(std::move(reason));
+}
+
+void refuse_repeated_keys(const std::string& path, std::string_view json) {
+    const std::optional<RepeatedKey> repeated = repeated_key(json);
+    if (!repeated) return;
+    const std::string object = repeated->object.empty() ? "" : text(", at ", quoted(repeated->object));
+    fail(path, text("its JSON has the key \"", quoted(repeated->key), "\" twice in one object", object,
+                    ", and only one of the two can count. Export it again."));
+}
+
+std::string version_of(const nlohmann::json& json, const char* key) {
+    if (!json.is_object() || !json.contains("asset") || !json["asset"].is_object()) return {};
+    const nlohmann::json& asset = json["asset"];
+    return asset.contains(key) && asset[key].is_string() ? asset[key].get<std::string>() : std::string();
+}
+
+/// glTF 1.0 names its elements where 2.0 numbers them, and need not state its version.
+bool has_lists_of_version_1(const nlohmann::json& json) {
+    return json.is_object() && json.contains("meshes") && json["meshes"].is_object();
+}
+
+}  // namespace
+
+std::optional<GltfContainer> read_gltf_container(const std::string& path) {
+    const bool named_so = ends_as_gltf(path);
+    std::string start(4096, '\0');
+    std::ifstream opening(path, std::ios::binary);
+    opening.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(std::max<std::streamsize>(opening.gcount(), 0)));
+    const Content content = content_of(start);
+    if (content == Content::other) {
+        if (!named_so) return std::nullopt;
+        fail(path,
+             "it is named as a glTF file, and is neither JSON nor binary glTF. Give it the ending of its format.");
+    }
+    GltfContainer container;
+    container.file = whole_file(path);
+    std::span<const std::byte> json = container.file;
+    container.format = "glTF 2.0";
+    if (content == Content::binary) {
+        if (json.size() < header_bytes) fail(path, "it is cut off; copy or export it again.");
+        const std::uint32_t version = word_at(json, 4);
+        if (version != 2) refuse_version(path, version == 1 ? "1.0" : text(version));
+        const Chunks chunks = chunks_of(path, container.file);
+        json = chunks.json;
+        container.binary = chunks.binary;
+        container.trailing_bytes = chunks.trailing_bytes;
+        container.format = "glTF 2.0 binary";
+    }
+    try {
+        container.json = nlohmann::json::parse(characters(json));
+    } catch (const nlohmann::json::exception& error) {
+        if (!named_so && content == Content::json) return std::nullopt;
+        fail(path, text("its JSON is broken: ", reason_of(error), ". Export it again."));
+    }
+    const std::string version = version_of(container.json, "version");
+    const std::string least = version_of(container.json, "minVersion");
+    if (version.empty() && !named_so && content == Content::json) return std::nullopt;
+    if (version.empty() && has_lists_of_version_1(container.json)) refuse_version(path, "1.0");
+    if (version.empty()) fail(path, "its JSON has no asset.version, which glTF requires. Export it again.");
+    if (!version.starts_with("2.")) refuse_version(path, version);
+    if (!least.empty() && least != "2.0") refuse_version(path, least);
+    refuse_repeated_keys(path, characters(json));
+    if (content == Content::json) container.file = {};
+    return container;
+}
+
+}  // namespace espalier::tools

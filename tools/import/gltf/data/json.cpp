@@ -1,0 +1,116 @@
+#include "json.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "base/numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+/// Some exporters write whole numbers with a fraction of zero.
+std::optional<std::uint64_t> whole_number(const nlohmann::json& json) {
+    if (json.is_number_unsigned()) return json.get<std::uint64_t>();
+    if (!json.is_number_float()) return std::nullopt;
+    const auto value = json.get<double>();
+    if (!(value >= 0.0 && value < 9007199254740992.0) || std::floor(value) != value) return std::nullopt;
+    return static_cast<std::uint64_t>(value);
+}
+
+}  // namespace
+
+GltfObject::GltfObject(const nlohmann::json& json, std::string words) : json_(&json), words_(std::move(words)) {
+    if (!json.is_object()) fail("it is no object");
+}
+
+std::optional<std::uint64_t> GltfObject::whole(const char* key) const {
+    if (!has(key)) return std::nullopt;
+    const auto value = whole_number((*json_)[key]);
+    if (!value) fail_at(key, "is no whole number from 0 on");
+    return value;
+}
+
+std::uint64_t GltfObject::required_whole(const char* key) const {
+    const auto value = whole(key);
+    if (!value) fail_at(key, "is missing");
+    return *value;
+}
+
+std::optional<std::size_t> GltfObject::index(const char* key, std::size_t count) const {
+    const auto value = whole(key);
+    if (value && *value >= count) fail_at(key, text("is ", *value, ", and the file has ", count, " of them"));
+    return value;
+}
+
+std::size_t GltfObject::required_index(const char* key, std::size_t count) const {
+    const auto value = index(key, count);
+    if (!value) fail_at(key, "is missing");
+    return *value;
+}
+
+std::string GltfObject::text_of(const char* key) const {
+    if (!has(key) || !(*json_)[key].is_string()) return {};
+    return (*json_)[key].get<std::string>();
+}
+
+bool GltfObject::flag(const char* key) const {
+    if (!has(key)) return false;
+    if (!(*json_)[key].is_boolean()) fail_at(key, "is neither true nor false");
+    return (*json_)[key].get<bool>();
+}
+
+std::optional<GltfObject> GltfObject::object(const char* key) const {
+    if (!has(key)) return std::nullopt;
+    return GltfObject((*json_)[key], text(words_, ", ", key));
+}
+
+std::optional<GltfObject> GltfObject::extension(const char* name) const {
+    const auto extensions = object("extensions");
+    if (!extensions) return std::nullopt;
+    if (!extensions->has(name)) return std::nullopt;
+    return GltfObject((*extensions->json_)[name], text(words_, ", ", name));
+}
+
+std::size_t GltfObject::size_of(const char* key) const { return has(key) ? list(key).size() : 0; }
+
+GltfObject GltfObject::object_in(const char* key, std::size_t element, std::string words) const {
+    return {list(key)[element], std::move(words)};
+}
+
+std::size_t GltfObject::index_in(const char* key, std::size_t element, std::size_t count) const {
+    const auto value = whole_number(list(key)[element]);
+    if (!value) fail_at(key, "has an element that is no whole number from 0 on");
+    if (*value >= count) fail_at(key, text("has the element ", *value, ", and the file has ", count, " of them"));
+    return *value;
+}
+
+double GltfObject::number_in(const char* key, std::size_t element) const {
+    const nlohmann::json& value = list(key)[element];
+    if (!value.is_number()) fail_at(key, "has an element that is no number");
+    return value.get<double>();
+}
+
+std::string GltfObject::text_in(const char* key, std::size_t element) const {
+    const nlohmann::json& value = list(key)[element];
+    if (!value.is_string()) fail_at(key, "has an element that is no text");
+    return value.get<std::string>();
+}
+
+void GltfObject::fail(std::string_view problem) const {
+    throw CommandError(ExitCode::invalid_input, text(words_, ": ", problem, ". The file is broken; export it again."));
+}
+
+void GltfObject::refuse(std::string_view problem) const {
+    throw CommandError(ExitCode::unsupported, text(words_, ": ", problem));
+}
+
+const nlohmann::json& GltfObject::list(const char* key) const {
+    const nlohmann::json& value = json_->at(key);
+    if (!value.is_array()) fail_at(key, "is no list");
+    return value;
+}
+
+void GltfObject::fail_at(const char* key, std::string_view problem) const { fail(text("\"", key, "\" ", problem)); }
+
+}  // namespace espalier::tools

@@ -1,0 +1,70 @@
+// The JSON of a glTF file, read with checks: a member of another type than the specification's is an error by name.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "base/exit_code.hpp"
+
+namespace espalier::tools {
+
+/// An object of the file, and the words that name it in messages: "'level.glb', mesh 3 (walls)". The JSON outlives it.
+class GltfObject {
+public:
+    GltfObject(const nlohmann::json& json, std::string words);
+
+    [[nodiscard]] const std::string& words() const { return words_; }
+    [[nodiscard]] bool has(const char* key) const { return json_->contains(key); }
+
+    /// Returns the member, or nothing when it is absent. Throws CommandError when it is no whole number from 0 on.
+    [[nodiscard]] std::optional<std::uint64_t> whole(const char* key) const;
+    [[nodiscard]] std::uint64_t required_whole(const char* key) const;
+    /// Returns the member, which numbers an element of a list of `count`. Throws CommandError beyond the list.
+    [[nodiscard]] std::optional<std::size_t> index(const char* key, std::size_t count) const;
+    [[nodiscard]] std::size_t required_index(const char* key, std::size_t count) const;
+    /// Returns an empty text when the member is absent.
+    [[nodiscard]] std::string text_of(const char* key) const;
+    [[nodiscard]] bool flag(const char* key) const;
+    /// Returns the numbers of an array, or nothing when it is absent. Throws CommandError unless there are `Count`.
+    template <std::size_t Count>
+    [[nodiscard]] std::optional<std::array<double, Count>> numbers(const char* key) const {
+        if (!has(key)) return std::nullopt;
+        std::array<double, Count> result{};
+        if (list(key).size() != Count) fail_at(key, "has not " + std::to_string(Count) + " numbers");
+        for (std::size_t i = 0; i < Count; ++i) result[i] = number_in(key, i);
+        return result;
+    }
+
+    /// Returns the member, or nothing when it is absent. Throws CommandError when it is no object.
+    [[nodiscard]] std::optional<GltfObject> object(const char* key) const;
+    /// Returns extensions.<name>, or nothing when it is absent.
+    [[nodiscard]] std::optional<GltfObject> extension(const char* name) const;
+
+    /// Returns how many elements the array has: 0 when it is absent.
+    [[nodiscard]] std::size_t size_of(const char* key) const;
+    /// Return the element of an array that has it. Throw CommandError when it has another type.
+    [[nodiscard]] GltfObject object_in(const char* key, std::size_t element, std::string words) const;
+    [[nodiscard]] std::size_t index_in(const char* key, std::size_t element, std::size_t count) const;
+    [[nodiscard]] double number_in(const char* key, std::size_t element) const;
+    [[nodiscard]] std::string text_in(const char* key, std::size_t element) const;
+
+    /// Throws CommandError: the words, `problem`, and what to do about a broken file.
+    [[noreturn]] void fail(std::string_view problem) const;
+    /// Throws CommandError (unsupported): the words and `problem`, which contains what to do.
+    [[noreturn]] void refuse(std::string_view problem) const;
+
+private:
+    [[nodiscard]] const nlohmann::json& list(const char* key) const;
+    [[noreturn]] void fail_at(const char* key, std::string_view problem) const;
+
+    const nlohmann::json* json_;
+    std::string words_;
+};
+
+}  // namespace espalier::tools

@@ -1,0 +1,33 @@
+// The nodes of a glTF file: where each stands, and which of them the default scene has.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "base/placement.hpp"
+#include "import/gltf/data/json.hpp"
+
+namespace espalier::tools {
+
+struct GltfNodes {
+    std::vector<Placement> global;      ///< of every node, from its own space to its scene's
+    std::vector<std::size_t> in_scene;  ///< of the default scene, in depth-first order
+    std::vector<std::size_t> left_out;  ///< those with a mesh that it has not, ascending
+};
+
+/// The default scene is the file's "scene", else the first one, else all nodes. Throws CommandError when nodes are no
+/// forest, or a transform is none.
+GltfNodes read_gltf_nodes(const GltfObject& root);
+
+/// Returns the words that name a node in messages.
+GltfObject gltf_node(const GltfObject& root, std::size_t number);
+/// Returns the transform of a translation, then a rotation as x, y, z, w of any length but zero, then a scale.
+Placement placement_from(const std::array<double, 3>& translation, const std::array<double, 4>& rotation,
+                         const std::array<double, 3>& scale, const GltfObject& described);
+/// Returns the transform of a 4x4 matrix by columns. Throws CommandError, with the words `matrix`, when its last row is
+/// not 0 0 0 1.
+Placement placement_of_matrix(const std::array<double, 16>& columns, const GltfObject& described,
+                              std::string_view matrix);
+
+}  // namespace espalier::tools

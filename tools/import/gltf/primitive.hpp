@@ -1,0 +1,48 @@
+// A primitive of a glTF mesh: its triangles, and the accessors that place their vertices.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <espalier/types.hpp>
+
+#include "import/base/imported.hpp"
+#include "import/gltf/data/accessors.hpp"
+#include "import/gltf/data/json.hpp"
+#include "skin.hpp"
+
+namespace espalier::tools {
+
+struct GltfPrimitive {
+    GltfObject object;
+    std::vector<TriangleVertices> triangles;  ///< indices into `vertices`; those beyond the source's stay as they are
+    std::vector<std::uint32_t> vertices;      ///< elements of `positions` that triangles use, ascending
+    std::uint64_t points_and_lines = 0;
+    std::uint64_t left_over_corners = 0;  ///< one or two at the end, too few for a triangle
+    bool has_positions = false;
+    bool differs_from_accessors = false;  ///< Draco packs other numbers of corners or vertices than accessors state
+    GltfAccessor positions;
+    GltfInfluences influences;  ///< empty: no skin moves it
+
+    /// Returns where a vertex is in the mesh's space: its position and the morph targets' parts of it.
+    [[nodiscard]] std::array<double, 3> position(std::uint32_t vertex, const std::vector<double>& weights,
+                                                 const std::vector<GltfAccessor>& displacements) const;
+    /// Tests whether morph targets move its vertices.
+    [[nodiscard]] bool is_morphed() const;
+    /// Returns one accessor for each weight. Those of weight 0 are not read, and have no elements.
+    [[nodiscard]] std::vector<GltfAccessor> displacements(const std::vector<double>& weights,
+                                                          GltfAccessors& accessors) const;
+};
+
+/// Throws CommandError when it is broken.
+GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views);
+
+/// Returns how many triangles it will have, by what the accessors claim.
+std::uint64_t count_gltf_triangles(const GltfObject& object, GltfAccessors& accessors);
+
+/// The most elements that an accessor without stored bytes may have where it decides how much is allocated.
+inline constexpr std::size_t most_elements_without_bytes = std::size_t{1} << 20;
+/// Throws CommandError when the accessor has more.
+void require_stored(const GltfAccessor& accessor, const GltfObject& user);
+
+}  // namespace espalier::tools

@@ -1,0 +1,29 @@
+#include "crash_guard.hpp"
+
+#include "base/exit_code.hpp"
+#include "base/numbers.hpp"
+#include "last_words.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+LastWords crash_words;
+
+void end_with_crash_words(int) { end_with(crash_words); }
+
+auto handler_that_names(const std::string& path, const ImportOptions& options) {
+    crash_words = last_words({ExitCode::invalid_input,
+                              text("the importer crashed while it read '", printable(path),
+                                   "'. The file is likely broken; export it again, or in another format."),
+                              {.file = path, .kind = "importer_crash"}},
+                             options);
+    return end_with_crash_words;
+}
+
+}  // namespace
+
+CrashGuard::CrashGuard(const std::string& path, const ImportOptions& options)
+    : signals_(handler_that_names(path, options), std::size_t{1} << 16) {}
+
+}  // namespace espalier::tools

@@ -1,0 +1,89 @@
+#include "byte_listing.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "base/numbers.hpp"
+#include "blob_layout.hpp"
+#include "report/console.hpp"
+#include "report/failure.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::size_t bytes_in_a_line = 16;
+constexpr std::size_t hexadecimal_column = 3 * bytes_in_a_line + 1;
+
+std::string hexadecimal(std::span<const std::byte> bytes) {
+    constexpr char digits[] = "0123456789abcdef";
+    std::string result;
+    for (const std::byte byte : bytes) {
+        if (!result.empty()) result += ' ';
+        result += digits[std::to_integer<unsigned>(byte) >> 4];
+        result += digits[std::to_integer<unsigned>(byte) & 15u];
+    }
+    return result;
+}
+
+}  // namespace
+
+ByteListing::ByteListing(std::span<const std::byte> bytes, std::size_t limit, bool json)
+    : bytes_(bytes), limit_(limit), json_(json) {}
+
+void ByteListing::heading(const std::string& text) {
+    if (full()) return;
+    ++lines_;
+    if (json_) {
+        collected_.push_back({{"heading", text}});
+    } else {
+        std::cout << "-- " << text << '\n';
+    }
+}
+
+void ByteListing::field(std::size_t count, const std::string& meaning) {
+    std::string once = meaning;
+    while (count > 0) {
+        const std::size_t part = std::min(count, bytes_in_a_line);
+        line(part, once);
+        once.clear();
+        count -= part;
+    }
+}
+
+void ByteListing::field_up_to(std::size_t offset, const std::string& meaning) {
+    if (offset > at_) field(offset - at_, meaning);
+}
+
+void ByteListing::line(std::size_t count, const std::string& meaning) {
+    if (full()) return;
+    ++lines_;
+    std::string bytes = hexadecimal(bytes_.subspan(at_, count));
+    if (json_) {
+        collected_.push_back({{"at", at_}, {"bytes", std::move(bytes)}, {"meaning", meaning}});
+    } else {
+        if (!meaning.empty()) bytes.resize(hexadecimal_column, ' ');
+        std::cout << checksum_text(static_cast<std::uint32_t>(at_)) << "  " << bytes << meaning << '\n';
+    }
+    at_ += count;
+}
+
+ExitCode ByteListing::finish(const CommandError* refusal) {
+    const std::size_t left_out = bytes_.size() - at_;
+    if (json_) {
+        Json document = json_document();
+        document["lines"] = std::move(collected_);
+        document["bytes_left_out"] = left_out;
+        if (refusal != nullptr) return report_failure(*refusal, &document);
+        print_json(document);
+        return ExitCode::ok;
+    }
+    if (left_out > 0) {
+        std::cout << "-- left out: " << counted(left_out, "byte") << " from "
+                  << checksum_text(static_cast<std::uint32_t>(at_)) << " on\n";
+    }
+    finish_standard_output();
+    return refusal == nullptr ? ExitCode::ok : report_failure(*refusal, nullptr);
+}
+
+}  // namespace espalier::tools

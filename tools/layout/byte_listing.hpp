@@ -1,0 +1,43 @@
+// A listing of bytes with their meaning: offset, hexadecimal, text. It goes through the bytes in order and skips none.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "base/exit_code.hpp"
+#include "report/json_output.hpp"
+
+namespace espalier::tools {
+
+class ByteListing {
+public:
+    /// Prints as it goes, or collects JSON. `limit` lines at most, 0: all.
+    ByteListing(std::span<const std::byte> bytes, std::size_t limit, bool json);
+
+    /// A line that stands for no bytes.
+    void heading(const std::string& text);
+    /// The next `count` bytes, over several lines when they are many; the meaning stands in the first.
+    void field(std::size_t count, const std::string& meaning);
+    /// All bytes from here up to `offset`, if any.
+    void field_up_to(std::size_t offset, const std::string& meaning);
+    [[nodiscard]] std::size_t at() const { return at_; }
+    /// Whether the rest would be left out anyway, so that its text need not be made.
+    [[nodiscard]] bool full() const { return limit_ != 0 && lines_ >= limit_; }
+
+    /// Prints what was left out, ends the listing, and reports the refusal of the blob, if any. Returns its exit
+    /// status.
+    ExitCode finish(const CommandError* refusal = nullptr);
+
+private:
+    void line(std::size_t count, const std::string& meaning);
+
+    std::span<const std::byte> bytes_;
+    std::size_t limit_;
+    bool json_;
+    std::size_t at_ = 0;
+    std::size_t lines_ = 0;
+    Json collected_ = Json::array();
+};
+
+}  // namespace espalier::tools

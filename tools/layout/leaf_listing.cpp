@@ -1,0 +1,139 @@
+#include "leaf_listing.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/numbers.hpp"
+#include "blob_layout.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+/// Fields of one width, low bits first.
+void list_numbers(Bytes bytes, const std::string& name, unsigned count, unsigned width, ByteListing& listing) {
+    if (width == 0) return;
+    std::string values;
+    for (unsigned i = 0; i < count; ++i) values += text(' ', read_bits(bytes, listing.at() * 8 + i * width, width));
+    listing.field((std::size_t{count} * width + 7) / 8, text(name, ", ", width, " bits:", values));
+}
+
+/// A row of numbers of so many bytes each.
+void list_row(Bytes bytes, const char* name, unsigned count, unsigned number_bytes, ByteListing& listing) {
+    list_numbers(bytes, text("  ", name), count, 8 * number_bytes, listing);
+}
+
+void list_plain_leaf(Bytes bytes, const LeafFields& leaf, unsigned bits, ByteListing& listing) {
+    for (const char* name : {"x", "y", "z"}) list_row(bytes, name, leaf.vertices, 2, listing);
+    for (const char* name : {"corner a", "corner b", "corner c"}) list_row(bytes, name, leaf.triangles, 1, listing);
+    if (!format::plain_leaf::has_high_bytes(bits)) return;
+    for (const char* name : {"x / 65536", "y / 65536", "z / 65536"}) list_row(bytes, name, leaf.vertices, 1, listing);
+}
+
+void list_plain_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, std::size_t number,
+                       ByteListing& listing) {
+    const std::size_t block = listing.at();
+    for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
+        const LeafFields leaf = read_leaf(bytes, blob, node.at, i);
+        listing.field_up_to(block + std::size_t{4} * leaf.data_offset, "padding");
+        const std::uint32_t triangle = read_u32(bytes, listing.at());
+        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle));
+        listing.field(4, text("  first triangle ", triangle));
+        list_plain_leaf(bytes, leaf, blob.bits(), listing);
+    }
+}
+
+/// Entries with a star at each pivot, and what triangles they make.
+std::string marks_text(const StripMarks& marks) {
+    std::string result = "  entries (* pivot)";
+    for (std::size_t i = 0; i < marks.entries.size(); ++i) {
+        result += text(i == 0 ? ": " : " ", marks.entries[i], marks.pivots[i] ? "*" : "");
+    }
+    result += "; triangles";
+    std::size_t pivot = 0;
+    bool keeps_order = false;
+    for (std::size_t window = 0; window + 2 < marks.entries.size(); ++window) {
+        if (marks.pivots[window]) {
+            pivot = window;
+            keeps_order = !keeps_order;
+        }
+        if (!marks.triangles[window]) continue;
+        const std::uint32_t one = marks.entries[window + 1], other = marks.entries[window + 2];
+        result += text(window == 0 ? ": " : " ", marks.entries[pivot], '-', keeps_order ? one : other, '-',
+                       keeps_order ? other : one);
+    }
+    return result;
+}
+
+void list_strip_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, std::size_t number,
+                       ByteListing& listing) {
+    const std::uint32_t triangle = read_u32(bytes, listing.at());
+    listing.field(4, text("leaves of node ", number, ": first triangle ", triangle));
+    std::vector<StripFields> fields;
+    for (unsigned i = 0; i < node.leaves; ++i) {
+        fields.push_back(read_strip(read_u32(bytes, listing.at())));
+        const StripFields& leaf = fields.back();
+        listing.field(format::strip_leaf::descriptor_bytes,
+                      text("leaf ", i, ": data at ", leaf.data_offset, ", ", leaf.entries, " entries, triangles from ",
+                           triangle, " + ", leaf.first));
+    }
+    const std::size_t data = listing.at();
+    for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
+        listing.field_up_to(data + fields[i].data_offset, "padding");
+        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle + fields[i].first));
+        const StripMarks marks = read_marks(bytes, listing.at(), fields[i].entries);
+        listing.field((marks.bits + 7) / 8, marks_text(marks));
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const unsigned width = format::strip_leaf::coordinate_width(
+                side_of_child(bytes, node.at, node.node_children + i, axis), blob.bits());
+            list_numbers(bytes, text("  ", "xyz"[axis]), marks.vertices, width, listing);
+        }
+    }
+}
+
+/// Widths as "large small" of each axis, and the vertices: those that are not predicted from the box's low corner.
+std::string predicted_text(Bytes bytes, std::size_t at, const StripMarks& marks) {
+    std::string result = "  residuals, large and small width:";
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const std::size_t bit = 8 * at + 2 * format::predicted_strip::width_bits * std::size_t{axis};
+        result +=
+            text(' ', "xyz"[axis], ' ', read_bits(bytes, bit, format::predicted_strip::width_bits), ' ',
+                 read_bits(bytes, bit + format::predicted_strip::width_bits, format::predicted_strip::width_bits));
+    }
+    return text(result, "; ", marks.vertices, " vertices;", marks_text(marks).substr(1));
+}
+
+void list_predicted_strips(Bytes bytes, const NodeFields& node, std::size_t number, ByteListing& listing) {
+    std::uint32_t triangle = read_u32(bytes, listing.at());
+    listing.field(4, text("leaves of node ", number, ": first triangle ", triangle));
+    std::vector<PredictedFields> fields;
+    for (unsigned i = 0; i < node.leaves; ++i) {
+        fields.push_back(read_predicted_strip(read_u16(bytes, listing.at())));
+        listing.field(format::predicted_strip::descriptor_bytes,
+                      text("leaf ", i, ": ", fields.back().bytes, " bytes, ", fields.back().entries, " entries"));
+    }
+    for (unsigned i = 0; i < node.leaves && !listing.full(); ++i) {
+        listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle));
+        const StripMarks marks = read_predicted_marks(bytes, listing.at(), fields[i].entries);
+        listing.field(fields[i].bytes, predicted_text(bytes, listing.at(), marks));
+        triangle += static_cast<std::uint32_t>(std::count(marks.triangles.begin(), marks.triangles.end(), true));
+    }
+}
+
+}  // namespace
+
+void list_leaf_block(std::span<const std::byte> bytes, const Blob& blob, std::size_t node, ByteListing& listing) {
+    const NodeFields fields = read_node(bytes, blob, node);
+    if (format::has_plain_nodes(blob.profile())) {
+        list_plain_leaves(bytes, blob, fields, node, listing);
+    } else if (format::has_predicted_strips(blob.profile())) {
+        list_predicted_strips(bytes, fields, node, listing);
+    } else {
+        list_strip_leaves(bytes, blob, fields, node, listing);
+    }
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,183 @@
+#include "answer.hpp"
+
+#include <iostream>
+
+#include "base/numbers.hpp"
+#include "call.hpp"
+#include "report/console.hpp"
+#include "report/failure.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+Json triangle_json(const Blob& blob, Triangle triangle) {
+    Json result;
+    result["triangle"] = triangle.index;
+    if (OriginalTriangle original; original_triangle(blob, triangle, original)) {
+        result["original"] = {{"file", original.file},
+                              {"mesh", original.mesh},
+                              {"triangle", original.triangle},
+                              {"first_corner", original.first_corner}};
+    }
+    if (blob.has_materials()) result["material"] = material(blob, triangle);
+    return result;
+}
+
+std::string triangle_text(const Blob& blob, Triangle triangle) {
+    std::string result = text("triangle ", triangle.index);
+    if (OriginalTriangle original; original_triangle(blob, triangle, original)) {
+        result += text(" (file ", original.file, ", mesh ", original.mesh, ", triangle ", original.triangle,
+                       original.first_corner == 0 ? "" : text(", from its corner ", original.first_corner), ")");
+    }
+    if (blob.has_materials()) result += text(", material ", material(blob, triangle));
+    return result;
+}
+
+}  // namespace
+
+Record& Record::title(std::string_view line) {
+    if (!as_json_) title_ = line;
+    return *this;
+}
+
+Record& Record::put(const char* key, Json json, std::string_view line) {
+    if (as_json_) {
+        json_[key] = std::move(json);
+    } else {
+        lines_.push_back(line.empty() ? key : tools::text(key, ' ', line));
+    }
+    return *this;
+}
+
+Record& Record::add(const char* key, float value) { return put(key, json_number(value), shortest(value)); }
+Record& Record::add(const char* key, Vec3 value) { return put(key, json_point(value), shortest(value)); }
+Record& Record::add(const char* key, const std::string& value) { return put(key, value, value); }
+Record& Record::add_count(const char* key, std::uint64_t value) { return put(key, value, tools::text(value)); }
+
+Record& Record::add(const char* key, const Box& value) {
+    return put(key, json_box(value), tools::text(shortest(value.min), " to ", shortest(value.max)));
+}
+
+Record& Record::add(const char* key, const Record& value) {
+    put(key, value.json_, value.title_);
+    for (const std::string& line : value.lines_) lines_.push_back("  " + line);
+    return *this;
+}
+
+Record& Record::add(const char* key, const std::vector<Record>& values) {
+    Json json = Json::array();
+    for (const Record& value : values) json.push_back(value.json_);
+    put(key, std::move(json), "");
+    for (const Record& value : values) {
+        if (!value.title_.empty()) lines_.push_back("  " + value.title_);
+        for (const std::string& line : value.lines_) lines_.push_back("    " + line);
+    }
+    return *this;
+}
+
+Record& Record::add(const char* key, std::span<const Vec3> values) {
+    Json json = Json::array();
+    std::string line;
+    for (const Vec3& value : values) {
+        json.push_back(json_point(value));
+        line += (line.empty() ? "" : ", ") + shortest(value);
+    }
+    return put(key, std::move(json), line);
+}
+
+Record& Record::add_silently(const char* key, Json value) {
+    if (as_json_) json_[key] = std::move(value);
+    return *this;
+}
+
+Record& Record::triangle(const Blob& blob, Triangle triangle, std::string_view before) {
+    if (as_json_) {
+        json_.update(triangle_json(blob, triangle));
+    } else {
+        title_ = std::string(before) + triangle_text(blob, triangle);
+    }
+    return *this;
+}
+
+std::string Record::text() const {
+    std::string result = title_;
+    for (const std::string& line : lines_) result += (result.empty() ? "  " : "\n  ") + line;
+    return result;
+}
+
+Answer::Answer(const QueryCall& call, QueryStatus said) : status(said), record(call.options().json) {}
+
+Answer& Answer::yes_or_no(const char* key, bool yes, const char* words_for_yes, const char* words_for_no) {
+    record.title(yes ? words_for_yes : words_for_no).add_silently(key, yes);
+    return *this;
+}
+
+Answer& Answer::work(const QueryCounters& counters) {
+    record.add_count("nodes_visited", counters.nodes).add_count("leaves_visited", counters.leaves);
+    return *this;
+}
+
+Answer& Answer::counted_list(const char* name, const char* singular, const std::uint32_t* next) {
+    list_name = name;
+    std::string words = list.size() == 1 ? text("1 ", singular) : text(list.size(), ' ', name);
+    if (status == QueryStatus::output_full) {
+        words += next == nullptr ? ", and there are more" : text(", and there are more: --from ", *next, " goes on");
+    }
+    record.title(words).add_silently("count", list.size());
+    if (status == QueryStatus::output_full && next != nullptr) record.add_silently("next", *next);
+    return *this;
+}
+
+Json json_box(const Box& box) { return {{"min", json_point(box.min)}, {"max", json_point(box.max)}}; }
+
+const char* name_of(QueryStatus status) {
+    switch (status) {
+        case QueryStatus::ok:
+            return "ok";
+        case QueryStatus::invalid_argument:
+            return "invalid_argument";
+        case QueryStatus::out_of_range:
+            return "out_of_range";
+        case QueryStatus::not_closed:
+            return "not_closed";
+        case QueryStatus::has_copies:
+            return "has_copies";
+        case QueryStatus::work_limit:
+            return "work_limit";
+        case QueryStatus::output_full:
+            return "output_full";
+        case QueryStatus::not_found:
+            return "not_found";
+        case QueryStatus::not_open:
+            return "not_open";
+        case QueryStatus::no_data:
+            return "no_data";
+    }
+    return "unknown";
+}
+
+ExitCode print_answer(const char* kind, const Answer& answer) {
+    const bool is_whole = answer.status == QueryStatus::ok || answer.status == QueryStatus::output_full;
+    const bool is_answer = is_whole || answer.status == QueryStatus::work_limit;
+    const CommandError refusal(ExitCode::no_answer, text("query ", kind, ": ", describe(answer.status), '.'));
+    if (answer.record.as_json()) {
+        Json document = json_document();
+        document["query"] = kind;
+        document["status"] = name_of(answer.status);
+        if (is_answer) document.update(answer.record.json());
+        if (is_answer && answer.list_name != nullptr) {
+            Json& list = document[answer.list_name] = Json::array();
+            for (const Record& record : answer.list) list.push_back(record.json());
+        }
+        if (!is_whole) return report_failure(refusal, &document);
+        print_json(document);
+    } else if (is_answer) {
+        for (const Record& record : answer.list) std::cout << record.text() << '\n';
+        if (const std::string last = answer.record.text(); !last.empty()) std::cout << last << '\n';
+        finish_standard_output();
+    }
+    return is_whole ? ExitCode::ok : report_failure(refusal, nullptr);
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,83 @@
+// What a query answers, once as text for people and once as JSON: whichever was asked for.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+#include <espalier/statistics.hpp>
+
+#include "base/exit_code.hpp"
+#include "report/json_output.hpp"
+
+namespace espalier::tools {
+
+class QueryCall;
+
+/// A found thing: in text a title and a line for each property, in JSON an object.
+class Record {
+public:
+    explicit Record(bool as_json) : as_json_(as_json), json_(Json::object()) {}
+
+    Record& title(std::string_view line);
+    template <std::same_as<bool> Bool>  // no pointer becomes one
+    Record& add(const char* key, Bool value) {
+        return put(key, value, value ? "yes" : "no");
+    }
+    Record& add(const char* key, float value);
+    Record& add(const char* key, Vec3 value);
+    Record& add(const char* key, const std::string& value);
+    Record& add(const char* key, const Box& value);
+    Record& add_count(const char* key, std::uint64_t value);
+    /// An object of its own; in text its lines, indented.
+    Record& add(const char* key, const Record& value);
+    Record& add(const char* key, const std::vector<Record>& values);
+    Record& add(const char* key, std::span<const Vec3> values);
+    /// What the title says already.
+    Record& add_silently(const char* key, Json value);
+    /// "triangle 5 (file 0, mesh 1, triangle 7), material 3" is the title, after `before`.
+    Record& triangle(const Blob& blob, Triangle triangle, std::string_view before = "");
+
+    [[nodiscard]] const Json& json() const { return json_; }
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] bool as_json() const { return as_json_; }
+
+private:
+    Record& put(const char* key, Json json, std::string_view line);
+
+    bool as_json_;
+    Json json_;
+    std::string title_;
+    std::vector<std::string> lines_;
+};
+
+struct Answer {
+    explicit Answer(const QueryCall& call, QueryStatus said = QueryStatus::ok);
+
+    QueryStatus status;
+    Record record;
+    const char* list_name = nullptr;  ///< the key of the list in JSON; without one there is no list
+    std::vector<Record> list;
+
+    /// A key that is true or false, and the words for it.
+    Answer& yes_or_no(const char* key, bool yes, const char* words_for_yes, const char* words_for_no);
+    /// What a walk visited.
+    Answer& work(const QueryCounters& counters);
+    /// Ends a list: how many there are of what; with output_full that there are more, and from where on if it is known.
+    Answer& counted_list(const char* name, const char* singular, const std::uint32_t* next = nullptr);
+};
+
+Json json_box(const Box& box);
+
+/// A status as it is spelled in status.hpp.
+const char* name_of(QueryStatus status);
+
+/// Prints the answer to stdout, of a refused query the status alone and that in JSON only. Returns no_answer
+/// and reports that on stderr when the query was refused or answered in part.
+ExitCode print_answer(const char* kind, const Answer& answer);
+
+}  // namespace espalier::tools

@@ -1,0 +1,57 @@
+// One question as it stands on the command line, read and checked, with the blob that it goes to.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+
+#include "base/verb_arguments.hpp"
+#include "files/blob_file.hpp"
+
+namespace espalier::tools {
+
+struct QueryKind;
+struct QueryWord;
+
+/// A float from a length with a unit, or from a bare number, which may be inf or nan. Throws CommandError (usage).
+float length_argument(const std::string& input, std::string_view name);
+/// The same without units.
+float number_argument(const std::string& input, std::string_view name);
+
+class QueryCall {
+public:
+    /// Reads all words, then opens the blob. Throws CommandError.
+    QueryCall(const QueryKind& kind, const QueryArguments& arguments);
+
+    [[nodiscard]] const Blob& blob() const { return file_.blob; }
+    [[nodiscard]] const QueryArguments& options() const { return arguments_; }
+
+    // The words, one after another, in the order of the kind's table. Numbers, indices and names each have their own.
+    Vec3 next_vector();
+    float next_number();
+    std::uint32_t next_index();
+    Steps next_steps();
+    const std::string& next_name();
+    [[nodiscard]] bool has_numbers() const { return number_ < numbers_.size(); }
+    /// As next_index, and of the blob. Throws CommandError (usage) when the blob has no such triangle.
+    Triangle next_triangle();
+
+private:
+    void read_word(const std::string& input, const QueryWord& word);
+
+    const QueryArguments& arguments_;
+    BlobFile file_;
+    std::vector<float> numbers_;
+    std::vector<std::uint32_t> indices_;
+    std::vector<std::int32_t> steps_;
+    std::vector<std::string> names_;
+    std::size_t number_ = 0;
+    std::size_t index_ = 0;
+    std::size_t step_ = 0;
+    std::size_t name_ = 0;
+};
+
+}  // namespace espalier::tools

@@ -1,0 +1,76 @@
+// The kinds of question that `espalier query` knows: a table from which the command line and its help are made. Each
+// family of kinds has a file of its own, <family>.cpp.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "answer.hpp"
+#include "call.hpp"
+
+namespace espalier::tools {
+
+/// What stands on the command line after the kind's name, in order.
+struct QueryWord {
+    enum class Type : std::uint8_t {
+        length,  ///< takes units; `inf` and `nan` too, which go to the query as they are
+        number,  ///< no units; likewise
+        index,   ///< a whole number
+        steps,   ///< a whole number of lattice steps, of either sign
+        name,    ///< any text
+    };
+    const char* name;
+    Type type;
+    unsigned count = 1;  ///< 3: x y z
+};
+
+constexpr QueryWord point_word(const char* name) { return {name, QueryWord::Type::length, 3}; }
+constexpr QueryWord vector_word(const char* name) { return {name, QueryWord::Type::number, 3}; }
+constexpr QueryWord length_word(const char* name) { return {name, QueryWord::Type::length, 1}; }
+constexpr QueryWord index_word(const char* name) { return {name, QueryWord::Type::index, 1}; }
+constexpr QueryWord steps_word(const char* name) { return {name, QueryWord::Type::steps, 3}; }
+constexpr QueryWord name_word(const char* name) { return {name, QueryWord::Type::name, 1}; }
+
+/// Which options a kind takes; command_line/query_arguments.cpp says what each means.
+enum QueryOption : unsigned {
+    option_t_range = 1u << 0,
+    option_faces = 1u << 1,
+    option_any = 1u << 2,
+    option_all = 1u << 3,
+    option_first = 1u << 4,
+    option_accuracy = 1u << 5,
+    option_bounds_only = 1u << 6,
+    option_limit = 1u << 7,
+    option_from = 1u << 8,
+    option_max_distance = 1u << 9,
+    option_placement = 1u << 10,  // and the limit of work
+    option_depth = 1u << 11,
+};
+
+struct QueryKind {
+    const char* family;
+    const char* name;
+    const char* help;
+    std::vector<QueryWord> words;
+    unsigned options;
+    Answer (*ask)(QueryCall& call);
+    bool repeats_words = false;  ///< once or more
+};
+
+/// Words as help and messages show them: "centre x y z, radius".
+std::string words_text(const QueryKind& kind);
+/// How many arguments the words are.
+unsigned word_count(const QueryKind& kind);
+
+using QueryKinds = std::vector<QueryKind>;
+QueryKinds ray_kinds();
+QueryKinds overlap_kinds();
+QueryKinds distance_kinds();
+QueryKinds sweep_kinds();
+QueryKinds pair_kinds();
+QueryKinds blob_kinds();
+
+/// All of them, in the order in which help lists them.
+const QueryKinds& query_kinds();
+
+}  // namespace espalier::tools

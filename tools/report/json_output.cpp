@@ -1,0 +1,30 @@
+#include "json_output.hpp"
+
+#include <cmath>
+#include <iostream>
+
+#include "base/numbers.hpp"
+#include "console.hpp"
+
+namespace espalier::tools {
+
+Json json_document() { return Json{{"schema", json_schema}}; }
+
+Json json_number(float value) {
+    if (!std::isfinite(value)) return nullptr;
+    return *parse_double(shortest(value));
+}
+
+Json json_point(Vec3 value) { return Json::array({json_number(value.x), json_number(value.y), json_number(value.z)}); }
+
+std::string json_text(const Json& document) {
+    // File and mesh names may hold bytes that are no UTF-8; they are replaced rather than refused.
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void print_json(const Json& document) {
+    std::cout << json_text(document);
+    finish_standard_output();
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,110 @@
+#include "chart_panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr const char* grid_colour = "#e6e6e6";
+constexpr const char* axis_colour = "#888888";
+constexpr double label_size = 11.0;
+
+}  // namespace
+
+void AxisRange::include(double value) {
+    low_ = is_empty_ ? value : std::min(low_, value);
+    high_ = is_empty_ ? value : std::max(high_, value);
+    is_empty_ = false;
+}
+
+void AxisRange::add_margin(double share) {
+    const double margin = std::max(share * (high_ - low_), 0.01 * std::max(std::abs(high_), 1e-9));
+    low_ = std::max(0.0, low_ - margin);
+    high_ += margin;
+}
+
+double AxisRange::share_of(double value) const { return (value - low_) / (high_ - low_); }
+
+std::vector<double> AxisRange::ticks(unsigned count) const {
+    const double wanted = (high_ - low_) / count;
+    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+    double step = 10.0 * power;
+    for (const double factor : {5.0, 2.0, 1.0}) {
+        if (factor * power >= wanted) step = factor * power;
+    }
+    std::vector<double> result;
+    const double first = std::ceil(low_ / step);
+    for (double number = first; number * step <= high_; number += 1.0) result.push_back(number * step);
+    return result;
+}
+
+Place ChartPanel::at(double x, double y) const {
+    return {corner_.x + width_ * x_.share_of(x), corner_.y + height_ * (1.0 - y_.share_of(y))};
+}
+
+void ChartPanel::draw_axes(Svg& svg, const std::string& title, const std::string& x_title,
+                           const std::string& y_title) const {
+    const double bottom = corner_.y + height_;
+    for (const double tick : x_.ticks(static_cast<unsigned>(width_ / 80.0))) {
+        const double x = corner_.x + width_ * x_.share_of(tick);
+        svg.line({x, corner_.y}, {x, bottom}, grid_colour);
+        svg.words({x, bottom + 16.0}, rounded(tick, 6), {.size = label_size, .anchor = Anchor::middle});
+    }
+    for (const double tick : y_.ticks(static_cast<unsigned>(height_ / 50.0))) {
+        const double y = corner_.y + height_ * (1.0 - y_.share_of(tick));
+        svg.line({corner_.x, y}, {corner_.x + width_, y}, grid_colour);
+        svg.words({corner_.x - 6.0, y + 4.0}, rounded(tick, 6), {.size = label_size, .anchor = Anchor::end});
+    }
+    svg.line({corner_.x, corner_.y}, {corner_.x, bottom}, axis_colour);
+    svg.line({corner_.x, bottom}, {corner_.x + width_, bottom}, axis_colour);
+    svg.words({corner_.x, corner_.y - 8.0}, title, {.size = 13.0, .bold = true});
+    svg.words({corner_.x + width_, bottom + 32.0}, x_title, {.size = label_size, .anchor = Anchor::end});
+    svg.words({corner_.x - 42.0, corner_.y}, y_title, {.size = label_size, .anchor = Anchor::end, .turned = -90.0});
+}
+
+void ChartPanel::occupy(Place place, double radius) {
+    occupied_.push_back({{place.x - radius, place.y - radius}, {place.x + radius, place.y + radius}});
+}
+
+bool ChartPanel::is_free(const Box& box) const {
+    if (box.low.x < corner_.x || box.high.x > corner_.x + width_ || box.low.y < corner_.y - 4.0 ||
+        box.high.y > corner_.y + height_) {
+        return false;
+    }
+    return std::none_of(occupied_.begin(), occupied_.end(), [&](const Box& other) {
+        return box.low.x < other.high.x && other.low.x < box.high.x && box.low.y < other.high.y &&
+               other.low.y < box.high.y;
+    });
+}
+
+void ChartPanel::draw_label(Svg& svg, Place place, const std::string& words, const char* colour) {
+    const double width = text_width(words, label_size);
+    const double half = 0.5 * label_size;
+    struct Side {
+        double x, y;
+        Anchor anchor;
+    };
+    const Side sides[] = {{9.0, -4.0, Anchor::start},   {9.0, 8.0, Anchor::start},    {-9.0, 8.0, Anchor::end},
+                          {-9.0, -4.0, Anchor::end},    {0.0, -14.0, Anchor::middle}, {0.0, 16.0, Anchor::middle},
+                          {14.0, -16.0, Anchor::start}, {14.0, 18.0, Anchor::start},  {-14.0, 18.0, Anchor::end},
+                          {-14.0, -16.0, Anchor::end}};
+    for (const Side& side : sides) {
+        const double left = place.x + side.x -
+                            (side.anchor == Anchor::end      ? width
+                             : side.anchor == Anchor::middle ? 0.5 * width
+                                                             : 0.0);
+        const double middle = place.y + side.y;
+        const Box box = {{left, middle - half}, {left + width, middle + half}};
+        if (!is_free(box)) continue;
+        occupied_.push_back(box);
+        svg.words({place.x + side.x, middle + 0.36 * label_size}, words,
+                  {.size = label_size, .anchor = side.anchor, .colour = colour});
+        return;
+    }
+}
+
+}  // namespace espalier::tools

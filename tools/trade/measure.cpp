@@ -1,0 +1,220 @@
+#include "measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include <espalier/nearest.hpp>
+#include <espalier/overlap.hpp>
+#include <espalier/ray.hpp>
+
+#include "bake/baking.hpp"
+#include "base/choices.hpp"
+#include "base/exit_code.hpp"
+#include "sample_queries.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::size_t slice_size = 5'000;  ///< questions that a blob answers in its turn
+
+using Done = std::function<void(const char* stage, double done)>;
+
+double mean_error(const Blob& blob, std::span<const Vec3> surface_points) {
+    double sum = 0.0;
+    for (const Vec3& point : surface_points) {
+        Nearest nearest;
+        if (closest_point(blob, point, std::numeric_limits<float>::infinity(), nearest)) {
+            sum += static_cast<double>(nearest.distance);
+        }
+    }
+    return sum / static_cast<double>(surface_points.size());
+}
+
+/// A blob under measurement. The bytes stay where they are while it is moved.
+struct Contestant {
+    Baked baked;
+    Blob blob;
+};
+
+/// How many of the questions were answered with yes, so that the compiler can drop none.
+std::size_t ask(const Blob& blob, const SampleQueries& queries, std::size_t query, std::size_t first,
+                std::size_t count) {
+    std::size_t found = 0;
+    switch (query) {
+        case 0:
+            for (const Ray& ray : std::span(queries.rays).subspan(first, count)) {
+                RayHit hit;
+                found += raycast(blob, ray, hit);
+            }
+            break;
+        case 1:
+            for (const Ray& ray : std::span(queries.rays).subspan(first, count)) found += occluded(blob, ray);
+            break;
+        default:
+            for (const Sphere& sphere : std::span(queries.spheres).subspan(first, count)) {
+                found += overlaps(blob, sphere);
+            }
+    }
+    return found;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// The times of one query: of every round, and in it of every contestant.
+using Rounds = std::vector<std::vector<double>>;
+
+/// One time for each contestant: the median over the rounds of its ratio to the round's mean, times the median of these
+/// means. Rounds are short, so that a machine that is busy elsewhere for a while slows whole rounds down, and a ratio
+/// keeps out of that.
+std::vector<double> typical_times(const Rounds& rounds) {
+    std::vector<double> means;
+    for (const std::vector<double>& round : rounds) {
+        means.push_back(std::accumulate(round.begin(), round.end(), 0.0) / static_cast<double>(round.size()));
+    }
+    std::vector<double> result;
+    for (std::size_t contestant = 0; contestant < rounds.front().size(); ++contestant) {
+        std::vector<double> ratios;
+        for (std::size_t i = 0; i < rounds.size(); ++i) ratios.push_back(rounds[i][contestant] / means[i]);
+        result.push_back(median(means) * median(std::move(ratios)));
+    }
+    return result;
+}
+
+/// What a profile can hold of the largest leaves that were asked for, each once.
+std::vector<unsigned> leaf_sizes_of(format::Profile profile, const std::vector<unsigned>& asked) {
+    std::vector<unsigned> sizes;
+    for (const unsigned size : asked) {
+        const unsigned held = std::min(size, most_leaf_triangles(profile));
+        if (std::find(sizes.begin(), sizes.end(), held) == sizes.end()) sizes.push_back(held);
+    }
+    return sizes;
+}
+
+/// Whether any profile goes with any builder. If none does, the baker says why not.
+bool some_go_together(const TradeSpace& space) {
+    return std::any_of(space.profiles.begin(), space.profiles.end(), [&](format::Profile profile) {
+        return std::any_of(space.builders.begin(), space.builders.end(),
+                           [&](Builder builder) { return go_together(profile, builder); });
+    });
+}
+
+std::vector<TradePoint> combinations(const TradeSpace& space) {
+    const bool may_skip = some_go_together(space);
+    std::vector<TradePoint> points;
+    TradePoint point;
+    for (const format::Profile profile : space.profiles) {
+        point.profile = profile;
+        for (const Builder builder : space.builders) {
+            if (may_skip && !go_together(profile, builder)) continue;
+            point.builder = builder;
+            for (const unsigned bits : space.bits) {
+                point.bits = bits;
+                for (const unsigned leaf_size : leaf_sizes_of(profile, space.leaf_sizes)) {
+                    point.leaf_size = leaf_size;
+                    for (const float byte_price : space.byte_prices) {
+                        point.byte_price = byte_price;
+                        points.push_back(point);
+                    }
+                }
+            }
+        }
+    }
+    return points;
+}
+
+Contestant bake_point(const Imported& imported, BakeOptions options, const SampleQueries& queries, TradePoint& point) {
+    options.profile = point.profile;
+    options.builder = point.builder;
+    options.bits = point.bits;
+    options.max_leaf_triangles = point.leaf_size;
+    options.cost_model.byte_price = point.byte_price;
+    Contestant contestant{bake_or_throw(imported, options), {}};
+    contestant.blob = opened(contestant.baked);
+    const BakeReport& report = contestant.baked.report;
+    point.bytes = report.bytes;
+    point.triangles = report.triangles;
+    point.depth = report.depth;
+    point.bake_seconds = report.seconds;
+    point.max_error = report.max_error;
+    point.mean_error = mean_error(contestant.blob, queries.surface_points);
+    point.work = count_work(contestant.blob, queries.rays);
+    point.cost = counted_cost(point.work, point.profile);
+    return contestant;
+}
+
+/// Some of the questions.
+struct Slice {
+    std::size_t first;
+    std::size_t count;
+};
+
+/// Nanoseconds of one question of the slice. Other questions come first, as many, so that the blob is in the caches as
+/// far as they hold it, and not the answers in the branch predictor.
+double time_slice(const Blob& blob, const SampleQueries& queries, std::size_t query, Slice others, Slice slice,
+                  std::size_t& found) {
+    found += ask(blob, queries, query, others.first, others.count);
+    const auto start = std::chrono::steady_clock::now();
+    found += ask(blob, queries, query, slice.first, slice.count);
+    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
+    return taken.count() / static_cast<double>(slice.count);
+}
+
+std::array<Rounds, std::size(timed_queries)> time_all(const std::vector<Contestant>& contestants,
+                                                      const SampleQueries& queries, unsigned repetitions,
+                                                      const Done& done) {
+    const std::size_t questions = queries.rays.size();
+    const std::size_t slices = (questions + slice_size - 1) / slice_size;
+    const auto slice = [&](std::size_t number) {
+        const std::size_t first = questions * (number % slices) / slices;
+        return Slice{first, questions * (number % slices + 1) / slices - first};
+    };
+    std::array<Rounds, std::size(timed_queries)> rounds;
+    std::size_t found = 0;
+    for (std::size_t turn = 0; turn < repetitions * slices; ++turn) {
+        for (std::size_t query = 0; query < std::size(timed_queries); ++query) {
+            std::vector<double>& round = rounds[query].emplace_back();
+            for (const Contestant& contestant : contestants) {
+                round.push_back(time_slice(contestant.blob, queries, query, slice(turn + 1), slice(turn), found));
+            }
+        }
+        done("measure", (static_cast<double>(turn) + 1.0) / static_cast<double>(repetitions * slices));
+    }
+    static std::atomic<std::size_t> sink;
+    sink = found;
+    return rounds;
+}
+
+}  // namespace
+
+std::vector<TradePoint> measure_trade(const Imported& imported, const BakeOptions& options, const TradeSpace& space,
+                                      const Done& done) {
+    const SampleQueries queries = make_sample_queries(imported, space.rays);
+    if (queries.rays.empty()) {
+        throw CommandError(ExitCode::invalid_input, "the input has no triangle with an area: nothing can be measured.");
+    }
+    std::vector<TradePoint> points = combinations(space);
+    std::vector<Contestant> contestants;
+    for (TradePoint& point : points) {
+        contestants.push_back(bake_point(imported, options, queries, point));
+        done("bake", static_cast<double>(contestants.size()) / static_cast<double>(points.size()));
+    }
+    const auto rounds = time_all(contestants, queries, space.repetitions, done);
+    for (std::size_t query = 0; query < std::size(timed_queries); ++query) {
+        const std::vector<double> times = typical_times(rounds[query]);
+        for (std::size_t i = 0; i < points.size(); ++i) points[i].*timed_queries[query].nanoseconds = times[i];
+    }
+    return points;
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,188 @@
+#include "pick.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include "bake/baking.hpp"
+#include "bake/policy.hpp"
+#include "base/choices.hpp"
+#include "base/exit_code.hpp"
+#include "base/numbers.hpp"
+#include "sample_queries.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::size_t counted_rays = 20'000;
+/// The others hardly ever count best (bench/results/builders.md). Neither repeats triangles: what is picked answers
+/// every query.
+constexpr std::array<Builder, 2> builders = {Builder::binned_sah, Builder::sweep_sah};
+/// The dearer a byte, the smaller the blob and the more visits.
+constexpr float dear_bytes = 16.0f;
+constexpr std::array<float, 3> byte_price_factors = {1.0f, 0.2f, 0.0f};
+/// Bytes are planned by estimates, so that another configuration may turn out a little smaller than the smallest one.
+constexpr double near_miss = 1.1;
+
+struct Configuration {
+    format::Profile profile;
+    Builder builder;
+    unsigned leaf_size;
+    float byte_price;
+};
+
+unsigned largest_leaf(const PickGoal& goal, format::Profile profile) {
+    return std::min(goal.leaf_size.value_or(format::max_leaf_triangles), most_leaf_triangles(profile));
+}
+
+/// The smallest blob that is tried: the last profile of the list is the most compact one.
+Configuration smallest_configuration(const PickGoal& goal, const CostModel& model) {
+    const format::Profile profile = goal.profile.value_or(profile_choices.back().second);
+    return {profile, goal.builder.value_or(builders.front()), largest_leaf(goal, profile),
+            dear_bytes * model.byte_price};
+}
+
+std::vector<Configuration> other_configurations(const PickGoal& goal, const CostModel& model) {
+    std::vector<Configuration> result;
+    const auto add_sizes = [&](format::Profile profile, Builder builder) {
+        const unsigned most = largest_leaf(goal, profile);
+        for (const unsigned size : {most, most / 2}) {
+            if (goal.leaf_size && size != most) continue;
+            for (const float factor : byte_price_factors) {
+                result.push_back({profile, builder, size, factor * model.byte_price});
+            }
+        }
+    };
+    for (const auto& choice : profile_choices) {
+        if (goal.profile && *goal.profile != choice.second) continue;
+        for (const Builder builder : builders) {
+            if (goal.builder && builder != builders.front()) continue;
+            // Asked for both, the user is told why not.
+            if (!goal.profile && !go_together(choice.second, goal.builder.value_or(builder))) continue;
+            add_sizes(choice.second, goal.builder.value_or(builder));
+        }
+    }
+    return result;
+}
+
+/// The search. Candidates are tried in a fixed order, and of equally good ones the first is taken.
+class Search {
+public:
+    Search(const Imported& imported, const BakeOptions& options, const PickGoal& goal)
+        : imported_(imported),
+          rays_(make_sample_queries(imported, counted_rays).rays),
+          options_(options),
+          goal_(goal) {}
+
+    Picked run() {
+        for (unsigned bits = options_.bits; bits >= 1; --bits) {  // while nothing fits, it is too fine
+            options_.bits = bits;
+            try_one(smallest_configuration(goal_, options_.cost_model));
+            if (!loss_.empty()) break;
+            if (some_fit_ || nearly_fits(tried_.back()) || !goal_.may_coarsen) {
+                for (const Configuration& other : other_configurations(goal_, options_.cost_model)) try_one(other);
+            }
+            if (some_fit_ || !goal_.may_coarsen) break;
+        }
+        if (!some_fit_) refuse();
+        const Candidate chosen = best();
+        const BakeOptions options = options_for({chosen.profile, chosen.builder, chosen.leaf_size, chosen.byte_price});
+        return {bake_or_throw(imported_, options), chosen, std::move(tried_)};
+    }
+
+private:
+    [[nodiscard]] BakeOptions options_for(const Configuration& configuration) const {
+        BakeOptions options = options_;
+        options.profile = configuration.profile;
+        options.builder = configuration.builder;
+        options.max_leaf_triangles = configuration.leaf_size;
+        options.cost_model.byte_price = configuration.byte_price;
+        if (options_.progress) {
+            options.progress = [this](const char* stage, double done) {
+                options_.progress(text("bake ", tried_.size() + 1, ", ", stage).c_str(), done);
+            };
+        }
+        return options;
+    }
+
+    void try_one(const Configuration& configuration) {
+        const Baked baked = bake_trial_or_throw(imported_, options_for(configuration));
+        const BakeReport& report = baked.report;
+        // A lattice so coarse that no triangle is left fits everywhere and answers nothing.
+        if (report.collapsed.count > 0 && !tried_.empty()) {
+            if (report.triangles == 0) {
+                loss_ = "leaves no triangle";
+                return;
+            }
+            if (drops_more_than(goal_.max_dropped, report)) {
+                loss_ = "drops more triangles than --max-dropped allows";
+                return;
+            }
+        }
+        const CountedWork work = count_work(opened(baked), rays_);
+        tried_.push_back({configuration.profile, configuration.builder, configuration.leaf_size,
+                          configuration.byte_price, report.bits, report.bytes, report.max_error, work,
+                          counted_cost(work, configuration.profile)});
+        some_fit_ = some_fit_ || fits(tried_.back());
+    }
+
+    [[nodiscard]] bool fits(const Candidate& candidate) const {
+        return !goal_.max_bytes || candidate.bytes <= *goal_.max_bytes;
+    }
+
+    [[nodiscard]] bool nearly_fits(const Candidate& candidate) const {
+        return !goal_.max_bytes || double(candidate.bytes) <= near_miss * double(*goal_.max_bytes);
+    }
+
+    /// The least work; of equal ones the fewest bytes.
+    [[nodiscard]] const Candidate& best() const {
+        const Candidate* best = nullptr;
+        for (const Candidate& candidate : tried_) {
+            if (!fits(candidate)) continue;
+            const auto order = [](const Candidate& c) { return std::tuple(c.cost, c.bytes); };
+            if (best == nullptr || order(candidate) < order(*best)) best = &candidate;
+        }
+        return *best;
+    }
+
+    [[noreturn]] void refuse() const {
+        const auto has_fewer_bytes = [](const Candidate& a, const Candidate& b) { return a.bytes < b.bytes; };
+        const Candidate& smallest = *std::min_element(tried_.begin(), tried_.end(), has_fewer_bytes);
+        throw CommandError(
+            ExitCode::unsupported,
+            text(goal_.limit_name, ": nothing fits. The smallest of ", counted(tried_.size(), "bake"), " has ",
+                 counted(smallest.bytes, "byte"), ", with ", describe(smallest), ", max error ",
+                 rounded(smallest.max_error),
+                 !loss_.empty() ? text(". A coarser lattice ", loss_, ": allow more bytes, or bake a simpler mesh.")
+                 : goal_.may_coarsen
+                     ? std::string(". There is no coarser lattice: allow more bytes, or bake a simpler mesh.")
+                     : std::string(
+                           ". Allow more bytes, a larger error or fewer bits, or bake a simpler mesh; --max-bytes "
+                           "without --tolerance, --step and --lattice-of gives up bits until it fits.")));
+    }
+
+    const Imported& imported_;
+    std::vector<Ray> rays_;
+    BakeOptions options_;
+    const PickGoal& goal_;
+    std::vector<Candidate> tried_;
+    bool some_fit_ = false;
+    std::string loss_;  // what a lattice coarser than the tried ones does
+};
+
+}  // namespace
+
+std::string describe(const Candidate& candidate) {
+    return text("profile ", name_in(profile_choices, candidate.profile), ", builder ",
+                name_in(builder_choices, candidate.builder), ", leaves of up to ",
+                counted(candidate.leaf_size, "triangle"), ", byte price ", candidate.byte_price, ", ",
+                counted(candidate.bits, "bit"));
+}
+
+Picked pick(const Imported& imported, const BakeOptions& options, const PickGoal& goal) {
+    return Search(imported, options, goal).run();
+}
+
+}  // namespace espalier::tools

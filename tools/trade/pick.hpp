@@ -1,0 +1,53 @@
+// Many bakes of one source, of which the best is kept: by bytes, error and counted work, never by a clock.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <espalier/bake.hpp>
+
+#include "counted_cost.hpp"
+#include "import/base/imported.hpp"
+
+namespace espalier::tools {
+
+struct PickGoal {
+    std::optional<std::uint64_t> max_bytes;
+    bool may_coarsen = false;   ///< whether the lattice may lose bits until something fits
+    double max_dropped = 10.0;  ///< percent of the triangles: a lattice is not coarsened beyond it
+    std::string limit_name;     ///< "--max-bytes 64K", for messages
+    /// What stays as the user said; nothing: all that are worth a try.
+    std::optional<format::Profile> profile;
+    std::optional<Builder> builder;
+    std::optional<unsigned> leaf_size;
+};
+
+/// One bake that was tried, without its bytes.
+struct Candidate {
+    format::Profile profile;
+    Builder builder;
+    unsigned leaf_size;
+    float byte_price;  ///< of the cost model that it was baked with
+    unsigned bits;
+    std::uint64_t bytes;
+    double max_error;
+    CountedWork work;
+    double cost;  ///< see counted_cost
+};
+
+/// "profile fast, builder sweep_sah, leaves of up to 8 triangles, byte price 5, 16 bits"
+std::string describe(const Candidate& candidate);
+
+struct Picked {
+    Baked baked;
+    Candidate chosen;
+    std::vector<Candidate> tried;  ///< in the order in which they were
+};
+
+/// Throws CommandError: as bake_or_throw, and (unsupported) when nothing fits, with the smallest that was reached.
+Picked pick(const Imported& imported, const BakeOptions& options, const PickGoal& goal);
+
+}  // namespace espalier::tools

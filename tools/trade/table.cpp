@@ -1,0 +1,70 @@
+#include "table.hpp"
+
+#include "base/choices.hpp"
+#include "base/numbers.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+/// Quoted, as RFC 4180 has it: a name may hold commas and quotes.
+std::string csv_text(const std::string& value) {
+    std::string quoted = "\"";
+    for (const char character : printable(value)) quoted += character == '"' ? "\"\"" : std::string(1, character);
+    return quoted + '"';
+}
+
+}  // namespace
+
+Json trade_json(const std::vector<TradePoint>& points) {
+    Json rows = Json::array();
+    std::vector<std::vector<bool>> fronts;
+    for (const TimedQuery& query : timed_queries) fronts.push_back(pareto_front(points, query));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const TradePoint& point = points[i];
+        Json row{{"profile", name_in(profile_choices, point.profile)},
+                 {"builder", name_in(builder_choices, point.builder)},
+                 {"bits", point.bits},
+                 {"leaf_size", point.leaf_size},
+                 {"byte_price", json_number(point.byte_price)},
+                 {"triangles", point.triangles},
+                 {"bytes", point.bytes},
+                 {"bytes_per_triangle", point.bytes_per_triangle()},
+                 {"max_error", point.max_error},
+                 {"mean_error", point.mean_error},
+                 {"closest_ns", point.closest_ns},
+                 {"any_ns", point.any_ns},
+                 {"overlap_ns", point.overlap_ns},
+                 {"nodes_per_ray", point.work.nodes},
+                 {"leaves_per_ray", point.work.leaves},
+                 {"triangles_per_ray", point.work.triangles},
+                 {"candidates_per_ray", point.work.candidates},
+                 {"counted_cost", point.cost},
+                 {"depth", point.depth},
+                 {"bake_seconds", point.bake_seconds}};
+        for (std::size_t query = 0; query < fronts.size(); ++query) {
+            row[text("pareto_", timed_queries[query].name)] = fronts[query][i] ? 1 : 0;
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::string trade_csv(const std::string& mesh, const std::vector<TradePoint>& points) {
+    std::string lines;
+    for (const Json& row : trade_json(points)) {
+        if (lines.empty()) {
+            lines = "mesh";
+            for (const auto& [key, value] : row.items()) lines += ',' + key;
+            lines += '\n';
+        }
+        lines += csv_text(mesh);
+        for (const auto& [key, value] : row.items()) {
+            lines += ',' + (value.is_string() ? value.get<std::string>() : value.dump());
+        }
+        lines += '\n';
+    }
+    return lines;
+}
+
+}  // namespace espalier::tools
