@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "bake/warnings.hpp"
 #include "base/choices.hpp"
 #include "base/numbers.hpp"
 #include "base/verb_arguments.hpp"
 #include "command_line/arguments.hpp"
 #include "command_line/usage_error.hpp"
 #include "report/console.hpp"
+#include "report/diagnostics.hpp"
 #include "report/failure.hpp"
 
 namespace espalier::tools {

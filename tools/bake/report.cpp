@@ -2,7 +2,7 @@
 
 #include "base/numbers.hpp"
 #include "layout/blob_layout.hpp"
-#include "warnings.hpp"
+#include "report/diagnostics.hpp"
 
 namespace espalier::tools {
 

@@ -10,8 +10,8 @@
 #include "import/files.hpp"
 #include "import/guards/limit_guard.hpp"
 #include "report/console.hpp"
+#include "report/diagnostics.hpp"
 #include "report/failure.hpp"
-#include "warnings.hpp"
 
 namespace espalier::tools {
 

@@ -1,7 +1,6 @@
 #include "warnings.hpp"
 
 #include "base/numbers.hpp"
-#include "report/console.hpp"
 
 namespace espalier::tools {
 
@@ -31,11 +30,6 @@ std::string lost_closed_text(const BakeReport& report) {
                                     : text("--bits ", report.bits_that_keep_closed, " keeps it closed");
     return text("the source is closed, but at ", counted(report.bits, "bit"), " the baked surface is not, because ",
                 reason, ": inside and signed-distance queries will refuse it. ", keeping, ".");
-}
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
 }
 
 }  // namespace
@@ -70,25 +64,6 @@ std::vector<Warning> bake_warnings(const BakeReport& report, const BakePolicy& p
                          " m across. If that is not what it is, give the unit of its file with --unit, or --scale.")));
     }
     return warnings;
-}
-
-void give(std::span<const Warning> found, std::vector<Warning>& warnings) {
-    for (const Warning& warning : found) Console::warn(warning);
-    warnings.insert(warnings.end(), found.begin(), found.end());
-}
-
-Json diagnostic_json(const Warning& warning) {
-    return {{"kind", warning.kind},
-            {"message", warning.message},
-            {"file", warning.file.empty() ? Json(nullptr) : Json(warning.file)},
-            {"mesh", or_null(warning.mesh)},
-            {"triangle", or_null(warning.triangle)}};
-}
-
-Json warnings_json(std::span<const Warning> warnings) {
-    Json list = Json::array();
-    for (const Warning& warning : warnings) list.push_back(diagnostic_json(warning));
-    return list;
 }
 
 }  // namespace espalier::tools

@@ -21,6 +21,7 @@
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
 #include "report/console.hpp"
+#include "report/diagnostics.hpp"
 #include "report/failure.hpp"
 #include "trade/pick.hpp"
 #include "trade/pick_report.hpp"

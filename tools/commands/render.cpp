@@ -7,7 +7,6 @@
 #include <espalier/espalier.hpp>
 #include <espalier/statistics.hpp>
 
-#include "bake/warnings.hpp"
 #include "base/numbers.hpp"
 #include "base/verb_arguments.hpp"
 #include "files/blob_file.hpp"
@@ -18,6 +17,7 @@
 #include "render/parallel_rows.hpp"
 #include "render/shading.hpp"
 #include "report/console.hpp"
+#include "report/diagnostics.hpp"
 #include "report/failure.hpp"
 #include "report/json_output.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "bake/policy.hpp"
 #include "bake/source_options.hpp"
-#include "bake/warnings.hpp"
 #include "base/lists.hpp"
 #include "base/numbers.hpp"
 #include "base/verb_arguments.hpp"
@@ -16,6 +15,7 @@
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
 #include "report/console.hpp"
+#include "report/diagnostics.hpp"
 #include "report/failure.hpp"
 #include "report/json_output.hpp"
 #include "trade/chart.hpp"

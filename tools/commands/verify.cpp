@@ -10,12 +10,12 @@
 
 #include "bake/policy.hpp"
 #include "bake/source_options.hpp"
-#include "bake/warnings.hpp"
 #include "base/numbers.hpp"
 #include "base/verb_arguments.hpp"
 #include "files/blob_file.hpp"
 #include "import/files.hpp"
 #include "report/console.hpp"
+#include "report/diagnostics.hpp"
 #include "report/failure.hpp"
 #include "report/json_output.hpp"
 #include "source_check.hpp"

@@ -5,8 +5,8 @@
 #include <new>
 #include <utility>
 
-#include "bake/warnings.hpp"
 #include "base/numbers.hpp"
+#include "diagnostics.hpp"
 
 namespace espalier::tools {
 
