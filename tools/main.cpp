@@ -15,9 +15,9 @@
 
 #include "base/choices.hpp"
 #include "base/numbers.hpp"
-#include "base/verb_arguments.hpp"
 #include "command_line/arguments.hpp"
 #include "command_line/usage_error.hpp"
+#include "commands/commands.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
 #include "report/failure.hpp"

@@ -1,4 +1,4 @@
-// The verbs of the command and what each takes. main.cpp fills these in; commands/<verb>.cpp carries them out.
+// What each verb of the command takes. main.cpp and command_line/ fill these in; commands/ carries the verbs out.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,6 @@
 #include <espalier/bake.hpp>
 #include <espalier/ray.hpp>
 
-#include "exit_code.hpp"
 #include "placement.hpp"
 
 namespace espalier::tools {
@@ -59,7 +58,6 @@ struct BakeArguments {
     bool json = false;
     bool quiet = false;
 };
-ExitCode run_bake(const BakeArguments& arguments);
 
 struct EmbedArguments {
     std::string blob;
@@ -71,7 +69,6 @@ struct EmbedArguments {
     bool json = false;
     bool quiet = false;
 };
-ExitCode run_embed(const EmbedArguments& arguments);
 
 /// Lists stay text here; commands/trade.cpp reads them.
 struct TradeArguments {
@@ -93,13 +90,11 @@ struct TradeArguments {
     bool json = false;
     bool quiet = false;
 };
-ExitCode run_trade(const TradeArguments& arguments);
 
 struct InfoArguments {
     std::string blob;
     bool json = false;
 };
-ExitCode run_info(const InfoArguments& arguments);
 
 struct VerifyArguments {
     std::string blob;
@@ -108,7 +103,6 @@ struct VerifyArguments {
     SourceArguments source;
     bool json = false;
 };
-ExitCode run_verify(const VerifyArguments& arguments);
 
 /// Numbers and lengths stay text here, so that inf and nan arrive as the floats they name. Which of these an `espalier
 /// query` takes depends on its kind (query/kinds.hpp).
@@ -133,8 +127,6 @@ struct QueryArguments {
     unsigned depth = ~0u;
     bool json = false;
 };
-struct QueryKind;
-ExitCode run_query(const QueryKind& kind, const QueryArguments& arguments);
 
 struct RenderArguments {
     std::string blob;
@@ -149,13 +141,11 @@ struct RenderArguments {
     bool json = false;
     bool quiet = false;
 };
-ExitCode run_render(const RenderArguments& arguments);
 
 struct DumpArguments {
     std::string blob;
     std::size_t limit = 0;  ///< lines; 0: all
     bool json = false;
 };
-ExitCode run_dump(const DumpArguments& arguments);
 
 }  // namespace espalier::tools

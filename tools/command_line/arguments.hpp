@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/choices.hpp"
+#include "base/exit_code.hpp"
 #include "base/numbers.hpp"
 #include "base/verb_arguments.hpp"
 

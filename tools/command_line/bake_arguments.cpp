@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 #include "base/numbers.hpp"
+#include "commands/commands.hpp"
 
 namespace espalier::tools {
 

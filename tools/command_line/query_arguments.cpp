@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "arguments.hpp"
+#include "commands/commands.hpp"
 #include "query/kinds.hpp"
 
 namespace espalier::tools {

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "arguments.hpp"
+#include "commands/commands.hpp"
 
 namespace espalier::tools {
 

@@ -15,7 +15,7 @@
 #include "base/byte_sizes.hpp"
 #include "base/lengths.hpp"
 #include "base/numbers.hpp"
-#include "base/verb_arguments.hpp"
+#include "commands.hpp"
 #include "files/cost_model_file.hpp"
 #include "files/depfile.hpp"
 #include "files/output_file.hpp"

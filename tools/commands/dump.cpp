@@ -8,7 +8,7 @@
 #include <runtime/id_steps.hpp>
 
 #include "base/numbers.hpp"
-#include "base/verb_arguments.hpp"
+#include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "layout/blob_layout.hpp"
 #include "layout/byte_listing.hpp"

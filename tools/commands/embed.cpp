@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/numbers.hpp"
-#include "base/verb_arguments.hpp"
+#include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "files/embedding.hpp"
 #include "files/output_file.hpp"

@@ -5,7 +5,7 @@
 #include <espalier/espalier.hpp>
 
 #include "base/numbers.hpp"
-#include "base/verb_arguments.hpp"
+#include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "layout/blob_layout.hpp"
 #include "report/console.hpp"

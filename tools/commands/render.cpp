@@ -8,7 +8,7 @@
 #include <espalier/statistics.hpp>
 
 #include "base/numbers.hpp"
-#include "base/verb_arguments.hpp"
+#include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"

@@ -10,7 +10,7 @@
 #include "bake/source_options.hpp"
 #include "base/lists.hpp"
 #include "base/numbers.hpp"
-#include "base/verb_arguments.hpp"
+#include "commands.hpp"
 #include "files/cost_model_file.hpp"
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"

@@ -11,7 +11,7 @@
 #include "bake/policy.hpp"
 #include "bake/source_options.hpp"
 #include "base/numbers.hpp"
-#include "base/verb_arguments.hpp"
+#include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "import/files.hpp"
 #include "report/console.hpp"
