@@ -105,6 +105,8 @@ foreach(file IN LISTS oracle)
   endif()
 endforeach()
 
+include(${CMAKE_CURRENT_LIST_DIR}/folder_includes.cmake)
+
 list(LENGTH runtime runtime_count)
 if(runtime_count LESS 10)
   list(APPEND problems "only ${runtime_count} files seen in lib/runtime: is ${root} the project?")
