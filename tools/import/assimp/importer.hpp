@@ -1,4 +1,4 @@
-// Files of the formats that assimp reads. Only importer.cpp includes assimp.
+// Files of the formats that assimp reads. Only this folder includes assimp.
 #pragma once
 
 #include <string>

@@ -1,0 +1,26 @@
+// What assimp reports while it reads a file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "import/base/imported.hpp"
+
+namespace espalier::tools {
+
+/// While it lives, assimp's reports are read. One at a time.
+class ImporterLog {
+public:
+    explicit ImporterLog(const ImportOptions& options);
+    ~ImporterLog();
+    ImporterLog(const ImporterLog&) = delete;
+    ImporterLog& operator=(const ImporterLog&) = delete;
+
+    /// Returns the reports of lost geometry.
+    [[nodiscard]] const std::vector<std::string>& losses() const { return losses_; }
+
+private:
+    std::vector<std::string> losses_;
+};
+
+}  // namespace espalier::tools
