@@ -14,6 +14,10 @@ namespace espalier::tests {
 
 inline Vec3 cpp(espalier_vec3 v) { return {v.x, v.y, v.z}; }
 
+inline Steps bits_of(espalier_vec3 v) {
+    return {std::bit_cast<std::int32_t>(v.x), std::bit_cast<std::int32_t>(v.y), std::bit_cast<std::int32_t>(v.z)};
+}
+
 class Expecting {
 public:
     Expecting(const Blob& blob, const Blob& other, const question& asked) : blob_(blob), other_(other), asked_(asked) {}

@@ -13,19 +13,13 @@
 #include <espalier/approximate.hpp>
 #include <espalier/overlap.hpp>
 #include <runtime/codec_node.hpp>
-#include <runtime/closest_pair.hpp>
-#include <runtime/lattice_box.hpp>
-#include <runtime/lattice_point.hpp>
 #include <runtime/lattice_ray.hpp>
-#include <runtime/nearest_world.hpp>
-#include <runtime/small_boxes.hpp>
 
+#include "approximate_checks.hpp"
 #include "support/base/calls.hpp"
 #include "support/base/profiles.hpp"
-#include "support/base/test_scale.hpp"
 #include "support/blobs/node_kinds.hpp"
 #include "support/blobs/test_blobs.hpp"
-#include "support/loops/triangle_loop.hpp"
 #include "support/machine/instruction_paths.hpp"
 #include "support/meshes/makers.hpp"
 #include "support/meshes/real_meshes.hpp"
@@ -38,196 +32,6 @@ using namespace espalier::tests;
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr double root_of_3 = 1.7320508075688774;
-
-/// From below a step to all of the asset.
-float some_accuracy(ShapeMaker& maker) {
-    return std::ldexp(maker.size() * maker.random().unit(), -maker.random().between(0, 10));
-}
-
-struct Tally {
-    std::uint64_t yes = 0;
-    std::uint64_t wrong_yes = 0;
-    std::uint64_t no = 0;
-    void add(bool maybe, bool exact) { ++(!maybe ? no : exact ? yes : wrong_yes); }
-    void check() const {
-        if (!asks_enough()) return;
-        CHECK(yes > 0);
-        CHECK(wrong_yes > 0);
-        CHECK(no > 0);
-    }
-};
-
-/// What is asked, and what answers without a tree.
-struct Asked {
-    Asked(const Blob& asked, const DecodedBlob& triangles, std::uint64_t seed)
-        : blob(asked),
-          decoded(triangles),
-          extent(decoded.extent),
-          loop(decoded),
-          maker(decoded, seed),
-          queries(decoded, seed) {}
-
-    const Blob& blob;
-    DecodedBlob decoded;  ///< which the makers refer to
-    std::array<std::uint32_t, 3> extent;
-    TriangleLoop loop;
-    ShapeMaker maker;
-    QueryMaker queries;
-
-    [[nodiscard]] double steps(float accuracy) const { return std::max(0, detail::steps_in(blob.data(), accuracy)); }
-};
-
-using Check = void (*)(Asked& asked, bool awkward, Tally& tally);
-
-void check_sphere(Asked& asked, bool awkward, Tally& tally) {
-    const Sphere sphere = awkward ? asked.queries.sphere() : asked.queries.random_sphere();
-    const float accuracy = some_accuracy(asked.maker);
-    CAPTURE(describe(sphere));
-    CAPTURE(accuracy);
-    detail::LatticePoint rounded;
-    if (!detail::round_point(asked.blob.data(), sphere.center, sphere.radius, rounded)) {
-        REQUIRE_FALSE(may_overlap(asked.blob, sphere, accuracy));
-        return;
-    }
-    const bool exact = asked.loop.closest_within(rounded).has_value();
-    const bool maybe = may_overlap(asked.blob, sphere, accuracy);
-    if (exact) REQUIRE(maybe);
-    if (maybe && !exact) {
-        const double more = asked.steps(accuracy) * root_of_3;
-        rounded.radius =
-            static_cast<float>(static_cast<double>(rounded.radius) * (1.0 + 0x1p-18) + more * (1.0 + 0x1p-22));
-        REQUIRE(asked.loop.closest_within(rounded).has_value());
-    }
-    REQUIRE(may_overlap(asked.blob, sphere, 0.0f) == exact);
-    tally.add(maybe, exact);
-}
-
-void check_box(Asked& asked, bool awkward, Tally& tally) {
-    const Box box = asked.maker.box(awkward);
-    const float accuracy = some_accuracy(asked.maker);
-    CAPTURE(describe(box));
-    CAPTURE(accuracy);
-    detail::LatticeBox rounded;
-    if (detail::round_volume(asked.blob.data(), box, rounded) != QueryStatus::ok || rounded.is_empty) {
-        REQUIRE_FALSE(may_overlap(asked.blob, box, accuracy));
-        return;
-    }
-    const bool exact = !asked.loop.every_overlap(rounded).empty();
-    const bool maybe = may_overlap(asked.blob, box, accuracy);
-    if (exact) REQUIRE(maybe);
-    if (maybe && !exact) {
-        for (std::int64_t& half : rounded.half)
-            half += static_cast<std::int64_t>(asked.steps(accuracy)) << detail::LatticeBox::fraction_bits;
-        REQUIRE_FALSE(asked.loop.every_overlap(rounded).empty());
-    }
-    REQUIRE(may_overlap(asked.blob, box, 0.0f) == exact);
-    tally.add(maybe, exact);
-}
-
-/// Whether any triangle is within that many lattice steps of the part of the ray that counts.
-bool passes_within(const Asked& asked, const detail::LatticeRay& ray, double steps) {
-    // Of the ray what is within the asset's box, grown: nothing else is that near.
-    double first = static_cast<double>(ray.tau_min), last = static_cast<double>(ray.tau_max);
-    double origin[3];
-    for (unsigned k = 0; k < 3; ++k) {
-        origin[k] = std::ldexp(static_cast<double>(ray.origin[k]), -ray.fraction_bits);
-        const double low = -steps - 1.0 - origin[k], high = asked.extent[k] + steps + 1.0 - origin[k];
-        if (ray.direction[k] == 0) {
-            if (low > 0.0 || high < 0.0) return false;
-            continue;
-        }
-        const double one = low / ray.direction[k], other = high / ray.direction[k];
-        first = std::max(first, std::min(one, other));
-        last = std::min(last, std::max(one, other));
-    }
-    if (first > last) return false;
-    detail::DistantSegment part;
-    part.segment.fraction_bits = 6;
-    for (unsigned k = 0; k < 3; ++k) {
-        const auto unit_of = [&](double tau) {
-            return std::llround(std::ldexp(origin[k] + tau * ray.direction[k], 6));
-        };
-        part.segment.from[k] = unit_of(first);
-        part.segment.to[k] = unit_of(last);
-        part.segment.from_steps[k] = std::ldexp(static_cast<float>(part.segment.from[k]), -6);
-        part.segment.to_steps[k] = std::ldexp(static_cast<float>(part.segment.to[k]), -6);
-    }
-    part.segment.from_steps[3] = part.segment.to_steps[3] = 0.0f;
-    prepare(part);
-    part.radius = static_cast<float>(steps * (1.0 + 0x1p-20) + 0.05);  // the ends were rounded
-    return asked.loop.closest_pair(part).has_value();
-}
-
-void check_ray(Asked& asked, bool awkward, Tally& tally) {
-    Ray ray = awkward ? asked.queries.any_ray() : asked.queries.ray(RayKind::incoherent);
-    if (asked.maker.random().coin()) asked.queries.restrict(ray);
-    ray.faces = Faces::both;
-    const float accuracy = some_accuracy(asked.maker);
-    CAPTURE(describe(ray));
-    CAPTURE(accuracy);
-    detail::LatticeRay rounded;
-    if (!detail::round_ray(asked.blob.data(), ray, rounded)) {
-        REQUIRE_FALSE(may_be_occluded(asked.blob, ray, accuracy));
-        return;
-    }
-    const bool exact = !asked.loop.every_hit(rounded).empty();
-    const bool maybe = may_be_occluded(asked.blob, ray, accuracy);
-    if (exact) REQUIRE(maybe);
-    if (maybe && !exact) REQUIRE(passes_within(asked, rounded, asked.steps(accuracy) * root_of_3));
-    REQUIRE(may_be_occluded(asked.blob, ray, 0.0f) == exact);
-    tally.add(maybe, exact);
-}
-
-void check_bounds(Asked& asked, bool awkward, Tally& tally) {
-    const Sphere sphere = awkward ? asked.queries.sphere() : asked.queries.random_sphere();
-    const float accuracy = asked.maker.random().below(4) == 0 ? 0.0f : some_accuracy(asked.maker);
-    CAPTURE(describe(sphere));
-    CAPTURE(accuracy);
-    DistanceBounds bounds;
-    const bool has_bounds = distance_bounds(asked.blob, sphere.center, sphere.radius, accuracy, bounds);
-    detail::LatticePoint rounded;
-    const bool is_near = detail::round_point(asked.blob.data(), sphere.center, sphere.radius, rounded);
-    const bool found = is_near && asked.loop.closest_within(rounded).has_value();
-    if (found) REQUIRE(has_bounds);
-    if (accuracy == 0.0f) REQUIRE(has_bounds == found);
-    if (!has_bounds) return;
-    REQUIRE(bounds.lower <= sphere.radius);
-    REQUIRE(bounds.lower <= bounds.upper);
-    const auto lower = static_cast<double>(bounds.lower), upper = static_cast<double>(bounds.upper);
-    REQUIRE(upper <= lower + static_cast<double>(accuracy) * root_of_3 + upper * 0x1p-16);
-    // However far it may be.
-    REQUIRE(detail::round_point(asked.blob.data(), sphere.center, infinity, rounded));
-    const auto closest = asked.loop.closest_within(rounded);
-    REQUIRE(closest.has_value());
-    const float distance =
-        detail::to_world_distance(asked.blob.data(), closest->distance.squared, rounded.distance_offset, infinity);
-    if (bounds.lower < sphere.radius) REQUIRE(bounds.lower <= distance);
-    REQUIRE(distance <= bounds.upper);
-    tally.add(true, bounds.upper <= bounds.lower * 1.01f);
-}
-
-void check_instruction_sets(Asked& asked, bool awkward, Tally&) {
-    auto& [blob, decoded, extent, loop, maker, queries] = asked;
-    const Sphere sphere = awkward ? queries.sphere() : queries.random_sphere();
-    const Ray ray = awkward ? queries.any_ray() : queries.ray(RayKind::incoherent);
-    const std::int32_t steps = detail::steps_in(blob.data(), some_accuracy(maker));
-    detail::LatticePoint rounded;
-    if (!detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) return;
-    QueryCounters first;
-    const InstructionPath& scalar = instruction_paths().front();
-    const bool overlap = scalar.may_overlap(blob.data(), rounded, steps, first);
-    const detail::SquaredBounds bounds = scalar.closest_bounds(blob.data(), rounded, steps, first);
-    const bool hit = scalar.may_hit(blob.data(), ray, steps, first);
-    for (const InstructionPath& path : instruction_paths()) {
-        QueryCounters counters;
-        REQUIRE(path.may_overlap(blob.data(), rounded, steps, counters) == overlap);
-        const detail::SquaredBounds again = path.closest_bounds(blob.data(), rounded, steps, counters);
-        REQUIRE(again.lower == bounds.lower);
-        REQUIRE(again.upper == bounds.upper);
-        REQUIRE(path.may_hit(blob.data(), ray, steps, counters) == hit);
-    }
-}
 
 struct StepBox {
     std::int32_t low[3], high[3];
@@ -369,23 +173,29 @@ TEST_SUITE("approximate") {
     TEST_CASE("approximate: spheres miss no overlap and err by at most the root of 3 times accuracy") {
         check_test_blobs(spheres, 81).check();
     }
+
     TEST_CASE("approximate: boxes miss no overlap and err by at most the accuracy along every axis") {
         check_test_blobs(boxes, 82).check();
     }
+
     TEST_CASE("approximate: rays miss no hit and err by at most the root of 3 times accuracy") {
         check_test_blobs(rays, 83).check();
     }
+
     TEST_CASE("approximate: distance bounds hold the distance within the root of 3 times accuracy") {
         CHECK(check_test_blobs(distance_limits, 84).wrong_yes > 0);  // some are apart
     }
+
     TEST_CASE("approximate: every instruction set gives the same answers with the same work") {
         std::uint64_t awkward = 0;
         check_test_blobs(check_instruction_sets, 85, scaled_share(60), awkward);
     }
+
     TEST_CASE("approximate: a ray just beyond a box or the asset gives the same answer on every path") {
         std::uint64_t awkward = 0;
         check_test_blobs(check_rays_beside_boxes, 87, scaled_share(2'000), awkward).check();
     }
+
     TEST_CASE("approximate: a sphere is near where it touches a triangle or a small box and nowhere else") {
         for_each_node_kind([]<class Node>(format::Profile profile) {
             const OpenedBlob opened(make_terrain(40, 5), {.bits = 10, .profile = profile});
@@ -434,6 +244,7 @@ TEST_SUITE("approximate") {
             CHECK(far > 1'000);
         });
     }
+
     TEST_CASE("approximate: every query keeps its bound on real meshes") {
         for_each_real_mesh(check_real_mesh, quickly_baked);
     }

@@ -1,0 +1,100 @@
+// The kernel of moving capsules: the tick of the first contact, exactly, and the contact itself, against the oracle,
+// which measures distances between hulls in rational numbers.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdint>
+
+#include <runtime/moving_capsule.hpp>
+#include <runtime/moving_sphere.hpp>
+
+#include "moving_scene.hpp"
+#include "oracle/exact_geometry.hpp"
+#include "oracle/rational.hpp"
+#include "support/base/calls.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using namespace espalier::tests::moving;
+using detail::Integer3;
+using detail::MovingCapsule;
+using detail::no_contact;
+using detail::SweepContact;
+using detail::SweepStep;
+using detail::whole_way;
+using oracle::Point;
+using oracle::Rational;
+
+namespace {
+
+Case<MovingCapsule> some_capsule(Random& random) {
+    for (;;) {
+        Scene scene(random);
+        const std::int64_t radius = scene.some_radius();
+        const Integer3 way = scene.some_way();
+        Integer3 axis = scene.some_point(scene.bits);
+        switch (random.below(5)) {
+            case 0:
+                axis = {0, 0, 0};
+                break;
+            case 1:
+                axis = minus(scene.triangle.corner[1], scene.triangle.corner[0]);
+                break;
+            case 2:
+                axis.*axes[random.below(3)] = 0;
+                axis.*axes[random.below(3)] = 0;
+                break;
+            default:
+                break;
+        }
+        Integer3 start = scene.some_start(scene.some_target(), way, radius);
+        if (random.coin()) start = minus(start, axis);
+        scene.see_from(start);
+        if (scene.is_in_range(std::int64_t{1} << 34)) return {{{way, radius}, axis}, scene.triangle};
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("moving capsule") {
+    TEST_CASE("kernel: a moving capsule touches first at the tick of the oracle") {
+        std::uint64_t decided = 0;
+        Random random(4);
+        std::array<std::uint64_t, 3> seen{};
+        const std::uint64_t count = scaled(250);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const Case<MovingCapsule> c = some_capsule(random);
+            CAPTURE(i);
+            if (touches_at_start(c)) {
+                ++seen[0];
+                continue;
+            }
+            const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+            REQUIRE(step > 0);
+            ++decided;
+            require_right_step(c, step);
+            require_right_limits(c, step, random);
+            ++seen[step == no_contact ? 1 : 2];
+            if (step == no_contact || !has_area(c.triangle)) continue;
+            // The named point is on the triangle and as far from the axis as the normal says.
+            const SweepContact contact = contact_at(c.moving, c.triangle, step);
+            const Point start = exact(c.moving.sphere.displacement) * ticks(detail::tick_before(step));
+            const std::array<Point, 2> axis = {start, start + exact(c.moving.axis)};
+            const Point point = weighted(c.triangle, contact);
+            const std::array<Point, 1> named = {point};
+            const Rational distance = oracle::squared_distance(axis, exact(c.triangle));
+            const Rational from_point = oracle::squared_distance(axis, named);
+            // The other end of the shortest connection: along the normal.
+            const Rational slack = (size_of(c.triangle) + length_bound(c.moving.axis)) * Rational::of(1, -20);
+            // sqrt(from_point) <= sqrt(distance) + slack + the way of a tick, squared twice.
+            const Rational way = length_bound(c.moving.sphere.displacement) * ticks(1);
+            const Rational more = slack + way;
+            const Rational above = from_point - distance - more * more;
+            REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * more * more * distance));
+        }
+        for (const std::uint64_t number : seen) CHECK(number > count / 20);
+        MESSAGE(decisions_made("capsule that moves", decided));
+    }
+}

@@ -1,0 +1,63 @@
+#include "run.hpp"
+
+#include <cstdint>
+
+#include <espalier/espalier.hpp>
+
+#include "support/base/random.hpp"
+#include "support/blobs/measured_blob.hpp"
+#include "support/queries/hostile_arguments.hpp"
+
+namespace espalier::tests::exercises {
+
+namespace {
+
+template <class Shape>
+void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
+    const MeasuredBlob& blob = run.blob;
+    Verdict& verdict = run.verdict;
+    const std::uint32_t parity = run.random.below(2);
+    const auto filter = [&](Triangle triangle) {
+        verdict.require(triangle.index < blob.triangle_count(),
+                        "a filter was asked about a triangle that does not exist");
+        return triangle.index % 2 == parity;
+    };
+    SweepHit hits[2];
+    hits[0].t = hits[1].t = -1.0f;
+    const bool found = sweep(blob, shape, displacement, hits[0]);
+    const bool found_filtered = sweep(blob, shape, displacement, hits[1], filter);
+    verdict.require(!found || check_sweep(blob, shape, displacement) == QueryStatus::ok, "a refused sweep hit");
+    verdict.require(found || !found_filtered, "a sweep under a filter hits more than without");
+    for (const SweepHit& hit : hits) {
+        if (!(&hit == hits ? found : found_filtered)) {
+            verdict.require(hit.t == -1.0f, "a sweep that hit nothing changed the hit");
+            continue;
+        }
+        verdict.require(hit.triangle.index < blob.triangle_count(), "a sweep hit a triangle that does not exist");
+        verdict.require(hit.t >= 0.0f && hit.t < 1.0f, "a sweep's t is out of range or NaN");
+        verdict.require(!hit.starts_overlapping || hit.t == 0.0f, "a sweep that starts overlapping takes its time");
+        const Vec3& n = hit.normal;
+        verdict.require(n.x * n.x + n.y * n.y + n.z * n.z > 0.999f, "a sweep's normal is not of unit length");
+        verdict.require(is_number(hit.point.x + hit.point.y + hit.point.z), "a sweep's point is NaN");
+        run.hash.add(hit.triangle.index);
+        run.hash.add(hit.t);
+        run.hash.add(hit.point);
+        run.hash.add(hit.normal);
+    }
+}
+
+}  // namespace
+
+void exercise_sweeps(Exercise& run) {
+    const MeasuredBlob& blob = run.blob;
+    Random& random = run.random;
+    const Vec3 a = some_point(blob, random), b = some_point(blob, random), c = some_point(blob, random);
+    const float length = some_length(blob, random);
+    const Vec3 way = random.coin() ? difference(c, a) : c;
+    exercise_sweep(run, Sphere{a, length}, way);
+    exercise_sweep(run, Capsule{a, b, length}, way);
+    exercise_sweep(run, Box{a, b}, way);
+    exercise_sweep(run, Box{a, moved(a, {length, length, length})}, way);
+}
+
+}  // namespace espalier::tests::exercises

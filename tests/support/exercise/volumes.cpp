@@ -1,0 +1,165 @@
+#include "run.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <espalier/espalier.hpp>
+
+#include "support/base/answer_hash.hpp"
+#include "support/base/random.hpp"
+#include "support/blobs/measured_blob.hpp"
+#include "support/machine/float_mode.hpp"
+#include "support/queries/hostile_arguments.hpp"
+
+namespace espalier::tests::exercises {
+
+namespace {
+
+/// The three ways of asking about one shape.
+template <class Shape>
+void exercise_volume(Exercise& run, const Shape& shape) {
+    const MeasuredBlob& blob = run.blob;
+    Verdict& verdict = run.verdict;
+    const bool any = overlaps(blob, shape);
+    std::array<Triangle, 16> seen;
+    std::uint32_t visited = 0;
+    for_each_overlap(blob, shape, [&](Triangle triangle) {
+        verdict.require(triangle.index < blob.triangle_count(), "a volume overlaps a triangle that does not exist");
+        verdict.require(visited == 0 || triangle.index > seen[visited - 1].index, "overlaps are not in storage order");
+        seen[visited] = triangle;
+        return ++visited == seen.size() ? stop : keep_going;
+    });
+    verdict.require((visited > 0) == (any && blob.copy_count() == 0), "a visitor of overlaps and any overlap disagree");
+    std::array<Triangle, 5> page;
+    std::uint32_t first = 0;
+    for (std::uint32_t found = 0; found + page.size() <= seen.size();) {
+        const OverlapPage answer = collect_overlaps(blob, shape, page, first);
+        verdict.require(answer.count <= page.size(), "a page of overlaps has more than it can hold");
+        for (std::uint32_t i = 0; i < answer.count; ++i, ++found) {
+            verdict.require(found < visited && page[i] == seen[found], "a page of overlaps and the visitor disagree");
+            run.hash.add(page[i].index);
+        }
+        if (answer.status != QueryStatus::output_full) {
+            verdict.require(answer.status != QueryStatus::ok || found == visited, "pages of overlaps end too early");
+            break;
+        }
+        first = answer.next;
+    }
+    const auto anywhere = static_cast<std::uint32_t>(run.random.next());
+    run.hash.add(collect_overlaps(blob, shape, page, anywhere).next);
+}
+
+/// In lattice steps: near the asset more often than not, at the ends of the range, or anything.
+std::int32_t some_steps(const Exercise& run, Random& random, int axis) {
+    const std::int32_t extent = lattice_of(run.blob.unmeasured()).extent[axis];
+    switch (random.below(8)) {
+        case 0:
+            return static_cast<std::int32_t>(random.next());
+        case 1:
+            return random.coin() ? max_segment_steps : -max_segment_steps;
+        case 2:
+            return 0;
+        case 3:
+            return extent;
+        default:
+            return random.between(-extent / 4 - 1, extent + extent / 4 + 1);
+    }
+}
+
+}  // namespace
+
+void exercise_spheres(Exercise& run) {
+    const MeasuredBlob& blob = run.blob;
+    Random& random = run.random;
+    AnswerHash& hash = run.hash;
+    Verdict& verdict = run.verdict;
+    const Sphere sphere{some_point(blob, random), some_length(blob, random)};
+    const bool any = overlaps(blob, sphere);
+    std::uint32_t visited = 0;
+    std::uint32_t last = 0;
+    for_each_overlap(blob, sphere, [&](Triangle triangle) {
+        verdict.require(triangle.index < blob.triangle_count(), "a sphere overlaps a triangle that does not exist");
+        verdict.require(visited == 0 || triangle.index > last, "overlaps are not in storage order");
+        last = triangle.index;
+        hash.add(triangle.index);
+        return ++visited == 64 ? stop : keep_going;
+    });
+    verdict.require((visited > 0) == (any && blob.copy_count() == 0), "for_each_overlap and overlaps disagree");
+}
+
+void exercise_volumes(Exercise& run) {
+    const MeasuredBlob& blob = run.blob;
+    Random& random = run.random;
+    const Vec3 a = some_point(blob, random), b = some_point(blob, random), c = some_point(blob, random);
+    const Vec3 d = some_point(blob, random);
+    const float length = some_length(blob, random);
+    // Two of them a round.
+    switch (random.below(4)) {
+        case 0:
+            exercise_volume(run, Sphere{a, length});
+            exercise_volume(run, Capsule{a, b, length});
+            break;
+        case 1:
+            exercise_volume(run, Box{a, b});
+            exercise_volume(run, Box{a, moved(a, {length, length, length})});
+            break;
+        case 2:
+            exercise_volume(run, OrientedBox{a, {b, c, d}});
+            exercise_volume(run, OrientedBox{a, {{length, 0.0f, length}, difference(b, a), {}}});
+            break;
+        default: {
+            exercise_volume(run, Corners{a, b, c});
+            std::array<Plane, max_planes + 1> planes;
+            for (Plane& plane : planes) {
+                const Vec3 on = some_point(blob, random);
+                const Vec3 normal = random.below(8) == 0 ? on : random.in_cube(1.0f);
+                plane = {normal, plain_sum(plain_dot(normal, on), plain_product(0.1f, length))};
+            }
+            const std::size_t count = random.coin() ? random.below(7) : random.below(planes.size() + 1);
+            exercise_volume(run, std::span<const Plane>(planes).first(count));
+        }
+    }
+}
+
+void exercise_steps(Exercise& run) {
+    const MeasuredBlob& blob = run.blob;
+    Random& random = run.random;
+    Verdict& verdict = run.verdict;
+    const auto some_place = [&] {
+        const std::int32_t x = some_steps(run, random, 0);
+        const std::int32_t y = some_steps(run, random, 1);
+        return Steps{x, y, some_steps(run, random, 2)};
+    };
+    const SegmentInSteps segment = {some_place(), some_place()};
+    HitInSteps hit;
+    bool any = false;
+    const QueryStatus status = first_hit(blob, segment, hit);
+    verdict.require(any_hit(blob, segment, any) == status, "any_hit and first_hit disagree about the range");
+    verdict.require(any == (hit.triangle != no_triangle), "any_hit and first_hit disagree");
+    if (any) {
+        verdict.require(hit.triangle.index < blob.triangle_count(), "a segment hit a triangle that does not exist");
+        verdict.require(hit.t <= 1u << 31, "a segment is hit beyond its end");
+        run.hash.add(hit.triangle.index);
+        run.hash.add(hit.t);
+        run.hash.add(static_cast<std::uint32_t>(hit.side));
+    }
+    exercise_volume(run, BoxInSteps{segment.from, segment.to});
+    const Lattice lattice = lattice_of(blob.unmeasured());
+    const Box world = {some_point(blob, random), some_point(blob, random)};
+    Steps nearest;
+    BoxInSteps around;
+    if (to_steps(lattice, world.min, nearest) == QueryStatus::ok) {
+        run.hash.add(static_cast<std::uint32_t>(nearest.x));
+        const Vec3 back = to_world(lattice, nearest);
+        verdict.require(is_number(back.x) && is_number(back.y) && is_number(back.z), "a lattice point is nowhere");
+    }
+    if (steps_around(lattice, world, around) == QueryStatus::ok) {
+        verdict.require(overlaps(blob, around) || !overlaps(blob, world),
+                        "a box in steps misses what the box in it overlaps");
+        run.hash.add(static_cast<std::uint32_t>(around.max.z));
+    }
+}
+
+}  // namespace espalier::tests::exercises
