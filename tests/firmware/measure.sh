@@ -56,7 +56,7 @@ flash_bytes() {
         awk '$1 == ".text" || $1 == ".ARM.exidx" || $1 == ".data" { sum += $2 } END { print sum }'
 }
 empty=$(flash_bytes empty)
-kinds=$(sed -nE '/kind_names\[/,/\};/p' "$here/workload.hpp" | grep -oE '"[a-z_]+"' | tr -d '"' | tr '\n' ' ')
+kinds=$(sed -nE '/kind_names\[/,/\};/p' "$here/measured_kinds.hpp" | grep -oE '"[a-z_]+"' | tr -d '"' | tr '\n' ' ')
 rows=$build/rows.txt
 {
     for part in closest_ray in_steps five_queries every_query; do

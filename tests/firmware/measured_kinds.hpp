@@ -1,0 +1,57 @@
+// The kinds of queries that cost is measured of. measure.sh reads their names here.
+#pragma once
+
+namespace espalier::firmware {
+
+enum Kind : unsigned {
+    opening,
+    trusted_opening,
+    closest_ray,
+    any_ray,
+    sphere_overlap,
+    nearest_point,
+    box_overlap,
+    box_in_steps,
+    first_in_steps,
+    any_in_steps,
+    two_touch,
+    two_distance,
+    two_within,
+    two_contacts,
+    all_hits,
+    few_hits,
+    ray_batch,
+    sphere_list,
+    box_list,
+    capsule_overlap,
+    oriented_box_overlap,
+    triangle_overlap,
+    planes_overlap,
+    few_points,
+    inside,
+    signed_point,
+    nearest_to_segment,
+    nearest_to_box,
+    moving_sphere,
+    moving_capsule,
+    moving_box,
+    coarse_sphere,
+    coarse_box,
+    coarse_ray,
+    coarse_distance,
+    kind_count
+};
+
+// clang-format off
+inline constexpr const char* kind_names[] = {
+    "open", "open_trusted_image", "raycast", "occluded", "overlaps_sphere", "closest_point", "overlaps_box",
+    "overlaps_box_in_steps", "first_hit_in_steps", "any_hit_in_steps", "collides", "minimum_distance",
+    "within_distance", "for_each_contact", "for_each_hit", "closest_hits", "raycast_batch", "for_each_overlap_sphere",
+    "for_each_overlap_box", "overlaps_capsule", "overlaps_oriented_box", "overlaps_triangle", "overlaps_planes",
+    "closest_triangles", "contains", "signed_distance", "closest_to_segment", "closest_to_box", "sweep_sphere",
+    "sweep_capsule", "sweep_box", "may_overlap_sphere", "may_overlap_box", "may_be_occluded", "distance_bounds",
+};
+// clang-format on
+static_assert(sizeof kind_names / sizeof *kind_names == kind_count);
+
+}  // namespace espalier::firmware
