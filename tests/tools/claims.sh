@@ -45,6 +45,7 @@ json() {
 }
 # The script's last command.
 finish() {
+    ls -A . | grep -q '\.espl\.......$' && fail "a temporary was left behind"
     echo "$claims claims, $broken broken"
     [ $broken = 0 ]
 }

@@ -1,0 +1,156 @@
+#!/usr/bin/env bash
+# Tests of `espalier info` and `verify`, and of the ways back to the source.
+# Usage: blob_test.sh PATH_TO_ESPALIER
+# shellcheck source=meshes.sh
+. "$(dirname "$0")/meshes.sh"
+
+# ---- info, verify ---------------------------------------------------------------------------------------------------
+claim "info tells what is inside, for people and for scripts"
+run 0 info sheet.espl
+for word in "format" "triangles     3200" "vertices" "lattice" "max error" "original_ids, materials_8" "depth" "checksum" "nodes" \
+    "leaves" "guard" "sources" "per triangle"; do
+    out_has "$word"
+done
+run 0 info sheet.espl --json
+for key in schema format_version triangles vertices bytes bytes_per_triangle sections bits step extent max_error depth profile \
+    checksum bounds nodes leaves features closed; do
+    out_has "\"$key\": "
+done
+out_has '"format_version": "2.'
+out_has "\"bytes\": $(stat -c %s sheet.espl)"
+
+claim "edge flags and bounds are there on request, and the report tells how much space the bounds take"
+run 0 bake sheet.obj -o extras.espl --edge-flags --bounds obb,sphere,kdop
+err_has "volume: axis-aligned box "
+err_has "oriented box "
+err_has "26-DOP "
+run 0 bake sheet.obj -o extras5.espl -q --edge-flags --flat-angle 5 --bounds sphere --bounds kdop,obb --json
+out_has '"volumes": {'
+same extras.espl extras5.espl
+run 0 verify extras.espl --deep
+run 0 info extras.espl
+for word in "format        2.0" "edge_flags, oriented_box, bounding_sphere, k_dop" "half axis" "radius"; do
+    out_has "$word"
+done
+run 0 info extras.espl --json
+for key in oriented_box half_axes sphere radius k_dop direction; do
+    out_has "\"$key\": "
+done
+run 0 dump extras.espl
+for word in "squared sine of what is flat: 127441 / 2^24" "quaternion w x y z" "radius, in steps / 16" "along 1 -1 -1: low and high"; do
+    out_has "$word"
+done
+
+claim "verify accepts what bake wrote, deep and against its source"
+run 0 verify sheet.espl --deep --source sheet.obj
+out_has "ok, 3200 triangles"
+run 0 verify two.espl --deep --source box.obj far_box.obj
+run 0 verify box.espl --deep --json
+out_has '"ok": true'
+out_has '"deep": true'
+run 0 bake box.obj -o inches.espl --unit in --up z
+run 0 verify inches.espl --source box.obj --unit in --up z
+
+claim "verify names a box that ends far from the asset, which only --deep asks about"
+run 0 bake sheet.obj -o near.espl --profile balanced
+{ head -c 12 near.espl; printf '\0\0\0\0'; tail -c +17 near.espl | head -c 152; printf '\377'; tail -c +170 near.espl; } >unsigned.espl
+{ head -c 12 unsigned.espl; gzip -c unsigned.espl | tail -c 8 | head -c 4; tail -c +17 unsigned.espl; } >far.espl # CRC-32
+run 0 verify near.espl --deep
+run 0 verify far.espl
+run 3 verify far.espl --deep
+err_has "node 0 (byte 128) has a box that ends too far beyond the asset: on x"
+err_has ". Bake it again."
+
+claim "verify refuses another source, or the same in another unit"
+run 3 verify sheet.espl --source far_box.obj
+err_has "farther from the baked surface"
+run 3 verify inches.espl --source box.obj
+run 3 verify empty.espl --source box.obj
+run 2 verify box.espl --source missing.obj
+
+claim "a blob that is cut short, changed, newer or none at all is refused by every verb, and the status says why"
+size=$(stat -c %s sheet.espl)
+head -c $((size - 1)) sheet.espl >short.espl
+{ cat sheet.espl; printf 'x'; } >long.espl
+{ head -c 4 sheet.espl; printf '\011\000'; tail -c +7 sheet.espl; } >newer.espl
+: >none.espl
+for verb in info verify dump "query|ray 0 0 0 1 0 0" render; do
+    for blob in short stub long changed none; do
+        case $verb in
+            query*) arguments="query $blob.espl ${verb#*|}" ;;
+            render) arguments="render $blob.espl -o refused.png" ;;
+            *) arguments="$verb $blob.espl" ;;
+        esac
+        # shellcheck disable=SC2086
+        run 3 $arguments
+        err_has "'$blob.espl' is refused: "
+    done
+done
+absent refused.png
+run 5 info newer.espl
+run 5 verify newer.espl --json
+out_has '"ok": false'
+out_has '"status": 4'
+run 3 info box.obj
+err_has "espalier bake"
+run 2 info missing.espl
+run 2 info .
+run 3 verify changed.espl --deep --json
+out_has '"ok": false'
+
+claim "blobs and junk may come through a pipe"
+"$espalier" info /dev/stdin <sheet.espl >out 2>err || fail "redirected blob"
+cat sheet.espl | "$espalier" info /dev/stdin >out 2>err || fail "piped blob"
+out_has "triangles     3200"
+awk 'BEGIN { for (i = 0; i < 9999; ++i) printf "junk" }' | "$espalier" info /dev/stdin >out 2>err
+[ $? = 3 ] || fail "piped junk is not exit status 3"
+
+# ---- which triangle was that ----------------------------------------------------------------------------------------
+claim "a remap file and a source in the blob's order lead back without ids in the blob"
+run 0 bake sheet.obj -o lean.espl --profile small
+run 0 bake sheet.obj -o lead.espl --profile small --remap order.bin --reorder order.ply
+same lean.espl lead.espl
+[ "$(head -c 4 order.bin)" = ESPR ] || fail "a remap file begins otherwise"
+triangles=$(("($(stat -c %s order.bin) - 16) / 16"))
+grep -aq "element face $triangles" order.ply || fail "the reordered source has other triangles than the remap file"
+run 0 bake sheet.obj -o lead.espl --profile small --reorder order.obj
+[ "$(grep -c '^f ' order.obj)" = "$triangles" ] || fail "an OBJ in the blob's order has other triangles than a PLY"
+# The first triangle of the blob, corner for corner.
+for corner in 2 3 4; do
+    vertex=$(grep -m 1 '^f ' order.obj | cut -d ' ' -f $corner)
+    grep '^v ' order.obj | sed -n "${vertex}p" | cut -d ' ' -f 2-
+done >corners
+run 0 query lead.espl show 0 --json
+if command -v jq >/dev/null; then
+    jq -r '[.a, .b, .c][] | join(" ")' out | paste -d ' ' - corners |
+        awk '{ for (i = 1; i < 4; ++i) if (($i - $(i + 3)) ^ 2 > 1e-6) exit 1 } END { if (NR != 3) exit 1 }' ||
+        fail "the first triangle of the reordered source is not the blob's"
+fi
+run 1 bake sheet.obj -o lead.espl --reorder order.stl
+run 1 bake sheet.obj -o lead.espl --remap same.bin --reorder same.bin
+
+claim "no output replaces a file that is read, and empty values are refused"
+printf 'mtllib own.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n' >own.obj
+printf 'newmtl red\nKd 1 0 0\n' >own.mtl
+printf '{"byte_price": 0}' >own.json
+for output in -o --remap --depfile; do
+    others="-o own.espl"
+    [ "$output" != -o ] || others=
+    # shellcheck disable=SC2086  # words
+    run 1 bake own.obj $others $output own.mtl
+    err_has "'own.mtl' is the input"
+    err_has "Give another name to $output"
+done
+run 0 bake own.obj -o own.espl -q
+run 1 bake own.obj -o new.espl --lattice-of own.espl --remap own.espl
+run 1 bake own.obj -o new.espl --cost-model own.json --remap own.json
+for option in --step --lattice-of --remap --reorder; do
+    run 1 bake own.obj -o new.espl "$option" ""
+done
+absent new.espl
+printf 'v 0 0 0\nv nan 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\nf 1 4 3\n' >half.obj
+run 0 bake half.obj -o half.espl -q --repair --max-dropped 50% --reorder whole.obj
+! grep -qi nan whole.obj || fail "the reordered source has a vertex that no triangle uses"
+run 1 bake sheet.obj -o lead.espl --remap sheet.obj
+
+finish

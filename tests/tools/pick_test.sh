@@ -1,0 +1,143 @@
+#!/usr/bin/env bash
+# Tests of the picking options of `espalier bake`, and of cost models.
+# Usage: pick_test.sh PATH_TO_ESPALIER
+# shellcheck source=meshes.sh
+. "$(dirname "$0")/meshes.sh"
+
+# ---- picks ----------------------------------------------------------------------------------------------------------
+claim "a pick keeps to its bytes, and says what it took and what it gave up"
+for bytes in 1K 4K 10K 0.02M 65536; do
+    run 0 bake sheet.obj -o picked.espl --max-bytes $bytes --max-dropped 100%
+    err_has "picked: profile "
+    err_has "  error: "
+    err_has "  bytes: "
+    err_has "  counted work: "
+    allowed=$(echo $bytes | awk '/K/ { print $0 * 1024; next } /M/ { print int($0 * 1048576); next } { print $0 }')
+    [ "$(stat -c %s picked.espl)" -le "$allowed" ] || fail "$(stat -c %s picked.espl) bytes in $bytes"
+    "$espalier" verify picked.espl --deep --source sheet.obj >/dev/null || fail "the pick is not sound"
+done
+run 0 bake sheet.obj -o picked.espl --max-bytes 1M
+err_has "16 bits"
+err_has "nothing given up"
+run 0 bake sheet.obj -o picked.espl --max-bytes 7K
+err_has "given up: "
+err_has "at 16 bits"
+
+claim "the same is picked twice and at any number of threads"
+for pick in "--max-bytes 10K" "--fastest-under 30K" "--max-error 5mm" "--max-error 5mm --max-bytes 22K"; do
+    # shellcheck disable=SC2086
+    run 0 bake sheet.obj -o a.espl $pick --threads 1
+    cp err first_err
+    # shellcheck disable=SC2086
+    run 0 bake sheet.obj -o b.espl $pick --threads 2
+    same a.espl b.espl
+    grep -v wrote first_err >first
+    grep -v wrote err >second
+    same first second
+done
+
+claim "the fastest under a limit works no harder than any other blobs under it, on the lattice that was asked for"
+run 0 bake sheet.obj -o fast.espl --fastest-under 1M --json -q
+if command -v jq >/dev/null; then
+    jq -e '.bits == 16 and (.picked.tried | length) > 8 and
+        (.picked.chosen.counted_cost == ([.picked.tried[].counted_cost] | min))' out >/dev/null || fail "$(jq -c .picked.chosen out)"
+    size=$(jq '[.picked.tried[].bytes] | add / length | floor' out)
+    run 0 bake sheet.obj -o fast.espl --fastest-under "$size" --json -q
+    jq -e "(.bytes <= $size) and
+        (.picked.chosen.counted_cost == ([.picked.tried[] | select(.bytes <= $size) | .counted_cost] | min))" out \
+        >/dev/null || fail "$(jq -c .picked.chosen out)"
+fi
+
+claim "the lattice is kept when anything on it fits, be it the very last byte"
+if command -v jq >/dev/null; then
+    # Triangles apart from each other: builders fill leaves differently.
+    awk 'BEGIN { n = 600; s = 1
+        for (i = 0; i < 3 * n; ++i) {
+            for (k = 0; k < 3; ++k) { s = s * 16807 % 2147483647; p[k] = s / 2147483647; if (i % 3 == 0) at[k] = 10 * p[k] }
+            printf "v %g %g %g\n", at[0] + p[0], at[1] + p[1], at[2] + p[2] }
+        for (i = 0; i < n; ++i) printf "f %d %d %d\n", 3 * i + 1, 3 * i + 2, 3 * i + 3 }' >soup.obj
+    for bits in 10 11 12 13 14 15 16; do # until the first bake is not the smallest
+        run 0 bake soup.obj -o x.espl --fastest-under 1G --bits $bits --profile fast --json -q
+        size=$(jq '[.picked.tried[].bytes] | min' out)
+        ! jq -e "$size < .picked.tried[0].bytes" out >/dev/null || break
+    done
+    jq -e "$size < .picked.tried[0].bytes" out >/dev/null || fail "the first bake is the smallest: nothing is tested"
+    run 0 bake soup.obj -o x.espl --max-bytes "$size" --bits $bits --profile fast --json -q
+    jq -e ".bits == $bits and .bytes == $size" out >/dev/null || fail "$(jq -c .picked.chosen out) in $size bytes"
+fi
+
+claim "an error that is allowed is kept, on the coarsest lattice that keeps it"
+run 0 bake sheet.obj -o x.espl --tolerance 5mm --json -q
+bits=$(grep '"bits"' out | head -n 1)
+run 0 bake sheet.obj -o x.espl --max-error 5mm --json -q
+[ "$bits" = "$(grep '"bits"' out | head -n 1)" ] || fail "$bits by tolerance, $(grep '"bits"' out | head -n 1) by max error"
+awk '/"max_error"/ { exit !($2 + 0 <= 0.005) }' out || fail "$(grep max_error out)"
+
+claim "what cannot be had is unsupported, names the smallest that was reached, and leaves no file"
+for pick in "--max-bytes 100" "--fastest-under 5K" "--max-error 5mm --max-bytes 5K"; do
+    # shellcheck disable=SC2086
+    run 5 bake sheet.obj -o small.espl $pick
+    err_has "nothing fits"
+    err_has "The smallest of "
+    absent small.espl
+done
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >corner.obj
+run 5 bake corner.obj -o small.espl --max-bytes 100 # one bit is enough for it
+err_has "There is no coarser lattice"
+printf 'v 0 0 0\nv 9 0 0\nv 9 1 0\nf 1 2 3\n' >sliver.obj
+run 5 bake sliver.obj -o small.espl --max-bytes 100
+err_has "A coarser lattice leaves no triangle"
+for amount in 0 -5 64X K nan 1e99 ""; do run 1 bake sheet.obj -o small.espl --fastest-under "$amount"; done
+run 1 bake sheet.obj -o small.espl --max-bytes 64Q
+err_has "is no amount of bytes"
+run 1 bake sheet.obj -o small.espl --max-bytes 64K --fastest-under 64K
+run 1 bake sheet.obj -o small.espl --max-error 1mm --tolerance 1mm
+run 1 bake sheet.obj -o small.espl --max-error 1mm --bits 12
+run 1 bake sheet.obj -o small.espl --max-error 0
+absent small.espl
+
+claim "a pick leaves alone what the user chose, and an empty mesh is no trouble"
+run 0 bake sheet.obj -o x.espl --fastest-under 1M --leaf-size 5 --profile fast
+err_has "leaves of up to 5 triangles"
+printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >line.obj
+run 0 bake line.obj -o x.espl --max-bytes 1K --allow-empty
+run 0 verify x.espl --deep
+
+claim "leaves are as large as --leaf-size allows"
+run 0 bake sheet.obj -o x.espl --leaf-size 1 --json -q
+out_has '"leaves": 3200'
+run 1 bake sheet.obj -o x.espl --leaf-size 0
+run 1 bake sheet.obj -o x.espl --leaf-size 63
+
+# ---- cost model -----------------------------------------------------------------------------------------------------
+claim "a cost model shapes the tree; the defaults written out change nothing"
+echo '{"node_visit": 1, "leaf_visit": 0.4, "leaf_group": 0.3, "triangle": 0, "byte_price": 5}' >default.json
+run 0 bake sheet.obj -o x.espl --cost-model default.json --ids --materials 8
+same x.espl sheet.espl
+echo '{}' >default.json
+run 0 bake sheet.obj -o x.espl --cost-model default.json --ids --materials 8
+same x.espl sheet.espl
+echo '{"byte_price": 0}' >free_bytes.json
+run 0 bake sheet.obj -o x.espl --cost-model free_bytes.json --ids --materials 8
+[ "$(stat -c %s x.espl)" -gt "$(stat -c %s sheet.espl)" ] || fail "free bytes make no larger blob"
+
+claim "a cost model that makes no sense is refused with its file and its field"
+refused_model() { # JSON FIELD_OR_WORDS
+    echo "$1" >model.json
+    run 3 bake sheet.obj -o model.espl --cost-model model.json
+    err_has "'model.json'"
+    err_has "$2"
+    absent model.espl
+}
+refused_model '{"node_visits": 1}' "'node_visits' is not known"
+refused_model '{"leaf_visit": -1}' "'leaf_visit'"
+refused_model '{"triangle": "much"}' "'triangle'"
+refused_model '{"byte_price": 1e9}' "'byte_price'"
+refused_model '{"node_visit": null}' "'node_visit'"
+refused_model '[1, 2]' "JSON object"
+refused_model '{"node_visit": 1' "no JSON"
+refused_model '' "no JSON"
+run 2 bake sheet.obj -o model.espl --cost-model missing.json
+err_has "missing.json"
+
+finish

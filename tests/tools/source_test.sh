@@ -1,0 +1,170 @@
+#!/usr/bin/env bash
+# Tests of what `espalier bake` makes of its sources: units, axes, broken geometry; and of depfiles.
+# Usage: source_test.sh PATH_TO_ESPALIER
+# shellcheck source=meshes.sh
+. "$(dirname "$0")/meshes.sh"
+
+echo '{"byte_price": 0}' >free_bytes.json
+
+claim "unit, scale and up axis do what they say"
+run 0 bake box.obj -o x.espl --unit mm
+err_has "unit: 1 = 0.001 m (--unit)"
+bounds_near 0 0 0 0.001 0.002 0.003
+run 0 bake box.obj -o x.espl --scale 10
+err_has "bounds: 0 0 0 to 10 20 30"
+run 0 bake box.obj -o x.espl --unit cm --scale 100
+bounds_near 0 0 0 1 2 3
+run 0 bake box.obj -o x.espl --up z
+err_has "bounds: 0 0 -2 to 1 3 0"
+err_has "+Z of the input is +Y in the blob"
+run 0 bake box.obj -o x.espl --up x
+err_has "bounds: -2 0 0 to 0 1 3"
+run 0 bake box.obj -o x.espl --up y
+err_has "bounds: 0 0 0 to 1 2 3"
+
+claim "an asset of surprising size is warned about, also when quiet"
+run 0 bake box.obj -o x.espl --scale 1000 -q
+err_has "3000 m across"
+run 0 bake box.obj -o x.espl --scale 0.0001 -q
+err_has " m across"
+
+claim "node transforms, units and up axes of files are applied"
+write_box_collada "<translate>10 20 30</translate><scale>2 2 2</scale>" 1 Y_UP >moved.dae
+run 0 bake moved.dae -o moved.espl
+err_has "bounds: 10 20 30 to 12 24 36"
+write_box_collada "<translate>1 0 0</translate>" 0.01 Y_UP >centimetres.dae
+run 0 bake centimetres.dae -o x.espl
+bounds_near 0.01 0 0 0.02 0.02 0.03
+write_box_collada "" 1 Z_UP >z_up.dae
+run 0 bake z_up.dae -o x.espl
+err_has "bounds: 0 0 -2 to 1 3 0"
+
+claim "a mirrored mesh keeps its front outside"
+write_box_collada "<scale>-1 1 1</scale>" 1 Y_UP >mirrored.dae
+run 0 bake mirrored.dae -o mirrored.espl
+err_has "bounds: -1 0 0 to 0 2 3"
+run 0 query mirrored.espl ray -5 1 1 1 0 0 --faces front
+out_has "t 4"
+out_has "normal -1 0 0"
+run 0 query moved.espl ray 0 21 31 1 0 0 --faces front
+out_has "t 10"
+
+claim "several files become one blob, in their order, with distinct materials"
+run 0 bake box.obj far_box.obj -o two.espl --ids --materials 16
+err_has "far_box.obj: 12 triangles in 1 mesh"
+err_has "bounds: 0 0 0 to 11 2 3"
+run 0 query two.espl ray -1 1 1 1 0 0 --json
+out_has '"file": 0'
+first=$(grep '"material"' out)
+run 0 query two.espl ray 20 1 1 -1 0 0 --json
+out_has '"file": 1'
+[ "$first" != "$(grep '"material"' out)" ] || fail "both files have the material $first"
+
+claim "broken geometry is refused with file, mesh and triangle, unless it is to be repaired; then it is counted"
+run 3 bake not_finite.obj -o broken.espl
+err_has "not_finite.obj, mesh 0"
+err_has "triangle 1"
+err_has "--repair"
+absent broken.espl
+run 0 bake not_finite.obj -o x.espl --repair --max-dropped 50%
+err_has "dropped 1 triangle with a corner that is NaN or infinite; first: not_finite.obj, mesh 0"
+write_box_ply | sed 's/^3 0 2 3$/3 0 2 300/' >out_of_range.ply
+run 3 bake out_of_range.ply -o broken.espl
+err_has "out_of_range.ply, mesh 0, triangle 0"
+absent broken.espl
+run 0 bake out_of_range.ply -o x.espl --repair --json
+err_has "dropped 1 triangle with an index out of range"
+out_has '"triangles": 11'
+
+claim "triangles without area and repeated ones are dropped, counted and named"
+{ write_box_obj 0; printf 'f 1 1 2\nf 1 3 4\nf 1 3 4\n'; } >untidy.obj
+run 0 bake untidy.obj -o x.espl --json
+err_has "dropped 1 triangle without area; first: untidy.obj, mesh 0"
+err_has "triangle 12"
+err_has "dropped 2 triangles with the corners of another one; first: untidy.obj, mesh 0"
+out_has '"triangles": 12'
+
+claim "points and lines are skipped and counted; a scene without triangles is an empty blob, and says so"
+run 0 bake points.obj -o empty.espl --allow-empty
+err_has "skipped 2 points and lines"
+err_has "the input has no triangles; the blob is valid and empty"
+run 0 verify empty.espl --deep
+run 0 info empty.espl --json
+out_has '"triangles": 0'
+run 0 query empty.espl ray 0 0 0 1 0 0
+out_has "no hit"
+run 0 query empty.espl nearest 0 0 0
+run 0 query empty.espl sphere 0 0 0 inf
+out_has "0 triangles"
+run 0 dump empty.espl
+run 0 render empty.espl -o empty.png --size 8x8
+err_has "no triangles"
+
+claim "what is no mesh is invalid input with the importer's reason; what is not there cannot be read"
+echo "not a mesh" >junk.obj
+: >nothing.ply
+printf 'OFF\n1000 6 0\n0 0 0\n0 0 1\n0 1 0\n3 0 1 2\n' >boastful.off # fails an assertion of assimp 5.2
+write_box_collada "$(yes '<node>' | head -n 200000)$(yes '</node>' | head -n 200000)" 1 Y_UP >deep.dae # uses up its stack
+for mesh in junk.glb nothing.ply boastful.off deep.dae; do
+    run 3 bake $mesh -o broken.espl
+    err_has "$mesh"
+    absent broken.espl
+done
+run 5 bake junk.unknown -o broken.espl # a format without an importer
+err_has "junk.unknown"
+absent broken.espl
+"$espalier" bake junk.obj -o broken.espl 2>/dev/null # a file of unknown lines is an OBJ without faces to some importers
+rm -f broken.espl
+run 2 bake missing.obj -o broken.espl
+err_has "cannot read 'missing.obj': No such file or directory"
+run 2 bake . -o broken.espl
+err_has "folder"
+mkfifo pipe.obj
+run 2 bake pipe.obj -o broken.espl # and does not wait for a writer
+err_has "no pipes or devices"
+run 5 bake box.obj junk.unknown -o broken.espl
+absent broken.espl
+
+claim "control characters in names do not reach the terminal"
+cp box.obj "$(printf 'red\033[31m.obj')"
+run 0 bake "$(printf 'red\033[31m.obj')" -o x.espl
+! grep -q "$(printf '\033')" err || fail "an escape sequence came through"
+
+# ---- depfiles -------------------------------------------------------------------------------------------------------
+claim "a depfile names what was read, side files included, and not what was not; as Make and Ninja read it"
+mkdir -p "a b#\$c"
+printf 'mtllib box.mtl missing.mtl\n' | cat - box.obj >"a b#\$c/box.obj"
+printf 'newmtl stone\nmap_Kd stone.png\n' >"a b#\$c/box.mtl"
+touch "a b#\$c/stone.png"
+run 0 bake "a b#\$c/box.obj" far_box.obj -o "with space.espl" -q --depfile box.d --cost-model free_bytes.json
+printf '%s\n' 'with\ space.espl: \' ' a\ b\#$$c/box.obj \' ' a\ b\#$$c/box.mtl \' ' far_box.obj \' ' free_bytes.json' >expected.d
+same expected.d box.d
+run 0 bake box.obj -o plain.espl -q --depfile /dev/stdout
+printf 'plain.espl: \\\n box.obj\n' >expected.d
+same expected.d out
+base64 -d >triangle.bin <<<'AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA'
+cat >triangle.gltf <<'GLTF'
+{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "buffers": [{"uri": "triangle.bin", "byteLength": 36}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}]}
+GLTF
+run 0 bake triangle.gltf -o triangle.espl -q --depfile triangle.d
+printf 'triangle.espl: \\\n triangle.gltf \\\n triangle.bin\n' >expected.d
+same expected.d triangle.d
+
+claim "a depfile is written with the blob or not at all, and over neither mesh nor blob"
+run 3 bake not_finite.obj -o failed.espl --depfile failed.d
+absent failed.d
+run 1 bake box.obj -o x.espl --depfile box.obj
+run 1 bake box.obj -o x.espl --depfile x.espl
+run 1 bake box.obj -o x.espl --depfile ./x.espl
+err_has "--depfile and -o name the same file"
+cp box.obj "$(printf 'two\nlines.obj')"
+run 5 bake "$(printf 'two\nlines.obj')" -o failed.espl --depfile failed.d
+err_has "line break"
+absent failed.d
+absent failed.espl
+run 0 bake "$(printf 'two\nlines.obj')" -o x.espl
+
+finish
