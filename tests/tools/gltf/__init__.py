@@ -1,0 +1,1 @@
+"""Small glTF files and what they must bake to, one file for each part of the format."""

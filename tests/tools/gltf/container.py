@@ -1,0 +1,128 @@
+"""The file itself: containers, buffers, restarts, extensions, hostile files."""
+import os
+import shutil
+import struct
+
+from .builder import *
+from .checks import *
+from .scene import instanced_file
+
+
+def containers():
+    claim("a buffer in the file, in base64, or beside it under a name with percent signs is the same")
+    bakes(solid_file(), solid())
+    bakes(solid_file(), solid(), name="case.gltf")
+    solid_file().write("beside.gltf", ("bytes of it.bin", "bytes%20of%20it.bin"))
+    bakes("beside.gltf", solid())
+    claim("binary glTF is read by its content under any ending")
+    solid_file().write("case.glb")
+    shutil.copy("case.glb", "case.vrm")
+    bakes("case.vrm", solid())
+    claim("a file that is cut off, or is no glTF, is refused by name")
+    with open("case.glb", "rb") as file:
+        whole = file.read()
+    for length in (5, 11, 19, 40, len(whole) - 1):
+        with open("cut.glb", "wb") as file:
+            file.write(whole[:length])
+        refused("cut.glb", 3, "cut.glb")
+    with open("broken.gltf", "w") as file:
+        file.write('{"asset": {"version": "2.0"}, "nodes": [}')
+    refused("broken.gltf", 3, "broken.gltf", "line 1")
+    claim("binary glTF whose header states fewer bytes than its chunks have is refused")
+    for length in (0, 100, len(whole) - 1):
+        with open("short.glb", "wb") as file:
+            file.write(whole[:8] + struct.pack("<I", length) + whole[12:])
+        refused("short.glb", 3, "short.glb", "header states")
+    claim("bytes after the last chunk of binary glTF raise a warning, and a chunk of an unknown type raises none")
+    for more, counted, kind in ((b"\0\0\0", 0, True), (b"\0\0\0", 3, True), (b"\0" * 99, 0, True),
+                                (struct.pack("<I4s", 4, b"MORE") + b"more", 12, False)):
+        with open("more.glb", "wb") as file:
+            file.write(whole[:8] + struct.pack("<I", len(whole) + counted) + whole[12:] + more)
+        warned(bakes("more.glb", solid()), "trailing_bytes", kind)
+    gltf = solid_file()
+    gltf.json["asset"]["version"] = "3.0"
+    refused(gltf, 5, "glTF 3.0")
+    gltf.json["asset"] = {}
+    gltf.json["meshes"] = {"walls": {}}
+    refused(gltf, 5, "glTF 1.0", "Convert it")
+    claim("a missing or short file beside it is refused by name")
+    solid_file().write("beside.gltf", ("short.bin", "absent.bin"))
+    refused("beside.gltf", 2, "absent.bin", "No such file")
+    solid_file().write("beside.gltf", ("short.bin", "short.bin"))
+    os.truncate("short.bin", 40)
+    refused("beside.gltf", 3, "short.bin", "shorter")
+    solid_file().write("beside.gltf", ("short.bin", "https://example.org/case.bin"))
+    refused("beside.gltf", 5, "https://example.org/case.bin", "Download")
+
+
+def restarts():
+    claim("an index with the largest value of its type is refused where it would name a vertex")
+    for component, largest in ((UNSIGNED_BYTE, 255), (UNSIGNED_SHORT, 65535)):
+        for offset in (3, 4):
+            gltf = Gltf()
+            points = [POINTS[0]] * (largest - offset) + POINTS + [POINTS[0]]
+            corners = [[i + largest - offset] for face in FACES for i in face]
+            gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(points)}, "indices": gltf.accessor(corners, component)}))
+            if offset == 4:
+                bakes(gltf, solid())
+            else:
+                refused(gltf, 3, "primitive 0", "index 5", str(largest), name="case.glb")
+
+
+def extensions():
+    claim("a required extension that is not read is refused by name with the way out")
+    for name, way in (("EXT_made_up", "without this extension"), ("KHR_meshopt_compression", "EXT_meshopt_compression")):
+        gltf = solid_file()
+        gltf.extension(name)
+        refused(gltf, 5, name, way)
+    claim("a required extension about materials, and an unknown one that is not required, change nothing")
+    gltf = solid_file()
+    gltf.extension("KHR_materials_unlit")
+    gltf.extension("KHR_texture_transform")
+    gltf.extension("EXT_made_up", required=False)
+    bakes(gltf, solid())
+
+
+def hostile():
+    claim("a count, an offset or a length beyond the bytes is refused with the accessor")
+    for key, value in (("count", 10**9), ("byteOffset", 13), ("byteOffset", 2**63), ("byteOffset", 2**64 - 8), ("bufferView", 99), ("count", -1), ("count", "4"),
+                       ("componentType", 5124), ("componentType", 5125), ("type", "VEC4"), ("type", 7)):
+        gltf = solid_file()
+        gltf.json["accessors"][0][key] = value
+        refused(gltf, 5 if value == 5124 else 3, "glTF mesh 0", "primitive 0", "POSITION", "accessor 0")
+    for key, value in (("byteLength", 10**12), ("byteOffset", 2**63), ("byteOffset", 2**64 - 8), ("buffer", 1), ("byteStride", 4)):
+        gltf = solid_file()
+        gltf.json["bufferViews"][0][key] = value
+        refused(gltf, 3, "case.gltf", "bufferView 0" if key != "byteStride" else "byteStride")
+    claim("counts that no bytes stand behind are refused, not allocated")
+    for count, code in ((10**12, 5), (2 * 10**9, 5)):
+        gltf = solid_file()
+        gltf.json["accessors"][0] = {"componentType": FLOAT, "count": count, "type": "VEC3"}
+        del gltf.json["meshes"][0]["primitives"][0]["indices"]
+        refused(gltf, code, "glTF mesh 0", "primitive 0")
+    gltf = solid_file()
+    gltf.json["accessors"][1] = {"componentType": UNSIGNED_INT, "count": 300000, "type": "SCALAR"}
+    for i in range(30000):
+        gltf.node(mesh=0)
+    refused(gltf, 5, "2147483647 triangles")
+    gltf = instanced_file(TRANSLATION=(POINTS,))
+    gltf.json["accessors"][2]["count"] = 10**12
+    refused(gltf, 5, "node 0")
+    claim("a key that an object has twice is refused with its place, and equal keys of two objects are not")
+    for doubled, words in (('{"asset": {"version": "2.0"}, "nodes": [], "scenes": [], "nodes": []}', ['"nodes"']),
+                           ('{"asset": {"version": "2.0", "x": 1, "version": "2.0"}}', ['"version"', "at asset"]),
+                           ('{"asset": {"version": "2.0"}, "meshes": [{}, {"primitives": [{"mode": 4, "mode": 5}]}]}',
+                            ['"mode"', "at meshes[1].primitives[0]"]),
+                           ('{"asset": {"version": "2.0"}, "extras": {"a": {"k": 1}, "b": [{"k": 1}, {"k": 2, "\\u006b": 3}]}}',
+                            ['"k"', "at extras.b[1]"])):
+        with open("doubled.gltf", "w") as file:
+            file.write(doubled)
+        refused("doubled.gltf", 3, "twice in one object", *words)
+    gltf = solid_file()
+    gltf.json["extras"] = {"name": {"name": [{"name": {}}, {"name": 1}]}, "asset": "name"}
+    bakes(gltf, solid())
+    claim("names of a broken file reach the terminal without control characters")
+    gltf = solid_file()
+    gltf.json["meshes"][0]["name"] = "red\x1b[31m"
+    gltf.json["accessors"][0]["count"] = 99
+    refused(gltf, 3, "red?[31m")
