@@ -1,0 +1,1 @@
+"""Small files of each format, written here, and what the command must read in them."""
