@@ -47,7 +47,7 @@ private:
     Size some_size() { return static_cast<Size>(random_.below(3)); }
 
     void make_header() {
-        head_.profile = static_cast<format::Profile>(random_.below(3));
+        head_.profile = static_cast<format::Profile>(random_.below(4));
         head_.bits = 1 + random_.below(24);
         const bool tame = random_.below(4) != 0;
         head_.step_exponent = tame ? random_.between(-30, 30) : random_.between(-100, 100);
@@ -69,7 +69,8 @@ private:
         leaf_budget_ = large ? 100 : 1 + random_.below(6);
         leaf_size_ = some_size();
         children_ = some_size();
-        flat_triangles_ = random_.below(8) == 0;
+        // Predicted strips leave out triangles in pairs only, whatever their area.
+        flat_triangles_ = random_.below(8) == 0 || head_.profile == format::Profile::tiny;
         const std::uint32_t any = random_.below(512);  // features; all that exclude each other are taken out below
         head_.features = any & ~(1u << 4);
         if ((any & 2u) != 0) head_.features &= ~4u;
@@ -195,17 +196,22 @@ private:
 
     PlainLeaf make_strip(const GridBox& part, const GridBox& box) {
         PlainLeaf leaf;
-        const std::uint32_t most = head_.profile == format::Profile::balanced ? 34 : 56;
+        const bool is_tiny = head_.profile == format::Profile::tiny;
+        const std::uint32_t most = head_.profile == format::Profile::balanced ? 34 : is_tiny ? 64 : 56;
         // Three entries on one point have no data at all, which the format forbids.
         const std::uint32_t least = box.low == box.high ? 4 : 3;
         const std::uint32_t count = choose(leaf_size_, least, most);
         unsigned used = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
-            const bool is_first = i < 3 || random_.coin();
+            const bool is_first = i < 3 || (used < 56 && random_.coin());
             const unsigned vertex = is_first ? used++ : random_.below(used);
             leaf.entries.push_back({vertex, i == 0 || (i + 2 < count && random_.below(3) == 0), false});
         }
         add_vertices(leaf, part, used);
+        if (is_tiny) {
+            add_joints(leaf);
+            return leaf;
+        }
         std::size_t pivot = 0;
         for (std::size_t window = 0; window + 2 < leaf.entries.size(); ++window) {
             if (leaf.entries[window].is_pivot) pivot = window;
@@ -214,6 +220,19 @@ private:
             leaf.entries[window].is_triangle = window == 0 || (good && random_.below(4) != 0);
         }
         return leaf;
+    }
+
+    /// Marks the triangles of a predicted strip: all but two at each of up to 15 joints.
+    void add_joints(PlainLeaf& leaf) {
+        const std::size_t windows = leaf.entries.size() - 2;
+        for (std::size_t window = 0; window < windows; ++window) leaf.entries[window].is_triangle = true;
+        unsigned joints = 0;
+        for (std::size_t window = 1; window + 2 < windows && joints < 15; ++window) {
+            if (random_.below(4) != 0) continue;
+            leaf.entries[window].is_triangle = leaf.entries[window + 1].is_triangle = false;
+            window += 2;
+            ++joints;
+        }
     }
 
     std::int32_t length() {
