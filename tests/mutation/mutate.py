@@ -45,8 +45,9 @@ SCALE = os.environ.get("ESPALIER_TEST_SCALE", "0.05")  # enough for most mutants
 # Claims by file. Those of files and query answers are asked too: tests/platform.
 CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/blob/open", "runtime/blob/open_codecs", "runtime/blob/open_rules", "runtime/blob/open_tree",
-    "runtime/blob/open_sections", "runtime/blob/open_ids", "runtime/blob/open_leaves", "runtime/blob/trusted_image",
-    "runtime/blob/weird_blob", "runtime/traversal/statistics", "runtime/traversal/work", "runtime/traversal/node_boxes",
+    "runtime/blob/open_sections", "runtime/blob/open_ids", "runtime/blob/open_leaves",
+    "runtime/blob/open_predicted_strips", "runtime/blob/trusted_image", "runtime/blob/weird_blob",
+    "runtime/traversal/statistics", "runtime/traversal/work", "runtime/traversal/node_boxes",
     "runtime/rays/traversal", "runtime/lattice/round_ray", "runtime/lattice/round_point",
     "runtime/lattice/step_queries", "runtime/lattice/steps", "runtime/asset/identity", "runtime/proximity/nearest",
     "runtime/overlap/overlap", "runtime/overlap/volume", "runtime/overlap/volume_edges",

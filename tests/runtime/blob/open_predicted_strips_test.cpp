@@ -1,0 +1,199 @@
+// The verifier's rules for predicted strips, each broken alone, and the largest ones. Blobs come from the encoder.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+
+#include "support/base/random.hpp"
+#include "support/format/encoder.hpp"
+#include "support/format/node_edits.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using namespace espalier::format::predicted_strip;
+
+namespace {
+
+namespace at = format::header;
+using Bytes = std::vector<std::byte>;
+
+/// Of one node, whose leaves have boxes of so many steps from 0 0 0 on.
+PlainBlob make_blob(unsigned bits, std::uint16_t planes, unsigned shift, const std::vector<PlainLeaf>& leaves) {
+    PlainBlob blob;
+    blob.decoded.profile = format::Profile::tiny;
+    blob.decoded.bits = bits;
+    blob.decoded.extent.fill((1u << bits) - 1);
+    blob.decoded.vertex_count = 3;
+    blob.nodes.resize(1);
+    blob.nodes[0].shift.fill(shift);
+    for (const PlainLeaf& leaf : leaves)
+        blob.nodes[0].children.push_back({{0, 0, 0}, {planes, planes, planes}, 0, leaf});
+    return blob;
+}
+
+/// A strip over three vertices, each named again and again, so no vertex is predicted.
+PlainLeaf make_strip_of_references(unsigned entries) {
+    PlainLeaf leaf;
+    leaf.vertices = {{0, 0, 0}, {15, 0, 1}, {0, 15, 2}};
+    for (unsigned i = 0; i < entries; ++i) leaf.entries.push_back({i % 3, i == 0, i + 2 < entries});
+    return leaf;
+}
+
+/// A strip that uses each vertex once.
+PlainLeaf make_strip(const std::vector<GridPoint>& vertices) {
+    PlainLeaf leaf;
+    leaf.vertices = vertices;
+    for (unsigned i = 0; i < vertices.size(); ++i) leaf.entries.push_back({i, i == 0, i + 2 < vertices.size()});
+    return leaf;
+}
+
+/// Changes bits of the data of the first leaf.
+Bytes with_bits(Bytes bytes, unsigned bit, unsigned width, std::uint64_t value) {
+    const std::size_t byte = leaf_data_of(bytes, at::bytes, 0) + bit / 8;
+    const std::uint64_t others = get(bytes, byte, 4) & ~(((std::uint64_t{1} << width) - 1) << bit % 8);
+    put(bytes, byte, others | value << bit % 8, 4);
+    repair_checksum(bytes);
+    return bytes;
+}
+Status status_with_bits(const Bytes& bytes, unsigned bit, unsigned width, std::uint64_t value) {
+    return status_of(with_bits(bytes, bit, width, value));
+}
+
+/// Tests that a blob opens and has the triangles of its leaves.
+void check_triangles(const PlainBlob& blob) {
+    std::vector<GridTriangle> expected;
+    for (const PlainChild& child : blob.nodes[0].children)
+        for (const GridTriangle& triangle : child.leaf->corners()) expected.push_back(triangle);
+    const Bytes bytes = encode(blob);
+    Blob opened;
+    REQUIRE(open(bytes, opened) == Status::ok);
+    REQUIRE(opened.triangle_count() == expected.size());
+    const auto is_at = [](const Vec3& point, const GridPoint& corner) {  // a step of 1 from 0 0 0
+        return point.x == static_cast<float>(corner[0]) && point.y == static_cast<float>(corner[1]) &&
+               point.z == static_cast<float>(corner[2]);
+    };
+    for_each_triangle(opened, [&](Triangle triangle, const Corners& corners) {
+        const GridTriangle& same = expected[triangle.index];
+        CHECK((is_at(corners.a, same.a) && is_at(corners.b, same.b) && is_at(corners.c, same.c)));
+        return keep_going;
+    });
+}
+
+}  // namespace
+
+TEST_SUITE("open predicted strips") {
+    TEST_CASE("open: joints of a predicted strip are in order and have triangles on both sides") {
+        constexpr unsigned entries = 12;
+        PlainLeaf leaf = make_strip_of_references(entries);
+        for (const std::size_t window : {1u, 2u, 5u, 6u}) leaf.entries[window].is_triangle = false;
+        const Bytes good = encode(make_blob(4, 15, 0, {leaf}));
+        constexpr unsigned joint_at = marks_at + 2 * (entries - 3);
+        for (unsigned first = 0; first < 64; ++first) {
+            for (unsigned second = 0; second < 64; ++second) {
+                const bool is_sound = first >= 1 && second >= first + 3 && second + 2 < entries - 2;
+                CAPTURE(first);
+                CAPTURE(second);
+                CHECK(status_with_bits(good, joint_at, 2 * place_bits, first | second << place_bits) ==
+                      (is_sound ? Status::ok : Status::bad_leaf));
+            }
+        }
+    }
+
+    TEST_CASE("open: an entry of a predicted strip names a vertex that was used before") {
+        // The seventh entry is the first use of the fourth vertex.
+        constexpr unsigned entries = 12, fourth = 6;
+        PlainLeaf leaf = make_strip_of_references(entries);
+        leaf.vertices.push_back({3, 3, 3});
+        leaf.entries[fourth].vertex = 3;
+        leaf.entries[fourth - 2].is_triangle = leaf.entries[fourth - 3].is_triangle = false;
+        const Bytes good = encode(make_blob(4, 15, 0, {leaf}));
+        REQUIRE(status_of(good) == Status::ok);
+        for (unsigned entry = 3; entry < entries; ++entry) {
+            if (entry == fourth) continue;
+            const unsigned reference = entry < fourth ? entry - 3 : entry - 4;
+            CHECK(status_with_bits(good, references_at(entries, 1) + 2 * reference, 2, 3) ==
+                  (entry < fourth ? Status::bad_leaf : Status::ok));
+        }
+        // With three vertices there is none of number 3.
+        const Bytes three = encode(make_blob(4, 15, 0, {make_strip_of_references(entries)}));
+        for (unsigned entry = 3; entry < entries; ++entry)
+            CHECK(status_with_bits(three, references_at(entries, 0) + 2 * (entry - 3), 2, 3) == Status::bad_leaf);
+    }
+
+    TEST_CASE("open: widths of residuals are refused also where no vertex is predicted") {
+        const Bytes good = encode(make_blob(4, 15, 0, {make_strip_of_references(3)}));
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            for (unsigned large = 0; large < 32; ++large) {
+                for (unsigned small = 0; small < 32; ++small) {
+                    const bool is_sound = small <= large && large <= max_width(4);
+                    CHECK(status_with_bits(good, 2 * width_bits * axis, 2 * width_bits, large | small << width_bits) ==
+                          (is_sound ? Status::ok : Status::bad_leaf));
+                }
+            }
+        }
+    }
+
+    TEST_CASE("open: a predicted strip has at most 64 entries and 56 vertices") {
+        check_triangles(make_blob(4, 15, 0, {make_strip_of_references(max_entries)}));
+        check_triangles(make_blob(24, 128, 17, {make_strip_of_references(max_entries)}));
+        CHECK(status_of(encode(make_blob(4, 15, 0, {make_strip_of_references(max_entries + 1)}))) == Status::bad_leaf);
+        CHECK(status_of(encode(make_blob(4, 15, 0, {make_strip_of_references(max_entries + 2)}))) == Status::bad_leaf);
+        std::vector<GridPoint> vertices;
+        for (unsigned i = 0; i < max_vertices; ++i) {
+            const auto x = static_cast<std::int32_t>(i);
+            vertices.push_back({x % 16, x / 16, x * x % 13});
+        }
+        check_triangles(make_blob(4, 15, 0, {make_strip(vertices)}));
+        vertices.push_back({1, 2, 3});
+        CHECK(status_of(encode(make_blob(4, 15, 0, {make_strip(vertices)}))) == Status::bad_leaf);
+    }
+
+    TEST_CASE("open: a predicted strip on one point has no numbers") {
+        // The bits before them fill whole bytes with nine entries.
+        for (unsigned entries = 3; entries <= 16; ++entries)
+            check_triangles(make_blob(4, 0, 0, {make_strip(std::vector<GridPoint>(entries))}));
+    }
+
+    TEST_CASE("open: a predicted vertex outside of its leaf is refused along each axis") {
+        // Of 3 bits in a lattice of 4, and of 23 in one of 24, too wide to be decoded axes at once.
+        for (const auto& [bits, planes, shift, side] :
+             {std::array<unsigned, 4>{4, 7, 0, 8}, std::array<unsigned, 4>{24, 32, 17, 1u << 23}}) {
+            const auto end = static_cast<std::int32_t>(side);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                for (const std::int32_t coordinate : {-end / 2, -1, 0, end - 1, end, end + end / 2}) {
+                    std::vector<GridPoint> vertices = {{1, 2, 3}, {3, 1, 2}, {2, 3, 1}, {1, 1, 1}, {0, 1, 2}};
+                    vertices[3][axis] = coordinate;
+                    const PlainBlob blob =
+                        make_blob(bits, static_cast<std::uint16_t>(planes), shift, {make_strip(vertices)});
+                    CAPTURE(bits);
+                    CAPTURE(coordinate);
+                    if (coordinate >= 0 && coordinate < end) check_triangles(blob);
+                    else CHECK(status_of(encode(blob)) == Status::bad_leaf);
+                }
+            }
+        }
+    }
+
+    TEST_CASE("open: predicted strips of more than 512 bytes are read at their places") {
+        Random random(20);
+        std::vector<PlainLeaf> leaves;
+        for (unsigned number = 0; number < 3; ++number) {
+            std::vector<GridPoint> vertices(max_vertices);
+            for (GridPoint& vertex : vertices)
+                for (std::int32_t& coordinate : vertex) coordinate = static_cast<std::int32_t>(random.next() >> 40);
+            // Residuals of 26 bits, the most.
+            vertices[0] = vertices[2] = {0, 0, 0};
+            vertices[1] = vertices[3] = {(1 << 24) - 1, (1 << 24) - 1, (1 << 24) - 1};
+            leaves.push_back(make_strip(vertices));
+        }
+        const PlainBlob blob = make_blob(24, 128, 17, leaves);
+        const Bytes bytes = encode(blob);
+        for (std::size_t number = 0; number < 2; ++number)
+            REQUIRE((get(bytes, descriptor_of(bytes, at::bytes, number), 2) & ((1u << entries_shift) - 1u)) >= 512);
+        check_triangles(blob);
+    }
+}
