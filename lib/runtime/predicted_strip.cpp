@@ -30,6 +30,8 @@ public:
     /// Goes on to the entry; entries come in order. Returns whether it is the first use of a vertex.
     bool next(unsigned entry) {
         pivot_before_ = pivot_;
+        // mutant(> -> >=) equivalent: entry 2 is not predicted, and entry 0 is the pivot before it too
+        // mutant(without 1) sanitizer: shifts by more than a word has bits; no such entry is predicted
         turns_ = entry > 2 && (leaf_.pivots >> (entry - 2) & 1) != 0;
         if (turns_) pivot_ = entry - 2;
         if ((leaf_.first_uses >> entry & 1) != 0) {
@@ -65,6 +67,7 @@ bool decode_words(const StripLeaf& leaf, PredictedVertices& vertices) {
     std::uint64_t words[format::predicted_strip::max_vertices];
     unsigned number_at = leaf.predicted.numbers_at, choice_at = leaf.predicted.choices_at;
     std::uint64_t all = 0;
+    // mutant(< -> <=) sanitizer: behind the last of 64 entries it shifts by 64; behind fewer there is no first use
     for (unsigned entry = 0; entry < leaf.entry_count(); ++entry) {
         if (!entries.next(entry)) continue;
         unsigned choice = FieldChoices::not_predicted;
@@ -81,7 +84,9 @@ bool decode_words(const StripLeaf& leaf, PredictedVertices& vertices) {
         words[entries.vertex()] = word;
     }
     for (unsigned k = 0; k < 3; ++k)
+        // mutant(< -> <=) sanitizer: behind the last of 56 vertices there is no word; behind fewer none is read
         for (unsigned i = 0; i < leaf.vertex_count; ++i)
+            // mutant(<< -> one less) equivalent: of vertices that are kept each axis has at most 19 bits
             vertices.set(k, i, static_cast<std::uint32_t>(words[i] >> (axis_bits * k)) & ((1u << axis_bits) - 1u));
     return (all & ~fields_of(leaf.width)) == 0;
 }
@@ -114,8 +119,10 @@ void decode_predicted_marks(const BlobData& blob, PackedNode node, unsigned numb
     const auto predicted = static_cast<unsigned>(std::popcount(predicted_entries(leaf.windows) & leaf.first_uses));
     leaf.predicted.numbers_at = static_cast<std::uint16_t>(leaf.predicted.choices_at + 3 * predicted);
     unsigned longest = 0;
+    // mutant(< -> <=) sanitizer: a fourth axis is behind the end of an array
     for (int k = 0; k < 3; ++k) {
         const unsigned width = decode_axis(leaf, k);
+        // mutant(> -> >=) equivalent: both sides are equal then
         longest = width > longest ? width : longest;
     }
     leaf.size_bits = static_cast<std::uint8_t>(longest);
@@ -123,12 +130,14 @@ void decode_predicted_marks(const BlobData& blob, PackedNode node, unsigned numb
 
 bool decode_predicted_vertices(const StripLeaf& leaf, PredictedVertices& vertices) {
 #if !ESPALIER_SMALL_CODE
+    // mutant(never) work: decodes axis by axis what fits into words
     if (vertex_word::fit_into_words(leaf)) return decode_words(leaf, vertices);
 #endif
     const ResidualWidths widths(leaf);
     PredictedEntries entries(leaf);
     unsigned number_at = leaf.predicted.numbers_at, choice_at = leaf.predicted.choices_at;
     std::uint32_t outside = 0;
+    // mutant(< -> <=) sanitizer: behind the last of 64 entries it shifts by 64; behind fewer there is no first use
     for (unsigned entry = 0; entry < leaf.entry_count(); ++entry) {
         if (!entries.next(entry)) continue;
         const bool is_predicted = entries.is_predicted(entry);

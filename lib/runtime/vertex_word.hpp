@@ -14,7 +14,9 @@ namespace espalier::detail::vertex_word {
 /// Whether a leaf's numbers fit into words: a vertex takes at most 57 bits, and each number at most 19 of 21.
 inline bool fit_into_words(const StripLeaf& leaf) {
     unsigned widest = leaf.size_bits;
+    // mutant(> -> >=) equivalent: both sides are equal then
     for (const unsigned width : ResidualWidths(leaf).large) widest = width > widest ? width : widest;
+    // mutant(<= -> <) work: decodes axis by axis what fits into words
     return widest <= 19;
 }
 
@@ -42,6 +44,7 @@ struct FieldChoices {
     explicit FieldChoices(const StripLeaf& leaf) {
         const ResidualWidths widths(leaf);
         std::uint8_t chosen[3];
+        // mutant(< -> <=) equivalent: what it puts behind the choices is replaced
         for (unsigned choice = 0; choice < not_predicted; ++choice) {
             half[choice] = 0;
             for (unsigned k = 0; k < 3; ++k) {
