@@ -154,7 +154,7 @@ bool take_predicted_strips(const PackedNode& node, const std::byte* descriptors,
         StripLeaf leaf;
         decode_predicted_marks(seen.blob, node, number, leaf);
         // mutant(without 2, without 3) equivalent: are_sound_widths refuses it too; the choices of widths that are read
-        // before that end at most 68 bytes behind the data, whose first five are not all zeros, so inside the guard
+        // before that end at most 69 bytes from where the data begins, five of which are not in the guard
         if (leaf.vertex_count > max_vertices || leaf.predicted.numbers_at > 8 * bytes ||
             !are_sound_joints(leaf.marks, marked, joint_count(leaf.marks)) ||
             !are_sound_widths(leaf, seen.blob.bits, bytes) || !are_sound_entries(leaf) ||

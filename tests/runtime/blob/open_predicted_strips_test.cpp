@@ -1,12 +1,15 @@
 // The verifier's rules for predicted strips, each broken alone, and the largest ones. Blobs come from the encoder.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <espalier/espalier.hpp>
+#include <runtime/leaf_kinds.hpp>
 
 #include "support/base/random.hpp"
 #include "support/format/encoder.hpp"
@@ -195,5 +198,28 @@ TEST_SUITE("open predicted strips") {
         for (std::size_t number = 0; number < 2; ++number)
             REQUIRE((get(bytes, descriptor_of(bytes, at::bytes, number), 2) & ((1u << entries_shift) - 1u)) >= 512);
         check_triangles(blob);
+    }
+
+    TEST_CASE("open: a predicted strip stores as many vertices as it has") {
+        std::vector<GridPoint> vertices;
+        for (std::int32_t x = 0; x < static_cast<std::int32_t>(max_vertices); ++x)
+            vertices.push_back({x % 16, x / 16, x * x % 13});
+        const Bytes bytes = encode(make_blob(4, 15, 0, {make_strip(vertices)}));
+        alignas(64) std::array<std::byte, 2048> buffer{};
+        REQUIRE(bytes.size() <= buffer.size());
+        std::copy(bytes.begin(), bytes.end(), buffer.begin());
+        Blob blob;
+        REQUIRE(open(std::span(buffer).first(bytes.size()), blob) == Status::ok);
+        detail::StripLeaf leaf;
+        detail::decode_predicted_marks(blob.data(), detail::node_at<detail::PackedNode>(blob.data(), 0), 0, leaf);
+        constexpr std::uint32_t untouched = 0xABCDEF01;
+        std::array<std::array<std::uint32_t, max_vertices + 1>, 3> stored;
+        for (auto& row : stored) row.fill(untouched);
+        detail::store_predicted_vertices(leaf, stored[0].data(), stored[1].data(), stored[2].data());
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (std::size_t i = 0; i < vertices.size(); ++i)
+                CHECK(stored[axis][i] == static_cast<std::uint32_t>(vertices[i][axis]));
+            CHECK(stored[axis][max_vertices] == untouched);
+        }
     }
 }
