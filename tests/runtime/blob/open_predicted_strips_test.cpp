@@ -163,16 +163,18 @@ TEST_SUITE("open predicted strips") {
 
     TEST_CASE("open: a predicted vertex outside of its leaf is refused along each axis") {
         // Of 3 bits in a lattice of 4, and of 23 in one of 24, too wide to be decoded axes at once.
-        for (const auto& [bits, planes, shift, side] :
-             {std::array<unsigned, 4>{4, 7, 0, 8}, std::array<unsigned, 4>{24, 32, 17, 1u << 23}}) {
-            const auto end = static_cast<std::int32_t>(side);
+        struct Lattice {
+            unsigned bits, planes, shift, side;
+        };
+        for (const Lattice& lattice : {Lattice{4, 7, 0, 8}, Lattice{24, 32, 17, 1u << 23}}) {
+            const auto end = static_cast<std::int32_t>(lattice.side);
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 for (const std::int32_t coordinate : {-end / 2, -1, 0, end - 1, end, end + end / 2}) {
                     std::vector<GridPoint> vertices = {{1, 2, 3}, {3, 1, 2}, {2, 3, 1}, {1, 1, 1}, {0, 1, 2}};
                     vertices[3][axis] = coordinate;
-                    const PlainBlob blob =
-                        make_blob(bits, static_cast<std::uint16_t>(planes), shift, {make_strip(vertices)});
-                    CAPTURE(bits);
+                    const PlainBlob blob = make_blob(lattice.bits, static_cast<std::uint16_t>(lattice.planes),
+                                                     lattice.shift, {make_strip(vertices)});
+                    CAPTURE(lattice.bits);
                     CAPTURE(coordinate);
                     if (coordinate >= 0 && coordinate < end) check_triangles(blob);
                     else CHECK(status_of(encode(blob)) == Status::bad_leaf);
