@@ -328,16 +328,17 @@ TEST_SUITE("step queries") {
                 for (std::uint32_t index = 0; index < blob.node_count; ++index) {
                     const auto node = detail::node_at<typename Leaf::Node>(blob, index);
                     for (unsigned number = 0; number < node.leaf_children(); ++number) {
-                        const auto leaf = detail::leaf_at<Leaf>(blob, node, number);
-                        // Places in a plain leaf have a sign.
-                        const int least = Leaf::counts_from_zero ? -(1 << (leaf.grid_bits() - 1)) : 0;
-                        const int end = least + (1 << leaf.grid_bits());
-                        for (int k = 0; k < 3; ++k) {
-                            for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
-                                const int place = leaf.anchor(k) + leaf.offset(k, vertex) - leaf.grid_base(k);
-                                REQUIRE((least <= place && place < end));
+                        detail::scalar_walk::with_leaf<Leaf>(blob, node, number, [&](const Leaf& leaf) {
+                            // Places in a plain leaf have a sign.
+                            const int least = Leaf::counts_from_zero ? -(1 << (leaf.grid_bits() - 1)) : 0;
+                            const int end = least + (1 << leaf.grid_bits());
+                            for (int k = 0; k < 3; ++k) {
+                                for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+                                    const int place = leaf.anchor(k) + leaf.offset(k, vertex) - leaf.grid_base(k);
+                                    REQUIRE((least <= place && place < end));
+                                }
                             }
-                        }
+                        });
                     }
                 }
             });
