@@ -96,7 +96,7 @@ void exercise_rays(Exercise& run) {
     const HitCount count = closest_hits(blob, ray, first);
     verdict.require((count.count > 0) == found && count.count <= first.size(), "closest_hits and raycast disagree");
     verdict.require(count.status == QueryStatus::ok || count.count == first.size(),
-                    "an array that is not full is told full");
+                    "an array that is not full is reported as full");
     for (std::size_t i = 0; i < count.count; ++i) {
         check_hit(run, first[i]);
         verdict.require(i == 0 || first[i - 1].t <= first[i].t, "closest_hits are not sorted");
