@@ -16,7 +16,7 @@ import report_lines  # noqa: E402
 from report_page import ROOT, fail, fill, links, read_objects, run, table  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "accuracy.md"
-QUERIES = {"sphere": "`may_overlap(Sphere)`", "box": "`may_overlap(Box)`", "ray": "`may_be_occluded`",
+QUERIES = {"sphere": "`overlaps(Sphere, Accuracy)`", "box": "`overlaps(Box, Accuracy)`", "ray": "`occluded(Ray, Accuracy)`",
            "distance": "`distance_bounds`"}
 LATTICE_FIELDS = ("bits", "extent", "step", "triangles", "zero_area", "collapsed", "duplicate", "bytes", "max_error_steps",
                   "to_baked_steps", "to_source_steps", "rays", "hits", "missed", "extra", "elsewhere", "doubtful",
@@ -96,10 +96,10 @@ def conditions(rows, meshes, files):
     points = sorted({row["points"] for row in lattices})
     questions = sorted({row["questions"] for row in rows if "query" in row})
     doubtful = sum(row["doubtful"] for row in lattices)
-    return (f"The same rays for every lattice; {' or '.join(f'{count:,}' for count in points)} answered points against the "
-            f"source; {' or '.join(f'{q:,}' for q in questions)} questions "
-            f"for each approximate query and accuracy. Rays whose answer on the source could be of rounding in double "
-            f"precision: {doubtful}. The rows: {links(files)}.")
+    return (f"All lattices get the same rays. {' or '.join(f'{count:,}' for count in points)} hit points are compared with "
+            f"the source.\nEach approximate query is called {' or '.join(f'{q:,}' for q in questions)} times per accuracy.\n"
+            f"Rays whose answer on the source could depend on rounding in double precision: {doubtful}.\n"
+            f"Rows: {links(files)}.")
 
 
 def lattice_tables(meshes):

@@ -14,11 +14,24 @@ from report_page import ROOT, fail, fill, links, read_objects, run, table  # noq
 
 DOCUMENT = ROOT / "docs" / "small_cores.md"
 CORES = {"m0": "M0", "m3": "M3", "m4f": "M4F", "m7": "M7", "m33": "M33", "m55": "M55"}
-IMAGES = {"closest_ray": "`open` and closest ray", "in_steps": "`open_trusted_image`, a segment in steps",
-          "five_queries": "`open` and the five", "every_query": "every query"}
+IMAGES = {"closest_ray": "`open` and closest ray", "in_steps": "`open_unchecked`, a segment in steps",
+          "five_queries": "`open` and the five usual queries", "every_query": "every query"}
 FIVE = {"raycast": "closest ray", "occluded": "any ray", "overlaps_sphere": "sphere overlap", "closest_point": "closest point",
         "overlaps_box": "box overlap"}
 IN_STEPS = {"overlaps_box_in_steps": "box", "first_hit_in_steps": "segment, first hit", "any_hit_in_steps": "segment, any hit"}
+# The calls of the C++ interface, where the rows have other names.
+CALLS = {"overlaps_box_in_steps": "overlaps(LatticeBox)", "first_hit_in_steps": "raycast(LatticeSegment)",
+         "any_hit_in_steps": "occluded(LatticeSegment)", "collides": "overlaps(PlacedBlob)",
+         "minimum_distance": "distance(PlacedBlob)", "within_distance": "within_distance(PlacedBlob)",
+         "for_each_contact": "for_each_contact(PlacedBlob)", "raycast_batch": "raycast(batch)",
+         "overlaps_sphere": "overlaps(Sphere)", "overlaps_box": "overlaps(Box)", "overlaps_capsule": "overlaps(Capsule)",
+         "overlaps_oriented_box": "overlaps(OrientedBox)", "overlaps_triangle": "overlaps(Triangle)",
+         "overlaps_planes": "overlaps(ConvexVolume)", "for_each_overlap_sphere": "for_each_overlap(Sphere)",
+         "for_each_overlap_box": "for_each_overlap(Box)", "closest_to_segment": "closest_point(Segment)",
+         "closest_to_box": "closest_point(Box)", "sweep_sphere": "sweep(Sphere)", "sweep_capsule": "sweep(Capsule)",
+         "sweep_box": "sweep(Box)", "may_overlap_sphere": "overlaps(Sphere, Accuracy)",
+         "may_overlap_box": "overlaps(Box, Accuracy)", "may_be_occluded": "occluded(Ray, Accuracy)",
+         "distance_bounds": "distance_bounds(Accuracy)"}
 STACKS = {"open": "`open`", **FIVE, "collides": "two touch", "minimum_distance": "two: distance"}
 
 
@@ -73,6 +86,24 @@ def goals_table(rows):
                   for what, value, most in goals])
 
 
+def call(query):
+    return f"`{CALLS.get(query, query)}`"
+
+
+def profiles_table(rows):
+    """A closest ray on one mesh for each core that ran it in several profiles."""
+    lines = []
+    for core, mesh in (("m4f", rows.largest("m4f")), ("m0", "level")):
+        for profile in ("fast", "small"):
+            if (core, profile, mesh) not in rows.asked():
+                continue
+            ray, opening = (rows.queries[core, profile, mesh, query] for query in ("raycast", "open"))
+            lines.append([CORES[core], mesh, f"`{profile}`", thousands(rows.blobs[profile, mesh]),
+                          thousands(rows.code[core, profile, "closest_ray"]), thousands(max(ray["stack"], opening["stack"])),
+                          thousands(ray["instructions"])])
+    return table(["core", "mesh", "profile", "blob", "code", "stack", "instructions of a ray"], lines)
+
+
 def code_table(rows):
     kinds = list(dict.fromkeys((core, profile) for core, profile, _ in rows.code))
     return table(["core", "profile"] + list(IMAGES.values()),
@@ -109,7 +140,7 @@ def stack_table(rows):
         deepest = {query: max(row["stack"] for row in own if row["query"] == query) for query in STACKS}
         others = max(own, key=lambda row: (row["query"] not in STACKS, row["stack"]))
         lines.append([CORES[core], f"`{profile}`"] + [thousands(deepest[query]) for query in STACKS] +
-                     [f"{thousands(others['stack'])} (`{others['query']}`)"])
+                     [f"{thousands(others['stack'])} ({call(others['query'])})"])
     return table(["core", "profile"] + list(STACKS.values()) + ["deepest of the others"], lines)
 
 
@@ -125,7 +156,7 @@ def level_table(rows):
         opening = rows.queries[core, profile, mesh, "open"]["stack"]
         lines.append([CORES[core], f"`{profile}`", thousands(blob), thousands(blob + ray), thousands(max(ray_stack, opening)),
                       thousands(blob + five), thousands(max(five_stack, opening))])
-    return table(["core", "profile", "blob", "blob and code of a closest ray", "stack of it", "blob and code of the five",
+    return table(["core", "profile", "blob", "blob and code of a closest ray", "stack of it", "blob and code of the five usual queries",
                   "stack of them"], lines)
 
 
@@ -145,7 +176,7 @@ def all_queries_table(rows):
     own = [row if row["blob_bytes_max"] else rows.queries["m4f", "fast", "torus", row["query"]]
            for key, row in rows.queries.items() if key[:3] == ("m4f", "fast", rows.largest("m4f"))]
     return table(["query", "instructions (most)", "blob bytes (most)", "stack"],
-                 [[f"`{r['query']}`" + (", torus" if r["mesh"] == "torus" else ""), f"{thousands(r['instructions'])} ({thousands(r['instructions_max'])})",
+                 [[call(r['query']) + (", torus" if r["mesh"] == "torus" else ""), f"{thousands(r['instructions'])} ({thousands(r['instructions_max'])})",
                    f"{thousands(r['blob_bytes'])} ({thousands(r['blob_bytes_max'])})", thousands(r["stack"])] for r in own])
 
 
@@ -155,7 +186,7 @@ def outputs(files):
     elsewhere = sum(row["writes_elsewhere"] for row in rows.queries.values())
     conditions = (f"Rows: {links(files)}. GCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}. "
                   f"Writes outside the stack in all {sum(row['calls'] for row in rows.queries.values()):,} calls: {elsewhere}.")
-    return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
+    return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "profiles": profiles_table(rows), "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
                                       "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows),
                                       "largest": largest_table(rows), "queries": all_queries_table(rows)})}
 

@@ -85,6 +85,9 @@ def machine_line(machine, file):
             f"{', '.join(versions) or 'no peers'}.\n  Rows: {links([file])}.{noise}")
 
 
+EFFORTS = {0: "`fast`", 5: "`normal`", 8: "`best`"}  # by the number in the rows
+
+
 def conditions(machines, files):
     row = machines[0].row
     runs = {len(system.rows) for machine in machines for mesh in machine.meshes for system in mesh.systems}
@@ -93,7 +96,7 @@ def conditions(machines, files):
     return "\n".join([
         "Measured on one thread of:", "", *(machine_line(machine, file) for machine, file in zip(machines, files)), "",
         f"{spread} of {row['repetitions']} repetitions in which the systems take turns ({row['builds']} for *build*).",
-        f"{row['rays']:,} incoherent rays, {row['bits']}-bit lattice, effort {row['effort']}"
+        f"{row['rays']:,} incoherent rays, {row['bits']}-bit lattice, effort {EFFORTS[row['effort']]}"
         + (f", builder {row['builder']}" if row.get("builder") else "") + "."])
 
 

@@ -3,7 +3,6 @@
 #include <cstring>
 #include <span>
 
-#include <baker/verify/verify.hpp>
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
@@ -47,28 +46,28 @@ struct Question {
 Question read_question(Input& input) {
     Question question;
     BakeOptions& options = question.options;
-    options.bits = 1 + input.byte() % 24;
+    options.resolution = Resolution::bits(1 + input.byte() % 24);
     constexpr Builder builders[] = {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear,
                                     Builder::insertion};
     const unsigned choices = input.byte();
-    options.effort = choices % 10;
-    options.builder = builders[choices / 10 % 5];
-    options.profile = static_cast<format::Profile>(choices / 50 % 3);
+    options.effort = static_cast<Effort>(choices % 10 % 3);
+    options.build.builder = builders[choices / 10 % 5];
+    options.profile = static_cast<Profile>(choices / 50 % 3);
     if (choices >= 250) {  // which go together
-        options.builder = Builder::spatial_splits;
-        options.profile = format::Profile::fast;
+        options.build.builder = Builder::spatial_splits;
+        options.profile = Profile::fast;
     }
     const std::uint8_t flags = input.byte();
     options.original_ids = (flags & 1) != 0;
-    options.materials = static_cast<Materials>((flags >> 1 & 3u) % 3u);
-    options.repair = (flags & 8) != 0;
+    const unsigned material_width = flags >> 1 & 3u;  // none, 8, 16 or 17 bits
+    options.drop_bad_triangles = (flags & 8) != 0;
     options.threads = 1 + (flags >> 4 & 1u);
     const bool raw_floats = (flags & 32) != 0;
     if ((flags & 128) != 0) {
-        options.edge_flags = 5.0;
+        options.flat_angle = 5.0;
         options.bounds = {true, true, true};
     }
-    if ((flags & 64) != 0) options.tolerance = static_cast<double>(input.any_float());
+    if ((flags & 64) != 0) options.resolution = Resolution::tolerance(static_cast<double>(input.any_float()));
 
     Mesh& mesh = question.mesh;
     mesh.name = "fuzzed";
@@ -88,7 +87,7 @@ Question read_question(Input& input) {
         const std::uint32_t b = input.byte();
         const std::uint32_t c = input.byte();
         mesh.triangles.push_back({a, b, c});
-        if (options.materials != Materials::none) mesh.materials.push_back(a);
+        if (material_width != 0) mesh.materials.push_back(a << (material_width * material_width - 1));
     }
     return question;
 }
@@ -102,14 +101,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const MeshView view = question.mesh.view();
     const auto baked = bake(std::span(&view, 1), question.options);
     if (!baked) {
-        if (baked.error().kind == BakeError::Kind::internal) fuzz::fail("internal error", baked.error().message);
-        if (baked.error().message.empty()) fuzz::fail("refused", "without a reason");
+        if (baked.status == BakeStatus::internal) fuzz::fail("internal error", baked.message);
+        if (baked.message.empty()) fuzz::fail("refused", "without a reason");
         return 0;
     }
-    Blob blob;
-    if (const Status status = open(baked->blob, blob); status != Status::ok) fuzz::fail("open", describe(status));
-    if (const auto problem = baker::verify_deep(baked->blob)) fuzz::fail("verify_deep", *problem);
+    const Blob blob = open(baked.bytes);
+    if (!blob) fuzz::fail("open", describe(blob.status()));
+    if (const auto report = verify(baked.bytes); !report) fuzz::fail("verify", report.message);
     Random random(size);
-    fuzz::judge(baked->blob, blob, random, fuzz::Maker::baker);
+    fuzz::judge(baked.bytes, blob, random, fuzz::Maker::baker);
     return 0;
 }

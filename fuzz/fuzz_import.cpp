@@ -13,7 +13,6 @@
 #include <new>
 #include <string>
 
-#include <baker/verify/verify.hpp>
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
 
@@ -33,14 +32,13 @@ constexpr unsigned seconds = 20;
 
 BakeOptions options_from(std::uint8_t choices) {
     BakeOptions options;
-    options.repair = (choices & 1) != 0;
-    options.profile = static_cast<format::Profile>((choices >> 1 & 3u) % 3u);
+    options.drop_bad_triangles = (choices & 1) != 0;
+    options.profile = static_cast<Profile>((choices >> 1 & 3u) % 3u);
     options.original_ids = (choices & 8) != 0;
-    options.bits = (choices & 16) != 0 ? 24 : 8;
-    options.effort = (choices & 32) != 0 ? 9 : 1;
-    if ((choices & 64) != 0) options.materials = Materials::bits_16;
+    options.resolution = Resolution::bits((choices & 16) != 0 ? 24 : 8);
+    options.effort = (choices & 32) != 0 ? Effort::best : Effort::fast;
     if ((choices & 128) != 0) {
-        options.edge_flags = 5.0;
+        options.flat_angle = 5.0;
         options.bounds = {true, true, true};
     }
     return options;
@@ -52,13 +50,13 @@ void read_and_bake(const std::string& path, const BakeOptions& options) {
         const auto views = imported.views();
         const auto baked = bake(views, options);
         if (!baked) {
-            if (baked.error().kind == BakeError::Kind::internal) fuzz::fail("internal error", baked.error().message);
-            if (baked.error().message.empty()) fuzz::fail("refused", "without a reason");
+            if (baked.status == BakeStatus::internal) fuzz::fail("internal error", baked.message);
+            if (baked.message.empty()) fuzz::fail("refused", "without a reason");
             return;
         }
-        Blob blob;
-        if (const Status status = open(baked->blob, blob); status != Status::ok) fuzz::fail("open", describe(status));
-        if (const auto problem = baker::verify_deep(baked->blob)) fuzz::fail("verify_deep", *problem);
+        const Blob blob = open(baked.bytes);
+        if (!blob) fuzz::fail("open", describe(blob.status()));
+        if (const auto report = verify(baked.bytes); !report) fuzz::fail("verify", report.message);
     } catch (const tools::CommandError& error) {
         if (std::string(error.what()).empty()) fuzz::fail("refused", "without a reason");
         if (error.code() != tools::ExitCode::invalid_input && error.code() != tools::ExitCode::unsupported)

@@ -46,9 +46,10 @@ void repair(std::span<std::byte> blob) {
 }
 
 void open_and_ask(std::span<const std::byte> bytes, std::span<const std::byte> arguments) {
-    Blob blob;
-    if (open(bytes, blob) != Status::ok) {
-        if (blob.triangle_count() != 0 || blob.data().bytes != nullptr) fuzz::fail("open", "refused and not empty");
+    const Blob blob = open(bytes);
+    if (!blob) {
+        if (blob.triangle_count() != 0 || detail::data_of(blob).bytes != nullptr)
+            fuzz::fail("open", "refused and not empty");
         return;
     }
     Random random(bytes.size(), arguments);
@@ -84,7 +85,7 @@ constexpr std::uint32_t hostile_integers[] = {0,          1,          2,        
 /// A word of the header, of a node or of the leaves: one more, one less, a bit, or a number that breaks careless code.
 void change_a_word(std::span<std::byte> blob, Random& random) {
     const std::uint32_t nodes = std::min(get(blob, header::node_count_at), 64u);
-    const auto profile = static_cast<format::Profile>(std::to_integer<std::uint8_t>(blob[header::profile_at]));
+    const auto profile = static_cast<Profile>(std::to_integer<std::uint8_t>(blob[header::profile_at]));
     const std::size_t node_bytes = format::node_bytes(profile);
     std::size_t at = 4 * std::size_t{random.below(static_cast<std::uint32_t>(blob.size() / 4))};
     if (random.coin()) {

@@ -47,9 +47,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Random shape(size, input.first(size - for_arguments));
     const PlainBlob plain = make_weird_blob(shape);
     const ExactBuffer buffer(encode(plain), size % 16);
-    Blob blob;
-    if (const Status status = open(buffer.bytes(), blob); status != Status::ok) fuzz::fail("open", describe(status));
-    compare(plain, buffer.bytes(), blob.copy_count() != 0);
+    const Blob blob = open(buffer.bytes());
+    if (!blob) fuzz::fail("open", describe(blob.status()));
+    compare(plain, buffer.bytes(), blob.duplicate_reference_count() != 0);
     Random arguments(size, input.last(for_arguments));
     fuzz::judge(buffer.bytes(), blob, arguments);
     return 0;

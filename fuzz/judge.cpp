@@ -23,7 +23,7 @@ std::optional<DecodedBlob> decode_opened(std::span<const std::byte> bytes, const
     try {
         return decode(bytes);
     } catch (const std::exception& error) {
-        if (blob.copy_count() == 0) fail("decoder", error.what());
+        if (blob.duplicate_reference_count() == 0) fail("decoder", error.what());
         return std::nullopt;
     }
 }
@@ -37,7 +37,7 @@ void fail(const char* what, const std::string& detail) {
 
 void judge(std::span<const std::byte> bytes, const Blob& blob, Random& random, Maker maker) {
     const std::optional<DecodedBlob> decoded = decode_opened(bytes, blob);
-    const bool has_copies = blob.copy_count() != 0;  // then boxes hold parts of triangles
+    const bool has_copies = blob.duplicate_reference_count() != 0;  // then boxes hold parts of triangles
     const bool sound = decoded && ((maker == Maker::baker && has_copies) || is_sound(*decoded));
     if (maker == Maker::baker && !sound) fail("baker", "a blob that is not sound");
     try {
@@ -57,7 +57,6 @@ void judge(std::span<const std::byte> bytes, const Blob& blob, Random& random, M
         if (const auto difference = ray_difference(blob, loop, ray, hits)) fail("ray", *difference);
         if (const auto difference = sphere_difference(blob, loop, queries.sphere(), hits)) fail("sphere", *difference);
     }
-    if (has_copies) return;  // which most of the rest refuses
     ShapeMaker shapes(*decoded, random.next());
     SweepMaker sweeps(*decoded, random.next());
     if (const auto difference = loop_difference(blob, loop, shapes, sweeps)) fail("loop", *difference);

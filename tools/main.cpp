@@ -111,7 +111,8 @@ void add_dump(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<DumpArguments>();
     CLI::App* verb = add_verb(app, "dump", "Every byte of a blob, with its meaning");
     add_blob(verb, arguments->blob);
-    verb->add_option("--limit", arguments->limit, "At most so many lines, and a last one that says what was left out")
+    verb->add_option("--limit", arguments->limit,
+                     "At most so many lines, and a last one that counts the bytes left out")
         ->type_name("LINES");
     add_json(verb, arguments->json);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_dump(*arguments); }; });
@@ -140,7 +141,8 @@ std::vector<std::string> with_negative_numbers_marked(std::vector<std::string> a
 
 ExitCode run(int count, char** values) {
     CLI::App app{"Baked collision meshes, queried straight from their bytes", "espalier"};
-    app.footer(std::string("'espalier VERB --help' says more. stdout is data, stderr is talk.\n") + exit_code_help);
+    app.footer(std::string("'espalier VERB --help' has the options. stdout is data; stderr has messages.\n") +
+               exit_code_help);
     app.set_version_flag("--version", text("espalier ", library_version, ", format ", format::version_major, '.',
                                            format::version_minor));
     app.require_subcommand(1);

@@ -17,6 +17,8 @@ INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 CONDITION = re.compile(r"\s*#\s*(if|ifdef|ifndef|elif|else|endif)\b\s*(.*?)\s*(//.*)?$")
 NAMESPACE = re.compile(r"(?:inline )?namespace\s*([\w:]*)\s*\{\s*(//.*)?$")
 LITERAL = re.compile(r'"(\\.|[^"\\])*"|\'(\\.|[^\'\\])+\'|//.*')
+# What a fragment (.inl) includes where it is parsed alone.
+ALONE = re.compile(r"^#ifndef ESPALIER_IN_INSTRUCTION_SET.*?^#endif\n", re.MULTILINE | re.DOTALL)
 # What is left of code for an instruction set when all of it stood before; Clang warns of it.
 EMPTY_REGION = re.compile(r"^ESPALIER_BEGIN_TARGET.*\nnamespace .*\n(//.*\n|\n)*\}.*\nESPALIER_END_TARGET\n", re.MULTILINE)
 
@@ -40,12 +42,12 @@ SOURCE_PREAMBLE = """\
 //
 {licence}
 
-// Answers are the same bits everywhere only if each operation is rounded by itself. In the library flags say so; here the
-// file does, before anything else, so that what it includes is compiled alike. Clang does not listen where its command line has
-// -ffp-contract=fast: leave that out.
+// Answers are the same bits everywhere only if each operation is rounded by itself. The library is compiled with flags for
+// that; this file has pragmas, before anything else, so that they also hold for what it includes. Clang ignores the pragma
+// where its command line has -ffp-contract=fast: leave that out.
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
-// Of a header Clang would not ask that each function be used.
+// In a header, Clang does not warn about functions that are not used.
 #pragma clang diagnostic ignored "-Wunneeded-internal-declaration"
 #elif defined(__GNUC__)
 #pragma GCC optimize("fp-contract=off")
@@ -67,7 +69,7 @@ def version():
 def classify(path):
     """Each line with what it is: includes, condition, directive, opens or closes (a namespace) or code; and the match."""
     depth, namespaces, continued = 0, [], False
-    for line in path.read_text().splitlines():
+    for line in ALONE.sub("", path.read_text()).splitlines():
         if continued or line.lstrip().startswith("#"):
             kind, match = "directive", None
             if not continued:
@@ -92,8 +94,8 @@ def classify(path):
 
 
 def declared_names(path, only_private=False):
-    """Types, functions and constants that a file declares. The code is formatted: these begin a line. Private is what stands in
-    unnamed namespaces."""
+    """Returns the types, functions and constants that a file declares. The code is formatted, so each begins a line. Private
+    names are those in unnamed namespaces."""
     names, namespaces = set(), []
     for line, kind, match in classify(path):
         if kind == "opens":
@@ -111,7 +113,7 @@ def declared_names(path, only_private=False):
 
 
 def included_headers(path, found):
-    """Of the runtime's files, all that a file sees."""
+    """Adds the headers of the runtime that a file includes, also through others, to `found` and returns it."""
     for _, kind, match in classify(path):
         if kind == "includes" and match.group(1).startswith("runtime/") and match.group(1) not in found:
             found.add(match.group(1))
@@ -131,14 +133,14 @@ class SingleFile:
         self.system_headers = set()
         self.lines = []
         self.conditions = []  # of the preprocessor, around the line that is being written
-        self.namespaces = []  # likewise
+        self.namespaces = []  # around the same line
         self.written = collections.defaultdict(list)  # what, in which namespace: under which conditions
 
     def namespace(self):
         return "::".join(name or "unnamed" for name in self.namespaces)
 
     def is_written(self, key):
-        """Whether it stands where the compiler saw it if it sees this line."""
+        """Returns whether it is written already, under conditions that hold wherever those of this line do."""
         here = {part for condition in self.conditions for part in self.parts_of(condition)}
         return any(here.issuperset(conditions) for conditions in self.written[key])
 
@@ -164,7 +166,7 @@ class SingleFile:
             self.lines.append(f"#endif  // {guard}")
 
     def add(self, path, renamed=None):
-        """The lines of a file. Names in `renamed` become others, unless a class or namespace before them says whose they are."""
+        """Appends the lines of a file. Names in `renamed` are replaced, unless a class or namespace qualifies them."""
         self.lines.append(f"// ---- {path.relative_to(LIBRARY)}")
         definitions = []
         for line, kind, match in classify(path):
@@ -188,7 +190,7 @@ class SingleFile:
         self.add_definitions(definitions)
 
     def add_definitions(self, lines):
-        """What stands between two includes. Files that share a namespace may repeat definitions: those are not written twice."""
+        """Appends the lines between two includes. Definitions that files of one namespace repeat are written once."""
         text = "\n".join(line for line in lines if line.strip() and not line.lstrip().startswith("//"))
         text = text.replace("#pragma once", "").strip()
         if self.namespaces and text:
@@ -234,21 +236,47 @@ def make_header():
     return header.text(HEADER_PREAMBLE)
 
 
+def make_c_header():
+    """espalier.h, with the headers that it includes in place of its includes: each once, after those that it includes."""
+    include = re.compile(r"^#include <(espalier/c/.*)>\n", re.MULTILINE)
+    written, parts = set(), []
+
+    def add(name):
+        if name not in written:
+            written.add(name)
+            text = (LIBRARY / name).read_text()
+            for other in include.findall(text):
+                add(other)
+            parts.append(include.sub("", text))
+
+    text = (LIBRARY / "espalier/espalier.h").read_text()
+    for name in include.findall(text):
+        add(name)
+    places = list(include.finditer(text))
+    text = text[:places[0].start()] + "\n".join(parts) + text[places[-1].end():]
+    return re.sub(r"\n{3,}", "\n\n", text)
+
+
 def make_source():
-    """A private name that headers which its file sees have too is one more overload of theirs, and stays as it is. Any other stays
-    only if nothing else has it: else a call might mean another function, or a variable hide a constant."""
+    """Returns the source with private names made unique.
+
+    A private name that included headers have too is one more overload of theirs, and is kept. Any other name is kept only
+    if no other file uses it: else a call could find another function, or a variable could hide a constant."""
     runtime = LIBRARY / "runtime"
     files = sorted(runtime.rglob("*.cpp"))
     private = {path: declared_names(path, only_private=True) for path in files}
     users = collections.Counter(name for names in private.values() for name in names)
     everything = {path: words_of(path) for path in runtime.rglob("*.[chi][pn][pl]")}
+    seen_by = {path: {LIBRARY / name for name in included_headers(path, set())} for path in files}
+    known_to = {path: set().union(*(declared_names(header) for header in seen_by[path])) for path in files}
     source = SingleFile(skips_public_headers=True)
-    for path in files:
-        seen = {LIBRARY / name for name in included_headers(path, set())}
-        known = set().union(*(declared_names(header) for header in seen))
+    # An overload in an unnamed namespace hides the headers' in what follows: files with such come last.
+    for path in sorted(files, key=lambda path: bool(private[path] & known_to[path])):
+        seen, known = seen_by[path], known_to[path]
         new = set().union(*(words for other, words in everything.items() if other != path and other not in seen))
         renamed = {name for name in private[path] if name not in known and (users[name] > 1 or name in new)}
-        source.add(path, {name: f"{name}_of_{path.stem}" for name in renamed})
+        place = "_".join(path.relative_to(runtime).with_suffix("").parts)
+        source.add(path, {name: f"{name}_of_{place}" for name in renamed})
     return source.text(SOURCE_PREAMBLE)
 
 
@@ -259,8 +287,7 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "espalier.hpp").write_text(make_header())
     (folder / "espalier.cpp").write_text(make_source())
-    for header in (LIBRARY / "espalier").glob("*.h"):
-        (folder / header.name).write_text(header.read_text())
+    (folder / "espalier.h").write_text(make_c_header())
 
 
 main()

@@ -38,7 +38,7 @@ Mesh mesh_named(const std::string& word) {
 }
 
 /// Whether the mesh, in that pose, touches itself. Without such a query poses are as they come.
-bool collides_with_itself(const Instance& instance, const Placement& pose) {
+bool collides_with_itself(const Instance& instance, const Transform& pose) {
     const EspalierSideKind* kind = instance.calls().kind("collides");
     if (kind == nullptr) return false;
     const Memory question(kind->question_bytes), answer(kind->answer_bytes);
@@ -69,7 +69,7 @@ void compare(const std::string& word, const Options& options, Heading& heading, 
         std::vector<PairOfInstances> pairs;
         for (std::size_t i = 0; i < options.loads; ++i) pairs.emplace_back(base, other, options.set);
         const PairOfInstances& any = pairs.front();
-        const auto collides = [&](const Placement& pose) { return collides_with_itself(any.base(), pose); };
+        const auto collides = [&](const Transform& pose) { return collides_with_itself(any.base(), pose); };
         if (sets.empty())
             for (const std::string& name : options.questions) sets.push_back(make_questions(name, mesh, collides));
         heading.base_compiler = any.base().calls().compiler;

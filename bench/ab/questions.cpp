@@ -147,21 +147,21 @@ std::vector<std::string> question_names() {
     return names;
 }
 
-std::vector<float> numbers_of(const Placement& pose) {
+std::vector<float> numbers_of(const Transform& pose) {
     const Quaternion& q = pose.rotation;
     const Vec3& t = pose.translation;
     return {q.x, q.y, q.z, q.w, t.x, t.y, t.z, pose.scale};
 }
 
 QuestionSet make_questions(const std::string& name, const Mesh& mesh,
-                           const std::function<bool(const Placement&)>& collides) {
+                           const std::function<bool(const Transform&)>& collides) {
     for (const Maker& maker : makers) {
         if (name != maker.name) continue;
         QuestionSet set = {maker.name, maker.kind, maker.floats, point_count, {}};
         if (maker.floats == 0) return set;
         if (maker.make != nullptr) set.numbers = maker.make(mesh);
         else
-            for (const Placement& pose : some_poses(mesh, pose_count, seed, collides))
+            for (const Transform& pose : some_poses(mesh, pose_count, seed, collides))
                 for (const float number : numbers_of(pose)) set.numbers.push_back(number);
         set.count = set.numbers.size() / set.floats;
         return set;

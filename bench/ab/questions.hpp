@@ -24,9 +24,9 @@ std::vector<std::string> question_names();
 
 /// Returns the set of that name, one of question_names(). Poses are placed so that `collides` is true of about half.
 QuestionSet make_questions(const std::string& name, const Mesh& mesh,
-                           const std::function<bool(const Placement&)>& collides);
+                           const std::function<bool(const Transform&)>& collides);
 
 /// The floats of one placement, as the kinds `collides` and `minimum_distance` take them.
-std::vector<float> numbers_of(const Placement& pose);
+std::vector<float> numbers_of(const Transform& pose);
 
 }  // namespace espalier::bench

@@ -42,7 +42,7 @@ public:
     Measurement(const char* head, const Blob& blob, const tests::Mesh& mesh, const DoubleTree& source,
                 std::size_t questions)
         : head_(head), blob_(blob), questions_(questions) {
-        const Vec3 low = blob.bounds_min(), high = blob.bounds_max();
+        const Vec3 low = blob.bounds().min, high = blob.bounds().max;
         const Vec3 size = {high.x - low.x, high.y - low.y, high.z - low.z};
         extent_ = std::max({size.x, size.y, size.z});
         radius_ = 0.02f * std::sqrt(size.x * size.x + size.y * size.y + size.z * size.z);
@@ -77,8 +77,8 @@ private:
         Distribution gaps;
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const Sphere sphere = {points_[i], radius_};
-            const bool exact = may_overlap(blob_, sphere, 0.0f, &exact_work);
-            const bool approximate = may_overlap(blob_, sphere, accuracy, &outcome.counters);
+            const bool exact = overlaps(blob_, sphere, Accuracy{0.0f}, &exact_work).yes();
+            const bool approximate = overlaps(blob_, sphere, Accuracy{accuracy}, &outcome.counters).yes();
             outcome.add(exact, approximate);
             if (approximate && !exact)
                 gaps.add((distances_[i] - static_cast<double>(radius_)) / static_cast<double>(accuracy));
@@ -94,13 +94,13 @@ private:
             boxes.push_back(
                 {{p.x - radius_, p.y - radius_, p.z - radius_}, {p.x + radius_, p.y + radius_, p.z + radius_}});
         yes_or_no("box", k, accuracy, boxes, [this](const Box& box, float within, QueryCounters& counters) {
-            return may_overlap(blob_, box, within, &counters);
+            return overlaps(blob_, box, Accuracy{within}, &counters).yes();
         });
     }
 
     void rays(int k, float accuracy) {
         yes_or_no("ray", k, accuracy, rays_, [this](const Ray& ray, float within, QueryCounters& counters) {
-            return may_be_occluded(blob_, ray, within, &counters);
+            return occluded(blob_, ray, Accuracy{within}, &counters).yes();
         });
     }
 
@@ -124,10 +124,10 @@ private:
         constexpr float anywhere = std::numeric_limits<float>::infinity();
         const double allowed = static_cast<double>(blob_.max_error());
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            DistanceBounds bounds;
-            outcome.exact_yes += distance_bounds(blob_, points_[i], anywhere, 0.0f, bounds, &exact_work);
-            distance_bounds(blob_, points_[i], anywhere, accuracy, bounds, &outcome.counters);
-            const double lower = static_cast<double>(bounds.lower), upper = static_cast<double>(bounds.upper);
+            outcome.exact_yes += bool(distance_bounds(blob_, points_[i], anywhere, Accuracy{}, &exact_work));
+            const Result<DistanceBounds> bounds =
+                distance_bounds(blob_, points_[i], anywhere, Accuracy{accuracy}, &outcome.counters);
+            const double lower = static_cast<double>(bounds->lower), upper = static_cast<double>(bounds->upper);
             outcome.missed += distances_[i] < lower - allowed || distances_[i] > upper + allowed;
             errors.add(std::abs(0.5 * (lower + upper) - distances_[i]) / static_cast<double>(accuracy));
             widths.add((upper - lower) / static_cast<double>(accuracy));

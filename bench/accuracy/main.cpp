@@ -56,19 +56,19 @@ public:
     Lattice(const tests::Mesh& mesh, unsigned bits) {
         const MeshView view = mesh.view();
         BakeOptions options;
-        options.bits = bits;
+        options.resolution = Resolution::bits(bits);
         auto baked = bake({&view, 1}, options);
-        if (!baked) throw std::runtime_error(baked.error().message);
-        baked_ = std::move(*baked);
-        if (const Status status = open(baked_.blob, blob_); status != Status::ok)
-            throw std::runtime_error(describe(status));
+        if (!baked) throw std::runtime_error(baked.message);
+        baked_ = std::move(baked);
+        blob_ = open(baked_.bytes);
+        if (!blob_) throw std::runtime_error(describe(blob_.status()));
     }
     [[nodiscard]] const Blob& blob() const { return blob_; }
     [[nodiscard]] const BakeReport& report() const { return baked_.report; }
-    [[nodiscard]] std::span<const std::byte> bytes() const { return baked_.blob; }
+    [[nodiscard]] std::span<const std::byte> bytes() const { return baked_.bytes; }
 
 private:
-    Baked baked_;
+    BakeResult baked_;
     Blob blob_;
 };
 
@@ -81,19 +81,19 @@ void measure(const tests::Mesh& mesh, const Options& options) {
         const Lattice lattice(mesh, bits);
         const BakeReport& report = lattice.report();
         std::printf("{\"mesh\":\"%s\",\"source_triangles\":%zu,\"bits\":%u,\"step\":%.9g,\"extent\":%.9g",
-                    mesh.name.c_str(), mesh.triangles.size(), bits, report.step, report.extent);
+                    mesh.name.c_str(), mesh.triangles.size(), bits, report.lattice.step, report.bounds.extent);
         std::printf(",\"triangles\":%u,\"zero_area\":%llu,\"collapsed\":%llu,\"duplicate\":%llu,\"bytes\":%llu",
-                    report.triangles, static_cast<unsigned long long>(report.zero_area.count),
-                    static_cast<unsigned long long>(report.collapsed.count),
-                    static_cast<unsigned long long>(report.duplicate.count),
+                    report.tree.triangles, static_cast<unsigned long long>(report.findings.zero_area.count),
+                    static_cast<unsigned long long>(report.findings.collapsed.count),
+                    static_cast<unsigned long long>(report.findings.duplicate.count),
                     static_cast<unsigned long long>(report.bytes));
         const DoubleTree baked(baked_surface(lattice.bytes()));
         const OneWayDistance to_baked = one_way_distance(source, baked, options.pieces);
         const OneWayDistance to_source = one_way_distance(baked, source, options.pieces);
         const double max_error = static_cast<double>(lattice.blob().max_error());
-        std::printf(",\"max_error_steps\":%.9g", max_error / report.step);
-        print_distance("to_baked_steps", to_baked, report.step);
-        print_distance("to_source_steps", to_source, report.step);
+        std::printf(",\"max_error_steps\":%.9g", max_error / report.lattice.step);
+        print_distance("to_baked_steps", to_baked, report.lattice.step);
+        print_distance("to_source_steps", to_source, report.lattice.step);
         print_ray_accuracy(lattice.blob(), source, rays, references, options.points);
         std::printf("}\n");
         std::fflush(stdout);

@@ -28,14 +28,14 @@ std::vector<ReferenceHit> reference_hits(const DoubleTree& source, const std::ve
 
 void print_ray_accuracy(const Blob& blob, const DoubleTree& source, const std::vector<Ray>& rays,
                         const std::vector<ReferenceHit>& references, std::size_t points) {
-    const double step = static_cast<double>(blob.step());
+    const double step = std::ldexp(1.0, blob.lattice().step_exponent);
     std::size_t hits = 0, missed = 0, extra = 0, elsewhere = 0, doubtful = 0;
     Distribution t_errors, normal_errors, point_errors;
     std::size_t point_count = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const ReferenceHit& reference = references[i];
-        RayHit hit;
-        const bool is_hit = raycast(blob, rays[i], hit);
+        const RayHit hit = raycast(blob, rays[i]);
+        const bool is_hit = bool(hit);
         doubtful += reference.is_doubtful;
         hits += reference.is_hit;
         missed += reference.is_hit && !is_hit;

@@ -24,15 +24,15 @@ namespace {
 using namespace espalier;
 using namespace espalier::bench;
 
-struct Profile {
+struct ProfileRun {
     const char* name;
-    format::Profile profile;
+    Profile profile;
     unsigned largest_leaf;
 };
-constexpr Profile profiles[] = {{"fast", format::Profile::fast, format::plain_leaf::max_triangles},
-                                {"balanced", format::Profile::balanced, format::strip_leaf::max_balanced_entries - 2},
-                                {"small", format::Profile::small, format::strip_leaf::max_small_entries - 2},
-                                {"tiny", format::Profile::tiny, format::predicted_strip::max_entries - 2}};
+constexpr ProfileRun profiles[] = {{"fast", Profile::fast, format::plain_leaf::max_triangles},
+                                   {"balanced", Profile::balanced, format::strip_leaf::max_balanced_entries - 2},
+                                   {"small", Profile::small, format::strip_leaf::max_small_entries - 2},
+                                   {"tiny", Profile::tiny, format::predicted_strip::max_entries - 2}};
 /// Leaves of several sizes in one fit: else nodes and triangles grow together, and their costs cannot be told apart.
 constexpr unsigned leaf_divisors[] = {4, 2, 1};
 constexpr std::uint64_t seed = 2026;
@@ -41,7 +41,7 @@ struct Options {
     bool json = false;
     unsigned rays = 200'000;
     unsigned repetitions = 7;
-    BakeOptions bake;
+    unsigned bits = 16;
 };
 
 /// What stands for the tested triangles: themselves (the classic Np), the groups of 8 of a leaf that lanes test at
@@ -56,21 +56,21 @@ constexpr Term terms[] = {{"Np", "triangle", &RayGroup::triangles},
                           {"Nl", "leaf", &RayGroup::leaves}};
 using Fits = std::array<Fit, std::size(terms)>;
 
-Fits measure(const Mesh& mesh, const Options& options, const Profile& profile) {
+Fits measure(const Mesh& mesh, const Options& options, const ProfileRun& profile) {
     const std::vector<Ray> rays = incoherent_rays(mesh, options.rays, seed);
     const MeshView view = mesh.view();
-    std::vector<Baked> blobs;  // the groups' blobs point into them
+    std::vector<BakeResult> blobs;  // the groups' blobs point into them
     std::vector<RayGroup> groups;
     for (const unsigned divisor : leaf_divisors) {
-        BakeOptions bake_options = options.bake;
+        BakeOptions bake_options;
+        bake_options.resolution = Resolution::bits(options.bits);
         bake_options.profile = profile.profile;
-        bake_options.max_leaf_triangles = profile.largest_leaf / divisor;
+        bake_options.build.max_leaf_triangles = profile.largest_leaf / divisor;
         auto baked = bake({&view, 1}, bake_options);
-        if (!baked) throw std::runtime_error(mesh.name + ": " + baked.error().message);
-        blobs.push_back(std::move(*baked));
-        Blob blob;
-        if (const Status status = open(blobs.back().blob, blob); status != Status::ok)
-            throw std::runtime_error(mesh.name + ": " + describe(status));
+        if (!baked) throw std::runtime_error(mesh.name + ": " + baked.message);
+        blobs.push_back(std::move(baked));
+        const Blob blob = open(blobs.back().bytes);
+        if (!blob) throw std::runtime_error(mesh.name + ": " + describe(blob.status()));
         for (RayGroup& group : group_by_work(blob, rays)) groups.push_back(std::move(group));
     }
     time_groups(groups, options.repetitions);
@@ -99,9 +99,7 @@ void print_text(const std::string& mesh, const char* profile, const Fits& fits) 
     }
     const auto [node, group, constant] = fits[1].coefficients;
     if (node > 0.0 && group >= 0.0)
-        std::printf(
-            "  for --cost-model: {\"node_visit\": 1, \"leaf_visit\": 0, \"leaf_group\": %.3f, \"triangle\": 0}\n",
-            group / node);
+        std::printf("  RayCosts of collapse.hpp: node_visit 1, leaf_visit 0, leaf_group %.3f\n", group / node);
     else std::printf("  no cost model: a cost came out negative; measure on a quiet machine, with more rays\n");
 }
 
@@ -125,7 +123,7 @@ void run(const std::vector<std::string>& meshes, const Options& options) {
             "counted by the scalar path. Nu: updates of boxes, 0 until two blobs are tested against each other.\n");
     for (const std::string& path : meshes) {
         const Mesh mesh = tests::read_mesh(path);
-        for (const Profile& profile : profiles) {
+        for (const ProfileRun& profile : profiles) {
             const Fits fits = measure(mesh, options, profile);
             (options.json ? print_json : print_text)(mesh.name, profile.name, fits);
             std::fflush(stdout);
@@ -141,7 +139,6 @@ int main(int count, char** words) {
     program.add_flag("--json", options.json, "A JSON object for each row instead of text");
     program.add_number("--rays", options.rays, 1000u, 100'000'000u, "Incoherent rays");
     program.add_count("--repetitions", options.repetitions, "How often each group of rays is cast");
-    program.add_number("--bits", options.bake.bits, 1u, 24u, "Lattice bits");
-    program.add_number("--effort", options.bake.effort, 0u, 9u, "Of the build");
+    program.add_number("--bits", options.bits, 1u, 24u, "Lattice bits");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) { run(meshes, options); });
 }

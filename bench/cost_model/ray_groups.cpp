@@ -47,10 +47,7 @@ double median(std::vector<double> values) {
 
 std::vector<RayGroup> group_by_work(const Blob& blob, const std::vector<Ray>& rays) {
     std::vector<QueryCounters> work(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        RayHit hit;
-        raycast_counted(blob, rays[i], hit, work[i]);
-    }
+    for (std::size_t i = 0; i < rays.size(); ++i) static_cast<void>(raycast(blob, rays[i], work[i]));
     std::vector<std::uint32_t> order(rays.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto by = [&](auto measure) {
@@ -79,10 +76,7 @@ void time_groups(std::vector<RayGroup>& groups, unsigned rounds) {
         std::vector<double> times;
         for (const RayGroup& group : groups) {
             const auto start = std::chrono::steady_clock::now();
-            for (const Ray& ray : group.rays) {
-                RayHit hit;
-                found += raycast(group.blob, ray, hit);
-            }
+            for (const Ray& ray : group.rays) found += bool(raycast(group.blob, ray));
             const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
             times.push_back(taken.count() / static_cast<double>(group.rays.size()));
         }

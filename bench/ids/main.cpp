@@ -22,14 +22,14 @@ using namespace espalier;
 using namespace espalier::bench;
 using tests::Mesh;
 
-Baked bake_with(const Mesh& mesh, format::Profile profile, bool ids) {
+BakeResult bake_with(const Mesh& mesh, Profile profile, bool ids) {
     BakeOptions options;
     options.profile = profile;
     options.original_ids = ids;
     const MeshView view = mesh.view();
     auto baked = bake({&view, 1}, options);
-    if (!baked) throw std::runtime_error(baked.error().message);
-    return std::move(*baked);
+    if (!baked) throw std::runtime_error(baked.message);
+    return baked;
 }
 
 Mesh shuffled(Mesh mesh) {
@@ -68,27 +68,24 @@ double share_in_scan_order(const Mesh& mesh) {
 }
 
 void measure(const Mesh& mesh) {
-    constexpr std::array<std::pair<const char*, format::Profile>, 4> profiles = {
-        {{"fast", format::Profile::fast},
-         {"balanced", format::Profile::balanced},
-         {"small", format::Profile::small},
-         {"tiny", format::Profile::tiny}}};
+    constexpr std::array<std::pair<const char*, Profile>, 4> profiles = {
+        {{"fast", Profile::fast}, {"balanced", Profile::balanced}, {"small", Profile::small}, {"tiny", Profile::tiny}}};
     for (const auto& [profile_name, profile] : profiles) {
-        const Baked plain = bake_with(mesh, profile, false);
+        const BakeResult plain = bake_with(mesh, profile, false);
         const std::array<std::pair<const char*, Mesh>, 3> orders = {
             {{"file", mesh}, {"random", shuffled(mesh)}, {"reordered", reordered(mesh, plain.remap)}}};
         for (const auto& [order, source] : orders) {
-            const Baked without = bake_with(source, profile, false);
-            const Baked with = bake_with(source, profile, true);
+            const BakeResult without = bake_with(source, profile, false);
+            const BakeResult with = bake_with(source, profile, true);
             const auto triangles = static_cast<double>(with.remap.size());
             // One width for all, and two bits for the first corner of strips.
             const double fixed = (static_cast<double>(std::bit_width(source.triangles.size() - 1)) +
-                                  (profile == format::Profile::fast ? 0.0 : 2.0)) /
+                                  (profile == Profile::fast ? 0.0 : 2.0)) /
                                  8.0;
-            const double section = static_cast<double>(with.blob.size() - without.blob.size()) / triangles;
+            const double section = static_cast<double>(with.bytes.size() - without.bytes.size()) / triangles;
             std::printf("| %s | `%s` | %s | %.0f %% | %.2f | %.2f | %.2f | %.0f %% |\n", mesh.name.c_str(),
                         profile_name, order, 100.0 * share_in_scan_order(source),
-                        static_cast<double>(without.blob.size()) / triangles, fixed, section, 100.0 * section / fixed);
+                        static_cast<double>(without.bytes.size()) / triangles, fixed, section, 100.0 * section / fixed);
             std::fflush(stdout);
         }
     }

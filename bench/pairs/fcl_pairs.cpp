@@ -19,19 +19,19 @@ public:
         model_->endModel();
         here_ = fcl::Transform3<Scalar>::Identity();
     }
-    bool yes_no(const Placement& pose) override {
+    bool yes_no(const Transform& pose) override {
         fcl::CollisionRequest<Scalar> request(1, false);
         fcl::CollisionResult<Scalar> result;
         fcl::collide(model_.get(), here_, model_.get(), transform(pose), request, result);
         return result.isCollision();
     }
-    std::size_t all(const Placement& pose) override {
+    std::size_t all(const Transform& pose) override {
         fcl::CollisionRequest<Scalar> request(10'000'000, false);
         fcl::CollisionResult<Scalar> result;
         fcl::collide(model_.get(), here_, model_.get(), transform(pose), request, result);
         return result.numContacts();
     }
-    double distance(const Placement& pose) override {
+    double distance(const Transform& pose) override {
         fcl::DistanceRequest<Scalar> request;
         fcl::DistanceResult<Scalar> result;
         fcl::distance(model_.get(), here_, model_.get(), transform(pose), request, result);
@@ -40,7 +40,7 @@ public:
 
 private:
     using Model = fcl::BVHModel<fcl::OBBRSS<Scalar>>;
-    static fcl::Transform3<Scalar> transform(const Placement& pose) {
+    static fcl::Transform3<Scalar> transform(const Transform& pose) {
         fcl::Transform3<Scalar> result = fcl::Transform3<Scalar>::Identity();
         const Matrix matrix = rotation_matrix(pose);
         for (int i = 0; i < 3; ++i)

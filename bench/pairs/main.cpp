@@ -45,7 +45,7 @@ struct Measured {
 };
 
 template <class Question>
-Measured measure(const std::vector<Placement>& poses, unsigned repetitions, Question question) {
+Measured measure(const std::vector<Transform>& poses, unsigned repetitions, Question question) {
     Measured result;
     result.answers.resize(poses.size());
     std::vector<double> times;
@@ -93,8 +93,8 @@ void run_mesh(const std::string& file, const Options& options) {
     Mesh mesh = tests::read_mesh(file);
     bring_to_common_size(mesh);
     const auto searcher = espalier_pair_makers().front().make(mesh);
-    const std::vector<Placement> poses =
-        some_poses(mesh, options.poses, seed, [&](const Placement& pose) { return searcher->yes_no(pose); });
+    const std::vector<Transform> poses =
+        some_poses(mesh, options.poses, seed, [&](const Transform& pose) { return searcher->yes_no(pose); });
     std::vector<double> touching, distances;
     for (const PairMaker& maker : all_makers()) {
         if (!options.only.empty() &&
@@ -103,16 +103,16 @@ void run_mesh(const std::string& file, const Options& options) {
         const auto system = maker.make(mesh);
         if (system->has_yes_no()) {
             const Measured measured =
-                measure(poses, options.repetitions, [&](const Placement& pose) { return system->yes_no(pose); });
+                measure(poses, options.repetitions, [&](const Transform& pose) { return system->yes_no(pose); });
             print(mesh, maker, "yes_no", measured);
             compare(maker, "yes_no", measured, touching, 0.0);
         }
         if (system->has_all())
             print(mesh, maker, "all",
-                  measure(poses, options.repetitions, [&](const Placement& pose) { return system->all(pose); }));
+                  measure(poses, options.repetitions, [&](const Transform& pose) { return system->all(pose); }));
         if (system->has_distance()) {
             const Measured measured =
-                measure(poses, options.repetitions, [&](const Placement& pose) { return system->distance(pose); });
+                measure(poses, options.repetitions, [&](const Transform& pose) { return system->distance(pose); });
             print(mesh, maker, "distance", measured);
             compare(maker, "distance", measured, distances, 0.01);
         }

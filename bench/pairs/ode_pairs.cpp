@@ -35,8 +35,8 @@ public:
     }
     [[nodiscard]] bool has_yes_no() const override { return false; }
     [[nodiscard]] bool has_distance() const override { return false; }
-    bool yes_no(const Placement&) override { return false; }
-    std::size_t all(const Placement& pose) override {
+    bool yes_no(const Transform&) override { return false; }
+    std::size_t all(const Transform& pose) override {
         const Matrix matrix = rotation_matrix(pose);
         dMatrix3 rotation = {};
         for (int i = 0; i < 3; ++i)
@@ -48,7 +48,7 @@ public:
         return static_cast<std::size_t>(
             dCollide(geometries_[0], geometries_[1], 0xFFFF, contacts_.data(), sizeof(dContactGeom)));
     }
-    double distance(const Placement&) override { return 0.0; }
+    double distance(const Transform&) override { return 0.0; }
 
 private:
     const Mesh& mesh_;

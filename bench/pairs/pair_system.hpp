@@ -18,10 +18,10 @@ public:
     [[nodiscard]] virtual bool has_yes_no() const { return true; }
     [[nodiscard]] virtual bool has_all() const { return true; }
     [[nodiscard]] virtual bool has_distance() const { return true; }
-    virtual bool yes_no(const Placement& pose) = 0;
+    virtual bool yes_no(const Transform& pose) = 0;
     /// How many pairs, or contacts where the system says contacts.
-    virtual std::size_t all(const Placement& pose) = 0;
-    virtual double distance(const Placement& pose) = 0;
+    virtual std::size_t all(const Transform& pose) = 0;
+    virtual double distance(const Transform& pose) = 0;
 };
 
 struct PairMaker {

@@ -33,8 +33,8 @@ Pose some_pose(tests::Random& random) {
 }
 
 /// Turned about the middle of the mesh, then moved.
-Placement placed(const Pose& pose, const BoundingSphere& sphere, double length) {
-    Placement placement;
+Transform placed(const Pose& pose, const BoundingSphere& sphere, double length) {
+    Transform placement;
     placement.rotation = pose.rotation;
     const Matrix matrix = rotation_matrix(placement);
     const double center[3] = {static_cast<double>(sphere.center.x), static_cast<double>(sphere.center.y),
@@ -50,7 +50,7 @@ Placement placed(const Pose& pose, const BoundingSphere& sphere, double length) 
 
 }  // namespace
 
-Matrix rotation_matrix(const Placement& pose) {
+Matrix rotation_matrix(const Transform& pose) {
     const double q[4] = {static_cast<double>(pose.rotation.x), static_cast<double>(pose.rotation.y),
                          static_cast<double>(pose.rotation.z), static_cast<double>(pose.rotation.w)};
     const double s = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
@@ -60,15 +60,15 @@ Matrix rotation_matrix(const Placement& pose) {
              {s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)}}};
 }
 
-std::vector<Placement> some_poses(const Mesh& mesh, std::size_t count, std::uint64_t seed,
-                                  const std::function<bool(const Placement&)>& collides) {
+std::vector<Transform> some_poses(const Mesh& mesh, std::size_t count, std::uint64_t seed,
+                                  const std::function<bool(const Transform&)>& collides) {
     tests::Random random(seed);
     const BoundingSphere sphere = bounding_sphere(mesh);
     std::vector<Pose> poses;
     for (std::size_t i = 0; i < count; ++i) poses.push_back(some_pose(random));
     double low = 0.0;
     double high = 2.0 * static_cast<double>(sphere.radius);
-    std::vector<Placement> placements(count);
+    std::vector<Transform> placements(count);
     for (int step = 0; step < 20; ++step) {
         const double length = 0.5 * (low + high);
         std::size_t colliding = 0;

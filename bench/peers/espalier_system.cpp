@@ -16,12 +16,12 @@ class EspalierSystem : public System {
 public:
     EspalierSystem(const Mesh& mesh, const BakeOptions& options) : mesh_(mesh), options_(options) {
         const Stopwatch watch;
-        Baked baked = bake_or_throw(options);
+        BakeResult baked = bake_or_throw(options);
         seconds_ = watch.seconds();
-        lattice_ = {baked.report.step, baked.report.extent, baked.report.max_error};
-        bytes_ = std::move(baked.blob);
-        if (const Status status = open(bytes_, blob_); status != Status::ok)
-            throw std::runtime_error(mesh.name + ": what was baked does not open: " + describe(status));
+        lattice_ = {baked.report.lattice.step, baked.report.bounds.extent, baked.report.lattice.max_error};
+        bytes_ = std::move(baked.bytes);
+        blob_ = open(bytes_);
+        if (!blob_) throw std::runtime_error(mesh.name + ": what was baked does not open: " + describe(blob_.status()));
     }
     /// The whole blob, header included.
     [[nodiscard]] std::size_t bytes() const override { return bytes_.size(); }
@@ -29,24 +29,24 @@ public:
     [[nodiscard]] double build_seconds() const override { return seconds_; }
     void closest(const std::vector<Ray>& rays, bool, std::vector<Hit>& hits) override {
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            RayHit hit;
-            hits[i].found = raycast(blob_, rays[i], hit);
-            if (hits[i].found) hits[i] = to_hit(hit);
+            const RayHit hit = raycast(blob_, rays[i]);
+            hits[i].found = bool(hit);
+            if (hit) hits[i] = to_hit(hit);
         }
     }
     void any(const std::vector<Ray>& rays, std::vector<std::uint8_t>& answers) override {
-        for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = occluded(blob_, rays[i]);
+        for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = occluded(blob_, rays[i]).yes();
     }
     [[nodiscard]] std::optional<Lattice> lattice() const override { return lattice_; }
     [[nodiscard]] std::optional<std::size_t> bytes_at_20_bits() const override {
         BakeOptions options = options_;
-        options.bits = 20;
-        return bake_or_throw(options).blob.size();
+        options.resolution = Resolution::bits(20);
+        return bake_or_throw(options).bytes.size();
     }
     [[nodiscard]] std::size_t bytes_with_ids() const override {
         BakeOptions options = options_;
         options.original_ids = true;
-        return bake_or_throw(options).blob.size();
+        return bake_or_throw(options).bytes.size();
     }
 
 protected:
@@ -54,11 +54,11 @@ protected:
     [[nodiscard]] const Blob& blob() const { return blob_; }
 
 private:
-    [[nodiscard]] Baked bake_or_throw(const BakeOptions& options) const {
+    [[nodiscard]] BakeResult bake_or_throw(const BakeOptions& options) const {
         const MeshView view = mesh_.view();
         auto baked = bake({&view, 1}, options);
-        if (!baked) throw std::runtime_error(baked.error().message);
-        return std::move(*baked);
+        if (!baked) throw std::runtime_error(baked.message);
+        return baked;
     }
     const Mesh& mesh_;
     BakeOptions options_;
@@ -77,13 +77,17 @@ public:
         std::array<RayHit, 512> found;
         for (std::size_t first = 0; first < rays.size(); first += found.size()) {
             const std::size_t count = std::min(found.size(), rays.size() - first);
-            raycast(blob(), std::span(rays).subspan(first, count), found);
-            for (std::size_t i = 0; i < count; ++i)
-                hits[first + i] = found[i].triangle == no_triangle ? Hit{} : to_hit(found[i]);
+            static_cast<void>(raycast(blob(), std::span(rays).subspan(first, count), std::span(found).first(count)));
+            for (std::size_t i = 0; i < count; ++i) hits[first + i] = found[i] ? to_hit(found[i]) : Hit{};
         }
     }
     void any(const std::vector<Ray>& rays, std::vector<std::uint8_t>& answers) override {
-        occluded(blob(), rays, answers);
+        std::array<YesNo, 512> found;
+        for (std::size_t first = 0; first < rays.size(); first += found.size()) {
+            const std::size_t count = std::min(found.size(), rays.size() - first);
+            static_cast<void>(occluded(blob(), std::span(rays).subspan(first, count), std::span(found).first(count)));
+            for (std::size_t i = 0; i < count; ++i) answers[first + i] = found[i].yes();
+        }
     }
 };
 
@@ -94,8 +98,8 @@ std::vector<Maker> espalier_makers(const BakeSettings& settings) {
     for (const auto& [name, profile] : tools::profile_choices) {
         BakeOptions options;
         options.profile = profile;
-        options.builder = settings.builder;
-        options.bits = settings.bits;
+        options.build.builder = settings.builder;
+        options.resolution = Resolution::bits(settings.bits);
         options.effort = settings.effort;
         makers.push_back({"espalier", name, ESPALIER_BENCH_VERSION,
                           [options](const Mesh& mesh) { return std::make_unique<EspalierSystem>(mesh, options); }});

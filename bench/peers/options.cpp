@@ -6,6 +6,23 @@
 
 namespace espalier::bench {
 
+namespace {
+
+/// Adds an option that takes the name of one of the values.
+template <class Value>
+void add_named(CLI::App& words, const char* option, Value& variable, const tools::Choices<Value>& choices,
+               const char* help) {
+    std::vector<std::string> names;
+    for (const auto& choice : choices) names.push_back(choice.first);
+    const auto choose = [&variable, &choices](const std::string& word) {
+        for (const auto& [name, value] : choices)
+            if (name == word) variable = value;
+    };
+    words.add_option_function<std::string>(option, choose, help)->check(CLI::IsMember(names));
+}
+
+}  // namespace
+
 void add_options(Program& program, Options& options) {
     const auto is_reference_only = [&options](std::int64_t) { options.systems.emplace_back("espalier"); };
     program.add_flag("--json", options.json, "A JSON object for each row instead of a table");
@@ -20,20 +37,8 @@ void add_options(Program& program, Options& options) {
     program.add_count("--rays", options.incoherent, "Incoherent rays");
     words.add_option("--seed", options.seed, "Of the incoherent rays")->capture_default_str();
     program.add_number("--bits", options.bake.bits, 1u, 24u, "Espalier's lattice");
-    program.add_number("--effort", options.bake.effort, 0u, 9u, "Of Espalier's build");
-    words
-        .add_option_function<std::string>(
-            "--builder",
-            [&options](const std::string& word) {
-                for (const auto& [name, value] : tools::builder_choices)
-                    if (name == word) options.bake.builder = value;
-            },
-            "Of Espalier's build (binned_sah)")
-        ->check(CLI::IsMember([] {
-            std::vector<std::string> names;
-            for (const auto& choice : tools::builder_choices) names.push_back(choice.first);
-            return names;
-        }()));
+    add_named(words, "--effort", options.bake.effort, tools::effort_choices, "Of Espalier's build (normal)");
+    add_named(words, "--builder", options.bake.builder, tools::builder_choices, "Of Espalier's build (binned_sah)");
 }
 
 bool is_asked_for(const Maker& maker, const Options& options) {

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <thread>
 
-#include <runtime/simd/select.hpp>
+#include <runtime/lanes/select.hpp>
 
 #include "../../tools/base/choices.hpp"
 #include "../json_object.hpp"
@@ -72,7 +72,7 @@ void print_json(const MeshResult& result, const Options& options) {
         object.add("mesh", result.mesh);
         object.add("triangles", result.triangles);
         object.add("bits", std::size_t{options.bake.bits});
-        object.add("effort", std::size_t{options.bake.effort});
+        object.add("effort", tools::name_in(tools::effort_choices, options.bake.effort));
         object.add("builder", tools::name_in(tools::builder_choices, options.bake.builder));
         object.add("rays", options.incoherent);
         object.add("seed", std::size_t{options.seed});

@@ -68,7 +68,7 @@ struct Maker {
 /// What Espalier is baked with.
 struct BakeSettings {
     unsigned bits = 16;
-    unsigned effort = 5;
+    Effort effort = Effort::normal;
     Builder builder = Builder::binned_sah;
 };
 

@@ -86,14 +86,14 @@ void print_kind(const char* kind, const Contestant* reference, const Contestant&
                 *std::max_element(ratios.begin(), ratios.end()), kind, reference->sum, own.sum);
 }
 
-void measure(const Mesh& mesh, const std::string& profile_name, format::Profile profile, const Options& options) {
+void measure(const Mesh& mesh, const std::string& profile_name, Profile profile, const Options& options) {
     const MeshView view = mesh.view();
     BakeOptions bake_options;
     bake_options.profile = profile;
     const auto baked = bake({&view, 1}, bake_options);
-    if (!baked) throw std::runtime_error(baked.error().message);
-    Blob blob;
-    if (const Status status = open(baked->blob, blob); status != Status::ok) throw std::runtime_error(describe(status));
+    if (!baked) throw std::runtime_error(baked.message);
+    const Blob blob = open(baked.bytes);
+    if (!blob) throw std::runtime_error(describe(blob.status()));
     const Questions questions = questions_about(mesh, options.points);
 
     std::vector<Contestant> all, any, closest;
@@ -114,33 +114,28 @@ void measure(const Mesh& mesh, const std::string& profile_name, format::Profile 
                        },
                        {}});
 #endif
-    all.push_back(
-        {"espalier",
-         [&blob](const Questions& q) {
-             double sum = 0.0;
-             for (const Vec3& p : q.points) {
-                 std::size_t count = 0;
-                 for_each_overlap(blob, Sphere{p, q.radius}, [&count](Triangle) { return ++count, keep_going; });
-                 sum += static_cast<double>(count);
-             }
-             return sum;
-         },
-         {}});
+    all.push_back({"espalier",
+                   [&blob](const Questions& q) {
+                       double sum = 0.0;
+                       for (const Vec3& p : q.points) {
+                           std::size_t count = 0;
+                           (void)for_each_overlap(blob, Sphere{p, q.radius}, [&count](TriangleId) { ++count; });
+                           sum += static_cast<double>(count);
+                       }
+                       return sum;
+                   },
+                   {}});
     any.push_back({"espalier",
                    [&blob](const Questions& q) {
                        double sum = 0.0;
-                       for (const Vec3& p : q.points) sum += overlaps(blob, Sphere{p, q.radius}) ? 1.0 : 0.0;
+                       for (const Vec3& p : q.points) sum += overlaps(blob, Sphere{p, q.radius}).yes() ? 1.0 : 0.0;
                        return sum;
                    },
                    {}});
     closest.push_back({"espalier",
                        [&blob](const Questions& q) {
                            double sum = 0.0;
-                           Nearest nearest;
-                           for (const Vec3& p : q.points) {
-                               closest_point(blob, p, std::numeric_limits<float>::infinity(), nearest);
-                               sum += static_cast<double>(nearest.distance);
-                           }
+                           for (const Vec3& p : q.points) sum += static_cast<double>(closest_point(blob, p).distance);
                            return sum;
                        },
                        {}});

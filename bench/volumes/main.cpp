@@ -50,8 +50,8 @@ struct Tree {
 Tree make_tree(const Mesh& mesh) {
     Tree made;
     const auto keep = [&](const baker::LatticeMesh& lattice_mesh, const baker::BuildSettings& settings) {
-        auto tree =
-            baker::optimise(baker::build(lattice_mesh, Builder::binned_sah, settings), baker::optimise_settings(5));
+        auto tree = baker::optimise(baker::build(lattice_mesh, Builder::binned_sah, settings),
+                                    baker::optimise_settings(Effort::normal));
         for (const std::uint32_t number : tree.triangles) {
             Corners3 corners;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -84,7 +84,7 @@ Tree make_tree(const Mesh& mesh) {
     };
     const MeshView view = mesh.view();
     const auto baked = baker::bake_with(keep, {&view, 1}, {});
-    if (!baked) throw std::runtime_error(baked.error().message);
+    if (!baked) throw std::runtime_error(baked.message);
     if (made.nodes.empty()) throw std::runtime_error("the mesh has no triangles");
     const Block& all = made.nodes[0].volumes.aligned;
     const Point half = {all.half[0], all.half[1], all.half[2]};

@@ -20,12 +20,11 @@ struct Line {
 
 /// Opens a blob whose bytes stay where they are. Returns 0 if they are refused.
 extern "C" [[clang::export_name("open_blob")]] std::uint32_t open_blob(const std::byte* bytes, std::size_t size) {
-    return espalier::open({bytes, size}, blob) == espalier::Status::ok ? 1 : 0;
+    blob = espalier::open({bytes, size});
+    return blob ? 1 : 0;
 }
 
-extern "C" [[clang::export_name("store_bounds")]] void store_bounds(espalier::Box* bounds) {
-    *bounds = {blob.bounds_min(), blob.bounds_max()};
-}
+extern "C" [[clang::export_name("store_bounds")]] void store_bounds(espalier::Box* bounds) { *bounds = blob.bounds(); }
 
 extern "C" [[clang::export_name("bytes_of_hit")]] std::size_t bytes_of_hit() { return sizeof(espalier::RayHit); }
 
@@ -34,8 +33,9 @@ extern "C" [[clang::export_name("closest_hits")]] std::uint32_t closest_hits(con
                                                                              espalier::RayHit* hits) {
     std::uint32_t found = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        hits[i] = {.t = -1.0f};
-        found += espalier::raycast(blob, {.origin = rays[i].origin, .direction = rays[i].direction}, hits[i]) ? 1 : 0;
+        hits[i] = espalier::raycast(blob, {.origin = rays[i].origin, .direction = rays[i].direction});
+        if (hits[i]) ++found;
+        else hits[i].t = -1.0f;
     }
     return found;
 }
@@ -45,7 +45,8 @@ extern "C" [[clang::export_name("any_hits")]] std::uint32_t any_hits(const Line*
                                                                      espalier::RayHit* hits) {
     std::uint32_t found = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const bool is_hit = espalier::occluded(blob, {.origin = rays[i].origin, .direction = rays[i].direction});
+        const espalier::Ray ray = {.origin = rays[i].origin, .direction = rays[i].direction};
+        const bool is_hit = espalier::occluded(blob, ray).yes();
         hits[i] = {.t = is_hit ? 1.0f : 0.0f};
         found += is_hit ? 1 : 0;
     }

@@ -1,4 +1,4 @@
-// Variants of espalier::bake: with a tree from elsewhere, for benchmarks and tests, and for trials.
+// Variants of espalier::bake: with a tree and costs from elsewhere, for benchmarks and tests, and for trials.
 #pragma once
 
 #include <functional>
@@ -7,18 +7,20 @@
 
 #include <baker/build/binary_tree.hpp>
 #include <baker/build/settings.hpp>
+#include <baker/collapse/collapse.hpp>
 #include <baker/quantise/lattice_mesh.hpp>
 
 namespace espalier::baker {
 
-/// Called once, with the mesh on its lattice; answers with a tree as `build` gives it.
+/// Called once, with the mesh on its lattice; returns a tree as `build` does.
 using TreeMaker = std::function<BinaryTree(const LatticeMesh& mesh, const BuildSettings& settings)>;
 
-[[nodiscard]] Result<Baked, BakeError> bake_with(const TreeMaker& make_tree, std::span<const MeshView> meshes,
-                                                 const BakeOptions& options);
+/// Bakes with the tree that `make_tree` returns, in place of BuildOptions::builder and the moves of subtrees.
+BakeResult bake_with(const TreeMaker& make_tree, std::span<const MeshView> meshes, const BakeOptions& options,
+                     const RayCosts& costs = {});
 
-/// Bakes the same blob as espalier::bake, but leaves out BakeReport::lost_closed and bits_that_keep_closed, which may
-/// take as long as the bake: for one of several bakes of which only the best is made again and kept.
-[[nodiscard]] Result<Baked, BakeError> bake_trial(std::span<const MeshView> meshes, const BakeOptions& options);
+/// Bakes the same blob as espalier::bake, but never warns of lost_closed, since that test may take as long as the bake:
+/// for one of several bakes of which only the best is made again and kept.
+BakeResult bake_trial(std::span<const MeshView> meshes, const BakeOptions& options);
 
 }  // namespace espalier::baker

@@ -1,4 +1,4 @@
-// Tells the caller how far a bake has come.
+// Reports the progress of a bake to the caller.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 
 namespace espalier::baker {
 
-/// Shares of the whole, as measured on large meshes; only the look of a progress bar hangs on them.
+/// A share of the whole, as measured on large meshes. Only the look of a progress bar depends on it.
 struct Stage {
     const char* name;
     double start;

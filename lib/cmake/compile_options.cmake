@@ -4,7 +4,7 @@
 # espalier_compile_options(<target>): warnings, and arithmetic that means the same on every machine (no contraction).
 function(espalier_compile_options target)
   if(NOT PROJECT_IS_TOP_LEVEL)
-    target_compile_options(${target} PRIVATE -fno-fast-math)  # which the project around may ask for
+    target_compile_options(${target} PRIVATE -fno-fast-math)  # which the project around may set
   endif()
   target_compile_options(${target} PRIVATE
     -ffp-contract=off -fno-math-errno
@@ -25,7 +25,7 @@ function(espalier_compile_options target)
 endfunction()
 
 # espalier_precompile_headers(<target> [<header>...]): what nearly every file of the baker and of the tests includes, and
-# these headers, which take half of the time in which such a file compiles. Off unless asked for, since a file that
+# these headers, which take half of the time in which such a file compiles. Off by default, since a file that
 # forgets an include is not noticed then; and not with a compiler cache, which would not find such files again.
 function(espalier_precompile_headers target)
   if(ESPALIER_PRECOMPILE_HEADERS AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -18,16 +18,16 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME espalier)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Baked collision meshes, queried straight from their bytes: libraries")
-set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Bakes collision meshes and asks them: the command")
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Bakes collision meshes and queries them: the command")
 
-# What Debian asks of every package, and only of those: not part of `cmake --install`.
+# Files that only Debian packages need: the changelog, the copyright and the manual. `cmake --install` leaves them out.
 find_program(ESPALIER_GZIP gzip)
 mark_as_advanced(ESPALIER_GZIP)
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)  # of SOURCE_DATE_EPOCH where it is set
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/package/changelog CONTENT
 "espalier (@PROJECT_VERSION@) unstable; urgency=medium
 
-  * What changed stands in docs/changelog.md of the source.
+  * The changes are in docs/changelog.md of the source.
 
  -- @CPACK_PACKAGE_CONTACT@  @now@
 " @ONLY)

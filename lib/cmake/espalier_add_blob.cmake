@@ -8,7 +8,7 @@
 # ESPALIER_EXECUTABLE, the target espalier::espalier, one on the path, one that the build makes of ESPALIER_SOURCES.
 
 cmake_policy(PUSH)
-cmake_policy(VERSION 3.25) # of our own, whatever the project around us asks for: it decides how depfiles are read
+cmake_policy(VERSION 3.25) # ours, whatever the surrounding project sets: it decides how depfiles are read
 
 set(ESPALIER_EXECUTABLE "" CACHE FILEPATH
   "The espalier command that bakes; empty: that of the package, one on the path, or one made of ESPALIER_SOURCES")
@@ -20,9 +20,9 @@ mark_as_advanced(ESPALIER_HOST_OPTIONS)
 set_property(GLOBAL PROPERTY ESPALIER_BLOB_VERSION "${espalier_VERSION}")
 
 # Each is an option of `espalier bake` by the same name: MAX_BYTES is --max-bytes.
-set_property(GLOBAL PROPERTY ESPALIER_BAKE_FLAGS IDS EDGE_FLAGS REPAIR STRICT ALLOW_EMPTY)
+set_property(GLOBAL PROPERTY ESPALIER_BAKE_FLAGS IDS MATERIALS DROP_BAD_TRIANGLES STRICT ALLOW_EMPTY)
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_VALUES TOLERANCE BITS STEP LATTICE_OF MAX_BYTES FASTEST_UNDER MAX_ERROR PROFILE LEAF_SIZE
-  COST_MODEL BUILDER DUPLICATES UNIT SCALE UP MATERIALS FLAT_ANGLE BOUNDS EFFORT THREADS MAX_DROPPED EXPECT_SIZE IMPORT_MEMORY IMPORT_SECONDS
+  BYTE_PRICE BUILDER DUPLICATE_BUDGET UNIT SCALE UP FLAT_ANGLE BOUNDS EFFORT THREADS MAX_DROPPED EXPECT_SIZE IMPORT_MEMORY IMPORT_SECONDS
   REMAP REORDER)
 
 function(espalier_add_blob target)
@@ -86,9 +86,6 @@ function(espalier_add_blob target)
     cmake_path(ABSOLUTE_PATH mesh BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
     list(APPEND meshes ${mesh})
   endforeach()
-  if(blob_COST_MODEL)
-    cmake_path(ABSOLUTE_PATH blob_COST_MODEL BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
-  endif()
   if(blob_LATTICE_OF) # a target of this function, or a blob as a file
     if(TARGET ${blob_LATTICE_OF})
       get_target_property(neighbour ${blob_LATTICE_OF} ESPALIER_BLOB)
@@ -167,7 +164,7 @@ function(espalier_blob_source_ending target format ending_variable)
   set(${ending_variable} ${ending} PARENT_SCOPE)
 endfunction()
 
-# What to call, and what a blob depends on besides its meshes: another command may bake other bytes.
+# The command to call, and the files that a blob depends on in addition to its meshes: another command may bake other bytes.
 function(espalier_blob_command command_variable depends_variable)
   get_property(version GLOBAL PROPERTY ESPALIER_BLOB_VERSION)
   set(sources "${ESPALIER_SOURCES}")
@@ -255,7 +252,7 @@ function(espalier_command_of_sources sources executable_variable)
     set(generator Ninja)
   endif()
   include(ExternalProject)
-  # Built always: only that build knows whether its sources have changed. It takes minutes, so Ninja shows what it says.
+  # Built always: only that build finds whether its sources have changed. It takes minutes, so Ninja shows its output.
   ExternalProject_Add(espalier_for_this_machine EXCLUDE_FROM_ALL TRUE BUILD_ALWAYS TRUE USES_TERMINAL_BUILD TRUE
     PREFIX ${folder}/steps SOURCE_DIR ${sources} BINARY_DIR ${folder}
     CONFIGURE_COMMAND ${CMAKE_COMMAND} -E env ${environment}

@@ -1,4 +1,7 @@
-// Baking: triangle meshes in, one blob out. Offline code: it allocates, may throw std::bad_alloc and uses threads.
+// Baking: turns triangle meshes into one blob. This is offline code: it allocates, uses threads and may throw
+// std::bad_alloc.
+//
+// Thread safety: bake, remap_file and verify keep no state; any number of threads may call them at once.
 #pragma once
 
 #include <array>
@@ -8,8 +11,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include <espalier/format.hpp>
@@ -17,34 +18,61 @@
 
 namespace espalier {
 
+struct Lattice;  // blob.hpp
+
+/// The vertices of a triangle, as indices into MeshView::positions.
 using TriangleVertices = std::array<std::uint32_t, 3>;
 
-/// One input mesh, in world units and axes. Nothing is kept; nothing is trusted.
+/// One input mesh. bake only reads the arrays, and keeps no reference to them.
 struct MeshView {
-    std::span<const Vec3> positions;
-    std::span<const TriangleVertices> triangles;  ///< indices into positions, counter-clockwise seen from the front
-    std::span<const std::uint32_t> materials;     ///< one for each triangle, or none: material 0
-    std::uint32_t file = 0;                       ///< which input it came from, for original ids
-    std::uint32_t mesh = 0;                       ///< which mesh of that input
-    std::string name;                             ///< for messages: "level.obj, mesh 3 (walls)"
+    std::span<const Vec3> positions;              ///< in the source's units; any values: bake checks them
+    std::span<const TriangleVertices> triangles;  ///< counter-clockwise when seen from the front
+    std::span<const std::uint32_t> materials;     ///< one per triangle, 0..65535; or none at all: material 0
+    std::uint32_t file = 0;                       ///< the number of the input file, for original ids and messages
+    std::uint32_t mesh = 0;                       ///< the number of the mesh in that file
+    std::string name;                             ///< for messages: "level.obj, mesh 3 (walls)"; may be empty
 };
 
-enum class Materials : std::uint8_t { none, bits_8, bits_16 };
+/// The fineness of the lattice on which vertices are rounded. Its step is a power of two in the blob's
+/// units, which are those of the source.
+class Resolution {
+public:
+    /// What the number is; same_as gives a step.
+    enum class Kind : std::uint8_t { bits, tolerance, step };
 
-/// What the baker minimises where it decides which boxes become nodes and where leaves begin: the expected cost of a
-/// ray, in visits of a node, plus a price on bytes,
-///   sum over nodes and leaves of (area / the root's area) * cost + byte_price * bytes / triangles.
-/// Each is between 0 and a million. The defaults are committed: no clock enters the bytes. bench/cost_model fits them
-/// to a machine.
-struct CostModel {
-    float node_visit = 1.0f;
-    float leaf_visit = 0.4f;
-    float leaf_group = 0.3f;  ///< for each started group of 8 triangles of a visited leaf
-    float triangle = 0.0f;    ///< for each triangle of a visited leaf
-    float byte_price = 5.0f;  ///< of one byte a triangle; profile small takes four times this, tiny six times
+    /// Returns the smallest step for which the largest extent of the meshes takes at most `count` bits, 1..24.
+    [[nodiscard]] static constexpr Resolution bits(unsigned count) noexcept {
+        return {Kind::bits, static_cast<double>(count)};
+    }
+    /// Returns a large step at which source and baked surface differ by at most `length`, above 0, in the blob's
+    /// units. At 22 bits or fewer, queries near the asset also move by no more than that.
+    [[nodiscard]] static constexpr Resolution tolerance(double length) noexcept { return {Kind::tolerance, length}; }
+    /// Returns the step 2^exponent, -100..100. Blobs of one step lie on one lattice: a vertex that two sources share
+    /// becomes the same point in both, for example where two tiles of a terrain meet.
+    [[nodiscard]] static constexpr Resolution step(int exponent) noexcept {
+        return {Kind::step, static_cast<double>(exponent)};
+    }
+    /// Returns the step of another blob's lattice, Blob::lattice(). A blob without triangles has none worth sharing.
+    [[nodiscard]] static Resolution same_as(const Lattice& lattice) noexcept;
+
+    [[nodiscard]] constexpr Kind kind() const noexcept { return kind_; }
+    /// Returns the number given: bits, a length or an exponent.
+    [[nodiscard]] constexpr double value() const noexcept { return value_; }
+
+private:
+    constexpr Resolution(Kind kind, double value) noexcept : kind_(kind), value_(value) {}
+    Kind kind_;
+    double value_;
 };
 
-/// How the tree is built, before subtrees are moved (from effort 4 on) and nodes are made wide. All obey the format's
+/// The time that the baker spends on a better tree. docs/baking.md has the figures.
+enum class Effort : std::uint8_t {
+    fast,    ///< builds the tree once and keeps it
+    normal,  ///< also moves subtrees to places where they cost less
+    best,    ///< moves more and smaller subtrees, more often: about three times the time of normal
+};
+
+/// The algorithm that builds the binary tree, before subtrees are moved and nodes are made wide. All keep the format's
 /// depth.
 enum class Builder : std::uint8_t {
     binned_sah,      ///< surface area heuristic over planes between bins (Wald 2007)
@@ -55,154 +83,194 @@ enum class Builder : std::uint8_t {
     insertion,       ///< one triangle after the other, with rotations (Goldsmith, Salmon 1987)
 };
 
-/// Which bounds of the whole asset a blob carries besides its axis-aligned box: bounds.hpp.
+/// Options for studies of the tree. The defaults suit most meshes.
+struct BuildOptions {
+    Builder builder = Builder::binned_sah;  ///< spatial_splits needs Profile::fast
+    /// With Builder::spatial_splits: at most this share of the triangles is stored again in further leaves, 0..1.
+    double duplicate_budget = 0.3;
+    /// The price of one byte per triangle, in visits of a node by an average ray, 0..1000000. A higher price gives
+    /// smaller blobs and more visits. Profile::small multiplies it by four, Profile::tiny by six.
+    float byte_price = 5.0f;
+    /// 1..format::max_leaf_triangles; each profile has a limit of its own as well. Smaller leaves test fewer triangles
+    /// per ray and take more bytes.
+    unsigned max_leaf_triangles = format::max_leaf_triangles;
+};
+
+/// The bounds of the whole asset that a blob stores in addition to its axis-aligned box (bounds.hpp).
 struct StoredBounds {
     bool oriented_box = false;  ///< 32 bytes
     bool sphere = false;        ///< 16 bytes
     bool k_dop = false;         ///< 80 bytes
 };
 
+/// The options of bake().
 struct BakeOptions {
-    /// Largest allowed distance between source and baked surface, in world units. At 22 bits or fewer queries near the
-    /// asset move by no more than that either. Without it `bits` decides the lattice.
-    std::optional<double> tolerance = std::nullopt;
-    /// The lattice step is 2^step_exponent, -100 .. 100, and not what `bits` or a tolerance give. Excludes `tolerance`.
-    /// Blobs with one step lie on one lattice: a vertex that two sources have in common is one lattice point in both,
-    /// for example where two tiles of a terrain meet. lattice_of(blob).step_exponent is that of another blob.
-    std::optional<int> step_exponent = std::nullopt;
-    /// Lattice bits for the largest extent, 1..24: the step is the smallest power of two for which they suffice.
-    unsigned bits = 16;
-    format::Profile profile = format::Profile::balanced;
-    Builder builder = Builder::binned_sah;
-    /// With Builder::spatial_splits: copies are at most this share of the triangles, 0..1. A blob with copies refuses
-    /// for_each_hit and for_each_overlap.
-    double duplicates = 0.3;
+    Resolution resolution = Resolution::bits(16);  ///< how finely vertices are rounded
+    Profile profile = Profile::balanced;           ///< how nodes and leaves are stored
+    Effort effort = Effort::normal;                ///< how long to search for a better tree
+    /// Stores the source of each triangle in the blob, for original_triangle and original_hit. BakeResult::remap has
+    /// the same without costing bytes of the blob.
     bool original_ids = false;
-    Materials materials = Materials::none;
-    /// Carry how the surface bends at every edge (contact.hpp), in 6 bits a triangle. The number is the largest angle
-    /// between two triangles, in degrees, that counts as flat: from 0 to less than 90.
-    std::optional<double> edge_flags = std::nullopt;
-    StoredBounds bounds = {};
-    /// Drop triangles with NaN or infinite corners and with indices out of range, instead of refusing the mesh.
-    bool repair = false;
-    CostModel cost_model = {};
-    /// 1..format::max_leaf_triangles. Smaller leaves test fewer triangles for each ray and take more bytes.
-    unsigned max_leaf_triangles = format::max_leaf_triangles;
-    /// 0 builds fastest, 9 builds best.
-    unsigned effort = 5;
-    unsigned threads = 1;  ///< 0: as many as the machine has. The bytes do not depend on it.
-    /// Called now and then, from the calling thread, with the stage's name and how much of the whole is done, 0..1.
+    /// Drops triangles that have a corner that is NaN or infinite, or an index out of range. Without it, such a
+    /// triangle refuses the bake.
+    bool drop_bad_triangles = false;
+    /// Stores how the surface bends at every edge (contact.hpp), in 6 bits per triangle. The number is the largest
+    /// angle between two triangles that counts as flat, in degrees: from 0 to less than 90.
+    std::optional<double> flat_angle = std::nullopt;
+    StoredBounds bounds = {};  ///< which further bounds to store
+    unsigned threads = 1;      ///< 0: as many as the machine has. The bytes do not depend on it
+    /// Called now and then, from the thread that called bake, with the name of the stage and how much of the whole is
+    /// done, 0..1. May be empty. An exception that it throws ends the bake.
     std::function<void(const char* stage, double done)> progress = nullptr;
+    BuildOptions build = {};  ///< for studies
 };
 
-/// One mesh of the input, or one triangle of it.
+/// A mesh of the input, or a triangle of it.
 struct SourcePlace {
-    std::uint32_t file = 0;  ///< MeshView::file
-    std::uint32_t mesh = 0;  ///< MeshView::mesh
-    std::optional<std::uint32_t> triangle = std::nullopt;
+    std::uint32_t file = 0;                                ///< MeshView::file
+    std::uint32_t mesh = 0;                                ///< MeshView::mesh
+    std::optional<std::uint32_t> triangle = std::nullopt;  ///< its number in the mesh; none if it is about the mesh
 };
 
-/// One kind of thing that was wrong with the input, how often, and where it was seen first.
+/// The triangles that were dropped for one reason.
 struct Finding {
     std::uint64_t count = 0;
-    std::string first;                                ///< "level.obj, mesh 3 (walls), triangle 17"
+    std::string first;                                ///< "level.obj, mesh 3 (walls), triangle 17"; empty if count is 0
     std::optional<SourcePlace> place = std::nullopt;  ///< of the first
 };
 
-/// How much space the bounds of the whole asset take, in cubic world units; 0 for those that were not asked for.
+/// The dropped triangles, by reason. None of the kept triangles is among them.
+struct Findings {
+    Finding not_finite;          ///< a corner is NaN or infinite; only with drop_bad_triangles
+    Finding index_out_of_range;  ///< only with drop_bad_triangles
+    Finding zero_area;           ///< no area in the source
+    Finding collapsed;           ///< no area left on the lattice
+    Finding duplicate;           ///< the same three lattice points in the same winding as a kept triangle
+};
+
+/// The volumes of the bounds of the whole asset, in the blob's cubic units; 0 for bounds that the options do not
+/// store.
 struct BoundsVolumes {
-    double box = 0.0;  ///< axis-aligned; 0 also when none was asked for
+    double box = 0.0;  ///< axis-aligned; 0 if no further bounds are stored
     double oriented_box = 0.0;
     double sphere = 0.0;
     double k_dop = 0.0;
 };
 
-/// What the baker saw and did. Lengths in world units.
-struct BakeReport {
-    std::uint64_t source_triangles = 0;
-    std::uint64_t source_vertices = 0;
-    std::uint32_t triangles = 0;  ///< kept
-    std::uint32_t copies = 0;     ///< further storage indices of kept triangles, by Builder::spatial_splits
-    std::uint32_t vertices = 0;   ///< distinct lattice points of the kept ones
-    Finding not_finite;           ///< dropped under repair: a corner is NaN or infinite
-    Finding index_out_of_range;   ///< dropped under repair
-    Finding zero_area;            ///< dropped: no area in the source
-    Finding collapsed;            ///< dropped: no area left on the lattice
-    Finding duplicate;            ///< dropped: same three lattice points in the same winding as a kept one
-    Vec3 bounds_min;
-    Vec3 bounds_max;
-    double step = 0.0;
-    double extent = 0.0;     ///< largest side of the bounds
-    double max_error = 0.0;  ///< what the header says; counts from the float32 positions that were given
-    unsigned bits = 0;       ///< what the header says
-    bool closed = false;     ///< what the header says
-    /// The source is closed and has a triangle with an area, but the baked triangles are not closed. The source is
-    /// closed if each of its edges, from position to position, runs as often one way as the other. Two things lose it:
-    /// dropping triangles that have an area on the lattice (duplicates, and triangles that had no area in the source),
-    /// and the collapse of all triangles.
-    bool lost_closed = false;
-    /// The fewest bits, above `bits`, with which the same source bakes closed; 0 if there are none. Tried one by one,
-    /// and only if lost_closed.
-    unsigned bits_that_keep_closed = 0;
-    bool rays_rounded_coarsely = false;  ///< 23 or 24 bits: rays from outside are rounded coarser (ray.hpp)
-    BoundsVolumes volumes;
-    bool step_below_float_spacing =
-        false;  ///< the step is finer than the source's own float32 spacing: bits are wasted
-    unsigned depth = 0;
-    std::uint32_t nodes = 0;
-    std::uint64_t leaves = 0;
-    std::uint64_t bytes = 0;
-    double seconds = 0.0;
-};
-
-struct Baked {
-    std::vector<std::byte> blob;
-    /// Where each triangle of the blob came from, by storage index, copies included: what original_hit takes
-    /// (original.hpp), whether or not the blob carries ids.
-    std::vector<OriginalTriangle> remap;
-    BakeReport report;
-};
-
-/// Why nothing was baked: what, where, what to do.
-struct BakeError {
+/// A property of the input or the blob that bake accepted, but that its caller may not expect.
+struct BakeWarning {
     enum class Kind : std::uint8_t {
-        invalid_options,
-        invalid_mesh,  ///< broken geometry: NaN, indices out of range
-        too_fine,      ///< the lattice would need more than 24 bits
-        too_large,     ///< a limit of the format
-        internal,      ///< the baker's own check of its result failed
+        /// The step is finer than the spacing of the source's own float32 coordinates: bits are wasted.
+        step_below_float_spacing,
+        /// The source is closed and has a triangle with an area, but the baked surface is not closed. The source is
+        /// closed if each of its edges, from position to position, runs as often one way as the other. Two things
+        /// open it: dropping triangles that have an area on the lattice (duplicates, and triangles that had no area in
+        /// the source), and the collapse of all triangles.
+        lost_closed,
+        /// At 23 and 24 bits, rays from outside are rounded to whole lattice steps, which is coarser than float32.
+        rays_rounded_coarsely,
     };
-    Kind kind = Kind::internal;
-    std::string message;
+    Kind kind = Kind::step_below_float_spacing;
+    std::string message;  ///< whole sentences: what was found, and what to do
+};
+
+/// The figures of a bake: what it read, dropped and wrote. Lengths are in the blob's units.
+struct BakeReport {
+    struct Source {
+        std::uint64_t triangles = 0;  ///< of all meshes, dropped ones included
+        std::uint64_t vertices = 0;   ///< of all meshes, unused ones included
+    };
+    struct Bounds {
+        Vec3 min;
+        Vec3 max;
+        double extent = 0.0;  ///< the largest side
+        BoundsVolumes volumes;
+    };
+    struct Lattice {
+        unsigned bits = 0;       ///< what the largest extent takes, 1..24
+        double step = 0.0;       ///< the distance between neighbouring lattice points
+        double max_error = 0.0;  ///< bounds the distance between the source, as float32, and the baked surface
+    };
+    struct Tree {
+        std::uint32_t triangles = 0;             ///< kept
+        std::uint32_t duplicate_references = 0;  ///< kept triangles stored once more, by Builder::spatial_splits
+        std::uint32_t vertices = 0;              ///< distinct lattice points of the kept triangles
+        std::uint32_t nodes = 0;
+        std::uint64_t leaves = 0;
+        unsigned depth = 0;  ///< nodes on the longest way down
+    };
+
+    Source source;
+    Findings findings;
+    Bounds bounds;
+    Lattice lattice;
+    Tree tree;
+    bool closed = false;  ///< the baked surface is closed: contains and signed_distance answer
+    /// The fewest bits, above those of the lattice, with which the same source stays closed; 0 if there are none, and
+    /// without the warning lost_closed. Found by trying each.
+    unsigned bits_that_keep_closed = 0;
+    std::uint64_t bytes = 0;  ///< of the blob
+    double seconds = 0.0;     ///< that the bake took
+    std::vector<BakeWarning> warnings;
+
+    /// Returns whether `warnings` has one of this kind.
+    [[nodiscard]] bool warns_of(BakeWarning::Kind kind) const noexcept;
+};
+
+/// The result of a bake: ok, or why nothing was baked.
+enum class BakeStatus : std::uint8_t {
+    ok,
+    invalid_options,  ///< an option is out of its range, or two exclude each other
+    invalid_mesh,     ///< broken geometry: a corner that is not finite, an index out of range
+    too_fine,         ///< the resolution would need more than 24 bits
+    too_large,        ///< a limit of the format
+    internal,         ///< the baker's check of its own result failed: an error in the baker
+};
+
+/// The blob, or the reason why there is none. Converts to true if there is a blob.
+struct [[nodiscard]] BakeResult {
+    std::vector<std::byte> bytes;  ///< the blob; empty unless status is ok
+    /// The source of each triangle of the blob, by its index: what original_hit (original.hpp) takes. Empty unless
+    /// status is ok.
+    std::vector<OriginalTriangle> remap;
+    BakeReport report;  ///< all zero unless status is ok
+    BakeStatus status = BakeStatus::internal;
+    std::string message;  ///< what is wrong, where, and what to do; empty if status is ok
     std::optional<SourcePlace> place =
         std::nullopt;  ///< the first place with this fault; none for a fault of the whole
+
+    explicit operator bool() const noexcept { return status == BakeStatus::ok; }
 };
 
-/// A value or the reason why there is none.
-template <class Value, class Error>
-class Result {
-public:
-    Result(Value value) : state_(std::in_place_index<0>, std::move(value)) {}  // NOLINT(google-explicit-constructor)
-    Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(google-explicit-constructor)
-    [[nodiscard]] bool has_value() const { return state_.index() == 0; }
-    explicit operator bool() const { return has_value(); }
-    [[nodiscard]] Value& value() { return std::get<0>(state_); }
-    [[nodiscard]] const Value& value() const { return std::get<0>(state_); }
-    Value& operator*() { return value(); }
-    const Value& operator*() const { return value(); }
-    Value* operator->() { return &value(); }
-    const Value* operator->() const { return &value(); }
-    [[nodiscard]] const Error& error() const { return std::get<1>(state_); }
+/// Bakes all meshes into one blob. Nothing in the meshes is trusted: what a blob cannot hold is dropped and reported,
+/// or refused with the place. No meshes, or meshes without triangles, give a valid, empty blob.
+///
+/// Takes about 1 microsecond and 150 bytes of memory per triangle.
+BakeResult bake(std::span<const MeshView> meshes, const BakeOptions& options = {});
 
-private:
-    std::variant<Value, Error> state_;
+/// Returns BakeResult::remap as the bytes of a file, 16 per triangle after a header, which read_remap (original.hpp)
+/// reads. Empty unless the result's status is ok.
+[[nodiscard]] std::vector<std::byte> remap_file(const BakeResult& result);
+
+/// The outcome of verify. Converts to true if the blob is sound.
+struct [[nodiscard]] VerifyReport {
+    bool sound = false;
+    std::string message;  ///< the first thing that is wrong, naming node or triangle and the byte; empty if sound
+
+    explicit operator bool() const noexcept { return sound; }
 };
 
-/// Bakes all meshes into one blob. The same arrays and options give the same bytes on every machine and at any number
-/// of threads. An empty mesh gives a legal, empty blob. About 1 microsecond and 150 bytes of memory for each triangle.
-[[nodiscard]] Result<Baked, BakeError> bake(std::span<const MeshView> meshes, const BakeOptions& options);
-
-/// Returns the remap table as the bytes of a file, which read_remap (original.hpp) reads: 16 bytes a triangle.
-[[nodiscard]] std::vector<std::byte> remap_file(const Baked& baked);
+/// Tests whether a blob is what its header states. Any bytes, any alignment.
+///
+/// A sound blob opens. Every box contains all vertices below it and ends near the asset. No triangle is without area,
+/// and no two are the same. The vertices of each leaf are numbered by first use. Extent, vertex count, the closed flag,
+/// duplicate references, edge flags and stored bounds are true. Of a triangle that is in several leaves, each corner
+/// lies in the boxes of one of them.
+///
+/// Takes about 60 bytes of memory per triangle.
+VerifyReport verify(std::span<const std::byte> bytes);
 
 }  // namespace espalier
+
+// Numerics. The same arrays and options give the same bytes on every machine and for every number of threads. max_error
+// counts from the float32 positions of the meshes.

@@ -1,4 +1,6 @@
-// Opening a blob: from flash, from a mapped file, from a buffer that a stranger filled.
+// Opening a blob: bytes in flash, in a mapped file, or in a buffer from an untrusted source.
+//
+// Thread safety: any number of threads may use one Blob. No call allocates.
 #pragma once
 
 #include <cstddef>
@@ -6,30 +8,34 @@
 #include <span>
 
 #include <espalier/format.hpp>
+#include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier {
 
+class Blob;
+
 namespace detail {
 
-/// What `open` proved about the bytes; the queries read this and the bytes, nothing else.
-/// All zero when empty: what C fills with zeros is a Blob too.
+/// The facts that open() proved about the bytes. Queries read these and the bytes only.
+/// All are zero in a Blob that was never opened, so that a structure of C that is filled with zeros is one.
 struct BlobData {
-    const std::byte* bytes = nullptr;  // the whole blob
-    const std::byte* nodes = nullptr;  // null when empty
+    const std::byte* bytes = nullptr;  // the whole blob; null if it is not open
+    const std::byte* nodes = nullptr;
     const std::byte* leaves = nullptr;
     std::int16_t step_exponent = 0;
     std::uint8_t bits = 0;
     std::uint8_t depth = 0;
     std::uint8_t id_kind_bits = 0;
-    format::Profile profile = format::Profile::fast;
-    const std::byte* sources = nullptr;  // null without original ids
+    Profile profile = Profile::fast;
+    OpenStatus refusal = OpenStatus::ok;  // why open() refused the bytes; ok if it did not
+    const std::byte* sources = nullptr;   // null without original ids
     const std::byte* ids = nullptr;
     const std::byte* materials = nullptr;
     const std::byte* copies = nullptr;  // null without split references
     const std::byte* edge_flags = nullptr;
-    const std::byte* bounds = nullptr;  // whichever there are
+    const std::byte* bounds = nullptr;  // the stored ones, in the order of format.hpp
     std::uint32_t size = 0;
     std::uint32_t features = 0;
     std::uint32_t triangle_count = 0;
@@ -48,77 +54,107 @@ struct BlobData {
     float base_unit = 0.0f;                  // lattice steps that a node's base counts in
     float max_error = 0.0f;
 
-    /// Fills in what follows from bits, step_exponent and extent.
+    /// Computes the members that follow from bits, step_exponent and extent.
     void derive() noexcept;
 };
 
+constexpr const BlobData& data_of(const Blob& blob) noexcept;
+
 }  // namespace detail
 
-/// A view of a baked mesh: a few words, copied freely, owning nothing. Either empty (no triangles; every query finds
-/// nothing) or opened. The bytes must outlive it and stay unchanged; they are never written.
-class Blob {
+/// The lattice of a blob. A coordinate in the blob's units is origin + steps * 2^step_exponent; the triangles reach
+/// from 0 to `extent` steps along each axis.
+struct Lattice {
+    Vec3 origin;
+    std::int32_t step_exponent = 0;
+    std::int32_t extent[3] = {};
+};
+
+/// A view of a baked mesh: a few words that are copied freely and own nothing. The bytes must outlive it and stay
+/// unchanged; they are never written. A default Blob was never opened: it has no triangles, and queries refuse it with
+/// QueryStatus::not_open. A Blob whose bytes open() refused is the same but for its status.
+class [[nodiscard]] Blob {
 public:
     constexpr Blob() noexcept = default;
 
-    /// Storage indices: every Triangle that a query answers with has an index below this. Copies are counted in.
+    /// Returns ok, not_opened, or why open() or open_unchecked() refused the bytes.
+    [[nodiscard]] constexpr OpenStatus status() const noexcept {
+        if (data_.bytes != nullptr) return OpenStatus::ok;
+        return data_.refusal == OpenStatus::ok ? OpenStatus::not_opened : data_.refusal;
+    }
+    /// Returns whether the blob is open.
+    [[nodiscard]] explicit constexpr operator bool() const noexcept { return data_.bytes != nullptr; }
+
+    /// Returns the number of triangles, duplicate references included. Every TriangleId of this blob has a lower index.
     [[nodiscard]] constexpr std::uint32_t triangle_count() const noexcept { return data_.triangle_count; }
-    /// How many storage indices are copies of another triangle, which has a lower one: above zero only when the blob
-    /// was baked with Builder::spatial_splits. No query answers with a copy. for_each_hit and for_each_overlap refuse a
-    /// blob with copies: they would have to remember what they have reported. They answer false at once and visit
-    /// nothing.
-    [[nodiscard]] constexpr std::uint32_t copy_count() const noexcept { return data_.copy_count; }
+    /// Returns how many triangles are duplicate references to another triangle, which has a lower index: above 0 only
+    /// if the blob was baked with Builder::spatial_splits. No query returns a duplicate, and each one
+    /// reports a triangle once; enumerations come in another order (overlap.hpp).
+    [[nodiscard]] constexpr std::uint32_t duplicate_reference_count() const noexcept { return data_.copy_count; }
     [[nodiscard]] constexpr std::uint32_t vertex_count() const noexcept { return data_.vertex_count; }
-    [[nodiscard]] constexpr std::uint32_t size_bytes() const noexcept { return data_.size; }
+    /// Returns the size in bytes.
+    [[nodiscard]] constexpr std::uint32_t size() const noexcept { return data_.size; }
     [[nodiscard]] constexpr std::uint32_t checksum() const noexcept { return data_.checksum; }
-    /// Nodes on the longest way down, at most format::max_depth.
+    /// Returns the number of nodes on the longest path from the root, at most format::max_depth.
     [[nodiscard]] constexpr unsigned depth() const noexcept { return data_.depth; }
-    [[nodiscard]] constexpr unsigned bits() const noexcept { return data_.bits; }
-    [[nodiscard]] constexpr format::Profile profile() const noexcept { return data_.profile; }
-    /// The lattice step, a power of two, in world units.
-    [[nodiscard]] float step() const noexcept;
-    /// The baked surface differs from its source by at most this, in world units. The source is what the baker was
-    /// given: float32 positions. What a conversion from float64 to float32 moved before that is not in it. How far
-    /// queries are rounded is not in it either: rounding.hpp returns that.
+    [[nodiscard]] constexpr Profile profile() const noexcept { return data_.profile; }
+    /// Returns the lattice on which the corners lie. The one of a blob without triangles has any origin and step.
+    [[nodiscard]] constexpr Lattice lattice() const noexcept {
+        return {{data_.origin[0], data_.origin[1], data_.origin[2]},
+                data_.step_exponent,
+                {data_.extent[0], data_.extent[1], data_.extent[2]}};
+    }
+    /// Returns the largest distance between the baked surface and its source, in the blob's units. The source is the
+    /// float32 positions that the baker was given: their rounding from float64 is not included, and neither is the
+    /// rounding of queries, which rounding.hpp returns.
     [[nodiscard]] constexpr float max_error() const noexcept { return data_.max_error; }
-    /// Corners of the box around all triangles, each coordinate rounded to float. Two zeros when empty.
-    [[nodiscard]] Vec3 bounds_min() const noexcept;
-    [[nodiscard]] Vec3 bounds_max() const noexcept;
-    /// The boundary of the triangles cancels along lines: wherever an edge runs, as many edges run one way as the
-    /// other. The winding number of every point that is not on the surface is then an integer, and contains and
-    /// signed_distance answer.
-    [[nodiscard]] constexpr bool closed() const noexcept { return (data_.features & format::feature::closed) != 0; }
+    /// Returns the box around all triangles, each coordinate rounded to float. Both corners are zero if there are no
+    /// triangles.
+    [[nodiscard]] Box bounds() const noexcept;
+    /// Returns whether the surface is closed, so that contains() and signed_distance() do not refuse the blob: the
+    /// boundary of the triangles cancels along lines. Wherever an edge runs, as many edges run one way as the other,
+    /// and every point that is not on the surface has a whole winding number.
+    [[nodiscard]] constexpr bool is_closed() const noexcept { return (data_.features & format::feature::closed) != 0; }
     [[nodiscard]] constexpr bool has_original_ids() const noexcept { return data_.ids != nullptr; }
     [[nodiscard]] constexpr bool has_materials() const noexcept { return data_.materials != nullptr; }
-    /// Whether contact.hpp has something to say.
+    /// Returns whether the blob stores the edge flags that contact.hpp reads.
     [[nodiscard]] constexpr bool has_edge_flags() const noexcept { return data_.edge_flags != nullptr; }
 
-    /// For the library's own parts and its tests; its layout is no promise.
-    [[nodiscard]] constexpr const detail::BlobData& data() const noexcept { return data_; }
-
 private:
-    friend Status open(std::span<const std::byte> bytes, Blob& blob) noexcept;
-    friend Status open_trusted_image(std::span<const std::byte> bytes, Blob& blob) noexcept;
+    friend constexpr const detail::BlobData& detail::data_of(const Blob& blob) noexcept;
+    friend Blob open(std::span<const std::byte> bytes) noexcept;
+    friend Blob open_unchecked(std::span<const std::byte> bytes) noexcept;
     detail::BlobData data_;
 };
 
-/// Proves that `bytes` is a blob on which every query is safe, and points `blob` at it. Any bytes, any alignment: reads
-/// only inside `bytes`, writes only `blob`, no heap, no recursion, time proportional to the size. On any status but ok
-/// the blob is empty. It does not promise that a maliciously made blob describes the mesh that you baked: sign it for
-/// that.
-[[nodiscard]] Status open(std::span<const std::byte> bytes, Blob& blob) noexcept;
+namespace detail {
 
-/// Opens in O(1) a blob that is linked into your own program: firmware that cannot wait for `open`, or has no room for
-/// it. It trusts that `bytes` are, each one, what the baker wrote: nobody changed them since, no flash cell, no cable
-/// and no stranger. Where that is not so, queries may read anywhere and need not end; `open` is for bytes of any other
-/// origin.
+/// Returns the inner data of a blob: for the library's own parts and its tests. Its layout may change.
+constexpr const BlobData& data_of(const Blob& blob) noexcept { return blob.data_; }
+/// Returns not_open for a blob that queries must refuse, else ok.
+constexpr QueryStatus query_status_of(const Blob& blob) noexcept {
+    return blob ? QueryStatus::ok : QueryStatus::not_open;
+}
+
+}  // namespace detail
+
+/// Proves that every query on `bytes` is safe and returns a view of them. If they are no sound blob, the result's
+/// status states why, and it has no triangles.
 ///
-/// What is checked is the header and nothing behind it: magic (which also tells a wrong byte order), version, that the
-/// sizes of all sections add up to the number of bytes, a profile and features that this library reads, each field
-/// within its range. Those are refused as `open` refuses them, and then the blob is empty. The checksum is not
-/// compared. A blob that both open, both open alike.
-[[nodiscard]] Status open_trusted_image(std::span<const std::byte> bytes, Blob& blob) noexcept;
+/// Takes any bytes at any alignment. Reads only inside `bytes`, without heap and recursion, in time proportional to the
+/// size. It does not prove that the bytes describe the mesh that you baked: sign them for that.
+Blob open(std::span<const std::byte> bytes) noexcept;
 
-/// The material number given at bake, or 0 when the blob carries none or has no such triangle. O(1).
-[[nodiscard]] std::uint16_t material(const Blob& blob, Triangle triangle) noexcept;
+/// Returns a view of a blob that is linked into your own program, in O(1): for firmware that has no time or no room for
+/// open(). It requires that `bytes` are exactly what the baker wrote. If they were changed, by a flash cell, a cable or
+/// an attacker, queries may read anywhere and need not end; use open() for bytes of any other origin.
+///
+/// Checks the header only, and refuses it as open() does: magic (a wrong byte order has another one), version, that the
+/// sizes of all sections add up to the number of bytes, that this library reads the profile and the features, and the
+/// range of each field. Does not compare the checksum. A blob that both open is the same for both.
+Blob open_unchecked(std::span<const std::byte> bytes) noexcept;
+
+/// Returns the material number given at bake, or 0 if the blob stores none or has no such triangle. O(1).
+[[nodiscard]] std::uint16_t material(const Blob& blob, TriangleId triangle) noexcept;
 
 }  // namespace espalier

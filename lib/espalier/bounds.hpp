@@ -1,23 +1,22 @@
-// Bounds of the whole asset that are tighter than its axis-aligned box (Blob::bounds_min, bounds_max): for blobs that
-// were baked with them. Cheap first tests for whoever holds many assets.
+// Bounds of the whole asset that are tighter than its axis-aligned box, Blob::bounds(), for blobs that were baked with
+// them (BakeOptions::bounds).
 //
-// Numbers. Each holds every corner of every triangle, as baked and as rounded to float: what is stored holds the baked
-// ones exactly, and the floats are rounded outward, by some 2^-20 of the asset's size and of its distance from the
-// world's origin. Of bytes that a stranger made `open` does not prove that they hold anything: such bounds give wrong
-// answers, safely.
+// Status: ok; not_open; or no_data for a blob that was baked without the bounds. Each call is O(1). Thread safety: any
+// number of threads may query one blob. No call allocates. Numerics are described at the end of this file.
 #pragma once
 
 #include <espalier/blob.hpp>
 #include <espalier/shapes.hpp>
+#include <espalier/status.hpp>
 
 namespace espalier {
 
-/// A sphere close to the smallest one (Badoiu, Clarkson 2003). False, and `sphere` untouched, when the blob has none.
-bool bounding_sphere(const Blob& blob, Sphere& sphere) noexcept;
+/// Returns a sphere close to the smallest one that holds all triangles (Badoiu, Clarkson 2003).
+Result<Sphere> bounding_sphere(const Blob& blob) noexcept;
 
-/// A box of little surface, in any orientation (a search over rotations: Chang, Gorissen, Melchior 2011). Its half axes
-/// are perpendicular up to rounding. False, and `box` untouched, when the blob has none.
-bool oriented_bounds(const Blob& blob, OrientedBox& box) noexcept;
+/// Returns a box of little surface, in any orientation (a search over rotations: Chang, Gorissen, Melchior 2011). Its
+/// half axes are perpendicular up to rounding.
+Result<OrientedBox> oriented_bounds(const Blob& blob) noexcept;
 
 /// Slabs along 13 fixed directions (Klosowski et al. 1998): lo[k] <= dot(directions[k], corner) <= hi[k].
 struct KDop {
@@ -29,13 +28,12 @@ struct KDop {
     float hi[count] = {};
 };
 
-/// False, and `k_dop` untouched, when the blob has none.
-bool k_dop_bounds(const Blob& blob, KDop& k_dop) noexcept;
-
-/// True only if the sphere, or box, touches no triangle: judged by whichever bounds the blob carries and by its
-/// axis-aligned box, without a look at the tree. False says nothing. NaN, a negative radius and an empty box touch
-/// nothing; any other bit pattern is safe.
-[[nodiscard]] bool is_outside_bounds(const Blob& blob, const Sphere& sphere) noexcept;
-[[nodiscard]] bool is_outside_bounds(const Blob& blob, const Box& box) noexcept;
+/// Returns the slabs that hold all triangles.
+Result<KDop> k_dop_bounds(const Blob& blob) noexcept;
 
 }  // namespace espalier
+
+// Numerics. Bounds hold every corner of every triangle, as baked and as rounded to float: the stored ones hold the
+// baked corners exactly, and the floats are rounded outward, by some 2^-20 of the asset's size and of its distance from
+// the world's origin. open() does not prove that the bounds in untrusted bytes hold anything: such bounds give wrong
+// results, safely.

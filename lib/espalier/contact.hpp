@@ -1,53 +1,56 @@
-// Contacts that slide over a mesh: which edges are real ones, and which only join two triangles of one surface.
+// Contacts on edges that only join two triangles of one surface.
 //
-// A body that slides over a flat floor of many triangles touches edges between them, with contact normals that lean
-// against the motion: it stumbles over nothing. Blobs that were baked with edge flags know which edges these are.
-// Engines have the same under the names of internal edges (Bullet), active edges (Jolt), edge flags (PhysX, Box3D).
+// A body that slides over a flat floor of many triangles touches the edges between them. Contact normals there lean
+// against the motion, and the body stumbles. A blob that was baked with BakeOptions::flat_angle stores for each edge
+// how the surface bends there, so that such normals can be replaced. Engines call these edges internal edges (Bullet),
+// active edges (Jolt) or edge flags (PhysX, Box3D).
 //
-// Arguments. Any bit pattern is safe. Bytes that a stranger made may carry wrong flags: they are hints, nothing more.
+// Any bit pattern is a safe argument. Untrusted bytes may carry wrong flags: then normals are wrong, safely. Thread
+// safety: any number of threads may query one blob. No call allocates. Numerics are described at the end of this file.
 #pragma once
 
 #include <cstdint>
 
 #include <espalier/blob.hpp>
+#include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier {
 
-/// How the surface bends at an edge, seen from the front of its triangles. Decided exactly on the baked triangles.
+/// The bend of the surface at an edge, seen from the front of its triangles. Decided exactly on the baked triangles.
 enum class EdgeKind : std::uint8_t {
-    flat = 0,     ///< the normals of the two triangles differ by no more than the angle given at bake
-    convex = 1,   ///< a ridge: the other triangle lies below this one's plane, or is folded back onto it
-    concave = 2,  ///< a valley
-    open = 3,     ///< not shared by exactly two triangles that run along it in opposite directions: a border, three
-                  ///< triangles and more, or two that do not face the same way. A closed blob may have some, where a
-                  ///< long edge lies on shorter ones or where surfaces touch in an edge
+    flat = 0,      ///< the normals of the two triangles differ by at most BakeOptions::flat_angle
+    convex = 1,    ///< a ridge: the other triangle lies below this one's plane, or is folded back onto it
+    concave = 2,   ///< a valley
+    boundary = 3,  ///< not shared by exactly two triangles that run along it in opposite directions: a border, three
+                   ///< triangles or more, or two that face different ways. A closed blob may have some, where a long
+                   ///< edge lies on shorter ones or where surfaces touch in an edge
 };
 
-/// Corners are those of the blob (walk.hpp).
+/// The kinds of a triangle's edges, between the corners that triangle_at() returns.
 struct EdgeKinds {
-    EdgeKind ab = EdgeKind::open;
-    EdgeKind bc = EdgeKind::open;
-    EdgeKind ca = EdgeKind::open;
+    EdgeKind ab = EdgeKind::boundary;
+    EdgeKind bc = EdgeKind::boundary;
+    EdgeKind ca = EdgeKind::boundary;
 };
 
-/// False, and `kinds` untouched, when the blob carries no edge flags or has no such triangle. O(1).
-bool edge_kinds(const Blob& blob, Triangle triangle, EdgeKinds& kinds) noexcept;
-
-/// A point where a body touches a triangle. closest_triangles gives triangle and feature, one for each triangle nearby.
-struct Contact {
-    Triangle triangle;
-    Feature feature = Feature::face;  ///< the part of the triangle that the contact lies on
-    Vec3 normal;                      ///< from the surface to the body, of any length
-};
-
-/// Whether the contact lies on inner edges alone: on a flat or concave one, or on a corner between two such. If so,
-/// `normal` becomes the normal that it should have: the triangle's, of length 1 (each coordinate within 4 ulp of 1), on
-/// the side to which the contact's normal points. Otherwise, on a face, a convex or an open edge, or with a blob
-/// without edge flags, `normal` is left alone: the contact's own is right.
+/// Returns the kinds of a triangle's edges.
 ///
-/// A corner is judged by the two edges of its own triangle: where it also is the end of a ridge between other
-/// triangles, their contacts keep their normals and this one does not.
-bool is_on_inner_edge(const Blob& blob, const Contact& contact, Vec3& normal) noexcept;
+/// Status: ok; not_open; no_data (baked without flat_angle); not_found for no_triangle; or invalid_argument for a
+/// triangle that the blob does not have. Cost: O(1).
+Result<EdgeKinds> edge_kinds(const Blob& blob, TriangleId triangle) noexcept;
+
+/// Returns the normal to use for a contact on `feature` of `triangle`, where `normal` leads from the surface to the
+/// body and has any length. closest_triangles() returns triangle and feature, one of each triangle nearby.
+///
+/// On a flat or concave edge, or on a corner between two such edges of this triangle, returns the triangle's own
+/// normal, of length 1, on the side to which `normal` points. Otherwise returns `normal`: on a face, a convex edge or a
+/// boundary, for a blob without edge flags, and for a triangle that the blob does not have. A corner is judged by the
+/// edges of its own triangle, also where a ridge between other triangles ends. Cost: O(depth), the way down to the
+/// triangle.
+[[nodiscard]] Vec3 fix_internal_edge_normal(const Blob& blob, TriangleId triangle, Feature feature,
+                                            Vec3 normal) noexcept;
 
 }  // namespace espalier
+
+// Numerics. Each coordinate of a triangle's normal is within 4 ulp of 1 of the exact one.

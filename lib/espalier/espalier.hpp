@@ -1,22 +1,24 @@
-// Everything that answers from a blob. No heap, no exceptions, no libc. The baker is apart: <espalier/bake.hpp>.
+// All headers of the runtime: opening a blob, and every query. The baker is separate: <espalier/bake.hpp>.
+//
+// No heap, no exceptions, no libc. Thread safety: any number of threads may query one blob.
 #pragma once
 
 #include <espalier/approximate.hpp>
 #include <espalier/blob.hpp>
 #include <espalier/bounds.hpp>
-#include <espalier/collide.hpp>
 #include <espalier/contact.hpp>
-#include <espalier/inside.hpp>
+#include <espalier/distance.hpp>
 #include <espalier/lattice.hpp>
-#include <espalier/nearest.hpp>
 #include <espalier/original.hpp>
 #include <espalier/overlap.hpp>
+#include <espalier/pair.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/rounded_ray.hpp>
 #include <espalier/rounding.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/sweep.hpp>
+#include <espalier/transform.hpp>
 #include <espalier/types.hpp>
 #include <espalier/version.hpp>
 #include <espalier/walk.hpp>

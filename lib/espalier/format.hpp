@@ -6,6 +6,18 @@
 #include <cstddef>
 #include <cstdint>
 
+namespace espalier {
+
+/// The encoding of nodes and leaves, and with it the largest number of triangles in a leaf. The numbers are stable.
+enum class Profile : std::uint8_t {
+    fast = 0,      ///< plain nodes, plain leaves: the fastest rays, the largest blobs
+    balanced = 1,  ///< packed nodes, strip leaves of at most max_balanced_entries
+    small = 2,     ///< packed nodes, strip leaves of at most max_small_entries
+    tiny = 3,      ///< packed nodes, predicted strips: the smallest blobs, the slowest rays
+};
+
+}  // namespace espalier
+
 namespace espalier::format {
 
 /// The format's version, apart from the library's. Readers accept the same major and a minor up to their own.
@@ -33,7 +45,7 @@ inline constexpr std::size_t version_minor_at = 6;      // u16
 inline constexpr std::size_t total_bytes_at = 8;        // u32, the whole blob
 inline constexpr std::size_t checksum_at = 12;          // u32, CRC-32 (IEEE 802.3) of the blob with this field zero
 inline constexpr std::size_t features_at = 16;          // u32, see `feature`
-inline constexpr std::size_t profile_at = 20;           // u8, see `Profile`
+inline constexpr std::size_t profile_at = 20;           // u8, see espalier::Profile
 inline constexpr std::size_t bits_at = 21;              // u8, 1..24: coordinates are below 2^bits
 inline constexpr std::size_t step_exponent_at = 22;     // i16
 inline constexpr std::size_t triangle_count_at = 24;    // u32
@@ -42,7 +54,7 @@ inline constexpr std::size_t node_count_at = 32;        // u32, 0 only for an em
 inline constexpr std::size_t leaf_bytes_at = 36;        // u32, a multiple of 4
 inline constexpr std::size_t origin_at = 40;            // 3 x f32, of lattice point 0 0 0; a multiple of the step
 inline constexpr std::size_t extent_at = 52;            // 3 x u32, largest coordinate per axis (the smallest is 0)
-inline constexpr std::size_t max_error_at = 64;         // f32, world units
+inline constexpr std::size_t max_error_at = 64;         // f32, the blob's units
 inline constexpr std::size_t depth_at = 68;             // u8
 inline constexpr std::size_t id_kind_bits_at = 69;      // u8, 0..7, see `ids`
 inline constexpr std::size_t source_count_at = 72;      // u32, entries of the source table
@@ -52,14 +64,6 @@ inline constexpr std::size_t reserved_at = 84;          // zero up to the end (a
 inline constexpr std::size_t bytes = 128;
 static_assert(reserved_at < bytes && bytes % 64 == 0);
 }  // namespace header
-
-/// How nodes and leaves are coded, and how large leaves may become.
-enum class Profile : std::uint8_t {
-    fast = 0,      ///< plain nodes, plain leaves
-    balanced = 1,  ///< packed nodes, strip leaves of at most max_balanced_entries
-    small = 2,     ///< packed nodes, strip leaves of at most max_small_entries
-    tiny = 3,      ///< packed nodes, predicted strips
-};
 
 /// Bits of the features field. An optional section is there exactly when its bit is set; they follow in bit order.
 namespace feature {
@@ -89,7 +93,7 @@ inline constexpr std::size_t bytes = 12;
 }  // namespace source
 
 // The section of original ids. The number of a triangle is corner_factor * its original id + its first corner: which of
-// the original triangle's corners is stored first (0, 1 or 2; the others follow in its order). Numbers stand in blocks
+// the original triangle's corners is stored first (0, 1 or 2; the others follow in its order). Numbers lie in blocks
 // of consecutive storage indices: the first in number_bits, then a step to each of the others. A step is the prefix of
 // a kind and a field; it leads to the recent number `from` + offset + field, modulo 2^number_bits. Recent numbers are
 // all the block's first one at its begin; then each new one is put in front, and the one at `replaced` is lost.
@@ -122,7 +126,7 @@ constexpr unsigned number_bits(std::uint64_t number_limit) {
 }  // namespace ids
 
 // The section of split references: which storage indices are copies, and of which triangle. The lowest storage index of
-// a triangle is its owner; copies have the same corners in the same order, and stand in leaves whose boxes hold other
+// a triangle is its owner; copies have the same corners in the same order, and lie in leaves whose boxes hold other
 // parts of it. u32 number of copies; a block for each started 256 storage indices: u32 copies before it, then a bit for
 // each index, low bits first, set for copies; then u32 owner for each copy, in storage order. Profile fast only.
 namespace copies {
@@ -142,7 +146,8 @@ constexpr std::uint64_t blocks_bytes(std::uint32_t triangle_count) {
 }  // namespace copies
 
 // The section of edge flags: u32 the squared sine of the largest angle that counts as flat, in 2^-24; then for each
-// storage index a field of 6 bits, 2 for each edge, from corner e to the next: flat, convex, concave, open.
+// storage index a field of 6 bits, 2 for each edge, from corner e to the next: flat, convex, concave,
+// boundary.
 namespace edge_flags {
 inline constexpr std::size_t flat_limit_at = 0;
 inline constexpr std::size_t fields_at = 4;
@@ -158,8 +163,8 @@ namespace bounds {
 inline constexpr int units_per_step = 16;
 inline constexpr std::int32_t max_length = 1 << 29;
 
-// The oriented box: a rotation as a quaternion of integers w x y z, 4 x i16, whose matrix of integers (runtime/
-// stored_bounds.hpp) has perpendicular rows of length w^2 + x^2 + y^2 + z^2; then along each row lo and hi, 6 x i32.
+// The oriented box: a rotation as a quaternion of integers w x y z, 4 x i16, whose matrix of integers has perpendicular
+// rows of length w^2 + x^2 + y^2 + z^2 (lib/runtime/blob/stored_bounds.hpp); then along each row lo and hi, 6 x i32.
 inline constexpr std::size_t quaternion_at = 0;
 inline constexpr std::size_t lo_at = 8;
 inline constexpr std::size_t hi_at = 20;
@@ -187,7 +192,7 @@ constexpr std::size_t bytes(std::uint32_t features) {
 }  // namespace bounds
 
 // ---- nodes --------------------------------------------------------------------------------------------------------
-// Children are numbered nodes first, then leaves. The node children are contiguous; blocks of siblings stand in depth-
+// Children are numbered nodes first, then leaves. The node children are contiguous; blocks of siblings are in depth-
 // first order. Boxes are rounded outward.
 
 /// Lattice steps that the base of a packed node and the planes of a plain one count in, as a power of two.

@@ -1,92 +1,100 @@
-// The lattice of a blob, and queries whose arguments are whole lattice steps: for cores without floats, which link none
-// for them. Whoever knows at build time where things are asks in steps right away; what moves counts in steps itself.
+// Queries in whole lattice steps, without floats: for cores without a floating-point unit, and for positions that are
+// counted in steps anyway.
 //
-// Steps. A world coordinate is origin + steps * 2^step_exponent. The asset reaches from 0 to `extent` along each axis.
-//
-// Numbers. Nothing is rounded: whether a triangle touches the box, whether the segment hits it and which hit comes
-// first are decided exactly, on the numbers given. Touching counts. A segment inside the plane of a triangle does not
-// hit that triangle, and a segment of length zero hits nothing: as of rays (ray.hpp).
-//
-// Arguments. A box may be any numbers; with min above max along an axis it is empty and overlaps nothing. The ends of a
-// segment must be within max_segment_steps along each axis, else the answer is out_of_range, O(1).
+// A coordinate in the blob's units is origin + steps * 2^step_exponent; the triangles reach from 0 to `extent` along
+// each axis. Queries refuse a blob that is not open with not_open. Thread safety: any number of threads may query one
+// blob. No call allocates. Numerics are described at the end of this file.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <span>
 
 #include <espalier/blob.hpp>
 #include <espalier/function_ref.hpp>
 #include <espalier/overlap.hpp>
-#include <espalier/ray.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier {
 
-struct Lattice {
-    Vec3 origin;
-    std::int32_t step_exponent = 0;
-    std::int32_t extent[3] = {};
-};
-
-/// Returns the lattice of a blob. That of a blob without triangles describes nothing, and its step may be any.
-[[nodiscard]] Lattice lattice_of(const Blob& blob) noexcept;
-
-/// A point of the lattice.
-struct Steps {
+/// A point of a lattice, in whole steps.
+struct LatticePoint {
     std::int32_t x = 0;
     std::int32_t y = 0;
     std::int32_t z = 0;
-    friend constexpr bool operator==(const Steps&, const Steps&) = default;
+    friend constexpr bool operator==(const LatticePoint&, const LatticePoint&) = default;
 };
 
-/// As Box.
-struct BoxInSteps {
-    Steps min;
-    Steps max;
+/// An axis-aligned box. Empty if a coordinate of `min` is above that of `max`; flat ones and points are boxes too.
+struct LatticeBox {
+    LatticePoint min;
+    LatticePoint max;
 };
 
-/// As Segment.
-struct SegmentInSteps {
-    Steps from;
-    Steps to;
+/// The points between two lattice points, both included.
+struct LatticeSegment {
+    LatticePoint from;
+    LatticePoint to;
 };
 
-inline constexpr std::int32_t max_segment_steps = 1 << 29;
+/// The largest magnitude of a coordinate of a segment, and of what to_lattice() returns.
+inline constexpr std::int32_t max_lattice_coordinate = 1 << 29;
 
-// From the world to the lattice and back. They take floats, but no float operation: exactly rounded on every core.
-// invalid_argument for a NaN or an infinity, also in the lattice, and for a step_exponent beyond -100 .. 100, which no
-// blob has; out_of_range for what is beyond max_segment_steps. Then nothing is written. Subnormal coordinates count as
-// zero.
+/// Returns the lattice point nearest to a point in the blob's local space; of two, the upper one.
+///
+/// Refuses a NaN or an infinity, also in the lattice, and a step_exponent outside of -100 .. 100 (invalid_argument),
+/// and a result beyond max_lattice_coordinate (out_of_range). Subnormal coordinates count as zero. Exact on every core,
+/// without a float operation.
+Result<LatticePoint> to_lattice(const Lattice& lattice, const Vec3& local) noexcept;
+/// Returns the smallest box in whole steps that holds a box in local space. Refuses as for a point.
+Result<LatticeBox> to_lattice(const Lattice& lattice, const Box& local) noexcept;
+/// Returns the place of a lattice point in the blob's local space, each coordinate within 2 roundings to float. Needs
+/// float operations.
+[[nodiscard]] Vec3 to_local(const Lattice& lattice, const LatticePoint& steps) noexcept;
 
-/// The nearest lattice point, of two the upper one.
-QueryStatus to_steps(const Lattice& lattice, const Vec3& world, Steps& steps) noexcept;
-/// The smallest box in whole steps that holds the world's box.
-QueryStatus steps_around(const Lattice& lattice, const Box& world, BoxInSteps& box) noexcept;
-/// Where a lattice point is, each coordinate within 2 roundings to float. Needs float operations.
-[[nodiscard]] Vec3 to_world(const Lattice& lattice, const Steps& steps) noexcept;
+// overlaps(), for_each_overlap() and collect_overlaps() take a LatticeBox (overlap.hpp).
 
-/// The three ways of asking about a box, as in overlap.hpp.
-[[nodiscard]] bool overlaps(const Blob& blob, const BoxInSteps& box) noexcept;
-bool for_each_overlap(const Blob& blob, const BoxInSteps& box, FunctionRef<Visit(Triangle)> visit);
-OverlapPage collect_overlaps(const Blob& blob, const BoxInSteps& box, std::span<Triangle> out,
-                             std::uint32_t first = 0) noexcept;
+/// The place where a segment hits a triangle. Converts to true if it does. A miss or a refusal has the largest t and
+/// no_triangle.
+struct [[nodiscard]] LatticeHit {
+    std::uint32_t t = 0xFFFFFFFFu;  ///< the point is from + (to - from) * t / 2^31, rounded down; 2^31 at the end
+    TriangleId triangle;
+    QueryStatus status = QueryStatus::not_open;  ///< ok, not_found, or why the segment was refused
+    Side side = Side::front;                     ///< the side that was hit
+    std::uint8_t reserved[2] = {};
 
-struct HitInSteps {
-    /// Where on the segment: from + (to - from) * t / 2^31, rounded down; 2^31 at its end.
-    std::uint32_t t = 0;
-    /// front or back: the side from which the segment meets the triangle.
-    Faces side = Faces::front;
-    Triangle triangle = no_triangle;
+    explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
 };
 
-/// The first hit along the segment: the one with the smallest t, compared exactly and not as rounded, of equal ones
-/// that with the lowest storage index. hit.triangle is no_triangle where nothing is hit. ok or out_of_range; `hit` is
-/// untouched unless ok.
-QueryStatus first_hit(const Blob& blob, const SegmentInSteps& segment, HitInSteps& hit) noexcept;
+namespace detail {
 
-/// Whether the segment hits anything. Cheaper than the first hit. `hit` is untouched unless ok.
-QueryStatus any_hit(const Blob& blob, const SegmentInSteps& segment, bool& hit) noexcept;
+LatticeHit raycast_lattice(const Blob& blob, const LatticeSegment& segment) noexcept;
+YesNo occluded_lattice(const Blob& blob, const LatticeSegment& segment) noexcept;
+
+}  // namespace detail
+
+/// Returns the hit with the smallest t, compared exactly and not as rounded; of equal ones that with the lowest
+/// triangle.
+///
+/// Refuses an end beyond max_lattice_coordinate along an axis (out_of_range) and a segment of length zero
+/// (invalid_argument), both in O(1). Cost: expected O(log n); docs/queries.md, Bounded, has the bound.
+template <std::same_as<LatticeSegment> Segment>  // a template, so that two vectors in braces are a Ray
+LatticeHit raycast(const Blob& blob, const Segment& segment) noexcept {
+    return detail::raycast_lattice(blob, segment);
+}
+
+/// Returns whether the segment hits any triangle. Takes less time than raycast(), and refuses the same segments.
+template <std::same_as<LatticeSegment> Segment>
+YesNo occluded(const Blob& blob, const Segment& segment) noexcept {
+    return detail::occluded_lattice(blob, segment);
+}
 
 }  // namespace espalier
+
+// Numerics
+//
+// Nothing is rounded: whether a triangle touches the box, whether the segment hits it and on which side, and which hit
+// comes first are decided exactly, on the numbers given. Touching counts. A segment within the plane of a triangle does
+// not hit it. Boxes may have any coordinates.

@@ -1,21 +1,8 @@
-// Volumes against a blob. The triangles are a surface: a volume inside a closed mesh that touches none overlaps none.
+// Overlap queries: which triangles touch a shape.
 //
-// Shapes. Sphere, Capsule, Box, OrientedBox, a triangle (Corners), a convex set of planes (a span of Plane: a frustum,
-// a k-DOP; not necessarily bounded, at most max_planes).
-//
-// Numbers. A shape is rounded once onto a grid finer than the asset's lattice (docs/numerics.md); whether a triangle
-// overlaps is then decided exactly, and touching counts. Coordinates are rounded to 1/64 of a lattice step near the
-// asset, farther away to as much as float32 resolves there; normals of planes are turned by less than 2^-23 radians
-// about the corner of the asset's bounds.
-//
-// Arguments. Any bit pattern is safe. What follows overlaps nothing, O(1), and collect_overlaps says invalid_argument:
-// a NaN; an infinite coordinate, but for those of a Box; a negative radius; a normal that is zero (below 2^-126) or
-// infinite; more than max_planes planes. Otherwise infinite radii, boxes and offsets mean what they say; an empty Box
-// (min above max) overlaps nothing; no planes at all are all of space; flat shapes, segments and points are shapes too.
-// Distance. A Sphere may be up to 2^120 lattice steps away, a Box and an offset anywhere. Of other shapes those parts
-// that matter must be within 2^36 lattice steps of the asset: a capsule's ends; a box or triangle that may reach the
-// asset and is larger than that. Beyond, and for planes of an asset that is itself 2^60 steps from the world's origin,
-// the answer is out_of_range: overlaps says false, for_each_overlap visits nothing and says false.
+// The triangles are a surface: a shape inside a closed mesh that touches no triangle overlaps none. Shapes are given in
+// the space of the blob. Thread safety: any number of threads may query one blob. No call allocates. Numerics are
+// described at the end of this file.
 #pragma once
 
 #include <cstdint>
@@ -29,50 +16,80 @@
 
 namespace espalier {
 
-/// Of a convex set. 26-DOPs fit.
-inline constexpr std::size_t max_planes = 32;
+namespace detail {
 
-/// Whether any triangle overlaps the shape.
-[[nodiscard]] bool overlaps(const Blob& blob, const Sphere& sphere) noexcept;
-[[nodiscard]] bool overlaps(const Blob& blob, const Capsule& capsule) noexcept;
-[[nodiscard]] bool overlaps(const Blob& blob, const Box& box) noexcept;
-[[nodiscard]] bool overlaps(const Blob& blob, const OrientedBox& box) noexcept;
-[[nodiscard]] bool overlaps(const Blob& blob, const Corners& triangle) noexcept;
-[[nodiscard]] bool overlaps(const Blob& blob, std::span<const Plane> planes) noexcept;
+struct Each;
+struct WalkAccuracy;
+using FindOverlaps = QueryStatus (*)(const BlobData& blob, const void* shape, Each& answer,
+                                     const WalkAccuracy& accuracy);
 
-/// Every overlapping triangle, in storage order, until the visitor answers stop. True when it saw them all.
-/// The visitor must not throw. False at once, and nothing is visited, when blob.copy_count() is not 0.
-bool for_each_overlap(const Blob& blob, const Sphere& sphere, FunctionRef<Visit(Triangle)> visit);
-bool for_each_overlap(const Blob& blob, const Capsule& capsule, FunctionRef<Visit(Triangle)> visit);
-bool for_each_overlap(const Blob& blob, const Box& box, FunctionRef<Visit(Triangle)> visit);
-bool for_each_overlap(const Blob& blob, const OrientedBox& box, FunctionRef<Visit(Triangle)> visit);
-bool for_each_overlap(const Blob& blob, const Corners& triangle, FunctionRef<Visit(Triangle)> visit);
-bool for_each_overlap(const Blob& blob, std::span<const Plane> planes, FunctionRef<Visit(Triangle)> visit);
+/// Rounds a shape and finds the triangles that overlap it. Defined for each shape in lib/runtime/overlap: a program
+/// links only those that it uses.
+template <OverlapShape Shape>
+QueryStatus find_overlaps_of(const BlobData& blob, const void* shape, Each& answer, const WalkAccuracy& accuracy);
 
-/// What collect_overlaps did.
-struct OverlapPage {
-    QueryStatus status = QueryStatus::ok;  ///< ok: these were the last; output_full: there are more; else why not
-    std::uint32_t count = 0;               ///< triangles written
-    /// What to pass as `first` to go on: with output_full the storage index of the first triangle that found no room;
-    /// with ok the blob's triangle_count; else `first` as it was.
-    std::uint32_t next = 0;
+/// A shape of any type.
+struct AnyShape {
+    const void* shape;
+    FindOverlaps find;
+
+    template <OverlapShape Shape>
+    explicit constexpr AnyShape(const Shape& any) noexcept : shape(&any), find(find_overlaps_of<Shape>) {}
 };
 
-/// The overlapping triangles with storage indices from `first` on, in storage order, as many as `out` holds. Page after
-/// page gives each triangle exactly once, and nothing is kept in between: not even the array needs to be of one size. A
-/// page walks over what lies before it without decoding any of its triangles. An array of no elements asks whether
-/// there is anything left.
-OverlapPage collect_overlaps(const Blob& blob, const Sphere& sphere, std::span<Triangle> out,
-                             std::uint32_t first = 0) noexcept;
-OverlapPage collect_overlaps(const Blob& blob, const Capsule& capsule, std::span<Triangle> out,
-                             std::uint32_t first = 0) noexcept;
-OverlapPage collect_overlaps(const Blob& blob, const Box& box, std::span<Triangle> out,
-                             std::uint32_t first = 0) noexcept;
-OverlapPage collect_overlaps(const Blob& blob, const OrientedBox& box, std::span<Triangle> out,
-                             std::uint32_t first = 0) noexcept;
-OverlapPage collect_overlaps(const Blob& blob, const Corners& triangle, std::span<Triangle> out,
-                             std::uint32_t first = 0) noexcept;
-OverlapPage collect_overlaps(const Blob& blob, std::span<const Plane> planes, std::span<Triangle> out,
-                             std::uint32_t first = 0) noexcept;
+YesNo overlaps(const Blob& blob, AnyShape shape) noexcept;
+QueryStatus for_each_overlap(const Blob& blob, AnyShape shape, TriangleVisitor visit) noexcept;
+Filled collect_overlaps(const Blob& blob, AnyShape shape, std::span<TriangleId> out, const Cursor& from) noexcept;
+
+}  // namespace detail
+
+/// Returns whether any triangle touches the shape.
+///
+/// Refuses a shape with invalid_argument: a NaN; an infinite coordinate, except of a Box; a negative radius; a plane
+/// with an infinite normal or one shorter than 2^-126; more than max_planes planes. Refuses a shape that is too far
+/// away or too large with out_of_range: the numerics state how far. An empty Box overlaps nothing. Infinite radii (of a
+/// Sphere or Capsule), boxes and offsets are valid, and so are flat boxes, segments and points. Cost: expected O(log
+/// n).
+template <OverlapShape Shape>
+[[nodiscard]] YesNo overlaps(const Blob& blob, const Shape& shape) noexcept {
+    return detail::overlaps(blob, detail::AnyShape(shape));
+}
+
+/// Visits every triangle that touches the shape once, in the order of collect_overlaps(), until the visitor stops.
+///
+/// Returns ok, stopped, or a refusal as overlaps() does; then nothing was visited.
+/// Cost: expected O(log n + k) for k triangles; each one whose corners the visitor takes, one descent more.
+template <OverlapShape Shape>
+QueryStatus for_each_overlap(const Blob& blob, const Shape& shape, TriangleVisitor visit) noexcept {
+    return detail::for_each_overlap(blob, detail::AnyShape(shape), visit);
+}
+
+/// Writes every triangle that touches the shape, once: as many as `out` holds, from `from` on.
+///
+/// Status: ok if these were the last ones; output_full if there are more, then `next` resumes behind the last one that
+/// was written; or a refusal as of overlaps(). Pages may have different sizes; an empty one reports whether there is
+/// more. Nothing is kept between calls: `from` is the default or a `next` of the same blob and shape.
+///
+/// Order: ascending TriangleId. In a blob with duplicate references (Blob::duplicate_reference_count()) a triangle
+/// comes at the first of its references that the query reaches. That order depends only on blob and shape. If such a
+/// blob is not the baker's, its references may lie outside of their triangles' boxes: then a triangle may come twice or
+/// not at all. Cost: as of for_each_overlap(); the walk to `from` decodes no triangle.
+template <OverlapShape Shape>
+Filled collect_overlaps(const Blob& blob, const Shape& shape, std::span<TriangleId> out,
+                        const Cursor& from = {}) noexcept {
+    return detail::collect_overlaps(blob, detail::AnyShape(shape), out, from);
+}
 
 }  // namespace espalier
+
+// Numerics
+//
+// A shape is rounded once onto a grid finer than the lattice of the blob (docs/numerics.md). Whether a triangle touches
+// the rounded shape is then decided exactly. Coordinates are rounded to 1/64 of a lattice step near the mesh, farther
+// away to as much as float32 resolves there; normals of planes are turned by less than 2^-23 radians about the corner
+// of the mesh's bounds. A LatticeBox is not rounded.
+//
+// Range. A Box and an offset may be anywhere, a Sphere less than 2^120 lattice steps away. Of other shapes those parts
+// that matter must be within 2^36 lattice steps of the mesh: a capsule's ends; a box or triangle that may reach the
+// mesh and is larger than that. Shapes beyond, and planes of a mesh that is itself 2^60 steps from the world's origin,
+// are refused with out_of_range.

@@ -1,111 +1,103 @@
-// Rays and segments against a blob: closest hit, the first few hits, any hit, all hits, many rays in one call.
+// Ray queries: the closest hit, any hit, the first few hits, all hits, and batches of rays.
 //
-// Numbers. The ray is rounded once onto a grid finer than the asset's lattice (from beyond 2^23 lattice steps, as
-// finely as float32 resolves its origin: docs/numerics.md), and that ray is answered exactly: whether a triangle is
-// hit, within [t_min, t_max], is decided in integers, touching counts, and neighbours never leave a gap. t, u, v are
-// within 4 ulp of the exact values (t is infinite where float32 ends), the normal's coordinates within 4 ulp of 1. A
-// ray inside the plane of a triangle does not hit that triangle. The rounding mode must be to nearest, as it is unless
-// a program changes it.
-// With 23 or 24 bits a ray from outside may be rounded to whole lattice steps, coarser than float32 resolves it close
-// to the asset: one that is aimed exactly at a corner may pass it by. Neighbours leave no gap then either. rounding.hpp
-// returns how far a ray moves.
-// How a ray is rounded depends on the blob: its origin, its extent, its distance. For several blobs that meet, round it
-// once: rounded_ray.hpp.
+// Rays are given in the blob's local space; to_local() of transform.hpp moves them there. Thread safety: any number of
+// threads may query one blob. No call allocates. Numerics are described at the end of this file.
 //
-// Arguments. Any bit pattern is safe. A NaN anywhere, an infinite origin or direction, a zero direction, or an origin
-// more than 2^120 lattice steps or all of float32 away: no hit, O(1). t_max may be infinite; t_min below zero counts as
-// zero; t_min > t_max hits nothing.
+// Any bit pattern is a safe argument. Queries refuse, in O(1), a blob that is not open (not_open); a NaN, an infinite
+// origin or direction, or a direction of length zero (invalid_argument); and an origin more than 2^120 lattice steps or
+// all of float32 away from the blob's (out_of_range). An open blob without triangles is never hit.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include <espalier/blob.hpp>
 #include <espalier/function_ref.hpp>
-#include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier {
 
-/// Which sides of triangles a ray sees. The front is the side from which the corners run counter-clockwise.
-enum class Faces : std::uint8_t { both, front, back };
-
+/// The points origin + t * direction with t_min <= t <= t_max.
 struct Ray {
     Vec3 origin;
-    Vec3 direction;  ///< any length; t counts in it
-    float t_min = 0.0f;
+    Vec3 direction;      ///< of any length but zero; t counts in multiples of it
+    float t_min = 0.0f;  ///< below zero it counts as zero; above t_max the ray hits nothing
     float t_max = __builtin_inff();
-    Faces faces = Faces::both;
+    FaceCulling culling = FaceCulling::none;
+
+    /// Returns the ray from one point to another: t runs from 0 to 1. Its direction is rounded like any other ray's, so
+    /// that the end may lie off `to` by 2^-23 of the length.
+    [[nodiscard]] static constexpr Ray between(const Vec3& from, const Vec3& to) noexcept {
+        return {from, {to.x - from.x, to.y - from.y, to.z - from.z}, 0.0f, 1.0f, FaceCulling::none};
+    }
 };
 
-/// Corners are those of the blob (walk.hpp); which of the source's they are, OriginalTriangle says.
-struct RayHit {
-    float t = 0.0f;  ///< the point is origin + t * direction
-    float u = 0.0f;  ///< barycentric weight of corner b
-    float v = 0.0f;  ///< barycentric weight of corner c; corner a has 1 - u - v
-    Vec3 normal;     ///< unit geometric normal of the front side
-    Triangle triangle;
+/// The place where a ray hits a triangle. Converts to true if it does. A miss or a refusal has an infinite t and
+/// no_triangle.
+struct [[nodiscard]] RayHit {
+    float t = __builtin_inff();                  ///< the point is origin + t * direction
+    float u = 0.0f;                              ///< barycentric weight of corner b, as triangle_at() returns it
+    float v = 0.0f;                              ///< barycentric weight of corner c; corner a has 1 - u - v
+    Vec3 normal;                                 ///< of unit length, away from the triangle's front
+    TriangleId triangle;                         ///< original_hit() maps it to the source mesh
+    QueryStatus status = QueryStatus::not_open;  ///< ok, not_found, or why the ray was refused
+    Side side = Side::front;                     ///< the side that was hit: exact, also where the normal is rounded
+    std::uint8_t reserved[2] = {};
+
+    explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
 };
 
-/// Called with a triangle that the ray hits; answers whether the hit counts. May be called for hits behind the closest
-/// one, in no promised order: its answer must depend on the triangle alone. It must not throw.
-using TriangleFilter = FunctionRef<bool(Triangle)>;
+/// Returns the hit with the smallest t; of equal t the one with the lowest triangle. With a filter, as if the blob held
+/// only the triangles that the filter keeps. Cost: expected O(log n); docs/queries.md, Bounded, has the bound.
+RayHit raycast(const Blob& blob, const Ray& ray) noexcept;
+RayHit raycast(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept;
 
-/// The hit with the smallest t, of equal t (before it is clamped into the window) the one with the lowest storage
-/// index. `hit` is untouched when there is none.
-bool raycast(const Blob& blob, const Ray& ray, RayHit& hit) noexcept;
-bool raycast(const Blob& blob, const Ray& ray, RayHit& hit, TriangleFilter filter);
+/// Returns whether the ray hits any triangle. Takes less time than raycast().
+YesNo occluded(const Blob& blob, const Ray& ray) noexcept;
+YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept;
 
-/// Whether the ray hits anything. Cheaper than the closest hit.
-[[nodiscard]] bool occluded(const Blob& blob, const Ray& ray) noexcept;
-[[nodiscard]] bool occluded(const Blob& blob, const Ray& ray, TriangleFilter filter);
+/// Writes the first hits along the ray, as many as `hits` has places, sorted by t; of equal t by triangle. The first is
+/// that of raycast(). A triangle with duplicate references appears once.
+///
+/// Status: ok, also if there is no hit; output_full if there are more hits than places; or why the ray was refused. The
+/// rest of `hits` may be overwritten. Cost: visits all hits until there are more than places, then only nearer ones;
+/// O(log(places)) for each hit, O(places) in a blob with duplicate references.
+Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept;
+Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter) noexcept;
 
-/// The ray from `from` to `to`, t running from 0 to 1: for every query that takes a ray. Its direction, to - from,
-/// rounds like any other ray's: the end may lie off `to` by 2^-23 of the length. A segment of length zero hits nothing.
-constexpr Ray along(const Segment& segment) {
-    const Vec3& from = segment.from;
-    const Vec3& to = segment.to;
-    return {from, {to.x - from.x, to.y - from.y, to.z - from.z}, 0.0f, 1.0f, Faces::both};
-}
-// Templates, so that two vectors in braces still mean a ray.
-template <std::same_as<Segment> S>
-bool raycast(const Blob& blob, const S& segment, RayHit& hit) noexcept {
-    return raycast(blob, along(segment), hit);
-}
-template <std::same_as<Segment> S>
-[[nodiscard]] bool occluded(const Blob& blob, const S& segment) noexcept {
-    return occluded(blob, along(segment));
-}
+/// Calls the visitor with each hit, once, in ascending order of triangles and not of t. In a blob with duplicate
+/// references a triangle comes at the first of its references whose boxes the ray passes through. Status: ok; stopped
+/// by the visitor; or why the ray was refused.
+QueryStatus for_each_hit(const Blob& blob, const Ray& ray, Visitor<const RayHit&> visit) noexcept;
 
-/// How many places of an array were filled, and whether (output_full) there would have been more.
-struct HitCount {
-    std::size_t count = 0;
-    QueryStatus status = QueryStatus::ok;
-};
+/// Writes to hits[i] what raycast() returns for rays[i], with its own status. It takes less time where successive rays
+/// have similar origins and directions (groups of 16 traverse the tree together), or where the blob exceeds a core's
+/// cache.
+///
+/// The spans must not overlap. Refused are spans of different sizes, with invalid_argument, and a blob that is not
+/// open; then nothing is written. Takes more stack than a single ray: up to 12 KB, but hardly more on cores without
+/// SIMD.
+Filled raycast(const Blob& blob, std::span<const Ray> rays, std::span<RayHit> hits) noexcept;
 
-/// The first hits along the ray, as many as `hits` has places, sorted as raycast chooses: by t before it is clamped
-/// into the window, of equal t by storage index. The first is what raycast answers; a triangle that has copies appears
-/// once. The rest of `hits` may be overwritten. Until there are more hits than places it looks at all of them,
-/// afterwards only at what is nearer: O(log(places)) for each hit, O(places) in a blob with copies. With no places it
-/// tells by the status whether there is any hit.
-HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept;
-HitCount closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter);
-
-/// The closest hit of each ray, the same to the bit as one call for each. Takes less time where rays next to each other
-/// have about the same origin and direction (groups of 16 share their way), or where the blob exceeds a core's cache.
-/// Answers as many rays as both spans have, and leaves the rest of `hits` untouched. hits[i] belongs to rays[i]; a ray
-/// without a hit gets no_triangle, an infinite t and zeros. The spans must not overlap. How many rays hit. Takes more
-/// stack than a single ray, up to 12 KB; on cores without lanes hardly more.
-std::size_t raycast(const Blob& blob, std::span<const Ray> rays, std::span<RayHit> hits) noexcept;
-
-/// Whether each ray hits anything: answers[i] is 1 or 0. Otherwise like the batch of closest hits.
-std::size_t occluded(const Blob& blob, std::span<const Ray> rays, std::span<std::uint8_t> answers) noexcept;
-
-/// Every hit, in storage order (not sorted by t), until the visitor answers stop. True when it saw them all. The
-/// visitor must not throw. False at once, and nothing is visited, when blob.copy_count() is not 0.
-bool for_each_hit(const Blob& blob, const Ray& ray, FunctionRef<Visit(const RayHit&)> visit);
+/// Writes to answers[i] what occluded() returns for rays[i]. Otherwise as the batch of raycast().
+Filled occluded(const Blob& blob, std::span<const Ray> rays, std::span<YesNo> answers) noexcept;
 
 }  // namespace espalier
+
+// Numerics
+//
+// A ray is rounded once onto a grid finer than the blob's lattice; from beyond 2^23 lattice steps, as finely as float32
+// resolves its origin. The rounded ray is answered exactly: whether it hits a triangle within [t_min, t_max], and on
+// which side, is decided in integers. Touching counts, and adjacent triangles never leave a gap. A ray within the plane
+// of a triangle does not hit it. Equal t are compared before t is clamped to the window.
+//
+// t, u and v are within 4 ulp of the exact values (t is infinite where float32 ends), the normal's coordinates within
+// 4 ulp of 1. The rounding mode must be to nearest, the default.
+//
+// With 23 or 24 bits, a ray from outside may be rounded to whole lattice steps, coarser than float32 resolves it close
+// to the asset: one that is aimed exactly at a corner may miss it. Adjacent triangles leave no gap then either.
+// rounding_error() returns how far a ray moves; docs/numerics.md has the bounds.
+//
+// How a ray is rounded depends on the blob: its origin, its extent and its distance. Round it once for several blobs
+// that meet: rounded_ray.hpp.

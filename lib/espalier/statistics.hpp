@@ -1,4 +1,6 @@
-// The same answers with the work counted: for heat maps, cost models and tests of the culling.
+// Queries that count their work: for heat maps, cost models and tests of the culling.
+//
+// Thread safety: any number of threads may query one blob, each with counters of its own. No call allocates.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +10,11 @@
 
 namespace espalier {
 
-/// Work of the scalar path, added up over calls.
+/// The work of queries, added up over calls.
 struct QueryCounters {
     std::uint64_t nodes = 0;       ///< tests of a node's children; a node at most four times, eight in profile fast
     std::uint64_t leaves = 0;      ///< leaves that were decoded
-    std::uint64_t groups = 0;      ///< started groups of 8 triangles in those leaves: what lanes test at once
+    std::uint64_t groups = 0;      ///< started groups of 8 triangles in those leaves: what SIMD tests at once
     std::uint64_t triangles = 0;   ///< triangles that went through the filter
     std::uint64_t candidates = 0;  ///< triangles that were decided exactly
 
@@ -25,7 +27,8 @@ struct QueryCounters {
     void count_candidates(unsigned count) { candidates += count; }
 };
 
-/// raycast, counting. Always the scalar path, so that the counts are the same on every machine.
-bool raycast_counted(const Blob& blob, const Ray& ray, RayHit& hit, QueryCounters& counters) noexcept;
+/// Returns what raycast() returns, and adds its work to `counters`. Uses the scalar code path, so that the counts are
+/// the same on every machine.
+RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexcept;
 
 }  // namespace espalier

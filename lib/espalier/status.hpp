@@ -1,59 +1,113 @@
-// Why a blob was refused, and why a query was. One meaning each; the numbers are stable.
+// The results of opening a blob and of queries: found or not, yes or no, how much was written, or why it was refused.
+//
+// A refusal is a query that was not answered. It never looks like an answer: a result converts to true only if
+// something was found, and a YesNo that was refused is neither yes nor no. A query of two blobs that reaches its
+// WorkLimit is answered in part: its YesNo is neither yes nor no either, but is_refused() is false.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace espalier {
 
-enum class Status : std::uint8_t {
+/// The result of opening a blob. The numbers are stable.
+enum class [[nodiscard]] OpenStatus : std::uint8_t{
     ok = 0,
-    too_short = 1,            ///< fewer bytes than the header, or than the header says
-    trailing_bytes = 2,       ///< more bytes than the header says
+    too_short = 1,            ///< fewer bytes than the header takes, or than it states
+    trailing_bytes = 2,       ///< more bytes than the header states
     not_a_blob = 3,           ///< the first four bytes are not "ESPL"
     unsupported_version = 4,  ///< another major version, or a minor version newer than this library
-    unsupported_profile = 5,  ///< a profile that this library does not know, or was built without
-    unsupported_feature = 6,  ///< a feature bit that this library does not know
+    unsupported_profile = 5,  ///< an unknown profile, or one that this build leaves out
+    unsupported_feature = 6,  ///< an unknown feature bit
     bad_header = 7,           ///< a header field out of its range, or two that contradict each other
     bad_checksum = 8,         ///< the bytes are not the ones that were written
     bad_node = 9,             ///< a node breaks the rules of docs/format.md
     bad_leaf = 10,            ///< a leaf breaks the rules of docs/format.md
     bad_section = 11,         ///< an optional section breaks the rules of docs/format.md
-    misaligned = 13,          ///< of C alone: the address of the espalier_blob is no multiple of 16
-    not_a_remap = 15,         ///< of read_remap: no remap file that this library reads, or a damaged one
-    other_blob = 16,          ///< of read_remap: the remap file belongs to another blob
+    not_opened = 12,          ///< open() was never called: the state of a default Blob
+    misaligned = 13,          ///< in C only: the address of the espalier_blob is no multiple of 16
+    not_a_remap = 15,         ///< read_remap() only: not a remap file of this version, or a damaged one
+    other_blob = 16,          ///< read_remap() only: the remap file belongs to another blob
 };
 
-/// One English sentence without a full stop, static, never null: also for values that are no Status.
-[[nodiscard]] const char* describe(Status status) noexcept;
+/// Returns one English sentence without a full stop: static, never null, for any value.
+[[nodiscard]] const char* describe(OpenStatus status) noexcept;
 
-/// What a query says that has more to say than yes or no.
-enum class QueryStatus : std::uint8_t {
-    ok = 0,                ///< the answer is the whole answer
-    invalid_argument = 1,  ///< a NaN, an infinity or a negative size where the query's header rules them out
-    out_of_range = 2,      ///< so far away or so large, in lattice steps, that the query's header rules it out
-    not_closed = 3,        ///< only a blob whose closed flag is set has an inside
-    has_copies = 4,        ///< a blob with copy_count() above 0 answers no enumerating queries
-    work_limit = 5,        ///< the caller's limit of work was reached: the answer covers a part only
-    output_full = 6,       ///< the caller's array is full and there is more
-    not_found = 7,         ///< the whole answer, which is that there is none
-    not_open = 8,          ///< the blob was never opened, or refused by open
-    no_data = 9,           ///< the blob was baked without the section that the query reads
+/// The result of a query. Below 16 the query was answered, at least in part; from 16 on it was refused and computed
+/// nothing. The numbers are stable.
+enum class [[nodiscard]] QueryStatus : std::uint8_t{
+    ok = 0,           ///< complete; of a YesNo: yes. Lists and visitors have it also if there is nothing
+    not_found = 1,    ///< complete: there is none; of a YesNo: no
+    stopped = 2,      ///< partial: a visitor returned Visit::stop
+    output_full = 3,  ///< partial: the array is full and there is more
+    work_limit = 4,   ///< partial: the WorkLimit was reached; a distance is then an upper bound
+    not_open = 16,    ///< refused: the blob was never opened, or open() refused it; the default of every result
+    invalid_argument =
+        17,             ///< refused: NaN, or an infinity or a negative size where not allowed; spans of different sizes
+    out_of_range = 18,  ///< refused: too far away or too large for exact arithmetic; each header states the limit
+    not_closed = 19,    ///< refused by contains() and signed_distance(): this surface has no inside
+    no_data = 20,       ///< refused: the blob was baked without the section that the query reads
 };
 
-/// One English sentence without a full stop, static, never null: also for values that are no QueryStatus.
+/// Returns whether the query was refused: it computed nothing.
+[[nodiscard]] constexpr bool is_refused(QueryStatus status) noexcept { return static_cast<std::uint8_t>(status) >= 16; }
+
+/// Returns one English sentence without a full stop: static, never null, for any value.
 [[nodiscard]] const char* describe(QueryStatus status) noexcept;
 
-template <class Value, class Error = QueryStatus>
-class Result;
+/// The result of a query: yes, no, or neither, which is a refusal or work_limit (undecided). It has no conversion to
+/// bool, so that neither cannot be taken for a no. Where a mistake is dangerous, test no(), not !yes().
+class [[nodiscard]] YesNo {
+public:
+    /// Constructs a refusal: not_open.
+    constexpr YesNo() noexcept = default;
+    /// Constructs a yes from ok, a no from not_found, else an undecided or refused result.
+    constexpr explicit YesNo(QueryStatus status) noexcept : status_(status) {}
+    static constexpr YesNo of(bool yes) noexcept { return YesNo(yes ? QueryStatus::ok : QueryStatus::not_found); }
 
-/// A value, which counts only if the status is ok.
+    [[nodiscard]] constexpr bool yes() const noexcept { return status_ == QueryStatus::ok; }
+    [[nodiscard]] constexpr bool no() const noexcept { return status_ == QueryStatus::not_found; }
+    /// Returns yes(), or `otherwise` if the result is neither yes nor no.
+    [[nodiscard]] constexpr bool value_or(bool otherwise) const noexcept { return yes() || (!no() && otherwise); }
+    [[nodiscard]] constexpr QueryStatus status() const noexcept { return status_; }
+    explicit operator bool() const = delete;
+    friend constexpr bool operator==(YesNo, YesNo) = default;
+
+private:
+    QueryStatus status_ = QueryStatus::not_open;
+};
+
+/// A value and the status of the query that returned it. The value counts only if the status is ok.
 template <class Value>
-class [[nodiscard]] Result<Value, QueryStatus> {
+class [[nodiscard]] Result {
 public:
     Value value = {};
-    QueryStatus status = QueryStatus::invalid_argument;
+    QueryStatus status = QueryStatus::not_open;
 
     explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
+    constexpr const Value& operator*() const noexcept { return value; }
+    constexpr const Value* operator->() const noexcept { return &value; }
 };
+
+/// A place in a list of results from which a query resumes. Opaque; the default is the beginning.
+struct Cursor {
+    std::uint32_t place[3] = {};
+    friend constexpr bool operator==(const Cursor&, const Cursor&) = default;
+};
+
+/// The result of a query that writes to an array: how many elements it wrote, and where it resumes.
+struct [[nodiscard]] Filled {
+    std::size_t count = 0;  ///< elements written
+    Cursor next;            ///< where to resume after output_full or work_limit; else the end
+    /// ok: complete; output_full: there is more; work_limit: elements are missing; else why the query was refused.
+    QueryStatus status = QueryStatus::not_open;
+
+    /// Returns the written part of the array that the query was given.
+    [[nodiscard]] constexpr auto in(auto& array) const noexcept { return std::span(array).first(count); }
+};
+
+/// The result of a visitor after each element: go on with the next one, or stop.
+enum class Visit : std::uint8_t { next, stop };
 
 }  // namespace espalier

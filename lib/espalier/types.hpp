@@ -1,4 +1,4 @@
-// The plain values that every query takes and gives.
+// Plain values that queries take and return.
 #pragma once
 
 #include <compare>
@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// A point or a direction, in the units and axes that the asset was baked in.
+/// A point or a direction, in the units and axes of the baked mesh.
 struct Vec3 {
     float x = 0.0f;
     float y = 0.0f;
@@ -14,30 +14,41 @@ struct Vec3 {
     friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-/// A triangle of a blob, named by its storage index: 0 .. Blob::triangle_count() - 1.
-/// The order is the baker's; `original_triangle` leads back to the source when the blob carries ids.
-struct Triangle {
-    std::uint32_t index = 0;
-    friend constexpr auto operator<=>(const Triangle&, const Triangle&) = default;
+/// The index of a triangle in its blob: 0 .. Blob::triangle_count() - 1, in baked order. The default is no triangle.
+/// original_triangle() maps it to the source mesh.
+struct TriangleId {
+    std::uint32_t index = 0xFFFFFFFFu;
+    friend constexpr auto operator<=>(const TriangleId&, const TriangleId&) = default;
 };
 
-/// What a query answers with where it found none: no blob has as many triangles.
-inline constexpr Triangle no_triangle = {0xFFFFFFFFu};
+/// The id that belongs to no triangle: a miss has it.
+inline constexpr TriangleId no_triangle = {};
 
-/// The part of a triangle that a point lies on, of several the smallest: a corner, else a side, else the face.
-enum class Feature : std::uint8_t { face, edge_ab, edge_bc, edge_ca, vertex_a, vertex_b, vertex_c };
-
-/// The three corners of a triangle, in the winding of its source; which comes first, OriginalTriangle says.
-struct Corners {
+/// Three corners, counter-clockwise seen from the front: a shape, and the baked corners of a triangle.
+struct Triangle {
     Vec3 a;
     Vec3 b;
     Vec3 c;
 };
 
-/// Where a triangle came from: which input file, which mesh in it, which triangle of that mesh, all counted from 0.
+/// The part of a triangle that a point lies on, and the smallest of several: a corner, else an edge, else the face.
+enum class Feature : std::uint8_t { face, edge_ab, edge_bc, edge_ca, vertex_a, vertex_b, vertex_c };
+
+/// A side of a triangle. The corners run counter-clockwise when seen from the front.
+enum class Side : std::uint8_t { front, back };
+
+/// Selects the faces that a query ignores: triangles that show their back, or their front.
+enum class FaceCulling : std::uint8_t { none, back, front };
+
+/// The error that an approximate query may make, as a distance in the blob's units (approximate.hpp).
+struct Accuracy {
+    float distance = 0.0f;
+};
+
+/// The source of a triangle: the input file, the mesh in that file and the triangle of that mesh, counted from 0.
 ///
 /// The blob's corners a, b, c are the source's corners first_corner, first_corner + 1 and first_corner + 2, modulo 3,
-/// in the same winding; in profile fast first_corner is always 0.
+/// in the same winding. In profile fast first_corner is always 0.
 struct OriginalTriangle {
     std::uint32_t file = 0;
     std::uint32_t mesh = 0;
@@ -45,10 +56,5 @@ struct OriginalTriangle {
     std::uint32_t first_corner = 0;  ///< 0, 1 or 2
     friend constexpr bool operator==(const OriginalTriangle&, const OriginalTriangle&) = default;
 };
-
-/// What a visitor answers after each triangle or hit.
-enum class Visit : std::uint8_t { keep_going, stop };
-inline constexpr Visit keep_going = Visit::keep_going;
-inline constexpr Visit stop = Visit::stop;
 
 }  // namespace espalier

@@ -22,7 +22,7 @@ std::uint64_t fail_each_allocation(const Mesh& mesh, const BakeOptions& options,
     const std::vector<std::byte> expected = [&] {
         auto baked = bake_once();
         REQUIRE(baked);
-        return std::move(baked->blob);
+        return std::move(baked.bytes);
     }();
     std::uint64_t thrown = 0;
     for (std::uint64_t n = 0;; n += stride) {
@@ -33,7 +33,7 @@ std::uint64_t fail_each_allocation(const Mesh& mesh, const BakeOptions& options,
             const FailingAllocation failing(n);
             try {
                 const auto baked = bake_once();
-                same = baked && baked->blob == expected;
+                same = baked && baked.bytes == expected;
             } catch (const std::bad_alloc&) {
                 failed = true;
             }
@@ -59,22 +59,21 @@ TEST_SUITE("allocation") {
         const std::uint64_t stride = sanitized ? 7 : 1;
         for (const Builder builder : {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear,
                                       Builder::insertion, Builder::spatial_splits}) {
-            options.builder = builder;
-            CHECK(fail_each_allocation(mesh, with_profile(format::Profile::fast, options), stride) > 30 / stride);
+            options.build.builder = builder;
+            CHECK(fail_each_allocation(mesh, with_profile(Profile::fast, options), stride) > 30 / stride);
         }
         options = {};
         options.threads = 1;
-        for_each_profile([&](format::Profile profile) {
+        for_each_profile([&](Profile profile) {
             CHECK(fail_each_allocation(mesh, with_profile(profile, options), stride) > 30 / stride);
         });
         options.original_ids = true;
-        options.materials = Materials::bits_8;
-        options.edge_flags = 5.0;
+        options.flat_angle = 5.0;
         options.bounds = {true, true, true};
         CHECK(fail_each_allocation(first_triangles(mesh, 6), options, stride) > 30 / stride);
         options = {};
         options.threads = 1;
-        options.tolerance = 0.001;
+        options.resolution = Resolution::tolerance(0.001);
         CHECK(fail_each_allocation(make_icosphere(0, 1.0, {}), options, stride) > 30 / stride);
     }
 
@@ -84,7 +83,7 @@ TEST_SUITE("allocation") {
              {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear}) {
             BakeOptions options;
             options.threads = 2;
-            options.builder = builder;
+            options.build.builder = builder;
             // Which allocation is the n-th differs from run to run: that each is met is a matter of many runs.
             const std::uint64_t before = allocation_count();
             REQUIRE(bake_mesh(mesh, options));

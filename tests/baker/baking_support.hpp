@@ -15,13 +15,12 @@
 
 namespace espalier::tests {
 
-inline Result<Baked, BakeError> bake_mesh(const Mesh& mesh, const BakeOptions& options = {}) {
+inline BakeResult bake_mesh(const Mesh& mesh, const BakeOptions& options = {}) {
     const MeshView view = mesh.view();
     return bake({&view, 1}, options);
 }
 
-inline Result<Baked, BakeError> bake_meshes(std::initializer_list<const Mesh*> meshes,
-                                            const BakeOptions& options = {}) {
+inline BakeResult bake_meshes(std::initializer_list<const Mesh*> meshes, const BakeOptions& options = {}) {
     std::vector<MeshView> views;
     for (const Mesh* mesh : meshes) views.push_back(mesh->view());
     return bake(views, options);
@@ -29,13 +28,13 @@ inline Result<Baked, BakeError> bake_meshes(std::initializer_list<const Mesh*> m
 
 inline BakeOptions with_bits(unsigned bits) {
     BakeOptions options;
-    options.bits = bits;
+    options.resolution = Resolution::bits(bits);
     return options;
 }
 
 inline BakeOptions with_tolerance(double tolerance) {
     BakeOptions options;
-    options.tolerance = tolerance;
+    options.resolution = Resolution::tolerance(tolerance);
     return options;
 }
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include <baker/verify/verify.hpp>
+#include <espalier/bake.hpp>
 
 #include "baking_support.hpp"
 #include "support/base/profiles.hpp"
@@ -77,12 +77,12 @@ TEST_SUITE("few triangles") {
             const Mesh mesh = mesh_of(some);
             const auto result = bake_mesh(mesh, with_profile(every_profile[meshes++ % every_profile.size()]));
             REQUIRE(result);
-            REQUIRE(!baker::verify_deep(result->blob));
+            REQUIRE(verify(result.bytes));
             std::uint64_t kept = 0;
             for (std::size_t kind = 0; kind + 1 < some.size(); ++kind) kept += some[kind] != 0 ? 1u : 0u;
-            REQUIRE(result->report.triangles == kept);
-            REQUIRE(result->report.zero_area.count == some.back());
-            REQUIRE(result->report.duplicate.count == mesh.triangles.size() - kept - some.back());
+            REQUIRE(result.report.tree.triangles == kept);
+            REQUIRE(result.report.findings.zero_area.count == some.back());
+            REQUIRE(result.report.findings.duplicate.count == mesh.triangles.size() - kept - some.back());
         });
         CHECK(meshes == 74'613);  // 22 over 6
     }
@@ -94,8 +94,8 @@ TEST_SUITE("few triangles") {
             const auto result = bake_mesh(mesh, with_profile(every_profile[which % every_profile.size()]));
             CAPTURE(which);
             REQUIRE(result);
-            REQUIRE(result->report.triangles == mesh.triangles.size());
-            REQUIRE(!baker::verify_deep(result->blob));
+            REQUIRE(result.report.tree.triangles == mesh.triangles.size());
+            REQUIRE(verify(result.bytes));
         }
     }
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <baker/verify/verify.hpp>
+#include <espalier/bake.hpp>
 
 #include "baking_support.hpp"
 #include "support/base/hostile_values.hpp"
@@ -48,8 +48,10 @@ Mesh hostile_mesh(Random& random) {
     for (std::uint32_t i = random.below(100); i > 0; --i) {
         mesh.triangles.push_back({random.below(vertices), random.below(vertices), random.below(vertices)});
         if (random.below(100) == 0) mesh.triangles.back()[random.below(3)] = static_cast<std::uint32_t>(random.next());
-        mesh.materials.push_back(random.below(256));
     }
+    const std::uint32_t materials = std::array{0u, 1u, 256u, 65536u}[random.below(4)];  // 0: none
+    if (materials != 0)
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(random.below(materials));
     return mesh;
 }
 
@@ -65,28 +67,28 @@ TEST_SUITE("hostile") {
             const Mesh first = hostile_mesh(random);
             const Mesh second = hostile_mesh(random);
             BakeOptions options = with_bits(1 + random.below(24));
-            if (random.below(3) == 0) options.tolerance = std::ldexp(1.0, random.between(-160, 140));
-            options.repair = random.below(8) != 0;
+            if (random.below(3) == 0)
+                options.resolution = Resolution::tolerance(std::ldexp(1.0, random.between(-160, 140)));
+            options.drop_bad_triangles = random.below(8) != 0;
             options.original_ids = random.coin();
-            options.materials = static_cast<Materials>(random.below(3));
-            options.effort = random.below(10);
-            options.builder = static_cast<Builder>(random.below(6));
+            options.effort = static_cast<Effort>(random.below(3));
+            options.build.builder = static_cast<Builder>(random.below(6));
             options.profile = every_profile[random.below(every_profile.size())];
-            if (options.builder == Builder::spatial_splits) options.profile = format::Profile::fast;
+            if (options.build.builder == Builder::spatial_splits) options.profile = Profile::fast;
             const auto result = random.coin() ? bake_mesh(first, options) : bake_meshes({&first, &second}, options);
             if (!result) {
                 ++refused;
-                REQUIRE(result.error().kind != BakeError::Kind::internal);
-                REQUIRE(result.error().kind != BakeError::Kind::invalid_options);
-                REQUIRE(result.error().message.size() > 20);
+                REQUIRE(result.status != BakeStatus::internal);
+                REQUIRE(result.status != BakeStatus::invalid_options);
+                REQUIRE(result.message.size() > 20);
                 continue;
             }
             ++baked;
-            const auto complaint = baker::verify_deep(result->blob);
-            if (complaint) FAIL(*complaint);
-            REQUIRE(result->report.max_error >= 0.0);
-            if (options.tolerance && result->report.triangles != 0)
-                REQUIRE(result->report.max_error <= *options.tolerance);
+            const VerifyReport verified = verify(result.bytes);
+            if (!verified) FAIL(verified.message);
+            REQUIRE(result.report.lattice.max_error >= 0.0);
+            if (options.resolution.kind() == Resolution::Kind::tolerance && result.report.tree.triangles != 0)
+                REQUIRE(result.report.lattice.max_error <= options.resolution.value());
         }
         CHECK(baked > 1000);
         CHECK(refused > 1000);

@@ -65,9 +65,8 @@ executable=$folder/old_espalier refused "of version '0.0.1'; this is $version" l
 write_main level
 write_head level C
 cat >>level/CMakeLists.txt <<'CMAKE'
-file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/cheap.json" "{\"byte_price\": 0}")
-espalier_add_blob(level MESH level.obj level.obj MAX_BYTES 64K BUILDER sweep_sah LEAF_SIZE 2 MATERIALS 16 IDS EDGE_FLAGS FLAT_ANGLE 7
-  BOUNDS obb,sphere UNIT cm SCALE 3 UP z REPAIR EFFORT 7 THREADS 1 COST_MODEL "${CMAKE_CURRENT_BINARY_DIR}/cheap.json"
+espalier_add_blob(level MESH level.obj level.obj MAX_BYTES 64K BUILDER sweep_sah LEAF_SIZE 2 MATERIALS IDS FLAT_ANGLE 7
+  BOUNDS obb,sphere UNIT cm SCALE 3 UP z DROP_BAD_TRIANGLES EFFORT best THREADS 1 BYTE_PRICE 0
   OUTPUT blobs/all.espl REMAP all.remap REORDER models/all.ply)
 get_target_property(blob level ESPALIER_BLOB)
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/blob.txt" "${blob}")
@@ -81,8 +80,8 @@ CMAKE
 claim "options arrive: the blob is the one that the command bakes with them, and lies where OUTPUT says"
 must configure level build -DESPALIER_EXECUTABLE="$espalier"
 must build build --target game arena-2
-run 0 bake level/level.obj level/level.obj -o expected.espl -q --max-bytes 64K --builder sweep_sah --leaf-size 2 --materials 16 \
-    --ids --edge-flags --flat-angle 7 --bounds obb,sphere --unit cm --scale 3 --up z --repair --effort 7 --cost-model build/cheap.json \
+run 0 bake level/level.obj level/level.obj -o expected.espl -q --max-bytes 64K --builder sweep_sah --leaf-size 2 --materials \
+    --ids --flat-angle 7 --bounds obb,sphere --unit cm --scale 3 --up z --drop-bad-triangles --effort best --byte-price 0 \
     --remap expected.remap --reorder expected.ply
 same expected.espl build/blobs/all.espl
 same expected.remap build/all.remap

@@ -14,12 +14,11 @@ write_level "$project/assets"
 write_main "$project"
 write_head "$project" "C CXX"
 cat >>"$project/CMakeLists.txt" <<'CMAKE'
-espalier_add_blob(level MESH assets/level.obj BITS ${bits} MATERIALS 8 ALIGNMENT ${alignment} COST_MODEL assets/cost.json
+espalier_add_blob(level MESH assets/level.obj BITS ${bits} MATERIALS ALIGNMENT ${alignment}
   DEPENDS assets/reason.txt REMAP level.remap REORDER models/level.ply)
 add_executable(game main.c)
 target_link_libraries(game PRIVATE level)
 CMAKE
-echo '{"byte_price": 0}' >"$project/assets/cost.json"
 touch "$project/assets/reason.txt"
 options=(-Dbits=12 -Dalignment=16 -DESPALIER_EXECUTABLE="$counting")
 # A file system may count time in steps; what was built must be older than what is touched.
@@ -39,7 +38,7 @@ for change in "" "f 2 4 3"; do
     echo "$change" >>"$project/assets/level.obj"
     must build "$build" --target game
     rm -f "$verbs"
-    run 0 bake "$project/assets/level.obj" -o expected.espl -q --bits 12 --materials 8 --cost-model "$project/assets/cost.json" \
+    run 0 bake "$project/assets/level.obj" -o expected.espl -q --bits 12 --materials \
         --remap expected.remap --reorder expected.ply
     same expected.espl "$blob"
     same expected.remap "$build/level.remap"
@@ -64,14 +63,12 @@ for file in level.mtl level.obj; do
     verbs_are ""
 done
 
-claim "what else it depends on bakes once when it is touched: the cost model, and what DEPENDS names"
-for file in cost.json reason.txt; do
-    touch_later "$project/assets/$file"
-    must build "$build" --target game
-    verbs_are "bake embed"
-    must build "$build" --target game
-    verbs_are ""
-done
+claim "what DEPENDS names bakes once when it is touched"
+touch_later "$project/assets/reason.txt"
+must build "$build" --target game
+verbs_are "bake embed"
+must build "$build" --target game
+verbs_are ""
 
 claim "a side file that goes away bakes once, without it"
 mv "$project/assets/level.mtl" away.mtl

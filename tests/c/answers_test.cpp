@@ -18,9 +18,7 @@ namespace {
 OpenedBlob blob_with_materials_alone() {
     Mesh mesh = make_cube(-1.0f, 1.0f);
     mesh.materials.assign(mesh.triangles.size(), 5);
-    BakeOptions options;
-    options.materials = Materials::bits_8;
-    return {mesh, options};
+    return {mesh, BakeOptions()};
 }
 
 }  // namespace
@@ -28,7 +26,7 @@ OpenedBlob blob_with_materials_alone() {
 TEST_SUITE("answers") {
     TEST_CASE("c api: every query gives the bits of C++") {
         std::vector<OpenedBlob> special;
-        for (const format::Profile profile : every_profile) special.push_back(blob_with_everything(profile));
+        for (const Profile profile : every_profile) special.push_back(blob_with_everything(profile));
         special.push_back(blob_with_materials_alone());
         special.push_back(blob_with_copies());
         std::vector<const OpenedBlob*> blobs;
@@ -48,7 +46,7 @@ TEST_SUITE("answers") {
         std::memset(&zero, 0, sizeof zero);
         static const Blob empty;  // static, so that what lies between its fields is zero too
         CHECK(std::memcmp(&zero, static_cast<const void*>(&empty), sizeof zero) == 0);
-        const OpenedBlob opened = blob_with_everything(format::Profile::fast);
+        const OpenedBlob opened = blob_with_everything(Profile::fast);
         const espalier_blob c_opened = open_from_c(opened.bytes);
         Random random(2);
         for (std::uint64_t i = 0; i < scaled(50); ++i) {
@@ -59,29 +57,29 @@ TEST_SUITE("answers") {
         }
     }
 
-    TEST_CASE("c api: a ray and a placement from C have the defaults of C++") {
+    TEST_CASE("c api: a ray and a transform from C have the defaults of C++") {
         const Ray ray = {.origin = {1, 2, 3}, .direction = {4, 5, 6}};
-        const espalier_ray c_ray = espalier_ray_from({1, 2, 3}, {4, 5, 6});
+        const espalier_ray c_ray = espalier_default_ray({1, 2, 3}, {4, 5, 6});
         CHECK(c(ray.origin).x == c_ray.origin.x);
         CHECK(c(ray.direction).z == c_ray.direction.z);
         CHECK(ray.t_min == c_ray.t_min);
         CHECK(ray.t_max == c_ray.t_max);
-        CHECK(static_cast<espalier_faces>(ray.faces) == c_ray.faces);
-        const Placement placement;
-        const espalier_placement c_placement = espalier_unplaced();
-        CHECK(std::memcmp(&placement, &c_placement, sizeof placement) == 0);
+        CHECK(static_cast<espalier_face_culling>(ray.culling) == c_ray.culling);
+        const Transform transform;
+        const espalier_transform c_transform = espalier_identity();
+        CHECK(std::memcmp(&transform, &c_transform, sizeof transform) == 0);
     }
 
     TEST_CASE("c api: every status has the same sentence in C") {
         for (unsigned value = 0; value < 256; ++value) {
             const auto byte = static_cast<std::uint8_t>(value);
-            CHECK(std::string(espalier_describe_status(byte)) == describe(Status{byte}));
+            CHECK(std::string(espalier_describe_open_status(byte)) == describe(OpenStatus{byte}));
             CHECK(std::string(espalier_describe_query_status(byte)) == describe(QueryStatus{byte}));
         }
     }
 
     TEST_CASE("c api: opening gives the status of C++ and no half-open blob") {
-        const OpenedBlob good = blob_with_everything(format::Profile::balanced);
+        const OpenedBlob good = blob_with_everything(Profile::balanced);
         CHECK(misbehaviour_of_open(good.bytes.data(), good.bytes.size()) == 0);
         std::vector<std::byte> bytes(good.bytes.begin(), good.bytes.end());
         Random random(3);
@@ -89,12 +87,11 @@ TEST_SUITE("answers") {
             const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
             const std::byte was = bytes[at];
             bytes[at] ^= static_cast<std::byte>(1 + random.below(255));
-            Blob blob;
             espalier_blob c_blob;
-            const Status status = open(bytes, blob);
-            REQUIRE(espalier_open(bytes.data(), bytes.size(), &c_blob) == static_cast<espalier_status>(status));
-            REQUIRE(espalier_open_trusted_image(bytes.data(), bytes.size(), &c_blob) ==
-                    static_cast<espalier_status>(open_trusted_image(bytes, blob)));
+            const OpenStatus status = open(bytes).status();
+            REQUIRE(espalier_open(bytes.data(), bytes.size(), &c_blob) == static_cast<espalier_open_status>(status));
+            REQUIRE(espalier_open_unchecked(bytes.data(), bytes.size(), &c_blob) ==
+                    static_cast<espalier_open_status>(open_unchecked(bytes).status()));
             bytes[at] = was;
         }
     }

@@ -1,55 +1,60 @@
 #include "asking.h"
 
-static espalier_visit visit_pair(const espalier_triangle_pair* contact, void* user) {
-    struct asking* asking = user;
+static void tell_contact(struct asking* asking, const espalier_pair_contact* contact) {
     tell(asking, contact->a);
     tell(asking, contact->b);
-    return asking->visits-- == 0 ? ESPALIER_STOP : ESPALIER_KEEP_GOING;
+    tell(asking, contact->status);
 }
 
-static void ask_placed(struct asking* asking, const espalier_placement* placement, uint64_t work_limit) {
-    const espalier_blob* a = asking->blob;
-    const espalier_blob* b = asking->other;
-    espalier_triangle_pair contact = {8, 8}, contacts[5];
-    espalier_pair_distance nearest;
-    bool answer = false;
-    size_t count = 99;
-    memset(&nearest, 0, sizeof nearest);
-    tell(asking, espalier_collides(a, b, placement, &answer, work_limit));
-    tell(asking, answer);
-    tell(asking, espalier_first_contact(a, b, placement, &contact, &answer, work_limit));
-    tell(asking, answer);
-    tell(asking, contact.a);
-    tell(asking, contact.b);
+static espalier_visit visit_pair(const espalier_pair_contact* contact, void* user) {
+    struct asking* asking = user;
+    tell_contact(asking, contact);
+    return asking->visits-- == 0 ? ESPALIER_VISIT_STOP : ESPALIER_VISIT_NEXT;
+}
+
+static void ask_placed(struct asking* asking, const espalier_transform* own_placement,
+                       const espalier_transform* placement, uint64_t work_limit) {
+    espalier_placed_blob a, b;
+    espalier_pair_contact contact, contacts[5];
+    espalier_cursor from = {{0, 0, 0}};
+    espalier_blob_distance nearest;
+    a.blob = asking->blob;
+    a.transform = *own_placement;
+    b.blob = asking->other;
+    b.transform = *placement;
+    tell(asking, espalier_overlaps_blob(&a, &b, work_limit).status);
+    contact = espalier_first_contact(&a, &b, work_limit);
+    tell_contact(asking, &contact);
     asking->visits = asking->question->bits % 9u;
-    tell(asking, espalier_for_each_contact(a, b, placement, visit_pair, asking, work_limit));
-    memset(contacts, 0, sizeof contacts);
-    tell(asking, espalier_all_contacts(a, b, placement, contacts, 5, &count, work_limit));
-    tell(asking, (uint32_t)count);
-    for (int i = 0; i < 5; ++i) {
-        tell(asking, contacts[i].a);
-        tell(asking, contacts[i].b);
+    tell(asking, espalier_for_each_contact(&a, &b, visit_pair, asking, work_limit));
+    for (int page = 0; page < 2; ++page) {
+        const espalier_filled filled = espalier_collect_contacts(&a, &b, contacts, 5, work_limit, from);
+        tell(asking, (uint32_t)filled.count);
+        tell(asking, filled.status);
+        for (size_t i = 0; i < filled.count; ++i) tell_contact(asking, &contacts[i]);
+        from = filled.next;
+        for (int i = 0; i < 3; ++i) tell(asking, from.place[i]);
     }
-    tell(asking,
-         espalier_minimum_distance(a, b, placement, asking->question->lengths[1], &nearest, &answer, work_limit));
-    tell(asking, answer);
+    nearest = espalier_distance(&a, &b, work_limit, asking->question->lengths[1]);
     tell_float(asking, nearest.distance);
     tell_point(asking, nearest.on_a);
     tell_point(asking, nearest.on_b);
-    tell(asking, nearest.pair.a);
-    tell(asking, nearest.pair.b);
-    tell(asking, espalier_within_distance(a, b, placement, asking->question->lengths[2], &answer, work_limit));
-    tell(asking, answer);
+    tell(asking, nearest.a);
+    tell(asking, nearest.b);
+    tell(asking, nearest.status);
+    tell(asking, espalier_within_distance(&a, &b, asking->question->lengths[2], work_limit).status);
 }
 
 void ask_pairs(struct asking* asking) {
     const struct question* question = asking->question;
     const uint64_t most = question->bits % 8u == 0 ? question->bits % 50u : 300u;
-    espalier_placement placement = espalier_unplaced();
-    placement.translation = question->directions[0];
-    ask_placed(asking, &placement, most);
+    const espalier_transform identity = espalier_identity();
+    espalier_transform moved = identity, placement = identity;
+    moved.translation = question->directions[0];
+    ask_placed(asking, &identity, &moved, most);
     memcpy(&placement.rotation, question->rotation, sizeof placement.rotation);
     placement.translation = question->directions[1];
     placement.scale = question->lengths[0];
-    ask_placed(asking, &placement, most);
+    ask_placed(asking, &identity, &placement, most);
+    ask_placed(asking, &placement, &moved, most);
 }

@@ -1,21 +1,17 @@
 #include "asking.h"
 
-static void tell_nearest(struct asking* asking, const espalier_nearest* nearest) {
-    tell_point(asking, nearest->point);
-    tell_float(asking, nearest->distance);
-    tell_float(asking, nearest->u);
-    tell_float(asking, nearest->v);
-    tell(asking, nearest->triangle);
-    tell(asking, nearest->feature);
-}
-
-static void tell_pair(struct asking* asking, const espalier_nearest_pair* pair) {
-    tell_point(asking, pair->on_shape);
-    tell_point(asking, pair->on_surface);
-    tell_float(asking, pair->distance);
-    tell_float(asking, pair->u);
-    tell_float(asking, pair->v);
-    tell(asking, pair->triangle);
+static void tell_nearest(struct asking* asking, espalier_closest_point_result nearest) {
+    tell_point(asking, nearest.point);
+    tell_point(asking, nearest.on_shape);
+    tell_point(asking, nearest.face_normal);
+    tell_float(asking, nearest.distance);
+    tell_float(asking, nearest.u);
+    tell_float(asking, nearest.v);
+    tell(asking, nearest.triangle);
+    tell(asking, nearest.status);
+    tell(asking, nearest.feature);
+    tell(asking, nearest.side);
+    tell(asking, nearest.reserved);
 }
 
 static void tell_result(struct asking* asking, espalier_float_result result) {
@@ -33,8 +29,9 @@ static void ask_rounding(struct asking* asking) {
     const espalier_box box = {points[0], points[3]};
     const espalier_oriented_box oriented = {
         points[1], {question->directions[0], question->directions[1], question->directions[2]}};
-    const espalier_corners triangle = {points[0], points[1], points[2]};
-    const espalier_ray ray = espalier_ray_from(points[0], question->directions[0]);
+    const espalier_triangle triangle = {points[0], points[1], points[2]};
+    const espalier_ray ray = espalier_default_ray(points[0], question->directions[0]);
+    const espalier_vec3 way = question->directions[1];
     tell_result(asking, espalier_rounding_error_point(blob, points[0]));
     tell_result(asking, espalier_rounding_error_ray(blob, &ray));
     tell_result(asking, espalier_rounding_error_segment(blob, &segment));
@@ -43,6 +40,9 @@ static void ask_rounding(struct asking* asking) {
     tell_result(asking, espalier_rounding_error_box(blob, &box));
     tell_result(asking, espalier_rounding_error_oriented_box(blob, &oriented));
     tell_result(asking, espalier_rounding_error_triangle(blob, &triangle));
+    tell_result(asking, espalier_rounding_error_sweep_sphere(blob, &sphere, way));
+    tell_result(asking, espalier_rounding_error_sweep_capsule(blob, &capsule, way));
+    tell_result(asking, espalier_rounding_error_sweep_box(blob, &box, way));
 }
 
 void ask_points(struct asking* asking) {
@@ -50,30 +50,26 @@ void ask_points(struct asking* asking) {
     const struct question* question = asking->question;
     const espalier_vec3 point = question->points[0];
     const float max_distance = question->lengths[0];
-    espalier_nearest nearest, some[6];
-    espalier_nearest_pair pair;
+    espalier_closest_point_result some[6];
     espalier_segment segment;
     espalier_box box;
-    bool inside = false;
-    size_t count;
-    memset(&nearest, 0, sizeof nearest);
-    memset(&pair, 0, sizeof pair);
-    tell(asking, espalier_closest_point(blob, point, max_distance, &nearest));
-    tell_nearest(asking, &nearest);
-    count = espalier_closest_triangles(blob, point, max_distance, some, 6);
-    tell(asking, (uint32_t)count);
-    for (size_t i = 0; i < count; ++i) tell_nearest(asking, &some[i]);
+    espalier_filled filled;
+    espalier_yes_no inside;
+    tell_nearest(asking, espalier_closest_point(blob, point, max_distance));
+    filled = espalier_closest_triangles(blob, point, some, 6, max_distance);
+    tell(asking, (uint32_t)filled.count);
+    tell(asking, filled.status);
+    for (size_t i = 0; i < filled.count; ++i) tell_nearest(asking, some[i]);
     segment.from = point;
     segment.to = question->points[1];
-    tell(asking, espalier_closest_to_segment(blob, &segment, question->lengths[1], &pair));
-    tell_pair(asking, &pair);
+    tell_nearest(asking, espalier_closest_point_segment(blob, &segment, question->lengths[1]));
     box.min = question->points[2];
     box.max = question->points[3];
-    tell(asking, espalier_closest_to_box(blob, &box, question->lengths[2], &pair));
-    tell_pair(asking, &pair);
-    tell(asking, espalier_contains(blob, point, &inside));
-    tell(asking, inside);
-    tell(asking, espalier_signed_distance(blob, question->points[1], question->lengths[3], &nearest));
-    tell_nearest(asking, &nearest);
+    tell_nearest(asking, espalier_closest_point_box(blob, &box, question->lengths[2]));
+    inside = espalier_contains(blob, point);
+    tell(asking, inside.status);
+    tell(asking, espalier_yes(inside));
+    tell(asking, espalier_no(inside));
+    tell_nearest(asking, espalier_signed_distance(blob, question->points[1], question->lengths[3]));
     ask_rounding(asking);
 }

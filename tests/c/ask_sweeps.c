@@ -1,22 +1,19 @@
 #include "asking.h"
 
-static void tell_hit(struct asking* asking, const espalier_sweep_hit* hit) {
-    tell_float(asking, hit->t);
-    tell_point(asking, hit->point);
-    tell_point(asking, hit->normal);
-    tell(asking, hit->triangle);
-    tell(asking, hit->starts_overlapping);
+static void tell_hit(struct asking* asking, espalier_sweep_hit hit) {
+    tell_float(asking, hit.t);
+    tell_point(asking, hit.point);
+    tell_point(asking, hit.normal);
+    tell_point(asking, hit.face_normal);
+    tell(asking, hit.triangle);
+    tell(asking, hit.status);
+    tell(asking, hit.starts_overlapping);
 }
 
-#define ASK(shape, value)                                                                                \
-    do {                                                                                                 \
-        espalier_sweep_hit hit;                                                                          \
-        memset(&hit, 0, sizeof hit);                                                                     \
-        tell(asking, espalier_check_sweep_##shape(asking->blob, value, way));                            \
-        tell(asking, espalier_sweep_##shape(asking->blob, value, way, &hit));                            \
-        tell_hit(asking, &hit);                                                                          \
-        tell(asking, espalier_sweep_##shape##_filtered(asking->blob, value, way, &hit, counts, asking)); \
-        tell_hit(asking, &hit);                                                                          \
+#define ASK(shape, value)                                                                              \
+    do {                                                                                               \
+        tell_hit(asking, espalier_sweep_##shape(asking->blob, value, way));                            \
+        tell_hit(asking, espalier_sweep_##shape##_filtered(asking->blob, value, way, counts, asking)); \
     } while (0)
 
 void ask_sweeps(struct asking* asking) {

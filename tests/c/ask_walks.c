@@ -1,13 +1,5 @@
 #include "asking.h"
 
-static espalier_visit visit_corners(espalier_triangle triangle, const espalier_corners* corners, void* user) {
-    struct asking* asking = user;
-    tell_point(asking, corners->a);
-    tell_point(asking, corners->b);
-    tell_point(asking, corners->c);
-    return visit_triangle(triangle, asking);
-}
-
 static espalier_node_visit visit_node(const espalier_tree_node* node, void* user) {
     struct asking* asking = user;
     tell(asking, node->number);
@@ -22,13 +14,13 @@ static espalier_node_visit visit_node(const espalier_tree_node* node, void* user
         tell(asking, child->first);
         tell(asking, child->count);
     }
-    if (asking->visits-- == 0) return 99; /* ends, as any value does that is not one of the others */
+    if (asking->visits-- == 0) return 99; /* stops, as any value does that is not one of the others */
     return node->number % 3u == 2u ? ESPALIER_NODE_SKIP : ESPALIER_NODE_DESCEND;
 }
 
 void ask_walks(struct asking* asking) {
     asking->visits = asking->question->bits % 200u;
-    tell(asking, espalier_for_each_triangle(asking->blob, visit_corners, asking));
+    tell(asking, espalier_for_each_triangle(asking->blob, visit_triangle, asking));
     asking->visits = asking->question->bits % 30u;
     tell(asking, espalier_for_each_node(asking->blob, visit_node, asking));
 }

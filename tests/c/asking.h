@@ -34,6 +34,7 @@ void ask_volumes(struct asking* asking);
 void ask_points(struct asking* asking);
 void ask_sweeps(struct asking* asking);
 void ask_pairs(struct asking* asking);
+void ask_transforms(struct asking* asking);
 void ask_approximations(struct asking* asking);
 void ask_walks(struct asking* asking);
 void ask_steps(struct asking* asking);
@@ -44,6 +45,8 @@ void ask_nothing(struct asking* asking);
 int misbehaviour_of_open(const void* bytes, size_t size);
 
 static inline void tell(struct asking* asking, uint32_t word) { asking->tell(word, asking->log); }
+
+static inline void tell_yes_no(struct asking* asking, espalier_yes_no answer) { tell(asking, answer.status); }
 
 static inline void tell_float(struct asking* asking, float number) {
     uint32_t word;
@@ -57,10 +60,24 @@ static inline void tell_point(struct asking* asking, espalier_vec3 point) {
     tell_float(asking, point.z);
 }
 
+static inline void tell_original_triangle(struct asking* asking, espalier_original_triangle_result original) {
+    tell(asking, original.status);
+    tell(asking, original.value.file);
+    tell(asking, original.value.mesh);
+    tell(asking, original.value.triangle);
+    tell(asking, original.value.first_corner);
+}
+
+static inline void tell_filled(struct asking* asking, espalier_filled filled) {
+    tell(asking, (uint32_t)filled.count);
+    for (int i = 0; i < 3; ++i) tell(asking, filled.next.place[i]);
+    tell(asking, filled.status);
+}
+
 /* Every other triangle counts. */
-bool counts(espalier_triangle triangle, void* asking);
-/* Tells the triangle; stops when no visits are left. */
-espalier_visit visit_triangle(espalier_triangle triangle, void* asking);
+bool counts(espalier_triangle_id triangle, void* asking);
+/* Tells the triangle and its corners; stops when no visits are left. */
+espalier_visit visit_triangle(espalier_triangle_id triangle, const espalier_triangle* corners, void* asking);
 
 #ifdef __cplusplus
 }

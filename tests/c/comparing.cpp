@@ -40,8 +40,8 @@ void compare(const std::string& family, Ask ask, Expect expect, const espalier_b
 question some_question(const Blob& blob, Random& random) {
     question result = {};
     for (espalier_vec3& point : result.points) point = c(some_point(blob, random));
-    const Vec3 size = {blob.bounds_max().x - blob.bounds_min().x, blob.bounds_max().y - blob.bounds_min().y,
-                       blob.bounds_max().z - blob.bounds_min().z};
+    const Vec3 size = {blob.bounds().max.x - blob.bounds().min.x, blob.bounds().max.y - blob.bounds().min.y,
+                       blob.bounds().max.z - blob.bounds().min.z};
     for (espalier_vec3& direction : result.directions) {
         const Vec3 unit = random.in_cube(1.0f);
         direction = random.below(6) == 0 ? c(some_point(blob, random))
@@ -65,6 +65,7 @@ void compare_all(const espalier_blob& c_blob, const espalier_blob& c_other, cons
     both("points", ask_points, &Expecting::points);
     both("sweeps", ask_sweeps, &Expecting::sweeps);
     both("pairs", ask_pairs, &Expecting::pairs);
+    both("transforms", ask_transforms, &Expecting::transforms);
     both("approximations", ask_approximations, &Expecting::approximations);
     both("walks", ask_walks, &Expecting::walks);
     both("steps", ask_steps, &Expecting::steps);
@@ -73,11 +74,11 @@ void compare_all(const espalier_blob& c_blob, const espalier_blob& c_other, cons
 
 espalier_blob open_from_c(std::span<const std::byte> bytes) {
     espalier_blob blob;
-    REQUIRE(espalier_open(bytes.data(), bytes.size(), &blob) == ESPALIER_STATUS_OK);
+    REQUIRE(espalier_open(bytes.data(), bytes.size(), &blob) == ESPALIER_OPEN_OK);
     return blob;
 }
 
-OpenedBlob blob_with_everything(format::Profile profile) {
+OpenedBlob blob_with_everything(Profile profile) {
     Mesh mesh = make_torus(12, 8, 2.0, 0.5);
     mesh.materials.resize(mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.materials.size(); ++i) mesh.materials[i] = static_cast<std::uint32_t>(i * 77);
@@ -85,9 +86,9 @@ OpenedBlob blob_with_everything(format::Profile profile) {
 }
 
 OpenedBlob blob_with_copies() {
-    BakeOptions options = with_profile(format::Profile::fast);
-    options.builder = Builder::spatial_splits;
-    options.duplicates = 1.0;
+    BakeOptions options = with_profile(Profile::fast);
+    options.build.builder = Builder::spatial_splits;
+    options.build.duplicate_budget = 1.0;
     return {make_soup(60, 1), options};
 }
 

@@ -24,7 +24,7 @@ void compare_all(const espalier_blob& c_blob, const espalier_blob& c_other, cons
 espalier_blob open_from_c(std::span<const std::byte> bytes);
 
 /// Has every optional section.
-OpenedBlob blob_with_everything(format::Profile profile);
+OpenedBlob blob_with_everything(Profile profile);
 
 OpenedBlob blob_with_copies();
 

@@ -16,6 +16,10 @@ check() {
     [[ $said == "hit triangle 68 at t = 100.039, normal 0.0114835 -0.199047 0.979923" ]] || fail "$program says: $said"
     said=$("$program" "$blob" 0.1 0.2 100 0 0 1)
     [[ $said == "no hit" ]] || fail "$program beside the mesh says: $said"
+    said=$("$program" "$blob" 0.1 0.2 100 0 0 0 2>&1) && fail "$program answers a ray without a direction"
+    [[ $said == "cast_ray: an argument is invalid: "* ]] || fail "$program of a ray without a direction says: $said"
+    said=$("$program" "$blob" 0.1 oops 100 0 0 1 2>&1) && fail "$program takes oops for a number"
+    [[ $said == 'cast_ray: "oops" is not a number' ]] || fail "$program of oops says: $said"
     said=$("$program" "$project/README.md" 0 0 0 0 0 1 2>&1) && fail "$program opens what is no blob"
     [[ $said == *"README.md: these bytes are not an Espalier blob"* ]] || fail "$program of what is no blob says: $said"
     said=$("$program" "$folder/none" 0 0 0 0 0 1 2>&1) && fail "$program opens what is not there"

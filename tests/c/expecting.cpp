@@ -1,6 +1,7 @@
 #include "expecting.hpp"
 
 #include <array>
+#include <cstring>
 
 namespace espalier::tests {
 
@@ -10,31 +11,31 @@ void Expecting::tell(const RayHit& hit) {
     tell(hit.v);
     tell(hit.normal);
     tell(hit.triangle);
+    tell(hit.status);
+    tell(hit.side);
 }
 
-void Expecting::tell(const Nearest& nearest) {
+void Expecting::tell(const ClosestPoint& nearest) {
     tell(nearest.point);
+    tell(nearest.on_shape);
+    tell(nearest.face_normal);
     tell(nearest.distance);
     tell(nearest.u);
     tell(nearest.v);
     tell(nearest.triangle);
+    tell(nearest.status);
     tell(nearest.feature);
-}
-
-void Expecting::tell(const NearestPair& pair) {
-    tell(pair.on_shape);
-    tell(pair.on_surface);
-    tell(pair.distance);
-    tell(pair.u);
-    tell(pair.v);
-    tell(pair.triangle);
+    tell(nearest.side);
+    tell(std::uint32_t{nearest.reserved});
 }
 
 void Expecting::tell(const SweepHit& hit) {
     tell(hit.t);
     tell(hit.point);
     tell(hit.normal);
+    tell(hit.face_normal);
     tell(hit.triangle);
+    tell(hit.status);
     tell(hit.starts_overlapping);
 }
 
@@ -46,64 +47,76 @@ void Expecting::tell(const QueryCounters& counters) {
     tell(counters.candidates);
 }
 
-void Expecting::about(Triangle triangle) {
-    OriginalTriangle original = {7, 7, 7, 7};
-    auto kinds = EdgeKinds{EdgeKind{9}, EdgeKind{9}, EdgeKind{9}};
-    Vec3 normal = {5.0f, 5.0f, 5.0f};
-    Corners corners;
-    tell(original_triangle(blob_, triangle, original));
-    tell(original.file);
-    tell(original.mesh);
-    tell(original.triangle);
-    tell(original.first_corner);
+void Expecting::tell(const Lattice& lattice) {
+    tell(lattice.origin);
+    tell(static_cast<std::uint32_t>(lattice.step_exponent));
+    for (const std::int32_t extent : lattice.extent) tell(static_cast<std::uint32_t>(extent));
+}
+
+void Expecting::tell(const Filled& filled) {
+    tell(static_cast<std::uint32_t>(filled.count));
+    for (const std::uint32_t place : filled.next.place) tell(place);
+    tell(filled.status);
+}
+
+void Expecting::tell(const Result<OriginalTriangle>& original) {
+    tell(original.status);
+    tell(original->file);
+    tell(original->mesh);
+    tell(original->triangle);
+    tell(original->first_corner);
+}
+
+void Expecting::about(TriangleId triangle) {
+    tell(original_triangle(blob_, triangle));
     tell(std::uint32_t{material(blob_, triangle)});
-    tell(edge_kinds(blob_, triangle, kinds));
-    tell(kinds.ab);
-    tell(kinds.bc);
-    tell(kinds.ca);
-    tell(is_on_inner_edge(blob_, {triangle, static_cast<Feature>(asked_.bits % 8), direction(0)}, normal));
-    tell(normal);
-    tell(triangle_corners(blob_, triangle, corners));
-    tell(corners.a);
-    tell(corners.b);
-    tell(corners.c);
+    const Result<EdgeKinds> kinds = edge_kinds(blob_, triangle);
+    tell(kinds.status);
+    tell(kinds->ab);
+    tell(kinds->bc);
+    tell(kinds->ca);
+    tell(fix_internal_edge_normal(blob_, triangle, static_cast<Feature>(asked_.bits % 8), direction(0)));
+    const Result<Triangle> corners = triangle_at(blob_, triangle);
+    tell(corners.status);
+    tell(corners->a);
+    tell(corners->b);
+    tell(corners->c);
 }
 
 void Expecting::lookups() {
+    tell(true);  // the sizes that the library states
+    tell(blob_.status());
     tell(blob_.triangle_count());
-    tell(blob_.copy_count());
+    tell(blob_.duplicate_reference_count());
     tell(blob_.vertex_count());
-    tell(blob_.size_bytes());
+    tell(blob_.size());
     tell(blob_.checksum());
     tell(std::uint32_t{blob_.depth()});
-    tell(std::uint32_t{blob_.bits()});
     tell(blob_.profile());
-    tell(blob_.step());
+    tell(blob_.lattice());
     tell(blob_.max_error());
-    tell(blob_.bounds_min());
-    tell(blob_.bounds_max());
-    tell(blob_.closed());
+    tell(blob_.bounds().min);
+    tell(blob_.bounds().max);
+    tell(blob_.is_closed());
     tell(blob_.has_original_ids());
     tell(blob_.has_materials());
     tell(blob_.has_edge_flags());
 
-    Sphere sphere = {{}, -1.0f};
-    tell(bounding_sphere(blob_, sphere));
-    tell(sphere.center);
-    tell(sphere.radius);
-    OrientedBox oriented;
-    tell(oriented_bounds(blob_, oriented));
-    tell(oriented.center);
-    for (const Vec3& axis : oriented.half_axes) tell(axis);
-    KDop k_dop;
-    tell(k_dop_bounds(blob_, k_dop));
+    const Result<Sphere> sphere = bounding_sphere(blob_);
+    tell(sphere.status);
+    tell(sphere->center);
+    tell(sphere->radius);
+    const Result<OrientedBox> oriented = oriented_bounds(blob_);
+    tell(oriented.status);
+    tell(oriented->center);
+    for (const Vec3& axis : oriented->half_axes) tell(axis);
+    const Result<KDop> k_dop = k_dop_bounds(blob_);
+    tell(k_dop.status);
     for (unsigned i = 0; i < KDop::count; ++i) {
         tell(KDop::directions[i]);
-        tell(k_dop.lo[i]);
-        tell(k_dop.hi[i]);
+        tell(k_dop->lo[i]);
+        tell(k_dop->hi[i]);
     }
-    tell(is_outside_bounds(blob_, Sphere{point(0), length(0)}));
-    tell(is_outside_bounds(blob_, Box{point(0), point(1)}));
 
     about({asked_.bits % (blob_.triangle_count() + 1)});
     about({asked_.bits});
@@ -111,22 +124,17 @@ void Expecting::lookups() {
 }
 
 void Expecting::one_ray(const Ray& ray) {
-    const auto filter = [&](Triangle triangle) { return counts(triangle); };
-    RayHit hit;
-    tell(raycast(blob_, ray, hit));
-    tell(hit);
-    tell(raycast(blob_, ray, hit, filter));
-    tell(hit);
+    const auto filter = [&](TriangleId triangle) { return counts(triangle); };
+    tell(raycast(blob_, ray));
+    tell(raycast(blob_, ray, filter));
     tell(occluded(blob_, ray));
     tell(occluded(blob_, ray, filter));
     std::array<RayHit, 5> hits;
-    HitCount count = closest_hits(blob_, ray, hits);
-    tell(std::uint64_t{count.count});
-    tell(count.status);
+    Filled count = closest_hits(blob_, ray, hits);
+    tell(count);
     for (std::size_t i = 0; i < count.count; ++i) tell(hits[i]);
     count = closest_hits(blob_, ray, std::span(hits).first(2), filter);
-    tell(std::uint64_t{count.count});
-    tell(count.status);
+    tell(count);
     for (std::size_t i = 0; i < count.count; ++i) tell(hits[i]);
     visits_ = asked_.bits % 9;
     tell(for_each_hit(blob_, ray, [&](const RayHit& each) {
@@ -134,8 +142,7 @@ void Expecting::one_ray(const Ray& ray) {
         return visit_one();
     }));
     QueryCounters counters = {1, 2, 3, 4, 5};
-    tell(raycast_counted(blob_, ray, hit, counters));
-    tell(hit);
+    tell(raycast(blob_, ray, counters));
     tell(counters);
 }
 
@@ -160,64 +167,53 @@ void Expecting::originals(const std::array<RayHit, 18>& hits) {
         turned.triangle = {triangle};
         tell(original_hit(remap, turned));
     }
-    std::array<OriginalTriangle, 18> triangles;
-    std::array<Triangle, 18> named;
+    std::array<Result<OriginalTriangle>, 18> triangles;
+    std::array<TriangleId, 18> named;
     for (std::size_t i = 0; i < hits.size(); ++i) named[i] = hits[i].triangle;
     for (const std::size_t count : {1u, 18u}) {
         tell(original_triangle(blob_, std::span(named).first(count), std::span(triangles).first(count)));
-        for (const OriginalTriangle& original : std::span(triangles).first(count)) {
-            tell(original.file);
-            tell(original.mesh);
-            tell(original.triangle);
-            tell(original.first_corner);
-        }
+        for (const Result<OriginalTriangle>& original : std::span(triangles).first(count)) tell(original);
     }
 }
 
 void Expecting::rounded_ray(const Lattice& region, const Ray& ray) {
     const RoundedRay rounded = round_ray(region, ray);
-    RayHit hit;
-    bool any = true;
     tell(rounded.status());
-    tell(raycast(blob_, rounded, hit));
-    tell(hit);
-    tell(occluded(blob_, rounded, any));
-    tell(any);
+    tell(raycast(blob_, rounded));
+    tell(occluded(blob_, rounded));
 }
 
 void Expecting::rays() {
     std::array<Ray, 18> rays;
     rays[0] = {point(0), direction(0)};
-    rays[1] = {point(0), direction(0), length(0), length(1), static_cast<Faces>(asked_.bits % 4)};
-    rays[2] = along({point(0), point(1)});
+    rays[1] = {point(0), direction(0), length(0), length(1), static_cast<FaceCulling>(asked_.bits % 4)};
+    rays[2] = Ray::between(point(0), point(1));
     for (std::size_t i = 0; i < 3; ++i) one_ray(rays[i]);
     for (std::size_t i = 3; i < rays.size(); ++i) {
         rays[i] = rays[i % 3];
         rays[i].origin = point(static_cast<int>(i % 4));
     }
     std::array<RayHit, 18> hits;
-    tell(std::uint64_t{raycast(blob_, rays, hits)});
+    std::memset(static_cast<void*>(&hits), 0, sizeof hits);
+    tell(raycast(blob_, rays, hits));
     for (const RayHit& hit : hits) tell(hit);
     originals(hits);
-    std::array<std::uint8_t, 18> answers;
-    tell(std::uint64_t{occluded(blob_, rays, answers)});
-    for (const std::uint8_t answer : answers) tell(std::uint32_t{answer});
-    Lattice region = lattice_of(blob_);
+    std::array<YesNo, 18> answers;
+    answers.fill(YesNo(QueryStatus::ok));
+    tell(occluded(blob_, rays, answers));
+    for (const YesNo answer : answers) tell(answer);
+    const Lattice region = blob_.lattice();
     for (std::size_t i = 0; i < 3; ++i) rounded_ray(region, rays[i]);
     const std::array<Blob, 2> blobs = {blob_, other_};
-    tell(lattice_of(blobs, region));
-    rounded_ray(region, rays[0]);
+    const Result<Lattice> both = lattice_of(blobs);
+    tell(both.status);
+    rounded_ray(*both, rays[0]);
 }
 
 void Expecting::walks() {
     visits_ = asked_.bits % 200;
-    tell(for_each_triangle(blob_, [&](Triangle triangle, const Corners& corners) {
-        tell(corners.a);
-        tell(corners.b);
-        tell(corners.c);
-        tell(triangle);
-        return visit_one();
-    }));
+    tell(for_each_triangle(
+        blob_, [&](TriangleId triangle, const Triangle& corners) { return visit_triangle(triangle, corners); }));
     visits_ = asked_.bits % 30;
     tell(for_each_node(blob_, [&](const TreeNode& node) {
         tell(node.number);
@@ -232,43 +228,39 @@ void Expecting::walks() {
             tell(child.first);
             tell(child.count);
         }
-        if (visit_one() == stop) return NodeVisit::end;
+        if (visit_one() == Visit::stop) return NodeVisit::stop;
         return node.number % 3 == 2 ? NodeVisit::skip : NodeVisit::descend;
     }));
 }
 
-void Expecting::tell(const Steps& steps) {
+void Expecting::tell(const LatticePoint& steps) {
     for (const std::int32_t coordinate : {steps.x, steps.y, steps.z}) tell(static_cast<std::uint32_t>(coordinate));
 }
 
-void Expecting::tell(const HitInSteps& hit) {
+void Expecting::tell(const LatticeHit& hit) {
     tell(hit.t);
-    tell(hit.side);
     tell(hit.triangle);
+    tell(hit.status);
+    tell(hit.side);
 }
 
 void Expecting::steps() {
-    const Lattice lattice = lattice_of(blob_);
-    tell(lattice.origin);
-    tell(static_cast<std::uint32_t>(lattice.step_exponent));
-    for (const std::int32_t extent : lattice.extent) tell(static_cast<std::uint32_t>(extent));
-    BoxInSteps box = {{1, 2, 3}, {4, 5, 6}};
-    tell(steps_around(lattice, {point(0), point(1)}, box));
-    tell(box.min);
-    tell(box.max);
-    SegmentInSteps segment = {{7, 8, 9}, {-1, -2, -3}};
-    tell(to_steps(lattice, point(2), segment.from));
-    tell(to_steps(lattice, point(3), segment.to));
+    const Lattice lattice = blob_.lattice();
+    tell(lattice);
+    const Result<LatticeBox> box = to_lattice(lattice, Box{point(0), point(1)});
+    tell(box.status);
+    tell(box->min);
+    tell(box->max);
+    const Result<LatticePoint> from = to_lattice(lattice, point(2)), to = to_lattice(lattice, point(3));
+    tell(from.status);
+    tell(to.status);
+    LatticeSegment segment = {*from, *to};
     tell(segment.from);
     tell(segment.to);
-    tell(to_world(lattice, segment.to));
+    tell(to_local(lattice, segment.to));
     const auto ask = [&] {
-        HitInSteps hit = {11, Faces{12}, {13}};
-        bool any = false;
-        tell(first_hit(blob_, segment, hit));
-        tell(hit);
-        tell(any_hit(blob_, segment, any));
-        tell(any);
+        tell(raycast(blob_, segment));
+        tell(occluded(blob_, segment));
     };
     ask();
     segment = {bits_of(asked_.directions[0]), bits_of(asked_.directions[1])};
@@ -277,43 +269,35 @@ void Expecting::steps() {
 
 void Expecting::nothing() {
     const Ray ray = {point(0), direction(0)};
-    RayHit hit;
-    const bool found = raycast(blob_, ray, hit);
-    tell(found);
+    RayHit hit = raycast(blob_, ray);
+    tell(hit.status);
     tell(hit.t);
-    tell(found);
-    const HitCount one = closest_hits(blob_, ray, std::span(&hit, 1));
-    tell(std::uint64_t{one.count});
-    tell(one.status);
-    SweepHit swept;
-    tell(sweep(blob_, Sphere{point(0), length(0)}, direction(0), swept));
-    tell(swept.t);
-    tell(sweep(blob_, Capsule{point(0), point(1), length(0)}, direction(0), swept));
-    tell(swept.t);
-    tell(sweep(blob_, Box{point(0), point(1)}, direction(0), swept));
-    tell(swept.t);
+    tell(hit.status);
+    tell(closest_hits(blob_, ray, std::span(&hit, 1)));
+    tell(sweep(blob_, Sphere{point(0), length(0)}, direction(0)).t);
+    tell(sweep(blob_, Capsule{point(0), point(1), length(0)}, direction(0)).t);
+    tell(sweep(blob_, Box{point(0), point(1)}, direction(0)).t);
 
-    for (int refused = 0; refused < 10; ++refused) tell(false);
+    for (int refused = 0; refused < 11; ++refused) tell(QueryStatus::invalid_argument);
     tell(QueryStatus::invalid_argument);
 
-    tell(std::uint32_t{0});
-    tell(std::uint32_t{0});
-    tell(QueryStatus::ok);
+    tell(raycast(blob_, std::span<const Ray>{}, {}));
+    tell(occluded(blob_, std::span<const Ray>{}, {}));
+    tell(original_hit(blob_, {}, {}));
     tell(original_triangle(blob_, {}, {}));
-    tell(QueryStatus::invalid_argument);
-    tell(Status::not_a_remap);
-    tell(std::uint32_t{0});
-    tell(found ? QueryStatus::output_full : QueryStatus::ok);
-    tell(std::uint32_t{0});
-    tell(blob_.triangle_count() > 0);  // no planes are all of space
-    for (const OverlapPage& page : {collect_overlaps(blob_, Sphere{point(0), length(0)}, {}),
-                                    collect_overlaps(blob_, std::span<const Plane>{}, {})}) {
+    tell(original_hit(std::span<const OriginalTriangle>{}, hit).status);
+    tell(OpenStatus::not_a_remap);
+    tell(closest_hits(blob_, ray, {}));
+    tell(closest_triangles(blob_, point(0), {}).status);
+    tell(overlaps(blob_, ConvexVolume{}).status());
+    for (const Filled& page :
+         {collect_overlaps(blob_, Sphere{point(0), length(0)}, {}), collect_overlaps(blob_, ConvexVolume{}, {})}) {
         tell(page.status);
-        tell(page.next);
+        tell(page.next.place[0]);
     }
-    std::size_t count = 1;
-    tell(all_contacts(blob_, other_, {}, {}, count, {100}));
-    tell(std::uint64_t{count});
+    const Filled filled = collect_contacts(blob_, other_, {}, WorkLimit(100));
+    tell(std::uint64_t{filled.count});
+    tell(filled.status);
 }
 
 }  // namespace espalier::tests

@@ -14,7 +14,7 @@ namespace espalier::tests {
 
 inline Vec3 cpp(espalier_vec3 v) { return {v.x, v.y, v.z}; }
 
-inline Steps bits_of(espalier_vec3 v) {
+inline LatticePoint bits_of(espalier_vec3 v) {
     return {std::bit_cast<std::int32_t>(v.x), std::bit_cast<std::int32_t>(v.y), std::bit_cast<std::int32_t>(v.z)};
 }
 
@@ -28,6 +28,7 @@ public:
     void points();
     void sweeps();
     void pairs();
+    void transforms();
     void approximations();
     void walks();
     void steps();
@@ -45,20 +46,29 @@ private:
         tell(v.y);
         tell(v.z);
     }
-    void tell(Triangle triangle) { tell(triangle.index); }
+    void tell(TriangleId triangle) { tell(triangle.index); }
     template <class Enumeration>
     requires std::is_enum_v<Enumeration>
     void tell(Enumeration value) { tell(static_cast<std::uint32_t>(value)); }
 
+    void tell(YesNo answer) { tell(answer.status()); }
     void tell(const RayHit& hit);
     void tell(const OriginalHit& original);
-    void tell(const Nearest& nearest);
-    void tell(const NearestPair& pair);
+    void tell(const ClosestPoint& nearest);
     void tell(const SweepHit& hit);
+    void tell(const PairContact& contact);
+    void tell(const Segment& segment);
+    void tell(const Capsule& capsule);
+    void tell(const OrientedBox& box);
+    void tell(const Ray& ray);
+    void tell(const Transform& transform);
     void tell(const QueryCounters& counters);
-    void tell(const Steps& steps);
-    void tell(const HitInSteps& hit);
-    void about(Triangle triangle);
+    void tell(const LatticePoint& steps);
+    void tell(const LatticeHit& hit);
+    void tell(const Lattice& lattice);
+    void tell(const Filled& filled);
+    void tell(const Result<OriginalTriangle>& original);
+    void about(TriangleId triangle);
     void one_ray(const Ray& ray);
     void originals(const std::array<RayHit, 18>& hits);
     void rounded_ray(const Lattice& region, const Ray& ray);
@@ -66,16 +76,24 @@ private:
     void volume(const Shape& shape);
     template <class Shape>
     void moving(const Shape& shape);
-    void placed(const Placement& placement, WorkLimit limit);
+    void placed(const Transform& own_placement, const Transform& placement, WorkLimit limit);
+    void placing(const Transform& transform);
 
     [[nodiscard]] Vec3 point(int i) const { return cpp(asked_.points[i]); }
     [[nodiscard]] Vec3 direction(int i) const { return cpp(asked_.directions[i]); }
     [[nodiscard]] float length(int i) const { return asked_.lengths[i]; }
-    [[nodiscard]] bool counts(Triangle triangle) const { return (triangle.index + asked_.bits) % 2 == 0; }
+    [[nodiscard]] bool counts(TriangleId triangle) const { return (triangle.index + asked_.bits) % 2 == 0; }
+    Visit visit_triangle(TriangleId triangle, const Triangle& corners) {
+        tell(triangle);
+        tell(corners.a);
+        tell(corners.b);
+        tell(corners.c);
+        return visit_one();
+    }
     Visit visit_one() {
-        if (visits_ == 0) return stop;
+        if (visits_ == 0) return Visit::stop;
         --visits_;
-        return keep_going;
+        return Visit::next;
     }
 
     const Blob& blob_;

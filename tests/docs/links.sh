@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# links.sh PROJECT: every relative link in README.md and docs/ leads to something that is there.
+# links.sh PROJECT: every relative link in README.md, docs/ and docs/log/ leads to something that is there.
 set -euo pipefail
 
 cd "$1"
 broken=0
-for document in README.md docs/*.md; do
+for document in README.md docs/*.md docs/log/*.md; do
     folder=$(dirname "$document")
     while read -r target; do
         [[ $target == *://* || $target == \#* ]] && continue

@@ -14,28 +14,28 @@
 
 namespace {
 
-using espalier::format::Profile;
+using espalier::Profile;
 using namespace espalier::tests;
 
 bool bake_to(const std::string& folder, const Mesh& mesh, const std::string& name, Profile profile, unsigned bits) {
     espalier::BakeOptions options;
     options.profile = profile;
-    options.bits = bits;
+    options.resolution = espalier::Resolution::bits(bits);
     const espalier::MeshView view = mesh.view();
     const auto baked = espalier::bake(std::span(&view, 1), options);
     if (!baked) {
-        std::fprintf(stderr, "make_blobs: %s: %s\n", name.c_str(), baked.error().message.c_str());
+        std::fprintf(stderr, "make_blobs: %s: %s\n", name.c_str(), baked.message.c_str());
         return false;
     }
     const std::string path = folder + "/" + name + (profile == Profile::fast ? "_fast.espl" : "_small.espl");
     std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(baked->blob.data()), static_cast<std::streamsize>(baked->blob.size()));
+    file.write(reinterpret_cast<const char*>(baked.bytes.data()), static_cast<std::streamsize>(baked.bytes.size()));
     file.close();
     if (!file) {
         std::fprintf(stderr, "make_blobs: %s could not be written\n", path.c_str());
         return false;
     }
-    std::printf("%s %u triangles %zu bytes\n", path.c_str(), baked->report.triangles, baked->blob.size());
+    std::printf("%s %u triangles %zu bytes\n", path.c_str(), baked.report.tree.triangles, baked.bytes.size());
     return true;
 }
 

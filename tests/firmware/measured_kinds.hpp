@@ -5,7 +5,7 @@ namespace espalier::firmware {
 
 enum Kind : unsigned {
     opening,
-    trusted_opening,
+    unchecked_opening,
     closest_ray,
     any_ray,
     sphere_overlap,
@@ -44,7 +44,7 @@ enum Kind : unsigned {
 
 // clang-format off
 inline constexpr const char* kind_names[] = {
-    "open", "open_trusted_image", "raycast", "occluded", "overlaps_sphere", "closest_point", "overlaps_box",
+    "open", "open_unchecked", "raycast", "occluded", "overlaps_sphere", "closest_point", "overlaps_box",
     "overlaps_box_in_steps", "first_hit_in_steps", "any_hit_in_steps", "collides", "minimum_distance",
     "within_distance", "for_each_contact", "for_each_hit", "closest_hits", "raycast_batch", "for_each_overlap_sphere",
     "for_each_overlap_box", "overlaps_capsule", "overlaps_oriented_box", "overlaps_triangle", "overlaps_planes",

@@ -37,7 +37,7 @@ print_budgets() {
 # What a core may take at most, for answers to the queries of workload.hpp. A test holds every figure to its line here. They
 # are counts, the same at every run, and a fiftieth more than what was found when this file was made by
 #     tools/dev firmware --publish NAME FOLDER_OF_MESHES
-# code: bytes in flash of open and the closest hit of a ray; of open_trusted_image and the first hit of a segment in whole
+# code: bytes in flash of open and the closest hit of a ray; of open_unchecked and the first hit of a segment in whole
 # lattice steps, without floats; of open and the five usual queries; of every query.
 # blob: its bytes. instructions are those of QEMU, no cycles; blob bytes count as often as they are read; others: the deepest
 # stack of all queries without a line there. Counts belong to a compiler: with another one nothing is held to them.

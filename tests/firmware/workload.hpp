@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 
 #include <espalier/espalier.hpp>
@@ -27,9 +28,9 @@ class Workload {
 public:
     Workload(std::span<const std::byte> bytes, const Blob& blob, const Measure& measure)
         : bytes_(bytes), blob_(blob), measure_(measure) {
-        lattice_ = lattice_of(blob);
-        low_ = blob.bounds_min();
-        size_ = difference(blob.bounds_max(), low_);
+        lattice_ = blob.lattice();
+        low_ = blob.bounds().min;
+        size_ = difference(blob.bounds().max, low_);
         center_ = {low_.x + 0.5f * size_.x, low_.y + 0.5f * size_.y, low_.z + 0.5f * size_.z};
         const float largest = size_.x > size_.y ? size_.x : size_.y;
         extent_ = largest > size_.z ? largest : size_.z;
@@ -62,6 +63,16 @@ private:
     float unit() { return static_cast<float>(word() >> 8) * 0x1p-24f; }
     float symmetric() { return 2.0f * unit() - 1.0f; }
     static Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+    /// Measures a call and returns its result. The call builds it in place, as in a program that keeps it: no copy is
+    /// measured.
+    template <class Call>
+    auto measured(Kind kind, const Call& call) {
+        using Answer = decltype(call());
+        alignas(Answer) std::byte place[sizeof(Answer)];
+        measure_(kind, [&] { ::new (static_cast<void*>(place)) Answer(call()); });
+        return *std::launder(reinterpret_cast<const Answer*>(place));
+    }
 
     Vec3 point_in_box() {
         const float x = unit();
@@ -121,14 +132,15 @@ private:
         answers_.add(hit.normal);
         answers_.add(hit.triangle.index);
     }
-    void add(const Nearest& nearest) {
+    void add(const ClosestPoint& nearest) {
         answers_.add(nearest.point);
         answers_.add(nearest.distance);
         answers_.add(nearest.triangle.index);
     }
-    void add(const NearestPair& pair) {
+    void add_pair(const ClosestPoint& pair) {
+        add(pair.status);
         answers_.add(pair.on_shape);
-        answers_.add(pair.on_surface);
+        answers_.add(pair.point);
         answers_.add(pair.triangle.index);
     }
     void add(const SweepHit& hit) {
@@ -139,12 +151,13 @@ private:
     void add(QueryStatus status) { answers_.add(static_cast<std::uint32_t>(status)); }
 
     void open_again() {
-        Blob blob;
-        Status status = Status::ok;
-        measure_(opening, [&] { status = open(bytes_, blob); });
-        answers_.add(static_cast<std::uint32_t>(status));
-        measure_(trusted_opening, [&] { status = open_trusted_image(bytes_, blob); });
-        answers_.add(static_cast<std::uint32_t>(status));
+        // As a static Blob is initialised: the result is built where it stays.
+        alignas(Blob) std::byte place[sizeof(Blob)];
+        const auto status = [&] { return static_cast<std::uint32_t>(reinterpret_cast<const Blob*>(place)->status()); };
+        measure_(opening, [&] { new (place) Blob(open(bytes_)); });
+        answers_.add(status());
+        measure_(unchecked_opening, [&] { new (place) Blob(open_unchecked(bytes_)); });
+        answers_.add(status());
     }
 
     void ask_usual() {
@@ -153,60 +166,52 @@ private:
         const Box box = this->box();
         const Vec3 point = point_in_box();
         bool answer = false;
-        RayHit hit;
-        measure_(closest_ray, [&] { answer = raycast(blob_, ray, hit); });
-        answers_.add(answer);
+        const RayHit hit = measured(closest_ray, [&] { return raycast(blob_, ray); });
+        answers_.add(bool(hit));
         add(hit);
-        measure_(any_ray, [&] { answer = occluded(blob_, ray); });
+        answers_.add(measured(any_ray, [&] { return occluded(blob_, ray); }).yes());
+        measure_(sphere_overlap, [&] { answer = overlaps(blob_, sphere).yes(); });
         answers_.add(answer);
-        measure_(sphere_overlap, [&] { answer = overlaps(blob_, sphere); });
-        answers_.add(answer);
-        Nearest nearest;
-        measure_(nearest_point, [&] { answer = closest_point(blob_, point, __builtin_inff(), nearest); });
-        answers_.add(answer);
+        ClosestPoint nearest;
+        measure_(nearest_point, [&] { nearest = closest_point(blob_, point); });
+        answers_.add(bool(nearest));
         add(nearest);
-        measure_(box_overlap, [&] { answer = overlaps(blob_, box); });
+        measure_(box_overlap, [&] { answer = overlaps(blob_, box).yes(); });
         answers_.add(answer);
         ask_in_steps(box, ray);
     }
 
     /// The same box and ray, the latter to twice as far as its target.
     void ask_in_steps(const Box& world_box, const Ray& ray) {
-        BoxInSteps box;
-        add(steps_around(lattice_, world_box, box));
-        SegmentInSteps segment;
-        add(to_steps(lattice_, ray.origin, segment.from));
-        add(to_steps(lattice_,
-                     {ray.origin.x + 2.0f * ray.direction.x, ray.origin.y + 2.0f * ray.direction.y,
-                      ray.origin.z + 2.0f * ray.direction.z},
-                     segment.to));
+        const Result<LatticeBox> around = to_lattice(lattice_, world_box);
+        add(around.status);
+        const LatticeBox& box = *around;
+        const Vec3 end = {ray.origin.x + 2.0f * ray.direction.x, ray.origin.y + 2.0f * ray.direction.y,
+                          ray.origin.z + 2.0f * ray.direction.z};
+        const Result<LatticePoint> from = to_lattice(lattice_, ray.origin), to = to_lattice(lattice_, end);
+        add(from.status);
+        add(to.status);
+        const LatticeSegment segment = {*from, *to};
         bool answer = false;
-        measure_(box_in_steps, [&] { answer = overlaps(blob_, box); });
+        measure_(box_in_steps, [&] { answer = overlaps(blob_, box).yes(); });
         answers_.add(answer);
-        HitInSteps hit;
-        QueryStatus status{};
-        measure_(first_in_steps, [&] { status = first_hit(blob_, segment, hit); });
-        add(status);
+        const LatticeHit hit = measured(first_in_steps, [&] { return raycast(blob_, segment); });
+        add(hit.status);
         answers_.add(hit.t);
         answers_.add(hit.triangle.index);
-        measure_(any_in_steps, [&] { status = any_hit(blob_, segment, answer); });
-        add(status);
-        answers_.add(answer);
+        add(measured(any_in_steps, [&] { return occluded(blob_, segment); }).status());
     }
 
     void ask_rays() {
         const Ray ray = this->ray();
         std::uint32_t number = 0;
-        measure_(all_hits, [&] { for_each_hit(blob_, ray, [&](const RayHit&) { return ++number, keep_going; }); });
+        add(measured(all_hits, [&] { return for_each_hit(blob_, ray, [&](const RayHit&) { ++number; }); }));
         answers_.add(number);
         RayHit hits[4];
-        HitCount count{};
-        measure_(few_hits, [&] { count = closest_hits(blob_, ray, hits); });
-        for (std::size_t i = 0; i < count.count; ++i) add(hits[i]);
+        const Filled few = measured(few_hits, [&] { return closest_hits(blob_, ray, hits); });
+        for (const RayHit& hit : few.in(hits)) add(hit);
         const Ray rays[4] = {ray, this->ray(), this->ray(), this->ray()};
-        std::size_t found = 0;
-        measure_(ray_batch, [&] { found = raycast(blob_, rays, hits); });
-        answers_.add(static_cast<std::uint32_t>(found));
+        add(measured(ray_batch, [&] { return raycast(blob_, rays, hits); }).status);
         for (const RayHit& hit : hits) add(hit);
     }
 
@@ -214,7 +219,7 @@ private:
         const Sphere sphere = this->sphere();
         const Box box = this->box();
         const Capsule capsule = {sphere.center, point_in_box(), sphere.radius};
-        const Corners corners = {sphere.center, box.min, box.max};
+        const Triangle corners = {sphere.center, box.min, box.max};
         const OrientedBox oriented = {box.min, {step(), step(), step()}};
         const Vec3 on = point_in_box();
         Plane planes[4];
@@ -223,18 +228,18 @@ private:
             plane = {normal, normal.x * on.x + normal.y * on.y + normal.z * on.z + 0.02f * extent_};
         }
         std::uint32_t number = 0;
-        const auto count = [&](Triangle) { return ++number, keep_going; };
-        measure_(sphere_list, [&] { for_each_overlap(blob_, sphere, count); });
-        measure_(box_list, [&] { for_each_overlap(blob_, box, count); });
+        const auto count = [&](TriangleId) { return ++number, Visit::next; };
+        measure_(sphere_list, [&] { (void)for_each_overlap(blob_, sphere, count); });
+        measure_(box_list, [&] { (void)for_each_overlap(blob_, box, count); });
         answers_.add(number);
         bool answer = false;
-        measure_(capsule_overlap, [&] { answer = overlaps(blob_, capsule); });
+        measure_(capsule_overlap, [&] { answer = overlaps(blob_, capsule).yes(); });
         answers_.add(answer);
-        measure_(oriented_box_overlap, [&] { answer = overlaps(blob_, oriented); });
+        measure_(oriented_box_overlap, [&] { answer = overlaps(blob_, oriented).yes(); });
         answers_.add(answer);
-        measure_(triangle_overlap, [&] { answer = overlaps(blob_, corners); });
+        measure_(triangle_overlap, [&] { answer = overlaps(blob_, corners).yes(); });
         answers_.add(answer);
-        measure_(planes_overlap, [&] { answer = overlaps(blob_, std::span<const Plane>(planes)); });
+        measure_(planes_overlap, [&] { answer = overlaps(blob_, ConvexVolume{planes}).yes(); });
         answers_.add(answer);
     }
 
@@ -242,25 +247,22 @@ private:
         const Vec3 point = point_in_box();
         const Box box = this->box();
         const Vec3 end = point_in_box();
-        Nearest few[4];
-        std::size_t found = 0;
-        measure_(few_points, [&] { found = closest_triangles(blob_, point, __builtin_inff(), few); });
-        for (std::size_t i = 0; i < found; ++i) add(few[i]);
-        bool answer = false;
-        QueryStatus status{};
-        measure_(inside, [&] { status = contains(blob_, point, answer); });
-        add(status);
-        answers_.add(answer);
-        measure_(signed_point, [&] { status = signed_distance(blob_, point, __builtin_inff(), few[0]); });
-        add(status);
-        add(few[0]);
-        NearestPair pair;
-        measure_(nearest_to_segment, [&] { status = closest_to_segment(blob_, {point, end}, __builtin_inff(), pair); });
-        add(status);
-        add(pair);
-        measure_(nearest_to_box, [&] { status = closest_to_box(blob_, box, __builtin_inff(), pair); });
-        add(status);
-        add(pair);
+        ClosestPoint few[4];
+        Filled found;
+        measure_(few_points, [&] { found = closest_triangles(blob_, point, few); });
+        for (const ClosestPoint& each : found.in(few)) add(each);
+        YesNo answer;
+        measure_(inside, [&] { answer = contains(blob_, point); });
+        add(answer.status());
+        answers_.add(answer.yes());
+        ClosestPoint nearest;
+        measure_(signed_point, [&] { nearest = signed_distance(blob_, point); });
+        add(nearest.status);
+        add(nearest);
+        measure_(nearest_to_segment, [&] { nearest = closest_point(blob_, Segment{point, end}); });
+        add_pair(nearest);
+        measure_(nearest_to_box, [&] { nearest = closest_point(blob_, box); });
+        add_pair(nearest);
     }
 
     void ask_sweeps() {
@@ -269,15 +271,14 @@ private:
         const Vec3 way = step();
         const Capsule capsule = {box.min, box.max, sphere.radius};
         SweepHit hit;
-        bool answer = false;
-        measure_(moving_sphere, [&] { answer = sweep(blob_, sphere, way, hit); });
-        answers_.add(answer);
+        measure_(moving_sphere, [&] { hit = sweep(blob_, sphere, way); });
+        answers_.add(bool(hit));
         add(hit);
-        measure_(moving_capsule, [&] { answer = sweep(blob_, capsule, way, hit); });
-        answers_.add(answer);
+        measure_(moving_capsule, [&] { hit = sweep(blob_, capsule, way); });
+        answers_.add(bool(hit));
         add(hit);
-        measure_(moving_box, [&] { answer = sweep(blob_, box, way, hit); });
-        answers_.add(answer);
+        measure_(moving_box, [&] { hit = sweep(blob_, box, way); });
+        answers_.add(bool(hit));
         add(hit);
     }
 
@@ -287,17 +288,16 @@ private:
         const Ray ray = this->ray();
         const float accuracy = 0.01f * extent_;
         bool answer = false;
-        measure_(coarse_sphere, [&] { answer = may_overlap(blob_, sphere, accuracy); });
+        measure_(coarse_sphere, [&] { answer = overlaps(blob_, sphere, Accuracy{accuracy}).yes(); });
         answers_.add(answer);
-        measure_(coarse_box, [&] { answer = may_overlap(blob_, box, accuracy); });
+        measure_(coarse_box, [&] { answer = overlaps(blob_, box, Accuracy{accuracy}).yes(); });
         answers_.add(answer);
-        measure_(coarse_ray, [&] { answer = may_be_occluded(blob_, ray, accuracy); });
-        answers_.add(answer);
-        DistanceBounds bounds;
+        answers_.add(measured(coarse_ray, [&] { return occluded(blob_, ray, Accuracy{accuracy}); }).yes());
+        Result<DistanceBounds> bounds;
         measure_(coarse_distance,
-                 [&] { answer = distance_bounds(blob_, sphere.center, __builtin_inff(), accuracy, bounds); });
-        answers_.add(bounds.lower);
-        answers_.add(bounds.upper);
+                 [&] { bounds = distance_bounds(blob_, sphere.center, __builtin_inff(), Accuracy{accuracy}); });
+        answers_.add(bounds->lower);
+        answers_.add(bounds->upper);
     }
 
     /// Where a rotation without translation takes a point; the quaternion may have any length.
@@ -314,7 +314,7 @@ private:
     /// The blob against itself, turned about its middle, so far aside that the boxes overlap by half; for distances,
     /// that they are half their size apart.
     void ask_pairs() {
-        Placement placement;
+        Transform placement;
         placement.rotation = {0.5f * symmetric(), 0.5f * symmetric(), 0.5f * symmetric(), 1.0f};
         const Vec3 back = difference(center_, turned(placement.rotation, center_));
         const Vec3 direction = unit_vector();
@@ -322,28 +322,29 @@ private:
             return Vec3{back.x + direction.x * distance * size_.x, back.y + direction.y * distance * size_.y,
                         back.z + direction.z * distance * size_.z};
         };
-        bool answer = false;
-        QueryStatus status{};
         placement.translation = aside(0.5f);
-        measure_(two_touch, [&] { status = collides(blob_, blob_, placement, answer); });
-        add(status);
-        answers_.add(answer);
+        YesNo answer;
+        measure_(two_touch, [&] { answer = overlaps(blob_, {blob_, placement}, WorkLimit::unlimited()); });
+        add(answer.status());
+        answers_.add(answer.yes());
         std::uint32_t number = 0;
+        QueryStatus status{};
         measure_(two_contacts, [&] {
-            status = for_each_contact(blob_, blob_, placement,
-                                      [&](TrianglePair) { return ++number < 100 ? keep_going : stop; });
+            const auto visit = [&](const PairContact&) { return ++number < 100 ? Visit::next : Visit::stop; };
+            status = for_each_contact(blob_, {blob_, placement}, visit, WorkLimit::unlimited());
         });
         add(status);
         answers_.add(number);
         placement.translation = aside(1.5f);
-        PairDistance nearest;
-        measure_(two_distance,
-                 [&] { status = minimum_distance(blob_, blob_, placement, __builtin_inff(), nearest, answer); });
-        add(status);
+        BlobDistance nearest;
+        measure_(two_distance, [&] { nearest = distance(blob_, {blob_, placement}, WorkLimit::unlimited()); });
+        add(nearest.status);
         answers_.add(nearest.distance);
-        measure_(two_within, [&] { status = within_distance(blob_, blob_, placement, 0.125f * extent_, answer); });
-        add(status);
-        answers_.add(answer);
+        measure_(two_within, [&] {
+            answer = within_distance(blob_, {blob_, placement}, 0.125f * extent_, WorkLimit::unlimited());
+        });
+        add(answer.status());
+        answers_.add(answer.yes());
     }
 
     std::span<const std::byte> bytes_;

@@ -20,9 +20,9 @@ int main(int argument_count, char** arguments) {
     }
     std::ifstream file(arguments[2], std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-    Blob blob;
-    if (const Status status = open(std::as_bytes(std::span(bytes)), blob); status != Status::ok) {
-        std::fprintf(stderr, "workload_here: %s: %s\n", arguments[2], describe(status));
+    const Blob blob = open(std::as_bytes(std::span(bytes)));
+    if (!blob) {
+        std::fprintf(stderr, "workload_here: %s: %s\n", arguments[2], describe(blob.status()));
         return 2;
     }
     const auto just_call = [](unsigned, FunctionRef<void()> call) { call(); };

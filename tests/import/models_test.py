@@ -50,7 +50,7 @@ class Outcome:
 
 def run(espalier, path, folder, *options):
     blob = os.path.join(folder, "blob.espl")
-    command = [espalier, "bake", path, "-o", blob, "--json", "--effort", "0", "--threads", "1", *options]
+    command = [espalier, "bake", path, "-o", blob, "--json", "--effort", "fast", "--threads", "1", *options]
     try:
         process = subprocess.run(command, capture_output=True, timeout=SECONDS, check=False)
     except subprocess.TimeoutExpired:
@@ -89,7 +89,7 @@ def judge(espalier, root, name, repair):
     """The outcome of one file."""
     path = os.path.join(root, name)
     with tempfile.TemporaryDirectory() as folder:
-        options = ["--repair"] if repair else []
+        options = ["--drop-bad-triangles"] if repair else []
         code, document, stderr = run(espalier, path, folder, *options)
         if code is None:
             return Outcome(name, "endless", [f"takes more than {SECONDS} seconds"])
@@ -158,13 +158,13 @@ def main():
         counts["baked with a warning, and nothing is lost", repair] += outcome.is_needless
         for failure in outcome.failures:
             failures += 1
-            print(f"FAILED: {name}{' --repair' if repair else ''}: {failure}")
+            print(f"FAILED: {name}{' --drop-bad-triangles' if repair else ''}: {failure}")
         if outcome.warnings:
-            print(f"warned: {name}{' --repair' if repair else ''}: {', '.join(outcome.warnings)}"
+            print(f"warned: {name}{' --drop-bad-triangles' if repair else ''}: {', '.join(outcome.warnings)}"
                   f"{' (nothing is lost)' if outcome.is_needless else ''}")
-    print(f"{'outcome of ' + str(len(names)) + ' files':44}{'bake':>8}{'--repair':>10}")
+    print(f"{'outcome of ' + str(len(names)) + ' files':44}{'bake':>8}{'--drop-bad-triangles':>22}")
     for kind in sorted({kind for kind, _ in counts}):
-        print(f"{kind:44}{counts[kind, False]:8}{counts[kind, True]:10}")
+        print(f"{kind:44}{counts[kind, False]:8}{counts[kind, True]:22}")
     for repair in (False, True):
         if counts["baked with a warning, and nothing is lost", repair] > 0.02 * counts["baked", repair]:
             failures += 1

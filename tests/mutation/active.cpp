@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <runtime/simd/select.hpp>
+#include <runtime/lanes/select.hpp>
 
 #include "mutants.hpp"
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""mutate.py BUILD [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--most N] [--claims TEXT...] [--publish]:
+"""mutate.py --check: checks that all of CLAIMS exist, and each excuse as `instrument.py --check` does.
+mutate.py BUILD [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--most N] [--claims TEXT...] [--publish]:
 breaks the library in every way that instrument.py knows, one at a time, and prints what no claim noticed. PART is
 verifier, decode, quantiser, traversal, rounding, small (what microcontrollers have of their own), queries (what they do
 at nodes and leaves, batches), ids (the section of original ids, as the baker writes it) or edges (the baker's table). --files chooses the mutants of
@@ -33,7 +34,7 @@ import signal
 import subprocess
 import sys
 
-from instrument import PARTS, version_of
+from instrument import PARTS, check as check_excuses, version_of
 from published import publish
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -46,7 +47,7 @@ SCALE = os.environ.get("ESPALIER_TEST_SCALE", "0.05")  # enough for most mutants
 CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/blob/open", "runtime/blob/open_codecs", "runtime/blob/open_rules", "runtime/blob/open_tree",
     "runtime/blob/open_sections", "runtime/blob/open_ids", "runtime/blob/open_leaves",
-    "runtime/blob/open_predicted_strips", "runtime/blob/trusted_image", "runtime/blob/weird_blob",
+    "runtime/blob/open_predicted_strips", "runtime/blob/open_unchecked", "runtime/blob/weird_blob",
     "runtime/traversal/statistics", "runtime/traversal/work", "runtime/traversal/node_boxes",
     "runtime/rays/traversal", "runtime/lattice/round_ray", "runtime/lattice/round_point",
     "runtime/lattice/step_queries", "runtime/lattice/steps", "runtime/asset/identity", "runtime/proximity/nearest",
@@ -55,8 +56,9 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/lattice/rounding_error", "runtime/lattice/rounding_formula", "runtime/rays/rounded_ray",
     "runtime/rays/rounded_ray_borders", "runtime/rays/seam_rays", "runtime/rays/seen_ray",
     "runtime/traversal/small_boxes", "runtime/rays/leaf_filter", "runtime/rays/ray", "runtime/rays/batch",
-    "runtime/rays/closest_hits", "runtime/rays/far_query", "runtime/pairs/collide", "runtime/pairs/distance_work",
-    "runtime/blob/copies", "runtime/traversal/packed_walk", "baker/quantise/lattice", "baker/quantise/lattice_borders",
+    "runtime/rays/closest_hits", "runtime/rays/far_query", "runtime/pairs/pair", "runtime/pairs/distance_work",
+    "runtime/blob/duplicate_references", "runtime/overlap/duplicate_references",
+    "runtime/traversal/packed_walk", "baker/quantise/lattice", "baker/quantise/lattice_borders",
     "baker/error/fit_lattice", "baker/build/tree", "baker/collapse/strip", "baker/sections/bounds",
     "baker/sections/edge_flags", "baker/base/edge_table", "baker/error/error", "baker/quantise/drop",
     "baker/build/spatial", "baker/few_triangles", "baker/input/input", "baker/quantise/closed", "baker/quantise/seams",
@@ -108,9 +110,9 @@ def build(folder, mutants):
 
 def leave_out_wide_lanes(fresh):
     """One lane and four have between them all that is mutated; what is wider is held to their bits elsewhere."""
-    for path in fresh.glob("lib/runtime/simd/*_avx*.cpp"):
+    for path in fresh.glob("lib/runtime/instruction_sets/avx*.cpp"):
         path.write_text("")
-    dispatch = fresh / "lib/runtime/simd/dispatch.hpp"
+    dispatch = fresh / "lib/runtime/lanes/dispatch.hpp"
     text = dispatch.read_text().replace("defined(__x86_64__)", "0")
     dispatch.write_text(text.replace("avx2::query", "sse42::query"))
     paths = fresh / "tests/support/machine/instruction_paths.cpp"
@@ -305,7 +307,16 @@ def changed_since(commit, files):
     return changed
 
 
+def check():
+    missing = [claim for claim in CLAIMS if not (ROOT / "tests" / claim).exists()]
+    if missing:
+        raise SystemExit(f"mutate.py, CLAIMS: no such file in tests: {', '.join(missing)}")
+    check_excuses(ROOT / "lib")
+
+
 def main():
+    if sys.argv[1:] == ["--check"]:
+        return check()
     asked = argparse.ArgumentParser()
     asked.add_argument("build")
     asked.add_argument("parts", nargs="*")

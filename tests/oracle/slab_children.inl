@@ -5,7 +5,8 @@
 template <class Node>
 unsigned children(const BlobData& blob, const Ray& ray, const Node& node, float limit, float* keys) {
     PreparedRayIn<RayLanesOf<Node>> prepared;
-    return prepare(blob, ray, prepared) ? slab_test(node, prepared.lanes(), limit, keys) : 0;
+    if (prepare(blob, ray, prepared) != QueryStatus::ok) return 0;
+    return slab_test(node, prepared.lanes(), limit, keys);
 }
 /// Prepared as it is defined, tested by lanes.
 template <class Node>

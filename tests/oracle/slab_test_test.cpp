@@ -11,17 +11,17 @@
 #include <limits>
 #include <vector>
 
-#include <runtime/placed_planes.hpp>
-#include <runtime/ray_lanes.hpp>
-#include <runtime/simd/lanes_scalar.hpp>
-#include <runtime/simd/select.hpp>
+#include <runtime/lanes/prepared_ray.hpp>
+#include <runtime/lanes/scalar.hpp>
+#include <runtime/lanes/select.hpp>
+#include <runtime/rays/queries.hpp>
 #if ESPALIER_X86
-#include <runtime/simd/lanes_avx2.hpp>
-#include <runtime/simd/lanes_sse42.hpp>
+#include <runtime/lanes/avx2.hpp>
+#include <runtime/lanes/sse42.hpp>
 #elif ESPALIER_NEON
-#include <runtime/simd/lanes_neon.hpp>
+#include <runtime/lanes/neon.hpp>
 #elif ESPALIER_SIMD128
-#include <runtime/simd/lanes_simd128.hpp>
+#include <runtime/lanes/simd128.hpp>
 #endif
 
 #include "rational.hpp"
@@ -31,9 +31,9 @@
 namespace espalier::detail {
 namespace scalar {
 namespace {
-#include <runtime/simd/prepare_ray_portable.inl>
-#include <runtime/ray_nodes.inl>
-#include <runtime/ray_plain_nodes.inl>
+#include <runtime/rays/prepare_ray_portable.inl>
+#include <runtime/rays/slab_test.inl>
+#include <runtime/rays/plain_slab_test.inl>
 #include "slab_children.inl"
 }  // namespace
 }  // namespace scalar
@@ -41,9 +41,9 @@ namespace {
 ESPALIER_BEGIN_TARGET(ESPALIER_SSE42)
 namespace sse42 {
 namespace {
-#include <runtime/simd/prepare_ray_x86.inl>
-#include <runtime/ray_nodes.inl>
-#include <runtime/ray_plain_nodes.inl>
+#include <runtime/rays/prepare_ray.inl>
+#include <runtime/rays/slab_test.inl>
+#include <runtime/rays/plain_slab_test.inl>
 #include "slab_children.inl"
 }  // namespace
 }  // namespace sse42
@@ -51,9 +51,9 @@ ESPALIER_END_TARGET
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace avx2 {
 namespace {
-#include <runtime/simd/prepare_ray_x86.inl>
-#include <runtime/simd/ray_nodes_avx2.inl>
-#include <runtime/ray_plain_nodes.inl>
+#include <runtime/rays/prepare_ray.inl>
+#include <runtime/rays/slab_test_avx2.inl>
+#include <runtime/rays/plain_slab_test.inl>
 #include "slab_children.inl"
 }  // namespace
 }  // namespace avx2
@@ -61,18 +61,18 @@ ESPALIER_END_TARGET
 #elif ESPALIER_NEON
 namespace neon {
 namespace {
-#include <runtime/simd/prepare_ray_portable.inl>
-#include <runtime/ray_nodes.inl>
-#include <runtime/ray_plain_nodes.inl>
+#include <runtime/rays/prepare_ray.inl>
+#include <runtime/rays/slab_test.inl>
+#include <runtime/rays/plain_slab_test.inl>
 #include "slab_children.inl"
 }  // namespace
 }  // namespace neon
 #elif ESPALIER_SIMD128
 namespace simd128 {
 namespace {
-#include <runtime/simd/prepare_ray_simd128.inl>
-#include <runtime/ray_nodes.inl>
-#include <runtime/ray_plain_nodes.inl>
+#include <runtime/rays/prepare_ray.inl>
+#include <runtime/rays/slab_test.inl>
+#include <runtime/rays/plain_slab_test.inl>
 #include "slab_children.inl"
 }  // namespace
 }  // namespace simd128
@@ -103,7 +103,8 @@ std::vector<Path<Node>> paths() {
         result.push_back({"avx2 as defined", detail::avx2::children_as_defined<Node>});
     }
 #elif ESPALIER_NEON
-    result.push_back({"neon", detail::neon::children_as_defined<Node>});
+    result.push_back({"neon", detail::neon::children<Node>});
+    result.push_back({"neon as defined", detail::neon::children_as_defined<Node>});
 #elif ESPALIER_SIMD128
     result.push_back({"simd128", detail::simd128::children<Node>});
     result.push_back({"simd128 as defined", detail::simd128::children_as_defined<Node>});

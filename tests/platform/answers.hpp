@@ -2,6 +2,7 @@
 // the same file runs on a server and on a Cortex-M0.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -15,62 +16,60 @@ namespace espalier::platform {
 /// Edges, bounds and nodes.
 inline void read_extras(const Blob& blob, Fingerprint& fingerprint) {
     for (std::uint32_t index = 0; index <= blob.triangle_count(); index += 1 + index / 8) {
-        EdgeKinds kinds;
-        fingerprint.add(edge_kinds(blob, {index}, kinds));
-        fingerprint.add(static_cast<std::uint32_t>(kinds.ab) << 4 | static_cast<std::uint32_t>(kinds.bc) << 2 |
-                        static_cast<std::uint32_t>(kinds.ca));
-        Corners corners;
-        fingerprint.add(triangle_corners(blob, {index}, corners));
+        const Result<EdgeKinds> kinds = edge_kinds(blob, {index});
+        fingerprint.add(static_cast<bool>(kinds));
+        fingerprint.add(static_cast<std::uint32_t>(kinds->ab) << 4 | static_cast<std::uint32_t>(kinds->bc) << 2 |
+                        static_cast<std::uint32_t>(kinds->ca));
+        const Triangle corners = *triangle_at(blob, {index});
+        fingerprint.add(bool(triangle_at(blob, {index})));
         fingerprint.add(corners.b);
-        Vec3 normal;
-        fingerprint.add(is_on_inner_edge(blob, {{index}, static_cast<Feature>(index % 7), corners.a}, normal));
-        fingerprint.add(normal);
+        const Vec3 normal = fix_internal_edge_normal(blob, {index}, static_cast<Feature>(index % 7), corners.a);
+        const bool is_fixed = normal != corners.a;
+        fingerprint.add(is_fixed);
+        fingerprint.add(is_fixed ? normal : Vec3{});
     }
-    Sphere sphere;
-    fingerprint.add(bounding_sphere(blob, sphere));
-    fingerprint.add(sphere.center);
-    fingerprint.add(sphere.radius);
-    const Vec3 low = blob.bounds_min();
-    const Vec3 high = blob.bounds_max();
-    const Vec3 beside = {low.x, high.y, low.z};
-    fingerprint.add(is_outside_bounds(blob, Sphere{beside, 0.125f * (high.x - low.x)}));
-    fingerprint.add(is_outside_bounds(blob, Box{{low.x, low.y, high.z}, {low.x, low.y, high.z}}));
-    OrientedBox box;
-    fingerprint.add(oriented_bounds(blob, box));
-    fingerprint.add(box.center);
-    for (const Vec3& axis : box.half_axes) fingerprint.add(axis);
-    KDop k_dop;
-    fingerprint.add(k_dop_bounds(blob, k_dop));
+    const Result<Sphere> sphere = bounding_sphere(blob);
+    fingerprint.add(static_cast<bool>(sphere));
+    fingerprint.add(sphere->center);
+    fingerprint.add(sphere->radius);
+    const Result<OrientedBox> box = oriented_bounds(blob);
+    fingerprint.add(static_cast<bool>(box));
+    fingerprint.add(box->center);
+    for (const Vec3& axis : box->half_axes) fingerprint.add(axis);
+    const Result<KDop> k_dop = k_dop_bounds(blob);
+    fingerprint.add(static_cast<bool>(k_dop));
     for (unsigned k = 0; k < KDop::count; ++k) {
-        fingerprint.add(k_dop.lo[k]);
-        fingerprint.add(k_dop.hi[k]);
+        fingerprint.add(k_dop->lo[k]);
+        fingerprint.add(k_dop->hi[k]);
     }
-    for_each_node(blob, [&](const TreeNode& node) {
+    (void)for_each_node(blob, [&](const TreeNode& node) {
         fingerprint.add(node.number);
         fingerprint.add(std::uint32_t{node.depth});
         for (unsigned i = 0; i < node.child_count; ++i) {
             fingerprint.add(node.children[i].box.min);
             fingerprint.add(node.children[i].box.max);
-            fingerprint.add(node.children[i].first.index);
+            fingerprint.add(node.children[i].is_leaf ? node.children[i].first.index : 0u);
         }
         return NodeVisit::descend;
     });
 }
 
+/// A miss enters as the zeros of triangle 0, as it did when golden.txt was recorded.
 template <class Shape>
 void ask_sweep(const Blob& blob, const Shape& shape, Vec3 displacement, Answers& answers) {
-    SweepHit hit;
     answers.calls += 3;
-    answers.fingerprint.add(
-        sweep(blob, shape, displacement, hit, [](Triangle triangle) { return triangle.index % 3 != 0; }));
-    answers.fingerprint.add(hit.t);
-    answers.fingerprint.add(sweep(blob, shape, displacement, hit));
-    answers.fingerprint.add(static_cast<std::uint32_t>(check_sweep(blob, shape, displacement)));
-    answers.fingerprint.add(hit.t);
+    const SweepHit filtered =
+        sweep(blob, shape, displacement, [](TriangleId triangle) { return triangle.index % 3 != 0; });
+    answers.fingerprint.add(bool(filtered));
+    answers.fingerprint.add(filtered ? filtered.t : 0.0f);
+    const SweepHit hit = sweep(blob, shape, displacement);
+    answers.fingerprint.add(bool(hit));
+    answers.fingerprint.add(hit.status);
+    answers.fingerprint.add(hit ? hit.t : 0.0f);
     answers.fingerprint.add(hit.point);
     answers.fingerprint.add(hit.normal);
     answers.fingerprint.add(hit.starts_overlapping);
-    add_triangle(answers.fingerprint, blob, hit.triangle);
+    add_triangle(answers.fingerprint, blob, hit ? hit.triangle : TriangleId{0});
 }
 
 inline void ask_sweeps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
@@ -86,49 +85,57 @@ inline void ask_sweeps(const Blob& blob, Questions& questions, std::uint32_t cou
     }
 }
 
+/// Visits all overlaps. Returns false if the visitor stopped, or the shape is out of range.
+template <class Shape>
+bool saw_all(const Blob& blob, const Shape& shape, TriangleVisitor visit) {
+    const QueryStatus status = for_each_overlap(blob, shape, visit);
+    return status == QueryStatus::ok || status == QueryStatus::invalid_argument;
+}
+
 inline void ask_spheres(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
         const Sphere sphere = questions.sphere(number);
         std::uint32_t left = 40;
-        answers.fingerprint.add(overlaps(blob, sphere));
-        const bool saw_all = for_each_overlap(blob, sphere, [&](Triangle triangle) {
+        answers.fingerprint.add(overlaps(blob, sphere).yes());
+        const bool all = saw_all(blob, sphere, [&](TriangleId triangle) {
             ++answers.overlaps;
             answers.fingerprint.add(triangle.index);
-            return --left == 0 ? stop : keep_going;
+            return --left == 0 ? Visit::stop : Visit::next;
         });
         ++answers.spheres;
         answers.calls += 2;
-        answers.fingerprint.add(saw_all);
+        answers.fingerprint.add(all);
     }
 }
 
-inline void add_nearest(Fingerprint& fingerprint, const Blob& blob, const Nearest& nearest) {
+/// A miss enters as the zeros of triangle 0.
+inline void add_nearest(Fingerprint& fingerprint, const Blob& blob, const ClosestPoint& nearest) {
     fingerprint.add(nearest.point);
-    fingerprint.add(nearest.distance);
+    fingerprint.add(nearest ? nearest.distance : 0.0f);
     fingerprint.add(nearest.u);
     fingerprint.add(nearest.v);
     fingerprint.add(static_cast<std::uint32_t>(nearest.feature));
-    add_triangle(fingerprint, blob, nearest.triangle);
+    add_triangle(fingerprint, blob, nearest ? nearest.triangle : TriangleId{0});
 }
 
 template <class Shape>
 void ask_volume(const Blob& blob, const Shape& shape, Answers& answers) {
-    Triangle page[3];
+    TriangleId page[3];
     std::uint32_t left = 12;
     answers.calls += 5;
-    answers.fingerprint.add(overlaps(blob, shape));
-    answers.fingerprint.add(for_each_overlap(blob, shape, [&](Triangle triangle) {
+    answers.fingerprint.add(overlaps(blob, shape).yes());
+    answers.fingerprint.add(saw_all(blob, shape, [&](TriangleId triangle) {
         ++answers.overlaps;
         answers.fingerprint.add(triangle.index);
-        return --left == 0 ? stop : keep_going;
+        return --left == 0 ? Visit::stop : Visit::next;
     }));
-    std::uint32_t first = 0;
+    Cursor from;
     for (int pages = 0; pages < 3; ++pages) {
-        const OverlapPage answer = collect_overlaps(blob, shape, page, first);
-        answers.fingerprint.add(static_cast<std::uint32_t>(answer.status));
-        answers.fingerprint.add(answer.next);
-        for (std::uint32_t i = 0; i < answer.count; ++i) answers.fingerprint.add(page[i].index);
-        first = answer.next;
+        const Filled answer = collect_overlaps(blob, shape, page, from);
+        answers.fingerprint.add(answer.status);
+        answers.fingerprint.add(answer.next.place[0]);
+        for (const TriangleId triangle : answer.in(page)) answers.fingerprint.add(triangle.index);
+        from = answer.next;
     }
 }
 
@@ -142,46 +149,50 @@ inline void ask_volumes(const Blob& blob, Questions& questions, std::uint32_t co
         Plane planes[6];
         const std::span<Plane> some = std::span<Plane>(planes).first(1 + number % 6);
         questions.planes(number, some);
-        ask_volume(blob, std::span<const Plane>(some), answers);
+        ask_volume(blob, ConvexVolume{some}, answers);
     }
 }
 
 inline void ask_in_steps(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    const Lattice lattice = lattice_of(blob);
+    const Lattice lattice = blob.lattice();
     for (std::uint32_t number = 0; number < count; ++number) {
         ask_volume(blob, questions.box_in_steps(number), answers);
-        const SegmentInSteps segment = questions.segment_in_steps(number);
-        HitInSteps hit;
-        bool any = false;
+        const LatticeSegment segment = questions.segment_in_steps(number);
+        const LatticeHit hit = raycast(blob, segment);
         answers.calls += 4;
-        answers.fingerprint.add(static_cast<std::uint32_t>(first_hit(blob, segment, hit)));
-        answers.fingerprint.add(hit.t);
-        answers.fingerprint.add(static_cast<std::uint32_t>(hit.side));
+        const auto range = [](QueryStatus status) {  // all that the golden values hold
+            return status == QueryStatus::out_of_range ? status : QueryStatus::ok;
+        };
+        answers.fingerprint.add(range(hit.status));
+        answers.fingerprint.add(hit ? hit.t : std::uint32_t{0});
+        answers.fingerprint.add(std::uint32_t{hit && hit.side == Side::back ? 2u : 1u});
         add_triangle(answers.fingerprint, blob, hit.triangle);
-        answers.fingerprint.add(static_cast<std::uint32_t>(any_hit(blob, segment, any)));
-        answers.fingerprint.add(any);
-        Steps nearest;
-        answers.fingerprint.add(static_cast<std::uint32_t>(to_steps(lattice, questions.point(number), nearest)));
-        answers.fingerprint.add(to_world(lattice, nearest));
-        BoxInSteps around;
-        answers.fingerprint.add(static_cast<std::uint32_t>(steps_around(lattice, questions.box(number), around)));
-        answers.fingerprint.add(static_cast<std::uint32_t>(around.min.x));
-        answers.fingerprint.add(static_cast<std::uint32_t>(around.max.z));
+        const YesNo any = occluded(blob, segment);
+        answers.fingerprint.add(range(any.status()));
+        answers.fingerprint.add(any.yes());
+        const Result<LatticePoint> nearest = to_lattice(lattice, questions.point(number));
+        answers.fingerprint.add(nearest.status);
+        answers.fingerprint.add(to_local(lattice, *nearest));
+        const Result<LatticeBox> around = to_lattice(lattice, questions.box(number));
+        answers.fingerprint.add(around.status);
+        answers.fingerprint.add(static_cast<std::uint32_t>(around->min.x));
+        answers.fingerprint.add(static_cast<std::uint32_t>(around->max.z));
     }
 }
 
 inline void ask_approximately(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
         const float accuracy = questions.distance(number + 1) * 0.0625f;
-        DistanceBounds bounds;
         answers.calls += 4;
-        answers.fingerprint.add(may_overlap(blob, questions.sphere(number), accuracy));
-        answers.fingerprint.add(may_overlap(blob, questions.box(number), accuracy));
-        answers.fingerprint.add(may_be_occluded(blob, questions.ray(number), accuracy));
+        answers.fingerprint.add(overlaps(blob, questions.sphere(number), Accuracy{accuracy}).yes());
+        answers.fingerprint.add(overlaps(blob, questions.box(number), Accuracy{accuracy}).yes());
+        answers.fingerprint.add(occluded(blob, questions.ray(number), Accuracy{accuracy}).yes());
         const Vec3 point = questions.point(number);
-        answers.fingerprint.add(distance_bounds(blob, point, questions.distance(number), accuracy, bounds));
-        answers.fingerprint.add(bounds.lower);
-        answers.fingerprint.add(bounds.upper);
+        const Result<DistanceBounds> bounds =
+            distance_bounds(blob, point, questions.distance(number), Accuracy{accuracy});
+        answers.fingerprint.add(bool(bounds));
+        answers.fingerprint.add(bounds ? bounds->lower : 0.0f);
+        answers.fingerprint.add(bounds ? bounds->upper : 0.0f);
     }
 }
 
@@ -189,48 +200,59 @@ inline void ask_closest_points(const Blob& blob, Questions& questions, std::uint
     for (std::uint32_t number = 0; number < count; ++number) {
         const Vec3 point = questions.point(number);
         const float max_distance = questions.distance(number);
-        Nearest nearest;
-        const bool found = closest_point(blob, point, max_distance, nearest);
+        const ClosestPoint nearest = closest_point(blob, point, max_distance);
         ++answers.points;
         answers.calls += 5;
-        answers.points_found += found ? 1u : 0u;
-        answers.fingerprint.add(found);
+        answers.points_found += nearest ? 1u : 0u;
+        answers.fingerprint.add(bool(nearest));
         add_nearest(answers.fingerprint, blob, nearest);
-        Nearest few[4];
-        const std::size_t places = closest_triangles(blob, point, max_distance, few);
-        answers.fingerprint.add(static_cast<std::uint32_t>(places));
-        for (std::size_t i = 0; i < places; ++i) add_nearest(answers.fingerprint, blob, few[i]);
-        bool inside = false;
-        answers.fingerprint.add(static_cast<std::uint32_t>(contains(blob, point, inside)));
-        answers.fingerprint.add(inside);
-        answers.fingerprint.add(static_cast<std::uint32_t>(signed_distance(blob, point, max_distance, nearest)));
-        answers.fingerprint.add(nearest.distance);
+        ClosestPoint few[4];
+        const Filled filled = closest_triangles(blob, point, few, max_distance);
+        answers.fingerprint.add(static_cast<std::uint32_t>(filled.count));
+        for (const ClosestPoint& each : filled.in(few)) add_nearest(answers.fingerprint, blob, each);
+        const YesNo inside = contains(blob, point);
+        answers.fingerprint.add(inside.status());
+        answers.fingerprint.add(inside.yes());
+        const ClosestPoint with_sign = signed_distance(blob, point, max_distance);
+        answers.fingerprint.add(with_sign.status);
+        // Of a refusal the distance without a sign, 0 if there is none.
+        answers.fingerprint.add(!is_refused(with_sign.status) ? with_sign.distance : nearest ? nearest.distance : 0.0f);
         const Result<float> moved = rounding_error(blob, Sphere{point, max_distance});
-        answers.fingerprint.add(static_cast<std::uint32_t>(moved.status));
+        answers.fingerprint.add(moved.status);
         answers.fingerprint.add(moved.value);
     }
 }
 
-inline void add_pair(Fingerprint& fingerprint, QueryStatus status, const NearestPair& pair) {
-    fingerprint.add(static_cast<std::uint32_t>(status));
-    fingerprint.add(pair.on_shape);
-    fingerprint.add(pair.on_surface);
-    fingerprint.add(pair.distance);
-    fingerprint.add(pair.u);
-    fingerprint.add(pair.v);
-    fingerprint.add(pair.triangle.index);
-}
+/// What enters of a closest pair: of a miss its limit as the distance, of a refusal what entered before.
+struct PairWords {
+    Vec3 on_shape, point;
+    float distance = 0.0f, u = 0.0f, v = 0.0f;
+    std::uint32_t triangle = 0;
+
+    void add(Fingerprint& fingerprint, const ClosestPoint& pair, float max_distance) {
+        if (!is_refused(pair.status)) {
+            const float limit = std::bit_cast<float>(std::bit_cast<std::uint32_t>(max_distance) & 0x7FFFFFFFu);
+            *this = {pair.on_shape, pair.point, pair ? pair.distance : limit, pair.u, pair.v, pair.triangle.index};
+        }
+        fingerprint.add(pair.status);
+        fingerprint.add(on_shape);
+        fingerprint.add(point);
+        fingerprint.add(distance);
+        fingerprint.add(u);
+        fingerprint.add(v);
+        fingerprint.add(triangle);
+    }
+};
 
 inline void ask_closest_pairs(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
         const Capsule capsule = questions.capsule(number);
         const float max_distance = questions.distance(number);
-        NearestPair pair;
+        PairWords words;
         answers.calls += 2;
-        const QueryStatus segment = closest_to_segment(blob, {capsule.from, capsule.to}, max_distance, pair);
-        add_pair(answers.fingerprint, segment, pair);
-        const QueryStatus box = closest_to_box(blob, questions.box(number), max_distance, pair);
-        add_pair(answers.fingerprint, box, pair);
+        words.add(answers.fingerprint, closest_point(blob, Segment{capsule.from, capsule.to}, max_distance),
+                  max_distance);
+        words.add(answers.fingerprint, closest_point(blob, questions.box(number), max_distance), max_distance);
     }
 }
 
@@ -238,21 +260,21 @@ inline void ask_closest_pairs(const Blob& blob, Questions& questions, std::uint3
 inline void read_all(const Blob& blob, Answers& answers) {
     answers.fingerprint.add(blob.triangle_count());
     answers.fingerprint.add(blob.vertex_count());
-    answers.fingerprint.add(blob.size_bytes());
+    answers.fingerprint.add(blob.size());
     answers.fingerprint.add(blob.checksum());
     answers.fingerprint.add(std::uint32_t{blob.depth()});
-    answers.fingerprint.add(std::uint32_t{blob.bits()});
-    answers.fingerprint.add(blob.step());
+    answers.fingerprint.add(std::uint32_t{detail::data_of(blob).bits});
+    answers.fingerprint.add(std::bit_cast<float>(static_cast<std::uint32_t>(blob.lattice().step_exponent + 127) << 23));
     answers.fingerprint.add(blob.max_error());
-    answers.fingerprint.add(blob.bounds_min());
-    answers.fingerprint.add(blob.bounds_max());
-    answers.fingerprint.add(blob.closed());
-    for_each_triangle(blob, [&](Triangle triangle, const Corners& corners) {
+    answers.fingerprint.add(blob.bounds().min);
+    answers.fingerprint.add(blob.bounds().max);
+    answers.fingerprint.add(blob.is_closed());
+    (void)for_each_triangle(blob, [&](TriangleId triangle, const Triangle& corners) {
         add_triangle(answers.fingerprint, blob, triangle);
         answers.fingerprint.add(corners.a);
         answers.fingerprint.add(corners.b);
         answers.fingerprint.add(corners.c);
-        return keep_going;
+        return Visit::next;
     });
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier::platform {
@@ -25,6 +26,23 @@ public:
         add(vector.x);
         add(vector.y);
         add(vector.z);
+    }
+    /// Statuses enter by the numbers that they had when golden.txt was recorded; those of found and not found are one.
+    constexpr void add(QueryStatus status) {
+        switch (status) {
+            case QueryStatus::invalid_argument:
+                return add(std::uint32_t{1});
+            case QueryStatus::out_of_range:
+                return add(std::uint32_t{2});
+            case QueryStatus::not_closed:
+                return add(std::uint32_t{3});
+            case QueryStatus::work_limit:
+                return add(std::uint32_t{5});
+            case QueryStatus::output_full:
+                return add(std::uint32_t{6});
+            default:
+                return add(std::uint32_t{0});
+        }
     }
     constexpr void add(const Fingerprint& part) {
         add(static_cast<std::uint32_t>(part.value_));

@@ -109,16 +109,17 @@ bool bake_to(const std::string& path, const std::vector<espalier::MeshView>& mes
              const espalier::BakeOptions& options) {
     const auto baked = espalier::bake(meshes, options);
     if (!baked) {
-        std::fprintf(stderr, "make_blobs: %s: %s\n", path.c_str(), baked.error().message.c_str());
+        std::fprintf(stderr, "make_blobs: %s: %s\n", path.c_str(), baked.message.c_str());
         return false;
     }
-    std::fprintf(stderr, "%s: %u triangles, %zu bytes\n", path.c_str(), baked->report.triangles, baked->blob.size());
-    return write_file(path, baked->blob.data(), baked->blob.size());
+    std::fprintf(stderr, "%s: %u triangles, %zu bytes\n", path.c_str(), baked.report.tree.triangles,
+                 baked.bytes.size());
+    return write_file(path, baked.bytes.data(), baked.bytes.size());
 }
 
 bool bake_by_every_builder(const std::string& folder, const std::vector<espalier::MeshView>& meshes) {
     using espalier::Builder;
-    using espalier::format::Profile;
+    using espalier::Profile;
     struct Name {
         Builder builder;
         const char* text;
@@ -136,10 +137,10 @@ bool bake_by_every_builder(const std::string& folder, const std::vector<espalier
         for (unsigned profile = 0; profile < 4; ++profile) {
             if (builder.builder == Builder::spatial_splits && profiles[profile] != Profile::fast) continue;
             espalier::BakeOptions options;
-            options.builder = builder.builder;
+            options.build.builder = builder.builder;
             options.profile = profiles[profile];
-            options.bits = 8 + number;
-            options.effort = number % 10;
+            options.resolution = espalier::Resolution::bits(8 + number);
+            options.effort = static_cast<espalier::Effort>(number % 3);
             options.threads = 1 + number % 2;
             options.original_ids = number % 2 == 0;
             const std::string name = std::string("by_") + builder.text + "_" + profile_names[profile] + ".espl";
@@ -160,30 +161,31 @@ int main(int argument_count, char** arguments) {
     const std::string folder = std::string(arguments[1]) + "/";
     const Mesh landscape = make_landscape(32);
     const Mesh body = make_body(8, 6.0f, {15.0f, 17.0f, 11.0f});
-    const Mesh far_body = make_body(32, 2.0f, {148376.0f, 1234.0f, -223423.0f});
+    Mesh far_body = make_body(32, 2.0f, {148376.0f, 1234.0f, -223423.0f});
 
     espalier::BakeOptions options;
-    options.profile = espalier::format::Profile::fast;
+    options.profile = espalier::Profile::fast;
     options.original_ids = true;
-    options.materials = espalier::Materials::bits_8;
     const bool small =
         bake_to(folder + "small.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")}, options);
-    options.bits = 24;
-    options.materials = espalier::Materials::bits_16;
-    options.edge_flags = 5.0;
+    options.resolution = espalier::Resolution::bits(24);
+    for (std::uint32_t& material : far_body.materials) material += 1000;  // 16 bits
+    options.flat_angle = 5.0;
     options.bounds = {.oriented_box = true, .sphere = true, .k_dop = true};
     const bool fine =
         bake_to(folder + "fine.espl", {view(far_body, 0, "far body"), view(far_body, 1, "twin")}, options);
     espalier::BakeOptions plain;
-    plain.profile = espalier::format::Profile::fast;
-    plain.bits = 5;
-    const bool coarse = bake_to(folder + "coarse.espl", {view(landscape, 0, "landscape")}, plain);
-    options.profile = espalier::format::Profile::balanced;
-    options.bits = 16;
+    plain.profile = espalier::Profile::fast;
+    plain.resolution = espalier::Resolution::bits(5);
+    Mesh bare = landscape;
+    bare.materials.clear();
+    const bool coarse = bake_to(folder + "coarse.espl", {view(bare, 0, "landscape")}, plain);
+    options.profile = espalier::Profile::balanced;
+    options.resolution = espalier::Resolution::bits(16);
     const bool strips =
         bake_to(folder + "strips.espl", {view(landscape, 0, "landscape"), view(body, 1, "body")}, options);
-    options.profile = espalier::format::Profile::small;
-    options.bits = 22;
+    options.profile = espalier::Profile::small;
+    options.resolution = espalier::Resolution::bits(22);
     const bool dense =
         bake_to(folder + "dense.espl", {view(body, 0, "body"), view(landscape, 1, "landscape")}, options);
     const Mesh meadow = make_landscape(16);

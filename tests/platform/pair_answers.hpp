@@ -9,46 +9,55 @@
 
 namespace espalier::platform {
 
+/// The index, or 0 for no triangle.
+inline std::uint32_t index_word(TriangleId triangle) { return triangle == no_triangle ? 0 : triangle.index; }
+
+/// A list that is refused, in the words of the golden hashes: they are older than lists of duplicate references.
+inline constexpr std::uint32_t list_refused = 4;
+
 /// Mostly with so little work that small cores come to an end: where that is, is an answer too.
 inline void ask_pairs(const Blob& a, const Blob& b, Questions& questions_to_a, std::uint32_t count, Answers& answers) {
     Fingerprint& fingerprint = answers.fingerprint;
+    const bool has_duplicates = a.duplicate_reference_count() != 0 || b.duplicate_reference_count() != 0;
     for (std::uint32_t number = 0; number < count; ++number) {
-        const Placement placement = questions_to_a.placement(number, b);
-        const WorkLimit limit = {number % 16 == 9 ? 2000u : 60u};
-        TrianglePair pairs[8];
-        std::size_t found = 0;
-        fingerprint.add(static_cast<std::uint32_t>(all_contacts(a, b, placement, pairs, found, limit)));
-        fingerprint.add(static_cast<std::uint32_t>(found));
-        for (std::size_t i = 0; i < found; ++i) {
-            fingerprint.add(pairs[i].a.index);
-            fingerprint.add(pairs[i].b.index);
+        const Transform placement = questions_to_a.placement(number, b);
+        const PlacedBlob placed_b(b, placement);
+        const WorkLimit limit(number % 16 == 9 ? 2000u : 60u);
+        PairContact pairs[8];
+        const Filled filled = collect_contacts(a, placed_b, pairs, limit);
+        if (has_duplicates) {
+            fingerprint.add(list_refused);
+        } else {
+            fingerprint.add(filled.status);
         }
-        bool touch = false;
-        fingerprint.add(static_cast<std::uint32_t>(collides(a, b, placement, touch, limit)));
-        fingerprint.add(touch);
-        TrianglePair first;
-        bool is_first = false;
-        fingerprint.add(static_cast<std::uint32_t>(first_contact(a, b, placement, first, is_first, limit)));
-        fingerprint.add(is_first);
-        fingerprint.add(first.a.index);
-        fingerprint.add(first.b.index);
-        bool is_near = false;
-        PairDistance nearest;
-        const float max_distance = questions_to_a.distance(number);
-        fingerprint.add(
-            static_cast<std::uint32_t>(minimum_distance(a, b, placement, max_distance, nearest, is_near, limit)));
+        fingerprint.add(has_duplicates ? 0 : static_cast<std::uint32_t>(filled.count));
+        for (const PairContact& pair : filled.in(pairs)) {
+            if (has_duplicates) break;
+            fingerprint.add(pair.a.index);
+            fingerprint.add(pair.b.index);
+        }
+        const YesNo touch = overlaps(a, placed_b, limit);
+        fingerprint.add(touch.status());
+        fingerprint.add(touch.yes());
+        const PairContact first = first_contact(a, placed_b, limit);
+        fingerprint.add(first.status);
+        fingerprint.add(bool(first));
+        fingerprint.add(index_word(first.a));
+        fingerprint.add(index_word(first.b));
+        const BlobDistance nearest = distance(a, placed_b, limit, questions_to_a.distance(number));
+        const bool is_near = nearest.a != no_triangle;
+        fingerprint.add(nearest.status);
         fingerprint.add(is_near);
-        fingerprint.add(nearest.distance);
+        fingerprint.add(is_near ? nearest.distance : 0.0f);
         fingerprint.add(nearest.on_a);
         fingerprint.add(nearest.on_b);
-        fingerprint.add(nearest.pair.a.index);
-        fingerprint.add(nearest.pair.b.index);
-        bool is_within = false;
-        fingerprint.add(
-            static_cast<std::uint32_t>(within_distance(a, b, placement, questions_to_a.distance(1), is_within, limit)));
-        fingerprint.add(is_within);
+        fingerprint.add(index_word(nearest.a));
+        fingerprint.add(index_word(nearest.b));
+        const YesNo within = within_distance(a, placed_b, questions_to_a.distance(1), limit);
+        fingerprint.add(within.status());
+        fingerprint.add(within.yes());
         answers.calls += 5;
-        answers.pairs_near += is_near || touch ? 1u : 0u;
+        answers.pairs_near += is_near || touch.yes() ? 1u : 0u;
     }
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <runtime/simd/select.hpp>
+#include <runtime/lanes/select.hpp>
 
 #include "answers.hpp"
 #include "report.hpp"
@@ -38,8 +38,9 @@ bool read_assets(std::span<char*> paths, std::vector<Asset>& assets) {
     assets.resize(paths.size());
     for (std::size_t i = 0; i < paths.size(); ++i) {
         assets[i].bytes = read_file(paths[i]);
-        if (const auto status = espalier::open(assets[i].bytes, assets[i].blob); status != espalier::Status::ok) {
-            std::fprintf(stderr, "%s: %s\n", paths[i], espalier::describe(status));
+        assets[i].blob = espalier::open(assets[i].bytes);
+        if (!assets[i].blob) {
+            std::fprintf(stderr, "%s: %s\n", paths[i], espalier::describe(assets[i].blob.status()));
             return false;
         }
     }

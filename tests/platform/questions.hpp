@@ -14,8 +14,8 @@ namespace espalier::platform {
 class Questions {
 public:
     explicit Questions(const Blob& blob) : blob_(blob) {
-        const Vec3 low = blob.bounds_min();
-        const Vec3 high = blob.bounds_max();
+        const Vec3 low = blob.bounds().min;
+        const Vec3 high = blob.bounds().max;
         center_ = {(low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f, (low.z + high.z) * 0.5f};
         half_ = {(high.x - low.x) * 0.5f, (high.y - low.y) * 0.5f, (high.z - low.z) * 0.5f};
         collect_corners();
@@ -52,7 +52,7 @@ public:
                 ray.t_max = 0.5f + fraction();
                 break;
         }
-        ray.faces = static_cast<Faces>(word() % 3);
+        ray.culling = static_cast<FaceCulling>(word() % 3);
         return ray;
     }
 
@@ -81,8 +81,8 @@ public:
         return {a, {a.x + away, a.y + away, number % 3 == 0 ? __builtin_inff() : a.z + away}};
     }
 
-    BoxInSteps box_in_steps(std::uint32_t number) {
-        const Steps low = steps(number);
+    LatticeBox box_in_steps(std::uint32_t number) {
+        const LatticePoint low = steps(number);
         const std::int32_t away = static_cast<std::int32_t>(word() >> 16) & (number % 2 == 0 ? 0xFF : 0xFFFF);
         if (number % 4 == 3) return {low, steps(number)};
         const auto moved = [](std::int32_t from, std::int32_t by) {  // round and round
@@ -91,9 +91,9 @@ public:
         return {low, {moved(low.x, away), moved(low.y, away / 2), moved(low.z, number % 3 == 0 ? 0 : away)}};
     }
 
-    SegmentInSteps segment_in_steps(std::uint32_t number) {
-        const Steps from = steps(number);
-        Steps to = steps(number / 4);
+    LatticeSegment segment_in_steps(std::uint32_t number) {
+        const LatticePoint from = steps(number);
+        LatticePoint to = steps(number / 4);
         if (number % 8 == 4) to = {from.x, from.y, to.z};
         return {from, to};
     }
@@ -106,7 +106,7 @@ public:
         return box;
     }
 
-    Corners corners(std::uint32_t number) {
+    Triangle corners(std::uint32_t number) {
         const Vec3 a = number % 4 == 3 ? any_bits() : corner(), b = point_around(1.0f);
         return {a, b, number % 3 == 0 ? corner() : number % 5 == 0 ? b : point_around(1.0f)};
     }
@@ -152,13 +152,13 @@ public:
     }
 
     /// Of another blob, or of the same: near this one, or with a corner on a corner where both are one.
-    Placement placement(std::uint32_t number, const Blob& other) {
-        Placement placement;
+    Transform placement(std::uint32_t number, const Blob& other) {
+        Transform placement;
         const float x = signed_fraction(), y = signed_fraction(), z = signed_fraction();
         if (number % 4 != 1) placement.rotation = {x, y, z, 1.0f};
         if (number % 8 == 4) placement.scale = 0.25f + fraction();
-        const Vec3 low = other.bounds_min();
-        const Vec3 high = other.bounds_max();
+        const Vec3 low = other.bounds().min;
+        const Vec3 high = other.bounds().max;
         const Vec3 middle = {(low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f, (low.z + high.z) * 0.5f};
         const Vec3 from = turned(placement, number % 4 == 2 ? corner() : middle);
         const Vec3 to = number % 4 == 2 ? corner() : point_around(number % 4 == 3 ? 4.0f : 1.0f);
@@ -196,21 +196,22 @@ private:
 
     Vec3 surface_point() {
         const Vec3 near = point_around(1.0f);
-        Nearest nearest;
-        return closest_point(blob_, near, __builtin_inff(), nearest) ? nearest.point : near;
+        const ClosestPoint nearest = closest_point(blob_, near);
+        return nearest ? nearest.point : near;
     }
 
     /// In the asset's box, at a corner, out to the ends of the range, or any bit pattern at all.
-    Steps steps(std::uint32_t number) {
-        const Lattice lattice = lattice_of(blob_);
-        Steps place;
-        if (number % 4 == 1 && to_steps(lattice, corner(), place) == QueryStatus::ok) return place;
+    LatticePoint steps(std::uint32_t number) {
+        const Lattice lattice = blob_.lattice();
+        if (number % 4 == 1)
+            if (const Result<LatticePoint> place = to_lattice(lattice, corner())) return *place;
         const auto along = [&](int axis) {
             const auto any = static_cast<std::int32_t>(word());
             if (number % 8 == 7) return any;
             if (number % 8 == 3) return any >> 2;
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(any) >> 8) % (lattice.extent[axis] + 1);
         };
+        LatticePoint place;
         place.x = along(0);
         place.y = along(1);
         place.z = along(2);
@@ -235,7 +236,7 @@ private:
     static Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
     /// Where a placement without its translation takes a point.
-    static Vec3 turned(const Placement& placement, const Vec3& point) {
+    static Vec3 turned(const Transform& placement, const Vec3& point) {
         const Quaternion& q = placement.rotation;
         const float scale = placement.scale / (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
         const float x = point.x * scale;
@@ -268,11 +269,11 @@ private:
 
     void collect_corners() {
         const std::uint32_t stride = blob_.triangle_count() / corner_capacity + 1;
-        for_each_triangle(blob_, [&](Triangle triangle, const Corners& corners) {
+        (void)for_each_triangle(blob_, [&](TriangleId triangle, const Triangle& corners) {
             if (triangle.index % stride == 0 && corner_count_ < corner_capacity) {
                 corners_[corner_count_++] = corners.b;
             }
-            return keep_going;
+            return Visit::next;
         });
     }
 

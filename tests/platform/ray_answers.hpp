@@ -10,6 +10,14 @@
 
 namespace espalier::platform {
 
+/// A result that holds nothing, as it entered when golden.txt was recorded.
+inline constexpr RayHit untouched_hit = [] {
+    RayHit hit;
+    hit.t = 0.0f;
+    hit.triangle = {0};
+    return hit;
+}();
+
 inline void add_hit(Fingerprint& fingerprint, const Blob& blob, const RayHit& hit) {
     fingerprint.add(hit.t);
     fingerprint.add(hit.u);
@@ -20,46 +28,45 @@ inline void add_hit(Fingerprint& fingerprint, const Blob& blob, const RayHit& hi
     fingerprint.add(original.triangle);
     fingerprint.add(original.u);
     fingerprint.add(original.v);
-    fingerprint.add(static_cast<std::uint32_t>(original.status));
+    fingerprint.add(lookup_word(original.status));
 }
 
 inline void ask_closest_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
-        RayHit hit;
-        const bool found = raycast(blob, questions.ray(number), hit);
+        const RayHit hit = raycast(blob, questions.ray(number));
         ++answers.rays;
         ++answers.calls;
-        answers.rays_hit += found ? 1u : 0u;
-        answers.fingerprint.add(found);
-        add_hit(answers.fingerprint, blob, hit);
+        answers.rays_hit += hit ? 1u : 0u;
+        answers.fingerprint.add(bool(hit));
+        add_hit(answers.fingerprint, blob, hit ? hit : untouched_hit);
     }
 }
 
 inline void ask_filtered_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
-    const auto odd = [](Triangle triangle) { return (triangle.index & 1u) != 0; };
+    const auto odd = [](TriangleId triangle) { return (triangle.index & 1u) != 0; };
     for (std::uint32_t number = 0; number < count; ++number) {
         const Ray ray = questions.ray(number);
-        RayHit hit;
+        const RayHit hit = raycast(blob, ray, odd);
         ++answers.rays;
         answers.calls += 3;
-        answers.fingerprint.add(raycast(blob, ray, hit, odd));
-        add_hit(answers.fingerprint, blob, hit);
-        answers.fingerprint.add(occluded(blob, ray));
-        answers.fingerprint.add(occluded(blob, ray, odd));
+        answers.fingerprint.add(bool(hit));
+        add_hit(answers.fingerprint, blob, hit ? hit : untouched_hit);
+        answers.fingerprint.add(occluded(blob, ray).yes());
+        answers.fingerprint.add(occluded(blob, ray, odd).yes());
     }
 }
 
 inline void ask_all_hits(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
         std::uint32_t left = 6;  // so that stopping early is asked for too
-        const bool saw_all = for_each_hit(blob, questions.ray(number), [&](const RayHit& hit) {
+        const QueryStatus status = for_each_hit(blob, questions.ray(number), [&](const RayHit& hit) {
             ++answers.hits;
             add_hit(answers.fingerprint, blob, hit);
-            return --left == 0 ? stop : keep_going;
+            return --left == 0 ? Visit::stop : Visit::next;
         });
         ++answers.rays;
         ++answers.calls;
-        answers.fingerprint.add(saw_all);
+        answers.fingerprint.add(status != QueryStatus::stopped);
     }
 }
 
@@ -67,24 +74,26 @@ inline void ask_first_hits(const Blob& blob, Questions& questions, std::uint32_t
     for (std::uint32_t number = 0; number < count; ++number) {
         const Ray ray = questions.ray(number);
         RayHit hits[3];
-        const HitCount found = closest_hits(blob, ray, std::span<RayHit>(hits).first(number % 4));
+        const Filled found = closest_hits(blob, ray, std::span<RayHit>(hits).first(number % 4));
         ++answers.rays;
         answers.calls += 3;
         answers.fingerprint.add(static_cast<std::uint32_t>(found.count));
-        answers.fingerprint.add(static_cast<std::uint32_t>(found.status));
+        const bool was_answered = !is_refused(found.status);
+        answers.fingerprint.add(was_answered ? found.status : QueryStatus::ok);
         for (std::size_t i = 0; i < found.count; ++i) add_hit(answers.fingerprint, blob, hits[i]);
-        RayHit hit;
-        answers.fingerprint.add(raycast(blob, Segment{ray.origin, ray.direction}, hit));
-        add_hit(answers.fingerprint, blob, hit);
-        answers.fingerprint.add(occluded(blob, Segment{ray.origin, ray.direction}));
+        const Ray segment = Ray::between(ray.origin, ray.direction);
+        const RayHit hit = raycast(blob, segment);
+        answers.fingerprint.add(bool(hit));
+        add_hit(answers.fingerprint, blob, hit ? hit : untouched_hit);
+        answers.fingerprint.add(occluded(blob, segment).yes());
     }
 }
 
 /// Rounded for a region that is larger than the blob, by a power of two on each axis.
 inline void ask_rounded_rays(const Blob& blob, Questions& questions, std::uint32_t count, Answers& answers) {
     for (std::uint32_t number = 0; number < count; ++number) {
-        Lattice region;
-        const QueryStatus found = lattice_of(std::span<const Blob>(&blob, 1), region);
+        const Result<Lattice> found = lattice_of(std::span<const Blob>(&blob, 1));
+        Lattice region = *found;
         const std::uint32_t room = (1u << 24) - 1u;
         const std::uint32_t margin = 1u << (number % 24);
         for (std::int32_t& extent : region.extent) {
@@ -92,16 +101,16 @@ inline void ask_rounded_rays(const Blob& blob, Questions& questions, std::uint32
             extent = static_cast<std::int32_t>(larger < room ? larger : room);
         }
         const RoundedRay rounded = round_ray(region, questions.ray(number));
-        RayHit hit;
-        bool any = false;
+        const RayHit hit = raycast(blob, rounded);
+        const YesNo any = occluded(blob, rounded);
         ++answers.rays;
         answers.calls += 3;
-        answers.fingerprint.add(static_cast<std::uint32_t>(found));
-        answers.fingerprint.add(static_cast<std::uint32_t>(rounded.status()));
-        answers.fingerprint.add(static_cast<std::uint32_t>(raycast(blob, rounded, hit)));
-        add_hit(answers.fingerprint, blob, hit);
-        answers.fingerprint.add(static_cast<std::uint32_t>(occluded(blob, rounded, any)));
-        answers.fingerprint.add(any);
+        answers.fingerprint.add(found.status);
+        answers.fingerprint.add(rounded.status());
+        answers.fingerprint.add(hit.status);
+        add_hit(answers.fingerprint, blob, is_refused(hit.status) ? untouched_hit : hit);
+        answers.fingerprint.add(any.status());
+        answers.fingerprint.add(any.yes());
     }
 }
 
@@ -110,7 +119,7 @@ inline void ask_batches(const Blob& blob, Questions& questions, std::uint32_t co
     constexpr std::uint32_t capacity = 24;
     Ray rays[capacity];
     RayHit hits[capacity];
-    std::uint8_t yes[capacity];
+    YesNo yes[capacity];
     for (std::uint32_t number = 0; number < count; ++number) {
         const std::uint32_t size = number * 5 % (capacity + 1);
         const Ray first = questions.ray(number);
@@ -121,10 +130,16 @@ inline void ask_batches(const Blob& blob, Questions& questions, std::uint32_t co
             if (number % 3 == 2) rays[i].origin.z += turn * first.direction.z;
         }
         const auto asked = std::span<const Ray>(rays).first(size);
-        answers.fingerprint.add(static_cast<std::uint32_t>(raycast(blob, asked, hits)));
+        const Filled closest = raycast(blob, asked, std::span<RayHit>(hits).first(size));
+        std::uint32_t found = 0;
+        for (const RayHit& hit : closest.in(hits)) found += hit ? 1u : 0u;
+        answers.fingerprint.add(found);
         for (std::uint32_t i = 0; i < size; ++i) add_hit(answers.fingerprint, blob, hits[i]);
-        answers.fingerprint.add(static_cast<std::uint32_t>(occluded(blob, asked, yes)));
-        for (std::uint32_t i = 0; i < size; ++i) answers.fingerprint.add(std::uint32_t{yes[i]});
+        const Filled any = occluded(blob, asked, std::span<YesNo>(yes).first(size));
+        found = 0;
+        for (const YesNo answer : any.in(yes)) found += answer.yes() ? 1u : 0u;
+        answers.fingerprint.add(found);
+        for (std::uint32_t i = 0; i < size; ++i) answers.fingerprint.add(std::uint32_t{yes[i].yes()});
         answers.rays += 2 * size;
         answers.calls += 2;
     }

@@ -1,5 +1,6 @@
 # Who may include what: the walls of the house (docs/architecture.md).
 # cmake -D root=<project> -P check_includes.cmake
+cmake_minimum_required(VERSION 3.25)
 set(problems "")
 
 # check(<what> <allowed> <files...>): every include of the files matches the regular expression.
@@ -17,21 +18,23 @@ function(check what allowed)
   set(problems "${problems}" PARENT_SCOPE)
 endfunction()
 
-set(plain_headers "<(array|bit|cfloat|climits|compare|concepts|cstddef|cstdint|limits|span|type_traits|utility)>")
+set(plain_headers "<(array|bit|cfloat|climits|compare|concepts|cstddef|cstdint|limits|new|span|type_traits|utility)>")
 set(machine_headers "<(immintrin|arm_neon|wasm_simd128|arm_acle|cpuid)\\.h>")
 set(standard_headers "<[a-z_0-9]+(\\.h)?>")
 
 file(GLOB public_headers ${root}/lib/espalier/*.hpp)
-list(REMOVE_ITEM public_headers ${root}/lib/espalier/bake.hpp)
+set(baker_headers ${root}/lib/espalier/bake.hpp)
+list(REMOVE_ITEM public_headers ${baker_headers})
 check("a public header of the runtime includes public headers and freestanding ones only"
   "<espalier/[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
-check("the baker's public header includes public and standard headers only"
-  "<espalier/[a-z_]+\\.hpp>|${standard_headers}" ${root}/lib/espalier/bake.hpp)
-check("the header for C includes freestanding headers of C only" "<std(bool|def|int)\\.h>" ${root}/lib/espalier/espalier.h)
+check("a public header of the baker includes public and standard headers only"
+  "<espalier/[a-z_]+\\.hpp>|${standard_headers}" ${baker_headers})
+file(GLOB c_headers ${root}/lib/espalier/*.h ${root}/lib/espalier/c/*.h)
+check("a header for C includes headers for C and freestanding ones only" "<espalier/c/[a-z_]+\\.h>|<std(bool|def|int)\\.h>" ${c_headers})
 foreach(header IN LISTS public_headers)
   file(STRINGS ${header} baking REGEX "include.*espalier/bake\\.hpp")
   if(baking)
-    list(APPEND problems "${header} includes the baker's header")
+    list(APPEND problems "${header} includes a header of the baker")
   endif()
 endforeach()
 
@@ -39,36 +42,84 @@ file(GLOB_RECURSE runtime ${root}/lib/runtime/*.hpp ${root}/lib/runtime/*.inl ${
 check("the runtime includes public headers, its own and freestanding ones only"
   "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds)\\.hpp>|<espalier/espalier\\.h>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
 
-# The baker's folders in the order of its stages, each with the folders that its files may include besides their own.
-# A folder that has no row here fails.
-set(baker_includes_base "")
-set(baker_includes_input base)
-set(baker_includes_quantise base input)
-set(baker_includes_build base input quantise)
-set(baker_includes_error base input quantise build)
-set(baker_includes_optimise base input quantise build)
-set(baker_includes_collapse base input quantise build)
-set(baker_includes_sections base input quantise build collapse)
-set(baker_includes_encode base input quantise build collapse sections)
-set(baker_includes_verify base input quantise build collapse sections)
+# check_layers(<library> <others> <row>...): a row is "<folder>: <folder>...", the folders of lib/<library> whose files those of the
+# first may include in addition to their own. It names folders of earlier rows only, so that no two folders need each other.
+# <others>, a regular expression, is what all of them may also include.
+function(check_layers library others)
+  set(earlier "")
+  foreach(row IN LISTS ARGN)
+    if(NOT row MATCHES "^([^:]+):(.*)$")
+      message(FATAL_ERROR "not a row: ${row}")
+    endif()
+    set(folder ${CMAKE_MATCH_1})
+    string(REGEX MATCHALL "[^ ]+" allowed "${CMAKE_MATCH_2}")
+    foreach(other IN LISTS allowed)
+      if(NOT other IN_LIST earlier)
+        list(APPEND problems "the row of lib/${library}/${folder} names ${other}, which has no earlier row")
+      endif()
+    endforeach()
+    list(APPEND earlier ${folder})
+    set(folder_and_allowed ${folder} ${allowed})
+    set(folder_files ${root}/lib/${library}/${folder})
+    file(GLOB files ${folder_files}/*.hpp ${folder_files}/*.inl ${folder_files}/*.cpp)
+    if(NOT files)
+      list(APPEND problems "check_includes.cmake has a row of lib/${library}/${folder}, where no sources are")
+    endif()
+    list(JOIN folder_and_allowed "|" folders)
+    check("the row of lib/${library}/${folder} in check_includes.cmake does not allow that"
+      "<${library}/(${folders})/[a-z_0-9]+\\.(hpp|inl)>|${others}" ${files})
+  endforeach()
+  file(GLOB_RECURSE files RELATIVE ${root}/lib/${library} ${root}/lib/${library}/*.hpp ${root}/lib/${library}/*.inl
+    ${root}/lib/${library}/*.cpp)
+  foreach(file IN LISTS files)
+    cmake_path(GET file PARENT_PATH folder)
+    if(NOT folder STREQUAL "" AND NOT folder IN_LIST earlier)
+      list(APPEND problems "lib/${library}/${folder} has no row in check_includes.cmake")
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES problems)
+  set(problems "${problems}" PARENT_SCOPE)
+endfunction()
+
+# The runtime's folders, from numbers to the families of queries.
+set(walks "base lattice kernels blob lanes answers traversal")
+check_layers(runtime "<espalier/[a-z_]+\\.h(pp)?>|${plain_headers}|${machine_headers}"
+  "base:"
+  "lattice: base"
+  "kernels: base lattice"
+  "blob: base lattice"
+  "lanes: base lattice blob"
+  "answers: base lattice kernels blob"
+  "traversal: base lattice kernels blob lanes answers"
+  "open: base blob traversal"
+  "rays: ${walks}"
+  "rays/batch: ${walks} rays"
+  "rays/small_code: ${walks} rays"
+  "proximity: ${walks}"
+  "overlap: ${walks} proximity"
+  "sweeps: ${walks} rays"
+  "transforms: base"
+  "pairs: ${walks} transforms"
+  "asset: base lattice blob traversal"
+  "instruction_sets: ${walks} rays rays/batch proximity pairs"
+  "c:")
+
+# The baker's folders, in the order of its stages.
+check_layers(baker "<espalier/[a-z_]+\\.hpp>|<runtime/(base|lattice|blob)/[a-z_0-9]+\\.hpp>|${standard_headers}"
+  "base:"
+  "input: base"
+  "quantise: base input"
+  "build: base input quantise"
+  "error: base input quantise build"
+  "optimise: base input quantise build"
+  "collapse: base input quantise build"
+  "sections: base input quantise build collapse"
+  "encode: base input quantise build collapse sections"
+  "verify: base input quantise build collapse sections")
 
 file(GLOB baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
 check("a file of the baker's root includes public and standard headers and the baker's own only"
   "<espalier/[a-z_]+\\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\\.hpp>|${standard_headers}" ${baker})
-file(GLOB entries ${root}/lib/baker/*)
-foreach(entry IN LISTS entries)
-  if(NOT IS_DIRECTORY ${entry})
-    continue()
-  endif()
-  cmake_path(GET entry FILENAME folder)
-  file(GLOB_RECURSE files ${entry}/*.hpp ${entry}/*.cpp)
-  if(NOT DEFINED baker_includes_${folder})
-    list(APPEND problems "lib/baker/${folder} has no row in check_includes.cmake")
-  endif()
-  list(JOIN baker_includes_${folder} "|" earlier)
-  check("lib/baker/${folder} includes public and standard headers, the runtime's, and of the baker its own and those of its row in check_includes.cmake"
-    "<espalier/[a-z_]+\\.hpp>|<runtime/[a-z_0-9/]+\\.hpp>|<baker/(${folder}|${earlier})/[a-z_0-9]+\\.hpp>|${standard_headers}" ${files})
-endforeach()
 # The baker's own reader testifies to what the rest of it writes and the runtime reads.
 file(GLOB witness ${root}/lib/baker/verify/decode_*.?pp ${root}/lib/baker/verify/check_tree.?pp ${root}/lib/baker/verify/field_reader.hpp)
 check("the baker's own reader includes the format and its own files only"
@@ -108,7 +159,7 @@ endforeach()
 include(${CMAKE_CURRENT_LIST_DIR}/folder_includes.cmake)
 
 list(LENGTH runtime runtime_count)
-if(runtime_count LESS 10)
+if(runtime_count LESS 150)
   list(APPEND problems "only ${runtime_count} files seen in lib/runtime: is ${root} the project?")
 endif()
 if(problems)

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <runtime/moving_sphere.hpp>
-#include <runtime/segment_triangle.hpp>
+#include <runtime/kernels/moving_sphere.hpp>
+#include <runtime/kernels/segment_triangle.hpp>
 
 #include "support/base/hostile_values.hpp"
 #include "support/base/profiles.hpp"
@@ -26,33 +26,31 @@ using namespace espalier::tests;
 namespace {
 
 struct Answers {
-    Status status = Status::ok;
-    bool hit = false;
-    bool near = false;
+    OpenStatus status = OpenStatus::ok;
     bool overlap = false;
     RayHit ray_hit;
-    Nearest nearest;
+    ClosestPoint nearest;
     std::vector<RayHit> every_hit;
-    std::vector<Triangle> every_overlap;
+    std::vector<TriangleId> every_overlap;
     Vec3 bounds[2];
 };
 
 Answers ask(std::span<const std::byte> bytes, const Ray& ray, const Sphere& sphere) {
     Answers answers;
-    Blob blob;
-    answers.status = open(bytes, blob);
-    answers.hit = raycast(blob, ray, answers.ray_hit);
-    answers.near = closest_point(blob, sphere.center, sphere.radius, answers.nearest);
-    answers.overlap = overlaps(blob, sphere);
-    for_each_hit(blob, ray, [&](const RayHit& each) { return answers.every_hit.push_back(each), keep_going; });
-    for_each_overlap(blob, sphere, [&](Triangle each) { return answers.every_overlap.push_back(each), keep_going; });
-    answers.bounds[0] = blob.bounds_min();
-    answers.bounds[1] = blob.bounds_max();
+    const Blob blob = open(bytes);
+    answers.status = blob.status();
+    answers.ray_hit = raycast(blob, ray);
+    answers.nearest = closest_point(blob, sphere.center, sphere.radius);
+    answers.overlap = overlaps(blob, sphere).yes();
+    static_cast<void>(for_each_hit(blob, ray, [&](const RayHit& each) { answers.every_hit.push_back(each); }));
+    (void)for_each_overlap(blob, sphere, [&](TriangleId each) { answers.every_overlap.push_back(each); });
+    answers.bounds[0] = blob.bounds().min;
+    answers.bounds[1] = blob.bounds().max;
     return answers;
 }
 
 bool same_answers(const Answers& a, const Answers& b) {
-    if (a.status != b.status || a.hit != b.hit || a.near != b.near || a.overlap != b.overlap) return false;
+    if (a.status != b.status || a.overlap != b.overlap) return false;
     if (!same_bits(a.ray_hit, b.ray_hit) || !same_bits(a.nearest, b.nearest)) return false;
     if (a.every_hit.size() != b.every_hit.size() || a.every_overlap != b.every_overlap) return false;
     for (std::size_t i = 0; i < a.every_hit.size(); ++i) {
@@ -79,12 +77,12 @@ TEST_SUITE("flush modes") {
         blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p80f));
         blobs.emplace_back(make_far_sphere());
         BakeOptions finest;
-        finest.bits = 24;
+        finest.resolution = Resolution::bits(24);
         blobs.emplace_back(scaled_by(make_terrain(20, 7), 0x1p-80f), finest);  // points of the surface next to 0
         blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), 0x1p-85f),
-                           with_profile(format::Profile::balanced));
-        blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p80f), with_profile(format::Profile::small));
-        blobs.emplace_back(scaled_by(make_terrain(20, 7), 0x1p-80f), with_profile(format::Profile::small, finest));
+                           with_profile(Profile::balanced));
+        blobs.emplace_back(scaled_by(make_soup(200, 3), 0x1p80f), with_profile(Profile::small));
+        blobs.emplace_back(scaled_by(make_terrain(20, 7), 0x1p-80f), with_profile(Profile::small, finest));
         for (const OpenedBlob& opened : blobs) {
             const DecodedBlob decoded = decode(opened.bytes);
             CAPTURE(decoded.step_exponent);
@@ -135,25 +133,24 @@ TEST_SUITE("flush modes") {
     TEST_CASE("float mode: every query gives the same bits in every mode") {
         std::vector<OpenedBlob> blobs;
         BakeOptions finest;
-        finest.bits = 24;
-        for (const format::Profile profile : every_profile) {
+        finest.resolution = Resolution::bits(24);
+        for (const Profile profile : every_profile) {
             for (const float scale : {1.0f, 0x1p-85f, 0x1p-60f, 0x1p80f}) {
                 blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), scale), with_profile(profile));
                 blobs.emplace_back(scaled_by(make_soup(100, 3), scale), with_profile(profile));
             }
             blobs.emplace_back(scaled_by(make_terrain(12, 7), 0x1p-80f), with_profile(profile, finest));
-            BakeOptions every_section = with_every_section(profile);
-            every_section.materials = Materials::none;
+            const BakeOptions every_section = with_every_section(profile);
             for (const float scale : {1.0f, 0x1p-85f})
                 blobs.emplace_back(scaled_by(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), scale), every_section);
         }
-        BakeOptions copies = with_profile(format::Profile::fast);
-        copies.builder = Builder::spatial_splits;
-        copies.duplicates = 1.0;
+        BakeOptions copies = with_profile(Profile::fast);
+        copies.build.builder = Builder::spatial_splits;
+        copies.build.duplicate_budget = 1.0;
         blobs.emplace_back(scaled_by(make_soup(100, 3), 0x1p-85f), copies);
-        REQUIRE(blobs.back().blob.copy_count() > 0);
+        REQUIRE(blobs.back().blob.duplicate_reference_count() > 0);
         for (const OpenedBlob& opened : blobs) {
-            CAPTURE(opened.blob.step());
+            CAPTURE(opened.blob.lattice().step_exponent);
             for (std::uint64_t seed = 0; seed < scaled(2); ++seed) {
                 const auto answers = [&] {
                     Random random(seed);
@@ -175,14 +172,15 @@ TEST_SUITE("flush modes") {
         mesh.positions = {{0, 0, 0}, {0, size, 0}, {0, 0, size}, {size, 0, 0}};
         mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
         BakeOptions options;
-        options.bits = 24;
+        options.resolution = Resolution::bits(24);
         const OpenedBlob blob(mesh, options);
         const Ray ray{{-0x1p-104f, 100.0f, 100.0f}, {1.0f, 0.0f, 0.0f}};
-        RayHit plain, flushed;
-        REQUIRE(raycast(blob.blob, ray, plain));
+        const RayHit plain = raycast(blob.blob, ray);
+        REQUIRE(plain);
+        RayHit flushed;
         {
             const FloatMode mode(0x8040);
-            REQUIRE(raycast(blob.blob, ray, flushed));
+            flushed = raycast(blob.blob, ray);
         }
         CHECK(same_bits(plain, flushed));
     }
@@ -193,15 +191,11 @@ TEST_SUITE("flush modes") {
         for (const unsigned flags : {0u, 0x8040u}) {
             CAPTURE(flags);
             const FloatMode mode(flags);
-            CHECK(overlaps(cube.blob, box));
-            CHECK(may_overlap(cube.blob, box, 0.0f));
-            CHECK_FALSE(is_outside_bounds(cube.blob, box));
-            NearestPair pair;
-            CHECK(closest_to_box(cube.blob, box, 1.0f, pair) == QueryStatus::ok);
-            CHECK(pair.triangle != no_triangle);
-            SweepHit hit;
-            CHECK(sweep(cube.blob, box, {1.0f, 0.0f, 0.0f}, hit));
-            CHECK(sweep(cube.blob, box, {1.0f, 0.0f, 0.0f}, hit, [](Triangle) { return true; }));
+            CHECK(overlaps(cube.blob, box).yes());
+            CHECK(overlaps(cube.blob, box, Accuracy{0.0f}).yes());
+            CHECK(closest_point(cube.blob, box, 1.0f));
+            CHECK(sweep(cube.blob, box, {1.0f, 0.0f, 0.0f}));
+            CHECK(sweep(cube.blob, box, {1.0f, 0.0f, 0.0f}, [](TriangleId) { return true; }));
         }
     }
 
@@ -220,7 +214,7 @@ TEST_SUITE("flush modes") {
     TEST_CASE("float mode: a segment that passes a side by a subnormal gap does not touch it") {
         // 2^30 steps long, and 2^-67.4 steps away: the square of that is subnormal.
         const detail::LatticeTriangle triangle = {{{0, 0, 0}, {9696974, 9377736, 14976601}, {1125151, 0, 0}}};
-        const detail::LatticeSegment segment = {
+        const detail::RoundedSegment segment = {
             {{52803576937, -56540579173, -47683688657}, {-40262203119, 43493936486, 36817496848}, 6}, {}, {}};
         for (const unsigned flags : {0u, 0x8040u}) {
             CAPTURE(flags);
@@ -239,17 +233,17 @@ TEST_SUITE("flush modes") {
         mesh.positions = {{0.0f, 0.0f, 0.0f}, {1.0f, 4095.0f, 0.0f}, {0.0f, 2000.0f, 4000.0f}};
         mesh.triangles = {{0, 1, 2}};
         BakeOptions options;
-        options.bits = 12;
+        options.resolution = Resolution::bits(12);
         const OpenedBlob opened(scaled_by(mesh, 0x1p-100f), options);
-        REQUIRE(opened.blob.step() == 0x1p-100f);
+        REQUIRE(opened.blob.lattice().step_exponent == -100);
         const Vec3 point{4095.015625f * 0x1p-100f, -0x1p-100f, -10.0f * 0x1p-100f};
-        Nearest expected;
-        REQUIRE(closest_point(opened.blob, point, 1.0f, expected));
+        const ClosestPoint expected = closest_point(opened.blob, point, 1.0f);
+        REQUIRE(expected);
         for (const unsigned flags : {0x8000u, 0x0040u, 0x8040u}) {
-            Nearest nearest;
+            ClosestPoint nearest;
             {
                 const FloatMode mode(flags);
-                closest_point(opened.blob, point, 1.0f, nearest);
+                nearest = closest_point(opened.blob, point, 1.0f);
             }
             CHECK(same_bits(nearest, expected));
         }

@@ -2,7 +2,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 # check_folder_includes(<root> <row>...): a row is "<folder>: <folder>...", the folders whose files those of the first may include
-# besides their own. It names folders of earlier rows only, so that no two folders need each other. "." is the root.
+# in addition to their own. It names folders of earlier rows only, so that no two folders need each other. "." is the root.
 function(check_folder_includes top)
   set(earlier "")
   foreach(row IN LISTS ARGN)
@@ -124,8 +124,9 @@ check_folder_includes(tests
   "runtime/traversal: ${support} support/exact oracle platform"
   "runtime/rays: ${support} support/exact platform"
   "runtime/proximity: ${support} support/exact"
-  "runtime/overlap: ${support} support/exact"
+  "runtime/overlap: ${support} support/exact oracle"
   "runtime/sweeps: ${support}"
+  "runtime/transforms: ${support}"
   "runtime/pairs: ${support} support/exact"
   "runtime/asset: ${support} oracle"
   "baker: ${support}"

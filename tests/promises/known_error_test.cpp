@@ -25,7 +25,7 @@ TEST_SUITE("known error") {
             const DoubleTree source(source_surface(mesh));
             for (const unsigned bits : {3u, 4u, 5u, 6u, 8u, 10u, 13u, 16u, 20u}) {
                 BakeOptions options;
-                options.bits = bits;
+                options.resolution = Resolution::bits(bits);
                 const tests::OpenedBlob opened(mesh, options);
                 if (opened.blob.triangle_count() == 0) continue;
                 CAPTURE(bits);

@@ -16,8 +16,8 @@ TEST_SUITE("level size") {
     TEST_CASE("promise: a level of 5000 triangles takes at most 24 KB in profile small on 14 bits") {
         for (const std::uint64_t seed : {2026u, 1u, 2u, 3u}) {  // whichever level it is
             BakeOptions options;
-            options.profile = format::Profile::small;
-            options.bits = 14;
+            options.profile = Profile::small;
+            options.resolution = Resolution::bits(14);
             const OpenedBlob level(make_level(5000, seed), options);
             CAPTURE(seed);
             CHECK(level.blob.triangle_count() >= 5000);

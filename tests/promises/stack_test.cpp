@@ -30,7 +30,7 @@ namespace {
 std::vector<std::reference_wrapper<const TestBlob>> test_blobs(bool are_predicted) {
     std::vector<std::reference_wrapper<const TestBlob>> blobs;
     for (const TestBlob& blob : medium_test_blobs())
-        if ((blob.opened.blob.profile() == format::Profile::tiny) == are_predicted) blobs.push_back(blob);
+        if ((blob.opened.blob.profile() == Profile::tiny) == are_predicted) blobs.push_back(blob);
     return blobs;
 }
 
@@ -73,9 +73,8 @@ TEST_SUITE("stack") {
                 std::size_t most;
                 std::size_t leaves = 1;  ///< decoded at the same time
             };
-            RayHit hit;
-            Nearest nearest;
-            std::array<Nearest, 16> few;
+            ClosestPoint nearest;
+            std::array<ClosestPoint, 16> few;
             bool inside = false;
             const auto ray_row = [&](auto query) {
                 return most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
@@ -85,7 +84,7 @@ TEST_SUITE("stack") {
             };
             using Rays = std::array<Ray, 64>;
             std::array<RayHit, 64> hits;
-            std::array<std::uint8_t, 64> answers;
+            std::array<YesNo, 64> answers;
             const auto batch_row = [&](auto query) {
                 return most_stack(measured, [&](const TestBlob& blob, QueryMaker& maker) {
                     Rays rays;
@@ -113,9 +112,10 @@ TEST_SUITE("stack") {
                     ShapeMaker maker(blob.decoded, 6);
                     for (int i = 0; i < 30; ++i) {
                         const auto shape = make(maker);
-                        std::array<Triangle, 8> page;
+                        std::array<TriangleId, 8> page;
                         most = std::max(most, stack_use([&] { (void)overlaps(blob.opened.blob, shape); }));
-                        most = std::max(most, stack_use([&] { collect_overlaps(blob.opened.blob, shape, page); }));
+                        most =
+                            std::max(most, stack_use([&] { (void)collect_overlaps(blob.opened.blob, shape, page); }));
                     }
                 }
                 return most;
@@ -124,9 +124,10 @@ TEST_SUITE("stack") {
                 std::size_t most = 0;
                 for (const InstructionPath& path : instruction_paths())
                     most = std::max(most, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                                        detail::LatticePoint point;
-                                        if (detail::round_point(blob.data(), sphere.center, sphere.radius, point))
-                                            query(path, blob.data(), point);
+                                        detail::RoundedPoint point;
+                                        if (detail::round_point(detail::data_of(blob), sphere.center, sphere.radius,
+                                                                point) == QueryStatus::ok)
+                                            query(path, detail::data_of(blob), point);
                                     }));
                 return most;
             };
@@ -139,7 +140,7 @@ TEST_SUITE("stack") {
                         const auto moving = make(maker);
                         SweepHit sweep_hit;
                         most = std::max(most, stack_use([&] {
-                                            sweep(blob.opened.blob, moving.shape, moving.displacement, sweep_hit);
+                                            sweep_hit = sweep(blob.opened.blob, moving.shape, moving.displacement);
                                         }));
                     }
                 }
@@ -150,12 +151,13 @@ TEST_SUITE("stack") {
                 for (const TestBlob& blob : measured) {
                     PlacementMaker maker(blob.decoded, blob.decoded, 8);
                     for (int i = 0; i < 6; ++i) {
-                        const Placement placement = i % 2 == 0 ? maker.random() : maker.adversarial();
+                        const Transform placement = i % 2 == 0 ? maker.random() : maker.adversarial();
                         TestPairFrame frame;
-                        const auto& data = blob.opened.blob.data();
+                        const auto& data = detail::data_of(blob.opened.blob);
                         if (detail::place_pair(data, data, placement, frame) != QueryStatus::ok) continue;
+                        const PlacedBlob a(blob.opened.blob), b(blob.opened.blob, placement);
                         for (const InstructionPath& path : instruction_paths())
-                            most = std::max(most, stack_use([&] { query(path, blob.opened.blob, placement, frame); }));
+                            most = std::max(most, stack_use([&] { query(path, a, b, frame); }));
                     }
                 }
                 return most;
@@ -166,62 +168,63 @@ TEST_SUITE("stack") {
                     ShapeMaker maker(blob.decoded, 7);
                     for (int i = 0; i < 30; ++i) {
                         const Capsule capsule = maker.capsule(true);
-                        NearestPair pair;
-                        most = std::max(most, stack_use([&] { ask(blob.opened.blob, capsule, pair); }));
+                        ClosestPoint pair;
+                        most = std::max(most, stack_use([&] { pair = ask(blob.opened.blob, capsule); }));
                     }
                 }
                 return most;
             };
             const Row rows[] = {
                 {"open", 1024,
-                 most_stack(measured,
-                            [](const TestBlob& blob, QueryMaker&) {
-                                return stack_use([&] {
-                                    Blob opened;
-                                    (void)open(blob.opened.bytes, opened);
-                                });
-                            })},
-                {"raycast", 1920, ray_row([&](const Blob& blob, const Ray& ray) { raycast(blob, ray, hit); })},
+                 most_stack(measured, [](const TestBlob& blob,
+                                         QueryMaker&) { return stack_use([&] { (void)open(blob.opened.bytes); }); })},
+                {"raycast", 2048, ray_row([](const Blob& blob, const Ray& ray) { (void)raycast(blob, ray); })},
                 {"raycast, every instruction set", 2112,
                  ray_path_row([&](const InstructionPath& path, const Blob& blob, const Ray& ray) {
-                     path.closest_hit(blob.data(), ray, hit, nullptr);
+                     (void)path.closest_hit(detail::data_of(blob), ray, nullptr);
                  })},
                 {"closest_point, every instruction set", 4096,
                  point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
-                                    const detail::LatticePoint& point) { path.closest_triangle(blob, point, found); })},
+                                    const detail::RoundedPoint& point) { path.closest_triangle(blob, point, found); })},
                 {"raycast, a rounded ray", 2240, ray_row([&](const Blob& blob, const Ray& ray) {
-                     (void)raycast(blob, round_ray(lattice_of(blob), ray), hit);
+                     (void)raycast(blob, round_ray(blob.lattice(), ray));
                  })},
                 {"occluded", 1856, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
                 {"raycast, a batch", 12288,
-                 batch_row([&](const Blob& blob, const Rays& rays) { raycast(blob, rays, hits); })},
+                 batch_row([&](const Blob& blob, const Rays& rays) { (void)raycast(blob, rays, hits); })},
                 {"occluded, a batch", 12288,
-                 batch_row([&](const Blob& blob, const Rays& rays) { occluded(blob, rays, answers); })},
+                 batch_row([&](const Blob& blob, const Rays& rays) { (void)occluded(blob, rays, answers); })},
                 {"for_each_hit", 2048, ray_row([](const Blob& blob, const Ray& ray) {
-                     for_each_hit(blob, ray, [](const RayHit&) { return keep_going; });
+                     (void)for_each_hit(blob, ray, [](const RayHit&) { return Visit::next; });
                  })},
-                {"closest_hits", 2176,
-                 ray_row([&](const Blob& blob, const Ray& ray) { closest_hits(blob, ray, hits); })},
-                {"collides", 4096,
-                 placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
-                                const detail::PairFrame&) { collides(blob, blob, placement, inside); }),
+                {"closest_hits", 2240,
+                 ray_row([&](const Blob& blob, const Ray& ray) { (void)closest_hits(blob, ray, hits); })},
+                {"overlaps, two blobs", 4096,
+                 placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
+                               const detail::PairFrame&) { (void)overlaps(a, b, WorkLimit::unlimited()); }),
                  2},
-                {"minimum_distance", 4096,
-                 placed_row([&](const InstructionPath&, const Blob& blob, const Placement& placement,
-                                const detail::PairFrame&) {
-                     PairDistance distance;
-                     minimum_distance(blob, blob, placement, 1e30f, distance, inside, {20'000});
-                 }),
+                {"collect_contacts, resumed", 4096,
+                 placed_row(
+                     [](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b, const detail::PairFrame&) {
+                         PairContact contacts[1];
+                         const Filled page = collect_contacts(a, b, contacts, WorkLimit(20'000));
+                         (void)collect_contacts(a, b, contacts, WorkLimit(20'000), page.next);
+                     }),
+                 2},
+                {"distance, two blobs", 4160,
+                 placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
+                               const detail::PairFrame&) { (void)distance(a, b, WorkLimit(20'000), 1e30f); }),
                  2},
                 {"pairs of triangles, every instruction set", 4096,
-                 placed_row([](const InstructionPath& path, const Blob&, const Placement&,
+                 placed_row([](const InstructionPath& path, const PlacedBlob&, const PlacedBlob&,
                                const detail::PairFrame& frame) {
                      std::uint64_t work = 20'000;
-                     const auto go_on = [](const TrianglePair&) { return keep_going; };
-                     path.touching_pairs(frame, go_on, work);
+                     const auto go_on = [](const detail::TrianglePair&) { return Visit::next; };
+                     (void)path.touching_pairs(frame, go_on, work);
                      detail::FoundTriangles closest;
                      bool is_found = false;
-                     path.nearest_pair(frame, std::numeric_limits<float>::infinity(), false, closest, is_found, work);
+                     (void)path.nearest_pair(frame, std::numeric_limits<float>::infinity(), false, closest, is_found,
+                                             work);
                  }),
                  2},
                 {"sweep, a sphere", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
@@ -230,60 +233,61 @@ TEST_SUITE("stack") {
                 {"overlaps", 2560,
                  sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
                 {"for_each_overlap", 2560, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                     for_each_overlap(blob, sphere, [](Triangle) { return keep_going; });
+                     (void)for_each_overlap(blob, sphere, [](TriangleId) {});
                  })},
                 {"may_overlap and distance_bounds", 4096, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                     DistanceBounds bounds;
-                     (void)may_overlap(blob, sphere, sphere.radius);
-                     distance_bounds(blob, sphere.center, sphere.radius, sphere.radius, bounds);
+                     (void)overlaps(blob, sphere, Accuracy{sphere.radius});
+                     (void)distance_bounds(blob, sphere.center, sphere.radius, Accuracy{sphere.radius}).status;
                  })},
-                {"may_be_occluded", 2048, ray_row([](const Blob& blob, const Ray& ray) {
-                     (void)may_be_occluded(blob, ray, 0.01f * (blob.bounds_max().x - blob.bounds_min().x));
+                {"occluded with an accuracy", 2048, ray_row([](const Blob& blob, const Ray& ray) {
+                     (void)occluded(blob, ray, Accuracy{0.01f * (blob.bounds().max.x - blob.bounds().min.x)});
                  })},
                 {"overlaps and pages, a capsule", 3584,
                  volume_row([](ShapeMaker& maker) { return maker.capsule(true); })},
-                {"overlaps and pages, a box", 1792, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
-                {"overlaps and pages, an oriented box", 3328,
+                {"overlaps and pages, a box", 1856, volume_row([](ShapeMaker& maker) { return maker.box(true); })},
+                {"overlaps and pages, an oriented box", 3456,
                  volume_row([](ShapeMaker& maker) { return maker.oriented_box(true); })},
+                {"overlaps and pages, a cone", 3584, volume_row([](ShapeMaker& maker) {
+                     const Capsule c = maker.capsule(true);
+                     const Vec3 axis = {c.to.x - c.from.x, c.to.y - c.from.y, c.to.z - c.from.z};
+                     return Cone{c.from, axis, c.radius};
+                 })},
                 {"overlaps and pages, a triangle", 2560,
                  volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
-                {"overlaps and pages, planes", 3072, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
+                {"overlaps and pages, planes", 3200, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
                 {"closest_point", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                     closest_point(blob, sphere.center, sphere.radius, nearest);
+                     nearest = closest_point(blob, sphere.center, sphere.radius);
                  })},
                 {"closest_triangles", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                     closest_triangles(blob, sphere.center, sphere.radius, few);
+                     (void)closest_triangles(blob, sphere.center, few, sphere.radius).status;
                  })},
-                {"closest_to_segment", 3072, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
-                     closest_to_segment(blob, {capsule.from, capsule.to}, capsule.radius, pair);
+                {"closest_point, a segment", 3072, pair_row([](const Blob& blob, const Capsule& capsule) {
+                     return closest_point(blob, Segment{capsule.from, capsule.to}, capsule.radius);
                  })},
-                {"closest_to_box", 3136, pair_row([](const Blob& blob, const Capsule& capsule, NearestPair& pair) {
+                {"closest_point, a box", 3136, pair_row([](const Blob& blob, const Capsule& capsule) {
                      const Vec3& a = capsule.from;
                      const Vec3& b = capsule.to;
                      const Vec3 min = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
                      const Vec3 max = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-                     closest_to_box(blob, {min, max}, capsule.radius, pair);
+                     return closest_point(blob, Box{min, max}, capsule.radius);
                  })},
-                {"contains", 1536,
-                 sphere_row([&](const Blob& blob, const Sphere& sphere) { contains(blob, sphere.center, inside); })},
+                {"contains", 1536, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                     inside = contains(blob, sphere.center).yes();
+                 })},
                 {"signed_distance", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
-                     signed_distance(blob, sphere.center, sphere.radius, nearest);
+                     nearest = signed_distance(blob, sphere.center, sphere.radius);
                  })},
                 {"for_each_node", 1280, sphere_row([](const Blob& blob, const Sphere&) {
-                     for_each_node(blob, [](const TreeNode&) { return NodeVisit::descend; });
+                     (void)for_each_node(blob, [](const TreeNode&) { return NodeVisit::descend; });
                  })},
-                {"is_on_inner_edge", 768, sphere_row([](const Blob& blob, const Sphere& sphere) {
-                     Vec3 normal;
-                     is_on_inner_edge(blob, {{blob.triangle_count() / 2}, Feature::edge_ca, sphere.center}, normal);
+                {"fix_internal_edge_normal", 768, sphere_row([](const Blob& blob, const Sphere& sphere) {
+                     (void)fix_internal_edge_normal(blob, {blob.triangle_count() / 2}, Feature::edge_ca, sphere.center);
                  })},
-                {"triangle_corners", 768, sphere_row([](const Blob& blob, const Sphere&) {
-                     Corners corners;
-                     triangle_corners(blob, {blob.triangle_count() / 2}, corners);
+                {"triangle_at", 768, sphere_row([](const Blob& blob, const Sphere&) {
+                     (void)triangle_at(blob, {blob.triangle_count() / 2});
                  })},
-                {"oriented_bounds", 256, sphere_row([](const Blob& blob, const Sphere&) {
-                     OrientedBox box;
-                     oriented_bounds(blob, box);
-                 })},
+                {"oriented_bounds", 256,
+                 sphere_row([](const Blob& blob, const Sphere&) { (void)oriented_bounds(blob); })},
             };
             for (const Row& row : rows) {
                 // The vertices of a predicted strip, decoded, and what decodes them; of two leaves in pairs of blobs.

@@ -10,15 +10,14 @@
 #include <espalier/blob.hpp>
 
 int main(int argument_count, char** arguments) {
-    using espalier::Status;
+    using espalier::OpenStatus;
     if (argument_count < 3) return 1;
-    const Status expected = std::strcmp(arguments[1], "ok") == 0 ? Status::ok : Status::unsupported_feature;
+    const OpenStatus expected = std::strcmp(arguments[1], "ok") == 0 ? OpenStatus::ok : OpenStatus::unsupported_feature;
     bool all = true;
     for (int i = 2; i < argument_count; ++i) {
         std::ifstream file(arguments[i], std::ios::binary);
         const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-        espalier::Blob blob;
-        const Status status = espalier::open(std::as_bytes(std::span(bytes)), blob);
+        const OpenStatus status = espalier::open(std::as_bytes(std::span(bytes))).status();
         if (status == expected) continue;
         std::printf("%s: status %d, expected %d\n", arguments[i], static_cast<int>(status), static_cast<int>(expected));
         all = false;

@@ -41,19 +41,19 @@ Ground make_ground() {
 std::vector<std::byte> bake_by(Builder builder, const Ground& ground, unsigned threads) {
     const MeshView view = {.positions = ground.positions, .triangles = ground.triangles};
     BakeOptions options;
-    options.builder = builder;
+    options.build.builder = builder;
     options.threads = threads;
-    options.effort = 1;
+    options.effort = Effort::fast;
     options.progress = [](const char*, double) {};
-    if (builder == Builder::spatial_splits) options.profile = format::Profile::fast;
+    if (builder == Builder::spatial_splits) options.profile = Profile::fast;
     auto baked = bake({&view, 1}, options);
-    return baked ? std::move(baked->blob) : std::vector<std::byte>();
+    return baked ? std::move(baked.bytes) : std::vector<std::byte>();
 }
 
 /// The first call of each thread also races to find out the instruction set.
 bool ask_at_the_same_time(const std::vector<std::byte>& bytes) {
-    Blob blob;
-    if (open(bytes, blob) != Status::ok) return false;
+    const Blob blob = open(bytes);
+    if (!blob) return false;
     std::vector<std::uint64_t> found(askers);
     {
         std::vector<std::thread> threads;

@@ -6,7 +6,7 @@
 
 # ---- usage ----------------------------------------------------------------------------------------------------------
 claim "help goes to stdout and names the exit status, for the command and for every verb"
-for verb in "" bake embed info verify query "query x ray" "query x sphere" "query x nearest" render trade dump; do
+for verb in "" bake embed info verify query "query x ray" "query x sphere" "query x closest-point" render trade dump; do
     # shellcheck disable=SC2086
     run 0 $verb --help
     out_has "0 ok, 1 usage, 2 file cannot be read or written, 3 invalid input, 4 internal, 5 unsupported"
@@ -23,12 +23,12 @@ run 1 bake -o x.espl
 run 1 bake box.obj -o x.espl --bits 25
 run 1 bake box.obj -o x.espl --bits 0
 run 1 bake box.obj -o x.espl --profile huge
-run 1 bake box.obj -o x.espl --materials 9
-run 1 bake box.obj -o x.espl --edge-flags --flat-angle 90
-run 1 bake box.obj -o x.espl --edge-flags --flat-angle wide
-run 1 bake box.obj -o x.espl --flat-angle 5
+run 1 bake box.obj -o x.espl --flat-angle 90
+run 1 bake box.obj -o x.espl --flat-angle wide
+run 1 bake box.obj -o x.espl --flat-angle
 run 1 bake box.obj -o x.espl --bounds obb,ball
-run 1 bake box.obj -o x.espl --effort 10
+run 1 bake box.obj -o x.espl --effort 5
+run 1 bake box.obj -o x.espl --byte-price -1
 run 1 bake box.obj -o x.espl --builder oak
 run 1 bake box.obj -o x.espl --bits 12 --tolerance 1mm
 run 1 bake box.obj -o x.espl --scale 0
@@ -41,6 +41,22 @@ err_has "--nonsense"
 absent x.espl
 
 # ---- bake -----------------------------------------------------------------------------------------------------------
+claim "the meshes of a file are numbered from 0 and listed with their names"
+{
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no unused\no house\ng walls\nf 1 2 3\ng roof\nf 1 2 4\n'
+    printf 'o yard\ng\nf 1 3 4\no house\ng walls\nf 2 3 4\n'
+} >named.obj
+run 0 bake named.obj -o named.espl --json
+json '.inputs[0].meshes == 3 and .inputs[0].mesh_names == ["house/walls", "house/roof", "yard"]'
+err_has "  meshes: 0 house/walls, 1 house/roof, 2 yard"
+run 0 bake box.obj -o x.espl --json
+json '.inputs[0].mesh_names == [""]'
+err_lacks "  meshes: "
+for i in $(seq 0 20); do printf 'v 0 0 %d\nv 1 0 %d\nv 0 1 %d\ng part %d\nf -3 -2 -1\n' "$i" "$i" "$i" "$i"; done >parts.obj
+run 0 bake parts.obj -o x.espl --json
+json '.inputs[0].mesh_names[20] == "part 20"'
+err_has "14 part 14, 15 part 15, ...; --json lists all of them"
+
 claim "a bake says bounds, unit, axes, lattice and size on stderr and nothing on stdout"
 run 0 bake box.obj -o x.espl
 [ ! -s out ] || fail "stdout is not empty"
@@ -136,11 +152,11 @@ same box.espl stl.espl
 
 claim "the bytes depend on nothing but the input: not on threads, time or folder"
 for threads in 1 2 3 0; do
-    run 0 bake sheet.obj -o t.espl --ids --materials 8 --threads $threads
+    run 0 bake sheet.obj -o t.espl --ids --materials --threads $threads
     same sheet.espl t.espl
 done
 mkdir elsewhere
-run 0 bake "$folder/sheet.obj" -o elsewhere/t.espl --ids --materials 8
+run 0 bake "$folder/sheet.obj" -o elsewhere/t.espl --ids --materials
 same sheet.espl elsewhere/t.espl
 
 claim "a tolerance is honoured, in every unit"

@@ -20,11 +20,11 @@ out_has '"format_version": "2.'
 out_has "\"bytes\": $(stat -c %s sheet.espl)"
 
 claim "edge flags and bounds are there on request, and the report tells how much space the bounds take"
-run 0 bake sheet.obj -o extras.espl --edge-flags --bounds obb,sphere,kdop
+run 0 bake sheet.obj -o extras.espl --flat-angle 5 --bounds obb,sphere,kdop
 err_has "volume: axis-aligned box "
 err_has "oriented box "
 err_has "26-DOP "
-run 0 bake sheet.obj -o extras5.espl -q --edge-flags --flat-angle 5 --bounds sphere --bounds kdop,obb --json
+run 0 bake sheet.obj -o extras5.espl -q --flat-angle 5 --bounds sphere --bounds kdop,obb --json
 out_has '"volumes": {'
 same extras.espl extras5.espl
 run 0 verify extras.espl --deep
@@ -132,7 +132,6 @@ run 1 bake sheet.obj -o lead.espl --remap same.bin --reorder same.bin
 claim "no output replaces a file that is read, and empty values are refused"
 printf 'mtllib own.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n' >own.obj
 printf 'newmtl red\nKd 1 0 0\n' >own.mtl
-printf '{"byte_price": 0}' >own.json
 for output in -o --remap --depfile; do
     others="-o own.espl"
     [ "$output" != -o ] || others=
@@ -143,13 +142,12 @@ for output in -o --remap --depfile; do
 done
 run 0 bake own.obj -o own.espl -q
 run 1 bake own.obj -o new.espl --lattice-of own.espl --remap own.espl
-run 1 bake own.obj -o new.espl --cost-model own.json --remap own.json
 for option in --step --lattice-of --remap --reorder; do
     run 1 bake own.obj -o new.espl "$option" ""
 done
 absent new.espl
 printf 'v 0 0 0\nv nan 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\nf 1 4 3\n' >half.obj
-run 0 bake half.obj -o half.espl -q --repair --max-dropped 50% --reorder whole.obj
+run 0 bake half.obj -o half.espl -q --drop-bad-triangles --max-dropped 50% --reorder whole.obj
 ! grep -qi nan whole.obj || fail "the reordered source has a vertex that no triangle uses"
 run 1 bake sheet.obj -o lead.espl --remap sheet.obj
 

@@ -94,8 +94,8 @@ int main(int argument_count, char** arguments) {
         ++watertight;
         for (const unsigned bits : lattices) {
             BakeOptions options;
-            options.bits = bits;
-            options.effort = 2;
+            options.resolution = Resolution::bits(bits);
+            options.effort = Effort::fast;
             ClosedTally& tally = tallies[bits];
             const std::uint64_t lost_before = tally.lost;
             const std::string complaint = check_closed(mesh, options, points, random, tally);

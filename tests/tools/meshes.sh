@@ -59,14 +59,15 @@ write_box_obj 0 >box.obj
 write_box_obj 10 >far_box.obj
 write_box_ply >box.ply
 write_box_stl >box.stl
-# A bumpy sheet, large enough for a tree of several levels.
+# A bumpy sheet, large enough for a tree of several levels, of material 1.
 awk 'BEGIN { n = 40
     for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
+    print "usemtl stone"
     for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
         printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >sheet.obj
 "$espalier" bake box.obj -o box.espl -q || fail "the box cannot be baked"
-"$espalier" bake sheet.obj -o sheet.espl -q --ids --materials 8 || fail "the sheet cannot be baked"
-"$espalier" bake box.obj far_box.obj -o two.espl -q --ids --materials 16 || fail "the boxes cannot be baked"
+"$espalier" bake sheet.obj -o sheet.espl -q --ids --materials || fail "the sheet cannot be baked"
+"$espalier" bake box.obj far_box.obj -o two.espl -q --ids --materials || fail "the boxes cannot be baked"
 # Sources and blobs that are broken, or empty.
 printf 'v 0 0 0\nv 1 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 4\nf 1 2 3\n' >not_finite.obj
 printf 'v 0 0 0\nv 1 0 0\np 1\nl 1 2\n' >points.obj

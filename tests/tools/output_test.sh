@@ -30,7 +30,7 @@ run 0 embed sheet.espl -o level.c --header level.h -q
 
 claim "what cannot be embedded is refused, and nothing is written"
 run 1 embed box.espl -o bad.txt
-err_has ".c or .cpp an array, .S assembler"
+err_has ".c or .cpp for an array, .S for assembler"
 for name in 2nd new a-b _x a__b linux; do run 1 embed box.espl -o bad.c --symbol $name; done
 run 1 embed box.espl -o new.c
 err_has "'new' cannot name a variable"
@@ -81,7 +81,7 @@ run 5 bake junk.unknown -o kept/x.espl
 (cd kept && ulimit -f 1 && trap '' XFSZ && "$espalier" bake ../sheet.obj -o x.espl 2>/dev/null)
 same box.espl kept/x.espl
 only kept "x.espl "
-run 0 bake sheet.obj -o kept/x.espl --ids --materials 8
+run 0 bake sheet.obj -o kept/x.espl --ids --materials
 same sheet.espl kept/x.espl
 only kept "x.espl "
 
@@ -90,11 +90,11 @@ awk 'BEGIN { n = 150
     for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) printf "v %g %g %g\n", i, 3 * sin(i / 5) * cos(j / 7), j
     for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) { a = i * (n + 1) + j + 1
         printf "f %d %d %d\nf %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' >large.obj
-run 0 bake large.obj -o large.espl -q --effort 0
+run 0 bake large.obj -o large.espl -q --effort fast
 mkdir killed
 start_baking() { # a shell has what it starts in the background ignore interrupts
     cp box.espl killed/x.espl
-    env --default-signal=INT "$espalier" bake large.obj -o killed/x.espl -q --effort 0 &
+    env --default-signal=INT "$espalier" bake large.obj -o killed/x.espl -q --effort fast &
     baking=$!
 }
 # As soon as there is a file beside the output; false when the bake was faster.
@@ -159,7 +159,7 @@ same x.espl box.espl
 claim "a link is written through, and a device stays a device"
 ln -s target.espl link.espl
 cp box.espl target.espl
-run 0 bake sheet.obj -o link.espl --ids --materials 8
+run 0 bake sheet.obj -o link.espl --ids --materials
 [ -L link.espl ] || fail "the link was replaced"
 same target.espl sheet.espl
 run 0 bake box.obj -o /dev/null

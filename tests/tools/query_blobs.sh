@@ -9,5 +9,5 @@ awk 'function unit() { s = (s * 1103 + 12345) % 65536; return s / 65536 }
         x, y, z, x + dx, y + dy, z + dz, x + dx + 0.01, y + dy, z + dz + 0.01 }
     BEGIN { for (i = 0; i < 60; ++i) add(unit(), 0, unit(), unit() - 0.5, 1, unit() - 0.5)
         for (i = 0; i < 600; ++i) add(unit(), unit(), unit(), 0.01, 0.02, 0) }' >beams.obj
-"$espalier" bake box.obj -o full.espl -q --ids --edge-flags --bounds obb,sphere,kdop || fail "no box with everything"
-"$espalier" bake beams.obj -o split.espl -q --profile fast --builder spatial_splits --duplicates 1 || fail "no splits"
+"$espalier" bake box.obj -o full.espl -q --ids --flat-angle 5 --bounds obb,sphere,kdop || fail "no box with everything"
+"$espalier" bake beams.obj -o split.espl -q --profile fast --builder spatial_splits --duplicate-budget 1 || fail "no splits"

@@ -14,13 +14,13 @@ out_has "overlaps"
 run 0 query box.espl sphere -1 -1 -1 1 --any --json
 out_has '"overlaps": false'
 
-claim "nearest finds point and distance, or nothing beyond the limit"
-run 0 query box.espl nearest 0.25 1 5
+claim "closest-point finds point and distance, or nothing beyond the limit"
+run 0 query box.espl closest-point 0.25 1 5
 out_has "distance 2"
 out_has "point 0.25 1 3"
-run 0 query box.espl nearest 0.25 1 5 --max-distance 1.5
+run 0 query box.espl closest-point 0.25 1 5 --max-distance 1.5
 out_has "nothing within"
-run 0 query box.espl nearest 0.25 1 5 --json
+run 0 query box.espl closest-point 0.25 1 5 --json
 out_has '"distance": 2.0'
 
 claim "every volume lists the triangles that it touches"
@@ -42,11 +42,13 @@ counts 12 box -inf -inf -inf inf inf inf
 counts 0 box 1 1 1 0 0 0
 counts 2 oriented-box 0.5 1 4 0 0 1 0.2 0.2 0 0.2 -0.2 0
 counts 0 oriented-box 0.5 1 4 0 0 0.9 0.2 0.2 0 0.2 -0.2 0
+counts 2 cone 0.5 1 5 0 0 -2 0.1
+counts 0 cone 0.5 1 5 0 0 -1.9 0.1
 counts 1 triangle 0.6 0.2 3 0.9 0.3 3 0.9 0.2 4
 counts 0 triangle 0.6 0.2 1 0.9 0.3 1 0.9 0.2 2
-counts 10 planes 0 0 1 0 # the bottom, and what ends at it
-counts 0 planes 0 0 1 -0.1
-counts 8 planes 1 0 0 0.5 -1 0 0 -0.5
+counts 10 convex-volume 0 0 1 0 # the bottom, and what ends at it
+counts 0 convex-volume 0 0 1 -0.1
+counts 8 convex-volume 1 0 0 0.5 -1 0 0 -0.5
 
 claim "pages of what a volume touches make up the whole"
 run 0 query sheet.espl sphere 20 0 20 9 --json
@@ -70,29 +72,29 @@ run 1 query sheet.espl sphere 20 0 20 9 --limit 3 --any
 run 1 query sheet.espl sphere 20 0 20 9 --limit -3
 
 claim "the nearest triangles come sorted"
-run 0 query box.espl nearest 0.25 1 5 --first 3 --json
+run 0 query box.espl closest-point 0.25 1 5 --first 3 --json
 json '.count == 3 and .triangles[0].distance == 2 and .triangles[1].distance >= 2 and .triangles[2].distance >= .triangles[1].distance'
-run 0 query box.espl nearest 0.25 1 5 --first 100 --json
+run 0 query box.espl closest-point 0.25 1 5 --first 100 --json
 json '.count == 12'
-run 0 query box.espl nearest 0.25 1 5 --first 100 --max-distance 0.5 --json
+run 0 query box.espl closest-point 0.25 1 5 --first 100 --max-distance 0.5 --json
 json '.count == 0'
 
 claim "segments and boxes have a closest pair of points"
-run 0 query box.espl nearest-segment 0.25 1 5 0.75 1 4 --json
-json '.found and .distance == 1 and .on_shape == [0.75, 1, 4] and .on_surface == [0.75, 1, 3]'
-run 0 query box.espl nearest-segment 0.2 1 5 0.2 1 2
+run 0 query box.espl closest-point-segment 0.25 1 5 0.75 1 4 --json
+json '.found and .distance == 1 and .on_shape == [0.75, 1, 4] and .point == [0.75, 1, 3] and .feature == "face" and .face_normal == [0, 0, 1] and .side == "front"'
+run 0 query box.espl closest-point-segment 0.2 1 5 0.2 1 2
 out_has "distance 0"
-run 0 query box.espl nearest-box 3 0 0 4 1 1 --json
-json '.distance == 2 and .on_shape[0] == 3 and .on_surface[0] == 1'
-run 0 query box.espl nearest-box 3 0 0 4 1 1 --max-distance 1900mm
+run 0 query box.espl closest-point-box 3 0 0 4 1 1 --json
+json '.distance == 2 and .on_shape[0] == 3 and .point[0] == 1 and .face_normal == [1, 0, 0]'
+run 0 query box.espl closest-point-box 3 0 0 4 1 1 --max-distance 1900mm
 out_has "nothing within"
-run 0 query box.espl nearest-box 4 1 1 3 0 0 --json
+run 0 query box.espl closest-point-box 4 1 1 3 0 0 --json
 json '.status == "ok" and .found == false'
 
 claim "moving shapes stop at the first contact, and say when they start in one"
 near() { json ".t <= $1 and .t > $1 - 0.0000002"; }
 run 0 query box.espl sweep-sphere 0.5 1 6 1 0 0 -4 --json
-json '.hit and .starts_overlapping == false and .normal == [0, 0, 1]'
+json '.hit and .starts_overlapping == false and .normal == [0, 0, 1] and .face_normal == [0, 0, 1]'
 near 0.5
 run 0 query box.espl sweep-capsule 0.5 1 6 0.6 1 7 1 0 0 -4 --json
 near 0.5
@@ -110,12 +112,12 @@ err_has "too far away or too large"
 run 1 query box.espl sweep-box 0 0 0 1 1 1 0 0
 
 claim "inside and outside have a sign"
-run 0 query box.espl inside 0.5 1 1.5
+run 0 query box.espl contains 0.5 1 1.5
 out_has "inside"
-run 0 query box.espl inside 0.5 1 3.5 --json
+run 0 query box.espl contains 0.5 1 3.5 --json
 json '.inside == false'
 run 0 query box.espl signed-distance 0.5 1 2.75 --json
-json '.found and .distance == -0.25 and .point == [0.5, 1, 3]'
+json '.found and .distance == -0.25 and .point == [0.5, 1, 3] and .on_shape == null and .side == "back"'
 run 0 query box.espl signed-distance 0.5 1 3.25 --json
 json '.distance == 0.25'
 run 0 query box.espl signed-distance 0.5 1 1.5 --max-distance 0.125 --json
@@ -135,9 +137,9 @@ run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --accuracy 1mm
 out_has "may be occluded"
 run 0 query box.espl segment 0.25 1.5 10 0.25 1.5 9 --accuracy 1mm
 out_has "not occluded"
-run 0 query box.espl nearest 0.25 1 5 --accuracy 100mm --json
+run 0 query box.espl closest-point 0.25 1 5 --accuracy 100mm --json
 json '.found and .lower <= 2 and .upper >= 2 and .upper - .lower < 0.174'
-run 0 query box.espl nearest 0.25 1 5 --accuracy 100mm --max-distance 1
+run 0 query box.espl closest-point 0.25 1 5 --accuracy 100mm --max-distance 1
 out_has "nothing within"
 run 1 query box.espl capsule 0 0 0 1 1 1 1 --accuracy 1
 run 1 query box.espl sphere 0 0 0 1 --accuracy 1 --any

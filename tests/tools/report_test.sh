@@ -95,9 +95,9 @@ fails_with invalid_input '"box.espl"' null null
 run 3 trade line.obj --json
 fails_with invalid_input null null null
 "$espalier" bake open.obj -o open.espl -q
-run 6 query open.espl inside 0 0 0 --json
+run 6 query open.espl contains 0 0 0 --json
 fails_with no_answer null null null
-json '.query == "inside" and .status == "not_closed"'
+json '.query == "contains" and .status == "not_closed"'
 
 claim "a verb that fails without a result lists its warnings, also when there are none"
 for arguments in "bake missing.obj -o x.espl" "bake --xyzzy" "info missing.espl" "render missing.espl -o x.png" \

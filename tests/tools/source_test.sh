@@ -4,8 +4,6 @@
 # shellcheck source=meshes.sh
 . "$(dirname "$0")/meshes.sh"
 
-echo '{"byte_price": 0}' >free_bytes.json
-
 claim "unit, scale and up axis do what they say"
 run 0 bake box.obj -o x.espl --unit mm
 err_has "unit: 1 = 0.001 m (--unit)"
@@ -43,14 +41,14 @@ claim "a mirrored mesh keeps its front outside"
 write_box_collada "<scale>-1 1 1</scale>" 1 Y_UP >mirrored.dae
 run 0 bake mirrored.dae -o mirrored.espl
 err_has "bounds: -1 0 0 to 0 2 3"
-run 0 query mirrored.espl ray -5 1 1 1 0 0 --faces front
+run 0 query mirrored.espl ray -5 1 1 1 0 0 --culling back
 out_has "t 4"
 out_has "normal -1 0 0"
-run 0 query moved.espl ray 0 21 31 1 0 0 --faces front
+run 0 query moved.espl ray 0 21 31 1 0 0 --culling back
 out_has "t 10"
 
 claim "several files become one blob, in their order, with distinct materials"
-run 0 bake box.obj far_box.obj -o two.espl --ids --materials 16
+run 0 bake box.obj far_box.obj -o two.espl --ids --materials
 err_has "far_box.obj: 12 triangles in 1 mesh"
 err_has "bounds: 0 0 0 to 11 2 3"
 run 0 query two.espl ray -1 1 1 1 0 0 --json
@@ -60,19 +58,19 @@ run 0 query two.espl ray 20 1 1 -1 0 0 --json
 out_has '"file": 1'
 [ "$first" != "$(grep '"material"' out)" ] || fail "both files have the material $first"
 
-claim "broken geometry is refused with file, mesh and triangle, unless it is to be repaired; then it is counted"
+claim "broken geometry is refused with file, mesh and triangle, unless it is to be dropped; then it is counted"
 run 3 bake not_finite.obj -o broken.espl
 err_has "not_finite.obj, mesh 0"
 err_has "triangle 1"
-err_has "--repair"
+err_has "--drop-bad-triangles"
 absent broken.espl
-run 0 bake not_finite.obj -o x.espl --repair --max-dropped 50%
+run 0 bake not_finite.obj -o x.espl --drop-bad-triangles --max-dropped 50%
 err_has "dropped 1 triangle with a corner that is NaN or infinite; first: not_finite.obj, mesh 0"
 write_box_ply | sed 's/^3 0 2 3$/3 0 2 300/' >out_of_range.ply
 run 3 bake out_of_range.ply -o broken.espl
 err_has "out_of_range.ply, mesh 0, triangle 0"
 absent broken.espl
-run 0 bake out_of_range.ply -o x.espl --repair --json
+run 0 bake out_of_range.ply -o x.espl --drop-bad-triangles --json
 err_has "dropped 1 triangle with an index out of range"
 out_has '"triangles": 11'
 
@@ -93,7 +91,7 @@ run 0 info empty.espl --json
 out_has '"triangles": 0'
 run 0 query empty.espl ray 0 0 0 1 0 0
 out_has "no hit"
-run 0 query empty.espl nearest 0 0 0
+run 0 query empty.espl closest-point 0 0 0
 run 0 query empty.espl sphere 0 0 0 inf
 out_has "0 triangles"
 run 0 dump empty.espl
@@ -136,8 +134,8 @@ mkdir -p "a b#\$c"
 printf 'mtllib box.mtl missing.mtl\n' | cat - box.obj >"a b#\$c/box.obj"
 printf 'newmtl stone\nmap_Kd stone.png\n' >"a b#\$c/box.mtl"
 touch "a b#\$c/stone.png"
-run 0 bake "a b#\$c/box.obj" far_box.obj -o "with space.espl" -q --depfile box.d --cost-model free_bytes.json
-printf '%s\n' 'with\ space.espl: \' ' a\ b\#$$c/box.obj \' ' a\ b\#$$c/box.mtl \' ' far_box.obj \' ' free_bytes.json' >expected.d
+run 0 bake "a b#\$c/box.obj" far_box.obj -o "with space.espl" -q --depfile box.d
+printf '%s\n' 'with\ space.espl: \' ' a\ b\#$$c/box.obj \' ' a\ b\#$$c/box.mtl \' ' far_box.obj' >expected.d
 same expected.d box.d
 run 0 bake box.obj -o plain.espl -q --depfile /dev/stdout
 printf 'plain.espl: \\\n box.obj\n' >expected.d

@@ -30,8 +30,22 @@ is_explained "there is no option '--tolerence' here; did you mean '--tolerance'?
 is_explained "there is no option '--outptu' here; did you mean '--output'?" bake box.obj --outptu x.espl
 is_explained "there is no option '--jsno' here; did you mean '--json'?" info box.espl --jsno
 is_explained "there is no option '--xyzzy' here. Run 'espalier bake --help'." bake box.obj -o x.espl --xyzzy
-is_explained "there is no kind of query 'contains'; did you mean 'inside'?" query box.espl contains 0 0 0
+is_explained "there is no kind of query 'closest_point'; did you mean 'closest-point'?" query box.espl closest_point 0 0 0
 is_explained "there is no kind of query 'spere'; did you mean 'sphere'?" query box.espl spere 0 0 0 1
+
+claim "a kind of query that was renamed is refused with its new name"
+while read -r old new; do
+    is_explained "there is no kind of query '$old'; did you mean '$new'?" query box.espl "$old" 0 0 0
+done <<'NAMES'
+nearest closest-point
+nearest-segment closest-point-segment
+nearest-box closest-point-box
+inside contains
+planes convex-volume
+within within-distance
+steps to-lattice
+contact fix-internal-edge-normal
+NAMES
 
 claim "what is missing or too much is named as the help names it"
 is_explained "the verb is missing. Run 'espalier --help'."
@@ -50,16 +64,15 @@ is_explained "'more' is one word too many" info box.espl more
 is_explained "'-1' is no value for --threads COUNT" bake box.obj -o x.espl --threads -1
 is_explained "'many' is no value for --threads COUNT" bake box.obj -o x.espl --threads many
 is_explained "exclude each other" bake box.obj -o x.espl --bits 12 --tolerance 1mm
-is_explained "--flat-angle needs --edge-flags" bake box.obj -o x.espl --flat-angle 5
-is_explained "--duplicates needs --builder spatial_splits" bake box.obj -o x.espl --duplicates 0.1
-run 0 bake box.obj -o x.espl -q --duplicates 0.1 --builder spatial_splits --profile fast
+is_explained "--duplicate-budget needs --builder spatial_splits" bake box.obj -o x.espl --duplicate-budget 0.1
+run 0 bake box.obj -o x.espl -q --duplicate-budget 0.1 --builder spatial_splits --profile fast
 
 claim "a value that is none or one too many or missing is explained with the option and its range"
 is_explained "--bits is given 2 times; give it once" bake box.obj -o x.espl --bits 12 --bits 14
 is_explained "--output is given 2 times; give it once" bake box.obj -o x.espl -o y.espl
 is_explained "--bits 1..24: a value is missing" bake box.obj -o x.espl --bits
 is_explained "--bits: 'abc' is no whole number from 1 to 24" bake box.obj -o x.espl --bits abc
-is_explained "--effort: '3.5' is no whole number from 0 to 9" bake box.obj -o x.espl --effort 3.5
+is_explained "--effort: '5' is none of fast|normal|best" bake box.obj -o x.espl --effort 5
 is_explained "--max-dropped: '5percent' is no number from 0 to 100" bake box.obj -o x.espl --max-dropped 5percent
 is_explained "--bounds: 'box' is none of obb|sphere|kdop" bake box.obj -o x.espl --bounds box
 is_explained "--bounds: 'box' is none of obb|sphere|kdop" bake box.obj -o x.espl --bounds obb,box
@@ -72,7 +85,7 @@ done
 rm x.espl two.espl
 
 claim "an empty value, as of a variable that is not set, is refused with its option"
-for option in --tolerance --unit --cost-model --threads --depfile --remap --reorder --lattice-of --step --max-error; do
+for option in --tolerance --unit --threads --depfile --remap --reorder --lattice-of --step --max-error; do
     is_explained "$option: the value is empty" bake box.obj -o x.espl $option ""
 done
 is_explained "--output: the value is empty" bake box.obj -o ""

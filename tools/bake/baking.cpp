@@ -12,36 +12,37 @@ namespace espalier::tools {
 
 namespace {
 
-ExitCode exit_code_of(BakeError::Kind kind) {
-    switch (kind) {
-        case BakeError::Kind::invalid_options:
+ExitCode exit_code_of(BakeStatus status) {
+    switch (status) {
+        case BakeStatus::ok:
+            return ExitCode::ok;
+        case BakeStatus::invalid_options:
             return ExitCode::usage;
-        case BakeError::Kind::invalid_mesh:
+        case BakeStatus::invalid_mesh:
             return ExitCode::invalid_input;
-        // The mesh is sound and the option is well-formed: together they ask for more than 24 bits.
-        case BakeError::Kind::too_fine:
+        // The mesh is sound and the option is well-formed: together they need more than 24 bits.
+        case BakeStatus::too_fine:
             return ExitCode::unsupported;
-        case BakeError::Kind::too_large:
+        case BakeStatus::too_large:
             return ExitCode::unsupported;
-        case BakeError::Kind::internal:
+        case BakeStatus::internal:
             return ExitCode::internal;
     }
     return ExitCode::internal;
 }
 
-Baked sound_or_throw(Result<Baked, BakeError> result, const Imported& imported) {
+BakeResult sound_or_throw(BakeResult result, const Imported& imported) {
     if (!result) {
-        std::string message = result.error().message;
+        std::string message = result.message;
         if (!message.ends_with('.')) message += '.';
-        if (result.error().kind == BakeError::Kind::invalid_mesh) {
-            message += " --repair drops such triangles and counts them.";
+        if (result.status == BakeStatus::invalid_mesh) {
+            message += " --drop-bad-triangles drops such triangles and counts them.";
         }
-        const std::optional<SourcePlace>& place = result.error().place;
-        throw CommandError(exit_code_of(result.error().kind), message,
-                           place ? details_of(*place, imported) : ErrorDetails());
+        const std::optional<SourcePlace>& place = result.place;
+        throw CommandError(exit_code_of(result.status), message, place ? details_of(*place, imported) : ErrorDetails());
     }
-    static_cast<void>(opened(*result));
-    return std::move(*result);
+    static_cast<void>(opened(result));
+    return result;
 }
 
 }  // namespace
@@ -54,19 +55,19 @@ ErrorDetails details_of(const SourcePlace& place, const Imported& imported) {
     return details;
 }
 
-Baked bake_or_throw(const Imported& imported, const BakeOptions& options) {
+BakeResult bake_or_throw(const Imported& imported, const BakeOptions& options) {
     return sound_or_throw(bake(imported.views(), options), imported);
 }
 
-Baked bake_trial_or_throw(const Imported& imported, const BakeOptions& options) {
+BakeResult bake_trial_or_throw(const Imported& imported, const BakeOptions& options) {
     return sound_or_throw(baker::bake_trial(imported.views(), options), imported);
 }
 
-Blob opened(const Baked& baked) {
-    Blob blob;
-    if (const Status status = open(baked.blob, blob); status != Status::ok) {
+Blob opened(const BakeResult& baked) {
+    const Blob blob = open(baked.bytes);
+    if (!blob) {
         throw CommandError(ExitCode::internal,
-                           text("the baked blob is refused by this program's own reader: ", describe(status),
+                           text("the baked blob is refused by this program's own reader: ", describe(blob.status()),
                                 ". Nothing was written; please report the mesh."));
     }
     return blob;

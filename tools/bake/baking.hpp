@@ -11,15 +11,15 @@ namespace espalier::tools {
 
 /// Throws CommandError with the baker's reason and the exit code that it stands for, and (internal) when the reader
 /// refuses what was baked: what is written has been read by those who will read it.
-Baked bake_or_throw(const Imported& imported, const BakeOptions& options);
+BakeResult bake_or_throw(const Imported& imported, const BakeOptions& options);
 
-/// The same for a trial, whose report leaves out BakeReport::lost_closed and bits_that_keep_closed.
-Baked bake_trial_or_throw(const Imported& imported, const BakeOptions& options);
+/// The same for a trial, which never warns of lost_closed (baker::bake_trial).
+BakeResult bake_trial_or_throw(const Imported& imported, const BakeOptions& options);
 
 /// Returns the place for scripts.
 ErrorDetails details_of(const SourcePlace& place, const Imported& imported);
 
 /// The view of what was just baked; the bytes must outlive it.
-Blob opened(const Baked& baked);
+Blob opened(const BakeResult& baked);
 
 }  // namespace espalier::tools

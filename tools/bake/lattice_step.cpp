@@ -4,8 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include <espalier/lattice.hpp>
-
 #include "base/exit_code.hpp"
 #include "base/numbers.hpp"
 #include "files/blob_file.hpp"
@@ -40,9 +38,9 @@ int parse_step_exponent(const std::string& input, const char* option) {
                                              "the blob."));
 }
 
-int step_exponent_of_blob(const std::string& path) {
+Lattice lattice_of_blob(const std::string& path) {
     const BlobFile file = open_blob_file(path);
-    if (file.blob.triangle_count() != 0) return lattice_of(file.blob).step_exponent;
+    if (file.blob.triangle_count() != 0) return file.blob.lattice();
     throw CommandError(ExitCode::invalid_input, text('\'', printable(path),
                                                      "' is a blob without triangles, which has no lattice: choose "
                                                      "another blob, or write the step with --step."));

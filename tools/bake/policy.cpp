@@ -34,7 +34,8 @@ BakePolicy::SizeRange parse_size_range(const std::string& words) {
 
 /// Triangles whose surface, if they had any, is missing from the blob. Of duplicates it is there once.
 std::uint64_t dropped_triangles(const BakeReport& report) {
-    return report.not_finite.count + report.index_out_of_range.count + report.zero_area.count + report.collapsed.count;
+    return report.findings.not_finite.count + report.findings.index_out_of_range.count +
+           report.findings.zero_area.count + report.findings.collapsed.count;
 }
 
 /// "3 without area (first: box.obj, mesh 0, triangle 5)" for each kind.
@@ -44,17 +45,17 @@ std::string dropped_words(const BakeReport& report) {
         if (finding.count == 0) return;
         words += text(words.empty() ? "" : ", ", finding.count, ' ', what, " (first: ", finding.first, ")");
     };
-    add(report.not_finite, "not finite");
-    add(report.index_out_of_range, "with an index out of range");
-    add(report.zero_area, "without area");
-    add(report.collapsed, "without area on the lattice");
+    add(report.findings.not_finite, "not finite");
+    add(report.findings.index_out_of_range, "with an index out of range");
+    add(report.findings.zero_area, "without area");
+    add(report.findings.collapsed, "without area on the lattice");
     return words;
 }
 
 /// Of the first kind that dropped_words lists.
 ErrorDetails place_of_dropped(const BakeReport& report, const Imported& imported) {
-    for (const Finding* finding :
-         {&report.not_finite, &report.index_out_of_range, &report.zero_area, &report.collapsed}) {
+    for (const Finding* finding : {&report.findings.not_finite, &report.findings.index_out_of_range,
+                                   &report.findings.zero_area, &report.findings.collapsed}) {
         if (finding->place) return details_of(*finding->place, imported);
     }
     return {};
@@ -64,19 +65,19 @@ void refuse_dropped(const BakePolicy& policy, const Imported& imported, const Ba
     if (!drops_more_than(policy.max_dropped, report)) return;
     ErrorDetails details = place_of_dropped(report, imported);
     details.kind = "dropped";
-    const bool is_empty = report.triangles == 0 && !policy.allow_empty;
+    const bool is_empty = report.tree.triangles == 0 && !policy.allow_empty;
     throw CommandError(
         ExitCode::invalid_input,
-        text("dropped ", dropped_triangles(report), " of ", counted(report.source_triangles, "triangle"), ": ",
+        text("dropped ", dropped_triangles(report), " of ", counted(report.source.triangles, "triangle"), ": ",
              dropped_words(report), ". At most ", rounded(policy.max_dropped),
              " % may be, so nothing was written. Mend the mesh",
-             report.collapsed.count > 0 ? " or choose a finer lattice" : "", "; if the loss is intended, ",
+             report.findings.collapsed.count > 0 ? " or choose a finer lattice" : "", "; if the loss is intended, ",
              "raise --max-dropped", is_empty ? " and give --allow-empty." : "."),
         std::move(details));
 }
 
 void refuse_empty(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
-    if (policy.allow_empty || report.triangles != 0) return;
+    if (policy.allow_empty || report.tree.triangles != 0) return;
     throw CommandError(ExitCode::invalid_input,
                        text(names_of_inputs(imported),
                             ": no triangle is left, so nothing was written. Check the "
@@ -104,7 +105,7 @@ std::string unit_hints(const BakePolicy::SizeRange& range, const Imported& impor
 }
 
 void refuse_size(const BakePolicy& policy, const Imported& imported, const BakeReport& report) {
-    if (!policy.expected_size || report.triangles == 0) return;
+    if (!policy.expected_size || report.tree.triangles == 0) return;
     const BakePolicy::SizeRange& range = *policy.expected_size;
     const AssetSize size = asset_size(imported);
     if (is_within(range, size)) return;
@@ -148,7 +149,7 @@ std::string names_of_inputs(const Imported& imported) {
 }
 
 bool drops_more_than(double percent, const BakeReport& report) {
-    const double source = static_cast<double>(report.source_triangles);
+    const double source = static_cast<double>(report.source.triangles);
     return static_cast<double>(dropped_triangles(report)) * 100.0 > percent * source;
 }
 

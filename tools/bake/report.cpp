@@ -1,5 +1,8 @@
 #include "report.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "base/numbers.hpp"
 #include "layout/blob_layout.hpp"
 #include "report/diagnostics.hpp"
@@ -16,11 +19,11 @@ struct NamedFinding {
 
 std::vector<NamedFinding> findings_of(const BakeReport& report) {
     return {
-        {"not_finite", "with a corner that is NaN or infinite", report.not_finite},
-        {"index_out_of_range", "with an index out of range", report.index_out_of_range},
-        {"zero_area", "without area", report.zero_area},
-        {"collapsed", "that the lattice flattened to no area", report.collapsed},
-        {"duplicate", "with the corners of another one", report.duplicate},
+        {"not_finite", "with a corner that is NaN or infinite", report.findings.not_finite},
+        {"index_out_of_range", "with an index out of range", report.findings.index_out_of_range},
+        {"zero_area", "without area", report.findings.zero_area},
+        {"collapsed", "that the lattice flattened to no area", report.findings.collapsed},
+        {"duplicate", "with the corners of another one", report.findings.duplicate},
     };
 }
 
@@ -30,19 +33,33 @@ struct NamedVolume {
     double volume;
 };
 
-/// Of the bounds that were asked for.
+/// Returns the volumes of the bounds that the options store.
 std::vector<NamedVolume> volumes_of(const BakeReport& report) {
-    std::vector<NamedVolume> asked;
-    for (const NamedVolume& volume : {NamedVolume{"oriented_box", "oriented box", report.volumes.oriented_box},
-                                      NamedVolume{"sphere", "sphere", report.volumes.sphere},
-                                      NamedVolume{"k_dop", "26-DOP", report.volumes.k_dop}}) {
-        if (volume.volume > 0.0) asked.push_back(volume);
+    std::vector<NamedVolume> stored;
+    for (const NamedVolume& volume : {NamedVolume{"oriented_box", "oriented box", report.bounds.volumes.oriented_box},
+                                      NamedVolume{"sphere", "sphere", report.bounds.volumes.sphere},
+                                      NamedVolume{"k_dop", "26-DOP", report.bounds.volumes.k_dop}}) {
+        if (volume.volume > 0.0) stored.push_back(volume);
     }
-    return asked;
+    return stored;
+}
+
+/// Returns the numbers and names of a file's first meshes, "0 floor, 1 walls"; empty if the file names none of them.
+std::string numbered_names(const ImportedFile& file) {
+    constexpr std::size_t most = 16;
+    if (std::all_of(file.mesh_names.begin(), file.mesh_names.end(), [](const auto& name) { return name.empty(); }))
+        return {};
+    std::string result;
+    for (std::size_t mesh = 0; mesh < std::min(file.mesh_names.size(), most); ++mesh) {
+        result += text(mesh == 0 ? "" : ", ", mesh);
+        if (const std::string& name = file.mesh_names[mesh]; !name.empty()) result += text(' ', printable(name));
+    }
+    if (file.mesh_names.size() > most) result += ", ...; --json lists all of them";
+    return result;
 }
 
 double bytes_per_triangle(const BakeReport& report) {
-    return report.triangles == 0 ? 0.0 : static_cast<double>(report.bytes) / report.triangles;
+    return report.tree.triangles == 0 ? 0.0 : static_cast<double>(report.bytes) / report.tree.triangles;
 }
 
 }  // namespace
@@ -54,6 +71,7 @@ void say_import(const Console& console, const BakeArguments& arguments, const Im
                          file.format.empty() ? "" : text(", ", file.format)));
         console.say(text("  unit: 1 = ", file.metres_per_unit, " m (", file.unit_origin, ")",
                          arguments.source.scale == 1.0 ? "" : text(", then scaled by ", arguments.source.scale)));
+        if (const std::string names = numbered_names(file); !names.empty()) console.say(text("  meshes: ", names));
         if (file.points_and_lines > 0) {
             console.say(text("  skipped ", file.points_and_lines, " points and lines: no surface"));
         }
@@ -68,24 +86,25 @@ void say_report(const Console& console, const BakeReport& report) {
         console.say(text("dropped ", counted(found.finding.count, "triangle"), ' ', found.what,
                          "; first: ", found.finding.first));
     }
-    if (report.triangles == 0) {
-        console.say(text(report.source_triangles == 0 ? "the input has no triangles" : "no triangle is left",
+    if (report.tree.triangles == 0) {
+        console.say(text(report.source.triangles == 0 ? "the input has no triangles" : "no triangle is left",
                          "; the blob is valid and empty, and every query of it finds nothing"));
     }
-    console.say(text("bounds: ", shortest(report.bounds_min), " to ", shortest(report.bounds_max), ", extent ",
-                     rounded(report.extent)));
-    console.say(text("lattice: ", report.bits, " bits, step ", rounded(report.step), ", max error ",
-                     rounded(report.max_error), " (from the source's coordinates as float32)"));
-    console.say(text("tree: ", counted(report.triangles, "triangle"), ", ", counted(report.vertices, "vertex"), ", ",
-                     counted(report.nodes, "node"), ", ", report.leaves, report.leaves == 1 ? " leaf" : " leaves",
-                     ", depth ", report.depth, report.closed ? ", closed" : ", not closed"));
+    console.say(text("bounds: ", shortest(report.bounds.min), " to ", shortest(report.bounds.max), ", extent ",
+                     rounded(report.bounds.extent)));
+    console.say(text("lattice: ", report.lattice.bits, " bits, step ", rounded(report.lattice.step), ", max error ",
+                     rounded(report.lattice.max_error), " (from the source's coordinates as float32)"));
+    console.say(text("tree: ", counted(report.tree.triangles, "triangle"), ", ",
+                     counted(report.tree.vertices, "vertex"), ", ", counted(report.tree.nodes, "node"), ", ",
+                     report.tree.leaves, report.tree.leaves == 1 ? " leaf" : " leaves", ", depth ", report.tree.depth,
+                     report.closed ? ", closed" : ", not closed"));
     console.say(
         text("size: ", counted(report.bytes, "byte"), ", ", rounded(bytes_per_triangle(report), 4), " per triangle"));
-    if (report.volumes.box > 0.0) {
-        std::string volumes = text("volume: axis-aligned box ", rounded(report.volumes.box, 4));
+    if (report.bounds.volumes.box > 0.0) {
+        std::string volumes = text("volume: axis-aligned box ", rounded(report.bounds.volumes.box, 4));
         for (const NamedVolume& volume : volumes_of(report)) {
             volumes += text(", ", volume.what, ' ', rounded(volume.volume, 4), " (",
-                            rounded(100.0 * volume.volume / report.volumes.box, 3), " %)");
+                            rounded(100.0 * volume.volume / report.bounds.volumes.box, 3), " %)");
         }
         console.say(volumes);
     }
@@ -100,6 +119,7 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
         inputs.push_back({{"file", file.path},
                           {"format", file.format},
                           {"meshes", file.meshes},
+                          {"mesh_names", file.mesh_names},
                           {"triangles", file.triangles},
                           {"points_and_lines", file.points_and_lines},
                           {"metres_per_unit", file.metres_per_unit},
@@ -108,36 +128,36 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
     document["inputs"] = std::move(inputs);
     document["scale"] = arguments.source.scale;
     document["up"] = arguments.source.up ? Json(axis_name(*arguments.source.up)) : Json(nullptr);
-    document["source_triangles"] = report.source_triangles;
-    document["source_vertices"] = report.source_vertices;
-    document["triangles"] = report.triangles;
-    document["vertices"] = report.vertices;
+    document["source_triangles"] = report.source.triangles;
+    document["source_vertices"] = report.source.vertices;
+    document["triangles"] = report.tree.triangles;
+    document["vertices"] = report.tree.vertices;
     Json findings = Json::object();
     for (const NamedFinding& found : findings_of(report)) {
         findings[found.key] = {{"count", found.finding.count},
                                {"first", found.finding.count == 0 ? Json(nullptr) : Json(found.finding.first)}};
     }
     document["findings"] = std::move(findings);
-    document["bounds"] = {{"min", json_point(report.bounds_min)}, {"max", json_point(report.bounds_max)}};
+    document["bounds"] = {{"min", json_point(report.bounds.min)}, {"max", json_point(report.bounds.max)}};
     Json volumes = Json::object();
-    if (report.volumes.box > 0.0) volumes["box"] = report.volumes.box;
+    if (report.bounds.volumes.box > 0.0) volumes["box"] = report.bounds.volumes.box;
     for (const NamedVolume& volume : volumes_of(report)) volumes[volume.key] = volume.volume;
     document["volumes"] = std::move(volumes);
-    document["extent"] = report.extent;
-    document["bits"] = report.bits;
-    document["step"] = report.step;
-    document["max_error"] = report.max_error;
-    document["step_below_float_spacing"] = report.step_below_float_spacing;
+    document["extent"] = report.bounds.extent;
+    document["bits"] = report.lattice.bits;
+    document["step"] = report.lattice.step;
+    document["max_error"] = report.lattice.max_error;
+    document["step_below_float_spacing"] = report.warns_of(BakeWarning::Kind::step_below_float_spacing);
     document["bytes"] = report.bytes;
     document["bytes_per_triangle"] = bytes_per_triangle(report);
-    document["nodes"] = report.nodes;
-    document["leaves"] = report.leaves;
-    document["depth"] = report.depth;
+    document["nodes"] = report.tree.nodes;
+    document["leaves"] = report.tree.leaves;
+    document["depth"] = report.tree.depth;
     document["closed"] = report.closed;
-    document["lost_closed"] = report.lost_closed;
+    document["lost_closed"] = report.warns_of(BakeWarning::Kind::lost_closed);
     document["bits_that_keep_closed"] =
         report.bits_that_keep_closed == 0 ? Json(nullptr) : Json(report.bits_that_keep_closed);
-    document["rays_rounded_coarsely"] = report.rays_rounded_coarsely;
+    document["rays_rounded_coarsely"] = report.warns_of(BakeWarning::Kind::rays_rounded_coarsely);
     document["profile"] = name_of(blob.profile());
     document["checksum"] = checksum_text(blob.checksum());
     document["warnings"] = warnings_json(warnings);

@@ -1,4 +1,4 @@
-// What a bake tells: as lines for people, as JSON for scripts.
+// The report of a bake: as lines for people, as JSON for scripts.
 #pragma once
 
 #include <span>

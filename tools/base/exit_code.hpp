@@ -16,7 +16,7 @@ enum class ExitCode : int {
     ok = 0,
     usage = 1,          ///< the command line cannot be carried out as written
     file_access = 2,    ///< a file cannot be read or written
-    invalid_input = 3,  ///< a file was read, and what it says is broken
+    invalid_input = 3,  ///< a file was read, and its content is broken
     internal = 4,       ///< a defect of ours, or a machine out of memory
     unsupported = 5,    ///< sound, but beyond what this version or format can do
     no_answer = 6,      ///< a query was refused or answered in part only
@@ -47,7 +47,7 @@ constexpr const char* name_of(ExitCode code) {
     return "internal";
 }
 
-/// What scripts read of an error besides its exit status and message. All of it may be empty.
+/// Details of an error for scripts, in addition to exit status and message. All of them may be empty.
 struct ErrorDetails {
     std::string file = {};
     std::optional<std::uint32_t> mesh = {};

@@ -17,7 +17,7 @@ namespace espalier::tools {
 /// How the numbers in mesh files are understood. The same for bake and for verify --source.
 struct SourceArguments {
     double scale = 1.0;
-    std::string unit;  ///< empty: what the file says, else metres
+    std::string unit;  ///< empty: the one that the file states, else metres
     std::optional<Axis> up;
     bool strict = false;            ///< warnings are errors
     bool allow_empty = false;       ///< files without triangles are none
@@ -40,20 +40,19 @@ struct BakeArguments {
     std::optional<std::string> max_bytes;      ///< an amount of bytes
     std::optional<std::string> max_error;      ///< a length; without it --tolerance, --bits or a step decides
     std::optional<std::string> fastest_under;  ///< an amount of bytes
-    std::optional<format::Profile> profile;    ///< without one: the library's, or what the picking options pick
-    std::optional<unsigned> leaf_size;         ///< likewise
-    std::string cost_model;                    ///< a JSON file; empty: the committed constants
-    std::optional<double> duplicates;          ///< without one: the library's
-    std::optional<Builder> builder;            ///< likewise
+    std::optional<Profile> profile;            ///< without one: the library's, or the picked one
+    std::optional<unsigned> leaf_size;         ///< without one: the library's, or the picked one
+    std::optional<float> byte_price;           ///< without one: the library's
+    std::optional<double> duplicate_budget;    ///< without one: the library's
+    std::optional<Builder> builder;            ///< without one: the library's, or the picked one
     bool original_ids = false;
-    unsigned material_bits = 0;  ///< 0, 8 or 16
-    bool edge_flags = false;
-    double flat_angle = 5.0;          ///< degrees up to which an edge is flat
-    std::vector<std::string> bounds;  ///< of obb, sphere, kdop
-    bool repair = false;
+    bool materials = false;
+    std::optional<double> flat_angle;  ///< degrees; without one no edge flags are stored
+    std::vector<std::string> bounds;   ///< of obb, sphere, kdop
+    bool drop_bad_triangles = false;
     double max_dropped = 10.0;  ///< percent
     std::string expected_size;  ///< two lengths with ".." between; empty: any
-    unsigned effort = 5;
+    Effort effort = Effort::normal;
     unsigned threads = 0;
     bool json = false;
     bool quiet = false;
@@ -81,12 +80,11 @@ struct TradeArguments {
     std::string byte_prices = "1,5";
     std::string profiles = "all";
     std::string builders = "binned_sah";
-    std::string cost_model;  ///< a JSON file; empty: the committed constants
     unsigned rays = 20'000;
     unsigned repetitions = 5;
-    unsigned effort = 5;
+    Effort effort = Effort::normal;
     unsigned threads = 0;
-    bool repair = false;
+    bool drop_bad_triangles = false;
     bool json = false;
     bool quiet = false;
 };
@@ -108,15 +106,14 @@ struct VerifyArguments {
 /// query` takes depends on its kind (query/kinds.hpp).
 struct QueryArguments {
     std::string blob;
-    std::vector<std::string> words;  ///< what stands after the kind
+    std::vector<std::string> words;  ///< the arguments after the kind
     std::string t_min = "0";
     std::string t_max = "inf";
-    Faces faces = Faces::both;
+    FaceCulling culling = FaceCulling::none;
     bool any = false;
     bool all = false;
     std::optional<std::uint32_t> first;
     std::string accuracy;  ///< empty: exact
-    bool bounds_only = false;
     std::optional<std::uint32_t> limit;
     std::uint32_t from = 0;
     std::string max_distance = "inf";

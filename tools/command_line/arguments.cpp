@@ -27,8 +27,8 @@ void add_quiet(CLI::App* verb, bool& quiet) { verb->add_flag("-q,--quiet", quiet
 void add_source(CLI::App* verb, SourceArguments& source) {
     verb->add_option(
             "--unit", source.unit,
-            "What one unit of the files is: m, cm, mm, in, ft, km or um. The blob is in metres. Without it, what "
-            "a file says of itself (FBX, glTF, Collada, IFC), else a metre")
+            "What one unit of the files is: m, cm, mm, in, ft, km or um. The blob is in metres. Without it, the "
+            "unit that a file states (FBX, glTF, Collada, IFC), else a metre")
         ->type_name("UNIT");
     verb->add_option("--scale", source.scale, "Factor on all coordinates, on top of the unit")->type_name("FACTOR");
     add_choice(verb, "--up", source.up, axes,

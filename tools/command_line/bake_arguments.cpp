@@ -22,7 +22,7 @@ void add_picking(CLI::App* verb, BakeArguments& arguments, const std::vector<CLI
     verb->add_option(
             "--fastest-under", arguments.fastest_under,
             "Pick the profile, builder, leaf size and price of bytes with the least counted work that fits into so "
-            "many bytes, at the lattice asked for")
+            "many bytes, on the lattice of the other options")
         ->excludes(max_bytes)
         ->type_name("BYTES");
     CLI::Option* max_error =
@@ -42,7 +42,7 @@ void add_bake(CLI::App& app, Chosen& chosen) {
     verb->add_option(
             "inputs", arguments->inputs,
             "Mesh files in the order of their file numbers: glTF 2.0, OBJ, PLY, STL and RAW, which the command "
-            "reads itself, and what assimp reads besides, such as FBX, Collada and 3DS. Node transforms are "
+            "reads itself, and the other formats of assimp, such as FBX, Collada and 3DS. Node transforms are "
             "applied; animated meshes are taken in the pose that the file stores")
         ->required()
         ->type_name("MESH");
@@ -67,11 +67,12 @@ void add_bake(CLI::App& app, Chosen& chosen) {
                          "Largest distance between source and blob: 0.5mm, 2cm, 1e-3m, 1in; a bare number is in units "
                          "of the blob")
             ->type_name("LENGTH");
-    CLI::Option* bits = verb->add_option("--bits", arguments->bits, "Lattice bits over the largest extent")
-                            ->capture_default_str()
-                            ->check(between(1u, 24u))
-                            ->excludes(tolerance)
-                            ->type_name("1..24");
+    CLI::Option* bits =
+        verb->add_option("--bits", arguments->bits, "How many bits hold a coordinate along the largest extent")
+            ->capture_default_str()
+            ->check(between(1u, 24u))
+            ->excludes(tolerance)
+            ->type_name("1..24");
     CLI::Option* step = verb->add_option("--step", arguments->step,
                                          "Lattice step, a power of two in units of the blob: 2^-14. Blobs with one "
                                          "step share lattice points where their meshes share vertices")
@@ -86,49 +87,46 @@ void add_bake(CLI::App& app, Chosen& chosen) {
             ->type_name("BLOB");
     add_picking(verb, *arguments, {tolerance, bits, step, lattice_of});
     add_choice(verb, "--profile", arguments->profile, profile_choices,
-               "How leaves are coded, and how large they may be. Without it: balanced, or what is picked");
+               "How leaves are stored, and how large they may be. Without it: balanced, or what is picked");
     verb->add_option("--leaf-size", arguments->leaf_size,
                      "Most triangles of a leaf; without it, what the profile holds or what is picked")
         ->check(between(1u, format::max_leaf_triangles))
         ->type_name(text("1..", format::max_leaf_triangles));
-    verb->add_option("--cost-model", arguments->cost_model,
-                     "JSON object with any of node_visit, leaf_visit, leaf_group, triangle and byte_price: what the "
-                     "tree is shaped by")
-        ->type_name("FILE");
+    verb->add_option("--byte-price", arguments->byte_price,
+                     "For studies: the price of one byte per triangle, in node visits of an average ray. A higher "
+                     "price gives a smaller blob and slower rays. Without it 5, or what is picked")
+        ->check(between(0.0f, 1e6f))
+        ->type_name("NUMBER");
     add_choice(verb, "--builder", arguments->builder, builder_choices,
-               "How the tree is built, before --effort improves it. Without it: binned_sah");
-    verb->add_option("--duplicates", arguments->duplicates,
-                     "With --builder spatial_splits, at most so many copies of triangles, as a share of them; without "
-                     "it 0.3. A blob with copies does not enumerate what a ray or sphere meets")
+               "How the tree is built, before --effort improves it. Without it: binned_sah, or what is picked");
+    verb->add_option("--duplicate-budget", arguments->duplicate_budget,
+                     "With --builder spatial_splits, the largest share of the triangles that is stored again in "
+                     "further leaves; without it 0.3. Such a blob refuses to list all hits or overlaps")
         ->check(between(0.0, 1.0))
         ->type_name("0..1");
     add_source(verb, arguments->source);
-    verb->add_flag("--ids", arguments->original_ids, "Carry each triangle's file, mesh and number in it");
-    const Choices<unsigned> widths{{"8", 8u}, {"16", 16u}};
-    add_choice(verb, "--materials", arguments->material_bits, widths,
-               "Carry each triangle's material number, in so many bits");
-    CLI::Option* edge_flags =
-        verb->add_flag("--edge-flags", arguments->edge_flags,
-                       "Carry how the surface bends at each edge, so that contacts can slide over inner ones");
-    verb->add_option("--flat-angle", arguments->flat_angle,
-                     "With --edge-flags, the largest angle between two triangles that is flat; below 90")
-        ->capture_default_str()
-        ->needs(edge_flags)
+    verb->add_flag("--ids", arguments->original_ids, "Store the file, mesh and triangle that each triangle comes from");
+    verb->add_flag("--materials", arguments->materials,
+                   "Store the material number of each triangle, in 8 bits if all are below 256, else in 16");
+    verb->add_option(
+            "--flat-angle", arguments->flat_angle,
+            "Store how the surface bends at each edge, so that contacts can slide over inner edges. Up to this "
+            "angle between two triangles, from 0 to below 90, the edge is flat; 5 suits most meshes")
         ->type_name("DEGREES");
     verb->add_option(
             "--bounds", arguments->bounds,
-            "Carry bounds of the whole asset, any of obb,sphere,kdop: an oriented box, a sphere, slabs along 13 "
+            "Store bounds of the whole asset, any of obb,sphere,kdop: an oriented box, a sphere, slabs along 13 "
             "directions")
         ->delimiter(',')
         ->check(one_of({"obb", "sphere", "kdop"}))
         ->allow_extra_args(false)
         ->type_name("NAMES");
-    verb->add_flag("--repair", arguments->repair,
+    verb->add_flag("--drop-bad-triangles", arguments->drop_bad_triangles,
                    "Drop triangles with NaN, infinite or missing corners instead of refusing the mesh");
     verb->add_option(
             "--max-dropped", arguments->max_dropped,
             "Most triangles of the source, in percent, that may be dropped for having no area, in the source or "
-            "on the lattice, or under --repair; duplicates do not count. Beyond it nothing is written")
+            "on the lattice, or by --drop-bad-triangles; duplicates do not count. Beyond it nothing is written")
         ->capture_default_str()
         ->transform(percentage())
         ->check(between(0.0, 100.0))
@@ -136,13 +134,11 @@ void add_bake(CLI::App& app, Chosen& chosen) {
     verb->add_option("--expect-size", arguments->expected_size,
                      "Refuse an asset whose largest side is not between these two lengths: 0.1m..10m")
         ->type_name("LENGTH..LENGTH");
-    verb->add_option("--effort", arguments->effort,
-                     "0 bakes fastest, 9 bakes best: more candidate splits throughout; subtrees are moved to better "
-                     "places once from 4 on, twice at 6, three times from 7 on, down to 16, 8, 4 or 2 triangles")
-        ->capture_default_str()
-        ->check(between(0u, 9u))
-        ->type_name("0..9");
-    verb->add_option("--threads", arguments->threads, "0: all of the machine. The bytes do not depend on it")
+    add_choice(verb, "--effort", arguments->effort, effort_choices,
+               "How long to search for a better tree: fast builds it once, normal also moves subtrees to better "
+               "places, best moves more of them and takes two to five times as long. Without it: normal");
+    verb->add_option("--threads", arguments->threads,
+                     "How many threads bake, 0 for all of the machine. The bytes do not depend on it")
         ->capture_default_str()
         ->type_name("COUNT");
     add_json(verb, arguments->json);

@@ -44,10 +44,6 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
                                          "An answer that may err by about this length, on the safe side, for less work")
                             ->type_name("LENGTH"));
     }
-    if (takes(option_bounds_only)) {
-        modes.push_back(verb->add_flag("--bounds-only", arguments.bounds_only,
-                                       "Only whether the bounds of the whole asset rule any contact out"));
-    }
     exclude_each_other(modes);
     if (takes(option_limit)) {
         CLI::Option* limit = verb->add_option("--limit", arguments.limit, "List no more than that")->type_name("COUNT");
@@ -67,9 +63,11 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
             ->capture_default_str()
             ->type_name("T");
     }
-    if (takes(option_faces)) {
-        const Choices<Faces> faces{{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}};
-        add_choice(verb, "--faces", arguments.faces, faces, "Which sides of triangles are seen; both without it");
+    if (takes(option_culling)) {
+        const Choices<FaceCulling> culling{
+            {"none", FaceCulling::none}, {"back", FaceCulling::back}, {"front", FaceCulling::front}};
+        add_choice(verb, "--culling", arguments.culling, culling,
+                   "Which sides of triangles are ignored; none without it");
     }
     if (takes(option_max_distance)) {
         verb->add_option("--max-distance", arguments.max_distance, "Nothing beyond it is found")
@@ -97,12 +95,12 @@ void add_words(CLI::App* verb, const QueryKind& kind, QueryArguments& arguments)
 
 void add_query(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<QueryArguments>();
-    CLI::App* query = add_verb(app, "query", "Ask a blob one question");
+    CLI::App* query = add_verb(app, "query", "Answer one query of a blob");
     add_blob(query, arguments->blob);
     add_json(query, arguments->json);  // before the kind as well as after it
     query->require_subcommand(1);
     query->footer(
-        std::string("'espalier query BLOB KIND --help' says more. Lengths and coordinates take units (0.5mm), "
+        std::string("'espalier query BLOB KIND --help' has the options. Lengths and coordinates take units (0.5mm), "
                     "or count in the asset's own; inf and nan are numbers.\n") +
         exit_code_help);
     for (const QueryKind& kind : query_kinds()) {

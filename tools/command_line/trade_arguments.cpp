@@ -19,27 +19,24 @@ void add_trade(CLI::App& app, Chosen& chosen) {
     };
     add_list("--bits", arguments->bits, "Lattices, 1 to 24 bits");
     add_list("--leaf-sizes", arguments->leaf_sizes,
-             "Most triangles of a leaf; a profile whose leaves hold fewer takes its most");
+             "Most triangles of a leaf; if a profile holds fewer, its limit is taken");
     add_list("--byte-prices", arguments->byte_prices,
-             "Prices of a byte in the cost model: dearer bytes, smaller blobs");
+             "Prices of a byte, as --byte-price of bake: higher prices give smaller blobs");
     add_list("--profiles", arguments->profiles, "Profiles by name, or all");
     add_list("--builders", arguments->builders, "Builders by name, or all");
-    verb->add_option("--rays", arguments->rays, "Rays, and as many spheres, that each blob is asked")
+    verb->add_option("--rays", arguments->rays, "Rays, and as many spheres, that are tested against each blob")
         ->capture_default_str()
         ->check(between(100u, 10'000'000u))
         ->type_name("COUNT");
-    verb->add_option("--repetitions", arguments->repetitions, "How often; times are medians")
+    verb->add_option("--repetitions", arguments->repetitions, "How often each query is timed; the times are medians")
         ->capture_default_str()
         ->check(between(1u, 1000u))
         ->type_name("COUNT");
-    verb->add_option("--cost-model", arguments->cost_model, "JSON file, as for bake")->type_name("FILE");
     add_source(verb, arguments->source);
-    verb->add_flag("--repair", arguments->repair, "As for bake");
-    verb->add_option("--effort", arguments->effort, "0 bakes fastest, 9 bakes best")
-        ->capture_default_str()
-        ->check(between(0u, 9u))
-        ->type_name("0..9");
-    verb->add_option("--threads", arguments->threads, "For baking; queries are timed on one thread")
+    verb->add_flag("--drop-bad-triangles", arguments->drop_bad_triangles, "As for bake");
+    add_choice(verb, "--effort", arguments->effort, effort_choices, "As for bake");
+    verb->add_option("--threads", arguments->threads,
+                     "Threads of the bakes, 0 for all of the machine; queries are timed on one")
         ->capture_default_str()
         ->type_name("COUNT");
     add_json(verb, arguments->json);

@@ -15,13 +15,18 @@ namespace espalier::tools {
 
 namespace {
 
-/// Kinds of query that have another name in C++ and C.
-constexpr std::array<std::pair<const char*, const char*>, 6> names_of_calls{{{"contains", "inside"},
-                                                                             {"raycast", "ray"},
-                                                                             {"closest_point", "nearest"},
-                                                                             {"closest", "nearest"},
-                                                                             {"signed_distance", "signed-distance"},
-                                                                             {"overlaps", "sphere"}}};
+/// Names that are no kind of query: names of calls in C++ and C, and those that kinds had in earlier versions.
+constexpr std::array<std::pair<const char*, const char*>, 10> other_names_of_kinds{
+    {{"raycast", "ray"},
+     {"closest", "closest-point"},
+     {"nearest", "closest-point"},
+     {"nearest-segment", "closest-point-segment"},
+     {"nearest-box", "closest-point-box"},
+     {"inside", "contains"},
+     {"planes", "convex-volume"},
+     {"within", "within-distance"},
+     {"steps", "to-lattice"},
+     {"contact", "fix-internal-edge-normal"}}};
 
 /// The verb or the kind of query that was being read.
 const CLI::App& innermost(const CLI::App& app) {
@@ -76,8 +81,8 @@ std::string unknown_verb(const CLI::App& verb, const std::string& typed) {
     const std::vector<std::string> names = names_below(verb);
     const bool is_query = verb.get_parent() != nullptr;
     std::string meant = similar_word(typed, names);
-    for (const auto& [call, kind] : names_of_calls)
-        if (is_query && typed == call) meant = kind;
+    for (const auto& [name, kind] : other_names_of_kinds)
+        if (is_query && typed == name) meant = kind;
     return text("there is no ", is_query ? "kind of query" : "verb", " '", printable(typed), "'", did_you_mean(meant));
 }
 

@@ -16,7 +16,6 @@
 #include "base/lengths.hpp"
 #include "base/numbers.hpp"
 #include "commands.hpp"
-#include "files/cost_model_file.hpp"
 #include "files/depfile.hpp"
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
@@ -39,38 +38,46 @@ double error_bound(const std::string& length, const char* option) {
     return bound;
 }
 
-BakeOptions bake_options(const BakeArguments& arguments) {
-    BakeOptions options;
-    if (!arguments.tolerance.empty()) options.tolerance = error_bound(arguments.tolerance, "--tolerance");
-    if (arguments.max_error) options.tolerance = error_bound(*arguments.max_error, "--max-error");
-    options.bits = arguments.bits;
-    if (!arguments.step.empty()) options.step_exponent = parse_step_exponent(arguments.step, "--step");
-    if (!arguments.lattice_of.empty()) options.step_exponent = step_exponent_of_blob(arguments.lattice_of);
-    if (arguments.profile) options.profile = *arguments.profile;
-    if (arguments.leaf_size) options.max_leaf_triangles = *arguments.leaf_size;
-    if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
-    if (arguments.builder) options.builder = *arguments.builder;
-    if (arguments.duplicates) {
-        if (options.builder != Builder::spatial_splits) {
+/// The options of the command line exclude each other.
+Resolution resolution(const BakeArguments& arguments) {
+    if (!arguments.tolerance.empty()) return Resolution::tolerance(error_bound(arguments.tolerance, "--tolerance"));
+    if (arguments.max_error) return Resolution::tolerance(error_bound(*arguments.max_error, "--max-error"));
+    if (!arguments.step.empty()) return Resolution::step(parse_step_exponent(arguments.step, "--step"));
+    if (!arguments.lattice_of.empty()) return Resolution::same_as(lattice_of_blob(arguments.lattice_of));
+    return Resolution::bits(arguments.bits);
+}
+
+BuildOptions build_options(const BakeArguments& arguments) {
+    BuildOptions build;
+    if (arguments.leaf_size) build.max_leaf_triangles = *arguments.leaf_size;
+    if (arguments.byte_price) build.byte_price = *arguments.byte_price;
+    if (arguments.builder) build.builder = *arguments.builder;
+    if (arguments.duplicate_budget) {
+        if (build.builder != Builder::spatial_splits) {
             throw CommandError(ExitCode::usage,
-                               "--duplicates needs --builder spatial_splits beside it: the other builders store each "
+                               "--duplicate-budget needs --builder spatial_splits: the other builders store each "
                                "triangle once.");
         }
-        options.duplicates = *arguments.duplicates;
+        build.duplicate_budget = *arguments.duplicate_budget;
     }
+    return build;
+}
+
+BakeOptions bake_options(const BakeArguments& arguments) {
+    BakeOptions options;
+    options.resolution = resolution(arguments);
+    if (arguments.profile) options.profile = *arguments.profile;
     options.original_ids = arguments.original_ids;
-    options.materials = arguments.material_bits == 8    ? Materials::bits_8
-                        : arguments.material_bits == 16 ? Materials::bits_16
-                                                        : Materials::none;
-    if (arguments.edge_flags) options.edge_flags = arguments.flat_angle;
+    options.flat_angle = arguments.flat_angle;
     for (const std::string& name : arguments.bounds) {
         options.bounds.oriented_box |= name == "obb";
         options.bounds.sphere |= name == "sphere";
         options.bounds.k_dop |= name == "kdop";
     }
-    options.repair = arguments.repair;
+    options.drop_bad_triangles = arguments.drop_bad_triangles;
     options.effort = arguments.effort;
     options.threads = arguments.threads;
+    options.build = build_options(arguments);
     return options;
 }
 
@@ -100,14 +107,13 @@ std::string depfile_of(const BakeArguments& arguments, const Imported& imported)
     for (const ImportedFile& file : imported.files) {
         sources.insert(sources.end(), file.opened.begin(), file.opened.end());
     }
-    if (!arguments.cost_model.empty()) sources.push_back(arguments.cost_model);
     if (!arguments.lattice_of.empty() && arguments.lattice_of != "-") sources.push_back(arguments.lattice_of);
     return depfile_text(arguments.output, sources);
 }
 
 /// The depfile is renamed before the blob: were it the other way round and the second failed, a change of a file that
 /// is new to the list would go unnoticed.
-void write_outputs(const BakeArguments& arguments, const Imported& imported, const Baked& baked) {
+void write_outputs(const BakeArguments& arguments, const Imported& imported, const BakeResult& baked) {
     const std::string rule = arguments.depfile.empty() ? std::string() : depfile_of(arguments, imported);
     const std::vector<std::byte> remap = arguments.remap.empty() ? std::vector<std::byte>() : remap_file(baked);
     const std::vector<std::byte> reordered =
@@ -116,13 +122,13 @@ void write_outputs(const BakeArguments& arguments, const Imported& imported, con
     if (!arguments.depfile.empty()) files.add(arguments.depfile, std::as_bytes(std::span(rule)));
     if (!arguments.remap.empty()) files.add(arguments.remap, remap);
     if (!arguments.reorder.empty()) files.add(arguments.reorder, reordered);
-    files.add(arguments.output, baked.blob);
+    files.add(arguments.output, baked.bytes);
     files.commit();
 }
 
-/// What was picked is said here; the rest of the verb sees a bake like any other.
-Baked bake_or_pick(const Imported& imported, const BakeArguments& arguments, BakeOptions options,
-                   const Console& console, Json& picked_json) {
+/// Prints what was picked; for the rest of the verb it is a bake like any other.
+BakeResult bake_or_pick(const Imported& imported, const BakeArguments& arguments, BakeOptions options,
+                        const Console& console, Json& picked_json) {
     const std::optional<PickGoal> goal = pick_goal(arguments);
     Progress progress(arguments.quiet);
     options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
@@ -141,14 +147,13 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
                                    {"--reorder", arguments.reorder}};
     refuse_one_file_for_two(outputs);
     for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
-    for (const std::string& input : {arguments.lattice_of, arguments.cost_model})
-        refuse_to_overwrite_input(outputs, input);
+    refuse_to_overwrite_input(outputs, arguments.lattice_of);
     require_writable_mesh(arguments.reorder);
     require_writable(outputs);
     if (arguments.json) refuse_standard_output(outputs);
     const BakePolicy policy = bake_policy(arguments);
     ImportOptions source = import_options(arguments.source, arguments.json, warnings);
-    source.materials = arguments.material_bits != 0;
+    source.materials = arguments.materials;
     const BakeOptions options = bake_options(arguments);  // reports typing errors before a long import
     static_cast<void>(pick_goal(arguments));
 
@@ -157,7 +162,7 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
     Json picked_json;
-    const Baked baked = bake_or_pick(imported, arguments, options, console, picked_json);
+    const BakeResult baked = bake_or_pick(imported, arguments, options, console, picked_json);
     give(bake_warnings(baked.report, policy, imported), warnings);
     enforce(policy, imported, baked.report, warnings);
     say_report(console, baked.report);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <runtime/id_steps.hpp>
+#include <runtime/blob/id_steps.hpp>
 
 #include "base/numbers.hpp"
 #include "commands.hpp"
@@ -145,7 +145,7 @@ void list_packed_node(Bytes bytes, const Blob& blob, std::size_t number, ByteLis
 
 void list_nodes(Bytes bytes, const Blob& blob, ByteListing& listing) {
     const auto list_node = format::has_plain_nodes(blob.profile()) ? list_plain_node : list_packed_node;
-    for (std::size_t node = 0; node < blob.data().node_count && !listing.full(); ++node)
+    for (std::size_t node = 0; node < detail::data_of(blob).node_count && !listing.full(); ++node)
         list_node(bytes, blob, node, listing);
 }
 
@@ -155,7 +155,7 @@ void list_leaves(Bytes bytes, const Blob& blob, const Section& leaves, ByteListi
         std::size_t node;
     };
     std::vector<Block> blocks;
-    for (std::size_t node = 0; node < blob.data().node_count; ++node) {
+    for (std::size_t node = 0; node < detail::data_of(blob).node_count; ++node) {
         const NodeFields fields = read_node(bytes, blob, node);
         if (fields.leaves > 0) blocks.push_back({leaves.at + std::size_t{4} * fields.leaf_block, node});
     }
@@ -284,7 +284,7 @@ void list_k_dop(Bytes bytes, ByteListing& listing) {
 
 void list_section(Bytes bytes, const Blob& blob, const Section& section, ByteListing& listing) {
     const std::string_view name = section.name;
-    const detail::BlobData& data = blob.data();
+    const detail::BlobData& data = detail::data_of(blob);
     if (name == "header") return list_header(bytes, listing);
     listing.heading(section.name);
     if (name == "nodes") {
@@ -316,14 +316,13 @@ void list_section(Bytes bytes, const Blob& blob, const Section& section, ByteLis
 
 ExitCode run_dump(const DumpArguments& arguments) {
     const std::vector<std::byte> bytes = read_file(arguments.blob);
-    Blob blob;
-    const Status status = open(bytes, blob);
-    if (status != Status::ok) {
+    const Blob blob = open(bytes);
+    if (!blob) {
         const std::size_t shown = std::min(bytes.size(), format::header::bytes);
         ByteListing listing(Bytes(bytes).first(shown), arguments.limit, arguments.json);
         list_header(Bytes(bytes).first(shown), listing);
-        const CommandError refusal(exit_code_of(status),
-                                   refusal_text(arguments.blob, status) + " Only its header was listed.",
+        const CommandError refusal(exit_code_of(blob.status()),
+                                   refusal_text(arguments.blob, blob.status()) + " Only its header was listed.",
                                    {.file = arguments.blob});
         return listing.finish(&refusal);
     }

@@ -26,9 +26,9 @@ EmbeddingLanguage language_of(const std::string& output) {
     const std::string ending = std::filesystem::path(output).extension().string();
     if (ending == ".c" || ending == ".cpp") return EmbeddingLanguage::c;
     if (ending == ".S") return EmbeddingLanguage::assembler;
-    throw CommandError(
-        ExitCode::usage,
-        text("-o '", printable(output), "': its ending says what to write: .c or .cpp an ", "array, .S assembler."));
+    throw CommandError(ExitCode::usage,
+                       text("-o '", printable(output), "': its ending selects the language: .c or .cpp ",
+                            "for an array, .S for assembler."));
 }
 
 std::string symbol_of(const EmbedArguments& arguments) {

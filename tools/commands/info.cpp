@@ -1,4 +1,5 @@
 // info: what is inside a blob.
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 
@@ -16,7 +17,7 @@ namespace espalier::tools {
 namespace {
 
 /// Copies left out.
-std::uint32_t triangles_of(const Blob& blob) { return blob.triangle_count() - blob.copy_count(); }
+std::uint32_t triangles_of(const Blob& blob) { return blob.triangle_count() - blob.duplicate_reference_count(); }
 
 double bytes_per_triangle(std::size_t bytes, const Blob& blob) {
     return blob.triangle_count() == 0 ? 0.0 : static_cast<double>(bytes) / triangles_of(blob);
@@ -24,8 +25,8 @@ double bytes_per_triangle(std::size_t bytes, const Blob& blob) {
 
 double extent_of(const Blob& blob) {
     std::int32_t largest = 0;
-    for (const std::int32_t side : blob.data().extent) largest = std::max(largest, side);
-    return static_cast<double>(blob.step()) * largest;
+    for (const std::int32_t side : detail::data_of(blob).extent) largest = std::max(largest, side);
+    return std::ldexp(1.0, blob.lattice().step_exponent) * largest;
 }
 
 std::string format_version(const BlobFile& file) {
@@ -46,45 +47,42 @@ void print_json_info(const InfoArguments& arguments, const BlobFile& file) {
     document["format_version"] = format_version(file);
     document["profile"] = name_of(blob.profile());
     document["triangles"] = triangles_of(blob);
-    document["copies"] = blob.copy_count();
+    document["copies"] = blob.duplicate_reference_count();
     document["vertices"] = blob.vertex_count();
-    document["bytes"] = blob.size_bytes();
-    document["bytes_per_triangle"] = bytes_per_triangle(blob.size_bytes(), blob);
+    document["bytes"] = blob.size();
+    document["bytes_per_triangle"] = bytes_per_triangle(blob.size(), blob);
     Json sections = Json::object();
     for (const Section& section : sections_of(blob)) sections[section.name] = section.bytes;
     document["sections"] = std::move(sections);
-    document["bits"] = blob.bits();
-    document["step"] = json_number(blob.step());
+    document["bits"] = detail::data_of(blob).bits;
+    document["step"] = json_number(std::ldexp(1.0f, blob.lattice().step_exponent));
     document["extent"] = extent_of(blob);
     document["max_error"] = json_number(blob.max_error());
-    document["bounds"] = {{"min", json_point(blob.bounds_min())}, {"max", json_point(blob.bounds_max())}};
-    Sphere sphere;
-    if (bounding_sphere(blob, sphere)) {
-        document["sphere"] = {{"center", json_point(sphere.center)}, {"radius", json_number(sphere.radius)}};
+    document["bounds"] = {{"min", json_point(blob.bounds().min)}, {"max", json_point(blob.bounds().max)}};
+    if (const Result<Sphere> sphere = bounding_sphere(blob)) {
+        document["sphere"] = {{"center", json_point(sphere->center)}, {"radius", json_number(sphere->radius)}};
     }
-    OrientedBox box;
-    if (oriented_bounds(blob, box)) {
+    if (const Result<OrientedBox> box = oriented_bounds(blob)) {
         Json half_axes = Json::array();
-        for (const Vec3& axis : box.half_axes) half_axes.push_back(json_point(axis));
-        document["oriented_box"] = {{"center", json_point(box.center)}, {"half_axes", std::move(half_axes)}};
+        for (const Vec3& axis : box->half_axes) half_axes.push_back(json_point(axis));
+        document["oriented_box"] = {{"center", json_point(box->center)}, {"half_axes", std::move(half_axes)}};
     }
-    KDop k_dop;
-    if (k_dop_bounds(blob, k_dop)) {
+    if (const Result<KDop> k_dop = k_dop_bounds(blob)) {
         Json slabs = Json::array();
         for (unsigned k = 0; k < KDop::count; ++k) {
             slabs.push_back({{"direction", json_point(KDop::directions[k])},
-                             {"min", json_number(k_dop.lo[k])},
-                             {"max", json_number(k_dop.hi[k])}});
+                             {"min", json_number(k_dop->lo[k])},
+                             {"max", json_number(k_dop->hi[k])}});
         }
         document["k_dop"] = std::move(slabs);
     }
     document["depth"] = blob.depth();
-    document["nodes"] = blob.data().node_count;
+    document["nodes"] = detail::data_of(blob).node_count;
     document["leaves"] = leaf_count(file.bytes, blob);
-    document["features"] = feature_names(blob.data().features);
-    document["closed"] = blob.closed();
-    document["sources"] = blob.data().source_count;
-    document["source_triangles"] = blob.data().source_triangles;
+    document["features"] = feature_names(detail::data_of(blob).features);
+    document["closed"] = blob.is_closed();
+    document["sources"] = detail::data_of(blob).source_count;
+    document["source_triangles"] = detail::data_of(blob).source_triangles;
     document["checksum"] = checksum_text(blob.checksum());
     print_json(document);
 }
@@ -97,33 +95,33 @@ void print_table(const InfoArguments& arguments, const BlobFile& file) {
     std::cout << printable(arguments.blob) << '\n';
     line("format", text(format_version(file), ", profile ", name_of(blob.profile())));
     line("triangles", text(triangles_of(blob)));
-    if (blob.copy_count() != 0)
-        line("copies", text(blob.copy_count(), ", in further leaves: answers rays, enumerates nothing"));
+    if (blob.duplicate_reference_count() != 0)
+        line("copies", text(blob.duplicate_reference_count(), ", in further leaves: answers rays, enumerates nothing"));
     line("vertices", text(blob.vertex_count()));
-    line("bounds", text(shortest(blob.bounds_min()), " to ", shortest(blob.bounds_max())));
-    Sphere sphere;
-    if (bounding_sphere(blob, sphere)) {
-        line("sphere", text("center ", shortest(sphere.center), ", radius ", shortest(sphere.radius)));
+    line("bounds", text(shortest(blob.bounds().min), " to ", shortest(blob.bounds().max)));
+    if (const Result<Sphere> sphere = bounding_sphere(blob)) {
+        line("sphere", text("center ", shortest(sphere->center), ", radius ", shortest(sphere->radius)));
     }
-    OrientedBox box;
-    if (oriented_bounds(blob, box)) {
-        line("oriented box", text("center ", shortest(box.center)));
-        for (const Vec3& axis : box.half_axes) line("  half axis", shortest(axis));
+    if (const Result<OrientedBox> box = oriented_bounds(blob)) {
+        line("oriented box", text("center ", shortest(box->center)));
+        for (const Vec3& axis : box->half_axes) line("  half axis", shortest(axis));
     }
     line("extent", rounded(extent_of(blob)));
-    line("lattice", text(blob.bits(), " bits, step ", shortest(blob.step())));
+    line("lattice", text(unsigned{detail::data_of(blob).bits}, " bits, step ",
+                         shortest(std::ldexp(1.0f, blob.lattice().step_exponent))));
     line("max error", shortest(blob.max_error()));
-    line("features", joined(feature_names(blob.data().features)));
+    line("features", joined(feature_names(detail::data_of(blob).features)));
     if (blob.has_original_ids()) {
-        line("sources", text(blob.data().source_count, blob.data().source_count == 1 ? " mesh" : " meshes", " with ",
-                             counted(blob.data().source_triangles, "triangle")));
+        line("sources",
+             text(detail::data_of(blob).source_count, detail::data_of(blob).source_count == 1 ? " mesh" : " meshes",
+                  " with ", counted(detail::data_of(blob).source_triangles, "triangle")));
     }
     const std::uint64_t leaves = leaf_count(file.bytes, blob);
-    line("tree", text(counted(blob.data().node_count, "node"), ", ", leaves, leaves == 1 ? " leaf" : " leaves",
-                      ", depth ", blob.depth()));
+    line("tree", text(counted(detail::data_of(blob).node_count, "node"), ", ", leaves,
+                      leaves == 1 ? " leaf" : " leaves", ", depth ", blob.depth()));
     line("checksum", checksum_text(blob.checksum()));
-    line("bytes", text(blob.size_bytes(), ", ", rounded(bytes_per_triangle(blob.size_bytes(), blob), 4),
-                       " per triangle, of which"));
+    line("bytes",
+         text(blob.size(), ", ", rounded(bytes_per_triangle(blob.size(), blob), 4), " per triangle, of which"));
     for (const Section& section : sections_of(blob)) {
         std::cout << "    " << std::left << std::setw(14) << section.name << std::right << std::setw(12)
                   << section.bytes << std::setw(10) << rounded(bytes_per_triangle(section.bytes, blob), 3) << '\n';

@@ -1,4 +1,4 @@
-// query: one question to a blob. Each family of kinds is in query/<family>.cpp.
+// query: runs one query of a blob. Each family of kinds is in query/<family>.cpp.
 #include "commands.hpp"
 #include "query/kinds.hpp"
 
@@ -6,7 +6,7 @@ namespace espalier::tools {
 
 ExitCode run_query(const QueryKind& kind, const QueryArguments& arguments) {
     QueryCall call(kind, arguments);
-    return print_answer(kind.name, kind.ask(call));
+    return print_answer(kind.name, kind.run(call));
 }
 
 }  // namespace espalier::tools

@@ -94,8 +94,7 @@ Work draw_heatmap(const Blob& blob, const Camera& camera, const RenderArguments&
             std::uint64_t sum = 0;
             for_each_sample(camera, column, row, arguments.samples, [&](const Ray& ray, float) {
                 QueryCounters counters;
-                RayHit hit;
-                raycast_counted(blob, ray, hit, counters);
+                static_cast<void>(raycast(blob, ray, counters));
                 sum += counters.nodes + counters.triangles;
             });
             steps[std::size_t{row} * image.width() + column] = weight * static_cast<double>(sum);

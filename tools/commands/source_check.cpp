@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include <espalier/nearest.hpp>
+#include <espalier/distance.hpp>
 
 #include "base/numbers.hpp"
 
@@ -51,19 +51,17 @@ std::vector<std::uint32_t> used_vertices(const ImportedMesh& mesh, SourceCheck& 
 /// relative to the lattice's origin in float32, then onto a grid that is finer than the lattice as far as float32 can
 /// carry it. Its distance from there is within 4 ulp (nearest.hpp).
 double measuring_error_at(const Blob& blob, Vec3 point, double distance) {
-    const float* origin = blob.data().origin;
+    const float* origin = detail::data_of(blob).origin;
     const std::array<double, 3> offset = difference(point, {origin[0], origin[1], origin[2]});
     const double reach = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
-    const int finer_by = std::clamp(23 - static_cast<int>(blob.bits()), 0, 6);
-    const double on_each_axis = std::ldexp(static_cast<double>(blob.step()), -finer_by - 1) + std::ldexp(reach, -24);
+    const int finer_by = std::clamp(23 - static_cast<int>(detail::data_of(blob).bits), 0, 6);
+    const double on_each_axis = std::ldexp(1.0, blob.lattice().step_exponent - finer_by - 1) + std::ldexp(reach, -24);
     return std::sqrt(3.0) * on_each_axis + std::ldexp(distance, -21);
 }
 
 void check_vertex(const Blob& blob, const ImportedMesh& mesh, std::uint32_t vertex, SourceCheck& check) {
     const Vec3 point = mesh.positions[vertex];
-    Nearest nearest;
-    const bool found = closest_point(blob, point, std::numeric_limits<float>::infinity(), nearest);
-    const double distance = found ? static_cast<double>(nearest.distance) : std::numeric_limits<double>::infinity();
+    const auto distance = static_cast<double>(closest_point(blob, point).distance);
     const double error = measuring_error_at(blob, point, distance);
     ++check.checked;
     if (distance > static_cast<double>(blob.max_error()) + error) ++check.too_far;

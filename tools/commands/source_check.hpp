@@ -1,4 +1,4 @@
-// P3 asked of the blob itself: does the source lie within max_error of the baked surface?
+// Tests promise P3 on the blob itself: the source lies within max_error of the baked surface.
 #pragma once
 
 #include <cstdint>

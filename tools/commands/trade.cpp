@@ -4,14 +4,14 @@
 #include <iostream>
 #include <span>
 
-#include <runtime/simd/select.hpp>
+#include <runtime/lanes/select.hpp>
 
 #include "bake/policy.hpp"
 #include "bake/source_options.hpp"
+#include "base/choices.hpp"
 #include "base/lists.hpp"
 #include "base/numbers.hpp"
 #include "commands.hpp"
-#include "files/cost_model_file.hpp"
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
 #include "report/console.hpp"
@@ -68,7 +68,7 @@ const char* instruction_set_name() {
 
 /// How the figures came about.
 std::string conditions(const TradeArguments& arguments, std::uint64_t triangles) {
-    return text(counted(triangles, "triangle"), ", effort ", arguments.effort, ". ",
+    return text(counted(triangles, "triangle"), ", effort ", name_in(effort_choices, arguments.effort), ". ",
                 counted(arguments.rays, "random ray"), " and spheres, one thread, ", instruction_set_name(),
                 ", all in turn, medians of ", counted(arguments.repetitions, "repetition"), ".");
 }
@@ -88,8 +88,7 @@ ExitCode trade_with_warnings(const TradeArguments& arguments, std::vector<Warnin
     BakeOptions options;
     options.effort = arguments.effort;
     options.threads = arguments.threads;
-    options.repair = arguments.repair;
-    if (!arguments.cost_model.empty()) options.cost_model = read_cost_model(arguments.cost_model);
+    options.drop_bad_triangles = arguments.drop_bad_triangles;
     const ImportOptions source = import_options(arguments.source, arguments.json, warnings);
 
     std::vector<TradePoint> points;
@@ -122,7 +121,7 @@ ExitCode trade_with_warnings(const TradeArguments& arguments, std::vector<Warnin
         document["mesh"] = names;
         document["rays"] = arguments.rays;
         document["repetitions"] = arguments.repetitions;
-        document["effort"] = arguments.effort;
+        document["effort"] = name_in(effort_choices, arguments.effort);
         document["instruction_set"] = instruction_set_name();
         document["points"] = trade_json(points);
         document["warnings"] = warnings_json(warnings);

@@ -6,7 +6,7 @@
 
 #include <espalier/espalier.hpp>
 
-#include <baker/verify/verify.hpp>
+#include <espalier/bake.hpp>
 
 #include "bake/policy.hpp"
 #include "bake/source_options.hpp"
@@ -24,9 +24,9 @@ namespace espalier::tools {
 
 namespace {
 
-/// What was asked, what came of it; `failure` is empty as long as all is well.
+/// The checks that were chosen and their results; `failure` is empty as long as all pass.
 struct Verification {
-    Status status = Status::ok;
+    OpenStatus status = OpenStatus::ok;
     bool deep = false;
     std::optional<SourceCheck> source;
     std::string failure;
@@ -80,14 +80,14 @@ ExitCode verify_with_warnings(const VerifyArguments& arguments, std::vector<Warn
     Verification result;
     BlobFile file;
     file.bytes = read_file(arguments.blob);
-    result.status = open(file.bytes, file.blob);
+    file.blob = open(file.bytes);
+    result.status = file.blob.status();
     ExitCode code = exit_code_of(result.status);
-    if (result.status != Status::ok) result.failure = refusal_text(arguments.blob, result.status);
+    if (result.status != OpenStatus::ok) result.failure = refusal_text(arguments.blob, result.status);
     if (result.failure.empty() && arguments.deep) {
         result.deep = true;
-        if (const auto broken = baker::verify_deep(file.bytes)) {
-            result.failure = text("'", printable(arguments.blob), "': ", *broken, ". Bake it again.");
-        }
+        const VerifyReport report = verify(file.bytes);
+        if (!report) result.failure = text("'", printable(arguments.blob), "': ", report.message, ". Bake it again.");
     }
     if (result.failure.empty() && !arguments.sources.empty()) {
         const Imported source = import_files(arguments.sources, options);

@@ -1,5 +1,5 @@
-// espalier_demo_rays MESH.obj BLOB.espl PICTURE.png: opens the blob, casts a million rays at it, and says in five lines
-// what the demo made.
+// espalier_demo_rays MESH.obj BLOB.espl PICTURE.png: opens the blob, casts a million rays at it, and reports in five
+// lines what the demo made.
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -46,8 +46,8 @@ struct Tally {
 
 // From anywhere in a box three times the asset's size towards anywhere inside it.
 Tally cast(const Blob& blob, std::uint32_t count) {
-    const Vec3 low = blob.bounds_min();
-    const Vec3 high = blob.bounds_max();
+    const Vec3 low = blob.bounds().min;
+    const Vec3 high = blob.bounds().max;
     const Vec3 size{high.x - low.x, high.y - low.y, high.z - low.z};
     const Vec3 outer_low{low.x - size.x, low.y - size.y, low.z - size.z};
     const Vec3 outer_high{high.x + size.x, high.y + size.y, high.z + size.z};
@@ -57,8 +57,8 @@ Tally cast(const Blob& blob, std::uint32_t count) {
     for (; tally.rays < count; ++tally.rays) {
         const Vec3 from = random.point_in(outer_low, outer_high);
         const Vec3 to = random.point_in(low, high);
-        RayHit hit;
-        if (!raycast(blob, {.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}}, hit)) continue;
+        const RayHit hit = raycast(blob, {.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}});
+        if (!hit) continue;
         ++tally.hits;
         if (!seen[hit.triangle.index]) ++tally.triangles_seen;
         seen[hit.triangle.index] = true;
@@ -86,10 +86,9 @@ int main(int argument_count, char** arguments) {
     }
     const std::vector<char> bytes = read_file(arguments[2]);
     Blob blob;
-    Status status = Status::ok;
-    const double open_seconds = seconds_of([&] { status = open(std::as_bytes(std::span(bytes)), blob); });
-    if (status != Status::ok) {
-        std::fprintf(stderr, "espalier_demo_rays: %s: %s\n", arguments[2], describe(status));
+    const double open_seconds = seconds_of([&] { blob = open(std::as_bytes(std::span(bytes))); });
+    if (!blob) {
+        std::fprintf(stderr, "espalier_demo_rays: %s: %s\n", arguments[2], describe(blob.status()));
         return 3;
     }
     Tally tally;
@@ -98,7 +97,7 @@ int main(int argument_count, char** arguments) {
     std::printf("mesh     %u triangles, %.0f KiB of OBJ text: %s\n", blob.triangle_count(), kilobytes(arguments[1]),
                 arguments[1]);
     std::printf("blob     %.0f KiB, %.2f bytes a triangle, at most %.3g from the mesh: %s\n", kilobytes(arguments[2]),
-                static_cast<double>(blob.size_bytes()) / blob.triangle_count(), static_cast<double>(blob.max_error()),
+                static_cast<double>(blob.size()) / blob.triangle_count(), static_cast<double>(blob.max_error()),
                 arguments[2]);
     std::printf("open     proved every byte of it in %.2f ms; tree of depth %u, nothing decoded, nothing allocated\n",
                 open_seconds * 1e3, blob.depth());

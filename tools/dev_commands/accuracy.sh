@@ -6,7 +6,7 @@ accuracy() {
     build build/accuracy espalier_bench_accuracy -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF \
         -DESPALIER_BENCH_PEERS=OFF >&2
     if [[ ${1-} == --publish ]]; then
-        [[ $# -ge 3 ]] || fail "accuracy --publish NAME MESH...: NAME says when, as in 2026-11-20_accuracy"
+        [[ $# -ge 3 ]] || fail "accuracy --publish NAME MESH...: NAME is the date, as in 2026-11-20_accuracy"
         name=$2
         "$program" "${@:3}" >"$rows"
         mv "$rows" "bench/results/$name.jsonl"

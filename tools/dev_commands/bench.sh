@@ -4,7 +4,7 @@ bench() {
     check_cmake
     build build/bench espalier_bench_peers -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF >&2
     if [[ ${1-} == --publish ]]; then
-        [[ $# -ge 3 ]] || fail "bench --publish NAME MESH...: NAME says when and where, as in 2026-11-20_epyc_avx2"
+        [[ $# -ge 3 ]] || fail "bench --publish NAME MESH...: NAME is the date and the machine, as in 2026-11-20_epyc_avx2"
         publish_bench "${@:2}"
     else
         build/bench/bench/espalier_bench_peers "$@"

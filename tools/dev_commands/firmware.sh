@@ -2,7 +2,7 @@
 firmware() {
     local name="" build=$PWD/build/firmware rows=$PWD/build/firmware/rows.txt core mesh failures=0
     if [[ ${1-} == --publish ]]; then
-        [[ $# -eq 3 ]] || fail "firmware --publish NAME FOLDER: NAME says when, as in 2026-11-20_firmware"
+        [[ $# -eq 3 ]] || fail "firmware --publish NAME FOLDER: NAME is the date, as in 2026-11-20_firmware"
         name=$2
         shift 2
         install_missing python3 >&2

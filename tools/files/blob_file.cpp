@@ -61,24 +61,24 @@ std::vector<std::byte> read_file(const std::string& path) {
     }
 }
 
-ExitCode exit_code_of(Status status) {
+ExitCode exit_code_of(OpenStatus status) {
     switch (status) {
-        case Status::ok:
+        case OpenStatus::ok:
             return ExitCode::ok;
-        case Status::unsupported_version:
-        case Status::unsupported_profile:
-        case Status::unsupported_feature:
+        case OpenStatus::unsupported_version:
+        case OpenStatus::unsupported_profile:
+        case OpenStatus::unsupported_feature:
             return ExitCode::unsupported;
         default:
             return ExitCode::invalid_input;
     }
 }
 
-std::string refusal_text(const std::string& path, Status status) {
+std::string refusal_text(const std::string& path, OpenStatus status) {
     const char* advice = exit_code_of(status) == ExitCode::unsupported
                              ? "Use a newer espalier, or bake it again with this one."
-                         : status == Status::not_a_blob ? "A mesh is made into a blob by 'espalier bake'."
-                                                        : "Bake it again, or fetch it again.";
+                         : status == OpenStatus::not_a_blob ? "A mesh is made into a blob by 'espalier bake'."
+                                                            : "Bake it again, or fetch it again.";
     return text("'", printable(path), "' is refused: ", describe(status), " (status ", static_cast<int>(status), "). ",
                 advice);
 }
@@ -86,8 +86,9 @@ std::string refusal_text(const std::string& path, Status status) {
 BlobFile open_blob_file(const std::string& path) {
     BlobFile file;
     file.bytes = read_file(path);
-    const Status status = open(file.bytes, file.blob);
-    if (status != Status::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});
+    file.blob = open(file.bytes);
+    const OpenStatus status = file.blob.status();
+    if (status != OpenStatus::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});
     return file;
 }
 

@@ -29,9 +29,9 @@ struct BlobFile {
 BlobFile open_blob_file(const std::string& path);
 
 /// Which exit code a refused blob has: newer than this program, or broken.
-ExitCode exit_code_of(Status status);
+ExitCode exit_code_of(OpenStatus status);
 
 /// What was refused, why, and what to do.
-std::string refusal_text(const std::string& path, Status status);
+std::string refusal_text(const std::string& path, OpenStatus status);
 
 }  // namespace espalier::tools

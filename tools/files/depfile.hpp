@@ -1,5 +1,4 @@
-// What a build system is told about a bake: which files were read, in the syntax of Make, which Ninja and CMake read
-// too.
+// The files that a bake read, for a build system, in the syntax of Make, which Ninja and CMake read too.
 #pragma once
 
 #include <span>
@@ -7,8 +6,8 @@
 
 namespace espalier::tools {
 
-/// One rule: `target` is to be made again when one of `sources` changes. Throws CommandError (unsupported) when a path
-/// cannot be said in this syntax.
+/// Returns one rule: `target` is made again when one of `sources` changes. Throws CommandError (unsupported) for a path
+/// that this syntax cannot express.
 std::string depfile_text(const std::string& target, std::span<const std::string> sources);
 
 }  // namespace espalier::tools

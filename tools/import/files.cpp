@@ -123,6 +123,8 @@ Imported import_files(std::span<const std::string> paths, const ImportOptions& o
         for (const Warning& warning : file.warnings)
             if (options.warn) options.warn(warning);
     }
+    if (!options.materials)
+        for (ImportedMesh& mesh : imported.meshes) mesh.materials.clear();
     return imported;
 }
 

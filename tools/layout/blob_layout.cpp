@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include <runtime/id_steps.hpp>
+#include <runtime/blob/id_steps.hpp>
 
 #include "base/exit_code.hpp"
 
@@ -35,7 +35,7 @@ std::size_t padded_to_4(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 }  // namespace
 
 std::vector<Section> sections_of(const Blob& blob) {
-    const detail::BlobData& data = blob.data();
+    const detail::BlobData& data = detail::data_of(blob);
     std::vector<Section> sections;
     std::size_t at = 0;
     const auto add = [&](const char* name, std::size_t bytes) {
@@ -119,7 +119,7 @@ LeafFields read_leaf(std::span<const std::byte> bytes, const Blob& blob, std::si
     fields.data_offset = descriptor & ((1u << field::offset_bits) - 1);
     fields.triangles = ((descriptor >> field::triangles_shift) & 15u) + 1;
     fields.vertices = ((descriptor >> field::vertices_shift) & 31u) + 1;
-    fields.size_bits = (descriptor >> field::size_shift) + field::least_size(blob.bits());
+    fields.size_bits = (descriptor >> field::size_shift) + field::least_size(detail::data_of(blob).bits);
     return fields;
 }
 
@@ -193,21 +193,21 @@ StripMarks read_predicted_marks(std::span<const std::byte> bytes, std::size_t at
 
 std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob) {
     std::uint64_t count = 0;
-    for (std::size_t node = 0; node < blob.data().node_count; ++node) {
+    for (std::size_t node = 0; node < detail::data_of(blob).node_count; ++node) {
         count += read_node(bytes, blob, node).leaves;
     }
     return count;
 }
 
-const char* name_of(format::Profile profile) {
+const char* name_of(Profile profile) {
     switch (profile) {
-        case format::Profile::fast:
+        case Profile::fast:
             return "fast";
-        case format::Profile::balanced:
+        case Profile::balanced:
             return "balanced";
-        case format::Profile::small:
+        case Profile::small:
             return "small";
-        case format::Profile::tiny:
+        case Profile::tiny:
             return "tiny";
     }
     return "unknown";

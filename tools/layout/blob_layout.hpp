@@ -90,7 +90,7 @@ StripMarks read_predicted_marks(std::span<const std::byte> bytes, std::size_t at
 
 std::uint64_t leaf_count(std::span<const std::byte> bytes, const Blob& blob);
 
-const char* name_of(format::Profile profile);
+const char* name_of(Profile profile);
 /// As eight hexadecimal digits.
 std::string checksum_text(std::uint32_t checksum);
 /// The set bits, by name.

@@ -42,7 +42,7 @@ void list_plain_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, st
         const std::uint32_t triangle = read_u32(bytes, listing.at());
         listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle));
         listing.field(4, text("  first triangle ", triangle));
-        list_plain_leaf(bytes, leaf, blob.bits(), listing);
+        list_plain_leaf(bytes, leaf, detail::data_of(blob).bits, listing);
     }
 }
 
@@ -88,7 +88,7 @@ void list_strip_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, st
         listing.field((marks.bits + 7) / 8, marks_text(marks));
         for (unsigned axis = 0; axis < 3; ++axis) {
             const unsigned width = format::strip_leaf::coordinate_width(
-                side_of_child(bytes, node.at, node.node_children + i, axis), blob.bits());
+                side_of_child(bytes, node.at, node.node_children + i, axis), detail::data_of(blob).bits);
             list_numbers(bytes, text("  ", "xyz"[axis]), marks.vertices, width, listing);
         }
     }

@@ -11,24 +11,24 @@ namespace espalier::tools {
 
 namespace {
 
-Json triangle_json(const Blob& blob, Triangle triangle) {
+Json triangle_json(const Blob& blob, TriangleId triangle) {
     Json result;
     result["triangle"] = triangle.index;
-    if (OriginalTriangle original; original_triangle(blob, triangle, original)) {
-        result["original"] = {{"file", original.file},
-                              {"mesh", original.mesh},
-                              {"triangle", original.triangle},
-                              {"first_corner", original.first_corner}};
+    if (const Result<OriginalTriangle> original = original_triangle(blob, triangle)) {
+        result["original"] = {{"file", original->file},
+                              {"mesh", original->mesh},
+                              {"triangle", original->triangle},
+                              {"first_corner", original->first_corner}};
     }
     if (blob.has_materials()) result["material"] = material(blob, triangle);
     return result;
 }
 
-std::string triangle_text(const Blob& blob, Triangle triangle) {
+std::string triangle_text(const Blob& blob, TriangleId triangle) {
     std::string result = text("triangle ", triangle.index);
-    if (OriginalTriangle original; original_triangle(blob, triangle, original)) {
-        result += text(" (file ", original.file, ", mesh ", original.mesh, ", triangle ", original.triangle,
-                       original.first_corner == 0 ? "" : text(", from its corner ", original.first_corner), ")");
+    if (const Result<OriginalTriangle> original = original_triangle(blob, triangle)) {
+        result += text(" (file ", original->file, ", mesh ", original->mesh, ", triangle ", original->triangle,
+                       original->first_corner == 0 ? "" : text(", from its corner ", original->first_corner), ")");
     }
     if (blob.has_materials()) result += text(", material ", material(blob, triangle));
     return result;
@@ -91,7 +91,7 @@ Record& Record::add_silently(const char* key, Json value) {
     return *this;
 }
 
-Record& Record::triangle(const Blob& blob, Triangle triangle, std::string_view before) {
+Record& Record::triangle(const Blob& blob, TriangleId triangle, std::string_view before) {
     if (as_json_) {
         json_.update(triangle_json(blob, triangle));
     } else {
@@ -106,7 +106,7 @@ std::string Record::text() const {
     return result;
 }
 
-Answer::Answer(const QueryCall& call, QueryStatus said) : status(said), record(call.options().json) {}
+Answer::Answer(const QueryCall& call, QueryStatus query_status) : status(query_status), record(call.options().json) {}
 
 Answer& Answer::yes_or_no(const char* key, bool yes, const char* words_for_yes, const char* words_for_no) {
     record.title(yes ? words_for_yes : words_for_no).add_silently(key, yes);
@@ -135,14 +135,14 @@ const char* name_of(QueryStatus status) {
     switch (status) {
         case QueryStatus::ok:
             return "ok";
+        case QueryStatus::stopped:
+            return "stopped";
         case QueryStatus::invalid_argument:
             return "invalid_argument";
         case QueryStatus::out_of_range:
             return "out_of_range";
         case QueryStatus::not_closed:
             return "not_closed";
-        case QueryStatus::has_copies:
-            return "has_copies";
         case QueryStatus::work_limit:
             return "work_limit";
         case QueryStatus::output_full:

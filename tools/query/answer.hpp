@@ -1,4 +1,4 @@
-// What a query answers, once as text for people and once as JSON: whichever was asked for.
+// The answer of a query, as text for people or as JSON for scripts.
 #pragma once
 
 #include <concepts>
@@ -37,10 +37,10 @@ public:
     Record& add(const char* key, const Record& value);
     Record& add(const char* key, const std::vector<Record>& values);
     Record& add(const char* key, std::span<const Vec3> values);
-    /// What the title says already.
+    /// Adds a value to JSON only, since the title has it in text.
     Record& add_silently(const char* key, Json value);
     /// "triangle 5 (file 0, mesh 1, triangle 7), material 3" is the title, after `before`.
-    Record& triangle(const Blob& blob, Triangle triangle, std::string_view before = "");
+    Record& triangle(const Blob& blob, TriangleId triangle, std::string_view before = "");
 
     [[nodiscard]] const Json& json() const { return json_; }
     [[nodiscard]] std::string text() const;
@@ -56,7 +56,7 @@ private:
 };
 
 struct Answer {
-    explicit Answer(const QueryCall& call, QueryStatus said = QueryStatus::ok);
+    explicit Answer(const QueryCall& call, QueryStatus query_status = QueryStatus::ok);
 
     QueryStatus status;
     Record record;

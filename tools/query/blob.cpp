@@ -1,4 +1,6 @@
 // What a blob holds: its bounds, triangles and nodes, and how its surface bends.
+#include <cmath>
+
 #include "base/choices.hpp"
 #include "base/numbers.hpp"
 #include "kinds.hpp"
@@ -7,68 +9,70 @@ namespace espalier::tools {
 
 namespace {
 
-const Choices<EdgeKind> edge_choices{
-    {"flat", EdgeKind::flat}, {"convex", EdgeKind::convex}, {"concave", EdgeKind::concave}, {"open", EdgeKind::open}};
+const Choices<EdgeKind> edge_choices{{"flat", EdgeKind::flat},
+                                     {"convex", EdgeKind::convex},
+                                     {"concave", EdgeKind::concave},
+                                     {"boundary", EdgeKind::boundary}};
 
-Answer ask_bounds(QueryCall& call) {
+Answer bounds_answer(QueryCall& call) {
     const Blob& blob = call.blob();
     Answer answer(call);
     Record& record = answer.record.title("bounds");
-    record.add("box", Box{blob.bounds_min(), blob.bounds_max()});
-    if (Sphere sphere; bounding_sphere(blob, sphere)) {
+    record.add("box", Box{blob.bounds().min, blob.bounds().max});
+    if (const Result<Sphere> sphere = bounding_sphere(blob)) {
         Record inner(record.as_json());
-        record.add("sphere", inner.add("center", sphere.center).add("radius", sphere.radius));
+        record.add("sphere", inner.add("center", sphere->center).add("radius", sphere->radius));
     }
-    if (OrientedBox box; oriented_bounds(blob, box)) {
+    if (const Result<OrientedBox> box = oriented_bounds(blob)) {
         Record inner(record.as_json());
-        inner.add("center", box.center).add("half_axes", box.half_axes);
+        inner.add("center", box->center).add("half_axes", box->half_axes);
         record.add("oriented_box", inner);
     }
-    if (KDop k_dop; k_dop_bounds(blob, k_dop)) {
+    if (const Result<KDop> k_dop = k_dop_bounds(blob)) {
         std::vector<Record> slabs;
         for (unsigned i = 0; i < KDop::count; ++i) {
             Record& slab = slabs.emplace_back(record.as_json());
-            slab.title(text("along ", shortest(KDop::directions[i]), ": ", k_dop.lo[i], " to ", k_dop.hi[i]));
+            slab.title(text("along ", shortest(KDop::directions[i]), ": ", k_dop->lo[i], " to ", k_dop->hi[i]));
             slab.add_silently("direction", json_point(KDop::directions[i]));
-            slab.add_silently("min", json_number(k_dop.lo[i])).add_silently("max", json_number(k_dop.hi[i]));
+            slab.add_silently("min", json_number(k_dop->lo[i])).add_silently("max", json_number(k_dop->hi[i]));
         }
         record.add("k_dop", slabs);
     }
     return answer;
 }
 
-Answer ask_lattice(QueryCall& call) {
-    const Lattice lattice = lattice_of(call.blob());
+Answer lattice_answer(QueryCall& call) {
+    const Lattice lattice = call.blob().lattice();
     Answer answer(call);
     const std::int32_t* extent = lattice.extent;
     answer.record.title(text("lattice of ", extent[0], " x ", extent[1], " x ", extent[2], " steps"));
     answer.record.add_silently("extent", Json::array({extent[0], extent[1], extent[2]}));
-    answer.record.add("origin", lattice.origin).add("step", call.blob().step());
+    answer.record.add("origin", lattice.origin).add("step", std::ldexp(1.0f, lattice.step_exponent));
     answer.record.add_silently("step_exponent", lattice.step_exponent);
     return answer;
 }
 
-Answer ask_steps(QueryCall& call) {
-    Steps steps;
-    Answer answer(call, to_steps(lattice_of(call.blob()), call.next_vector(), steps));
-    answer.record.title(text("steps ", steps.x, ' ', steps.y, ' ', steps.z));
-    answer.record.add_silently("steps", Json::array({steps.x, steps.y, steps.z}));
-    answer.record.add("point", to_world(lattice_of(call.blob()), steps));
+Answer steps_answer(QueryCall& call) {
+    const Result<LatticePoint> nearest = to_lattice(call.blob().lattice(), call.next_vector());
+    Answer answer(call, nearest.status);
+    answer.record.title(text("steps ", nearest->x, ' ', nearest->y, ' ', nearest->z));
+    answer.record.add_silently("steps", Json::array({nearest->x, nearest->y, nearest->z}));
+    answer.record.add("point", to_local(call.blob().lattice(), *nearest));
     return answer;
 }
 
-void add_corners(Record& record, const Corners& corners) {
+void add_corners(Record& record, const Triangle& corners) {
     record.add("a", corners.a).add("b", corners.b).add("c", corners.c);
 }
 
-Answer ask_show(QueryCall& call) {
-    const Triangle triangle = call.next_triangle();
+Answer show_answer(QueryCall& call) {
+    const TriangleId triangle = call.next_triangle();
     Answer answer(call);
     answer.record.triangle(call.blob(), triangle);
-    if (Corners corners; triangle_corners(call.blob(), triangle, corners)) add_corners(answer.record, corners);
-    if (EdgeKinds kinds; edge_kinds(call.blob(), triangle, kinds)) {
-        answer.record.add("edge_ab", name_in(edge_choices, kinds.ab)).add("edge_bc", name_in(edge_choices, kinds.bc));
-        answer.record.add("edge_ca", name_in(edge_choices, kinds.ca));
+    if (const auto corners = triangle_at(call.blob(), triangle)) add_corners(answer.record, *corners);
+    if (const Result<EdgeKinds> kinds = edge_kinds(call.blob(), triangle)) {
+        answer.record.add("edge_ab", name_in(edge_choices, kinds->ab)).add("edge_bc", name_in(edge_choices, kinds->bc));
+        answer.record.add("edge_ca", name_in(edge_choices, kinds->ca));
     }
     return answer;
 }
@@ -82,36 +86,34 @@ Feature feature_named(const std::string& name) {
     throw CommandError(ExitCode::usage, text("feature: '", printable(name), "' is none of ", names, '.'));
 }
 
-Answer ask_contact(QueryCall& call) {
-    Contact contact;
-    contact.triangle = call.next_triangle();
-    contact.feature = feature_named(call.next_name());
-    contact.normal = call.next_vector();
+Answer contact_answer(QueryCall& call) {
+    const TriangleId triangle = call.next_triangle();
+    const Feature feature = feature_named(call.next_name());
+    const Vec3 normal = call.next_vector();
     Answer answer(call);
     if (!call.blob().has_edge_flags()) {
         throw CommandError(ExitCode::unsupported, text("'", printable(call.options().blob),
-                                                       "' carries no edge flags: bake it with --edge-flags."));
+                                                       "' stores no edge flags: bake it with --flat-angle."));
     }
-    Vec3 normal = contact.normal;
-    answer.yes_or_no("on_inner_edge", is_on_inner_edge(call.blob(), contact, normal), "on an inner edge",
-                     "not on an inner edge");
-    answer.record.add("normal", normal);
+    const Vec3 fixed = fix_internal_edge_normal(call.blob(), triangle, feature, normal);
+    answer.yes_or_no("fixed", fixed != normal, "fixed, on an internal edge", "unchanged");
+    answer.record.add("normal", fixed);
     return answer;
 }
 
-Answer ask_triangles(QueryCall& call) {
+Answer triangles_answer(QueryCall& call) {
     const QueryArguments& options = call.options();
     Answer answer(call);
     std::uint32_t next = 0;
-    for_each_triangle(call.blob(), [&](Triangle triangle, const Corners& corners) {
-        if (triangle.index < options.from) return keep_going;
+    (void)for_each_triangle(call.blob(), [&](TriangleId triangle, const Triangle& corners) {
+        if (triangle.index < options.from) return Visit::next;
         if (options.limit && answer.list.size() == *options.limit) {
             answer.status = QueryStatus::output_full;
             next = triangle.index;
-            return stop;
+            return Visit::stop;
         }
         add_corners(answer.list.emplace_back(options.json).triangle(call.blob(), triangle), corners);
-        return keep_going;
+        return Visit::next;
     });
     return answer.counted_list("triangles", "triangle", &next);
 }
@@ -138,9 +140,9 @@ Record node_record(const QueryCall& call, const TreeNode& node) {
     return record.add("children", children);
 }
 
-Answer ask_tree(QueryCall& call) {
+Answer tree_answer(QueryCall& call) {
     Answer answer(call);
-    for_each_node(call.blob(), [&](const TreeNode& node) {
+    (void)for_each_node(call.blob(), [&](const TreeNode& node) {
         answer.list.push_back(node_record(call, node));
         return node.depth < call.options().depth ? NodeVisit::descend : NodeVisit::skip;
     });
@@ -152,38 +154,38 @@ Answer ask_tree(QueryCall& call) {
 QueryKinds blob_kinds() {
     constexpr const char* family = "What the blob holds";
     return {
-        {family, "bounds", "The bounds of the whole asset, those that the blob carries", {}, 0, ask_bounds},
+        {family, "bounds", "The bounds of the whole asset, those that the blob carries", {}, 0, bounds_answer},
         {family,
          "lattice",
          "Where the lattice begins, its step, and how many steps the asset is long",
          {},
          0,
-         ask_lattice},
+         lattice_answer},
         {family,
-         "steps",
-         "The lattice point nearest to a point of the world, in whole steps",
+         "to-lattice",
+         "The lattice point nearest to a point of the blob's space, in whole steps",
          {point_word("point")},
          0,
-         ask_steps},
+         steps_answer},
         {family,
          "show",
          "One triangle: its corners, its source, how the surface bends at its edges",
          {index_word("triangle")},
          0,
-         ask_show},
+         show_answer},
         {family,
-         "contact",
-         "Whether a contact is on an inner edge, and the normal that it should have",
+         "fix-internal-edge-normal",
+         "The normal to use for a contact: on an internal edge that of the triangle",
          {index_word("triangle"), name_word("feature"), vector_word("normal")},
          0,
-         ask_contact},
-        {family, "triangles", "All triangles with their corners", {}, option_limit | option_from, ask_triangles},
+         contact_answer},
+        {family, "triangles", "All triangles with their corners", {}, option_limit | option_from, triangles_answer},
         {family,
          "tree",
          "The nodes of the tree with the boxes of their children, parents first",
          {},
          option_depth,
-         ask_tree},
+         tree_answer},
     };
 }
 

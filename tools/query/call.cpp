@@ -84,16 +84,16 @@ Vec3 QueryCall::next_vector() {
 
 std::uint32_t QueryCall::next_index() { return indices_.at(index_++); }
 
-Steps QueryCall::next_steps() {
-    Steps result;
+LatticePoint QueryCall::next_steps() {
+    LatticePoint result;
     result.x = steps_.at(step_++);
     result.y = steps_.at(step_++);
     result.z = steps_.at(step_++);
     return result;
 }
 
-Triangle QueryCall::next_triangle() {
-    const Triangle triangle{next_index()};
+TriangleId QueryCall::next_triangle() {
+    const TriangleId triangle{next_index()};
     if (triangle.index >= blob().triangle_count()) {
         throw CommandError(ExitCode::usage, text("triangle ", triangle.index, ": the blob has ",
                                                  counted(blob().triangle_count(), "triangle"), ", counted from 0."));

@@ -33,11 +33,11 @@ public:
     Vec3 next_vector();
     float next_number();
     std::uint32_t next_index();
-    Steps next_steps();
+    LatticePoint next_steps();
     const std::string& next_name();
     [[nodiscard]] bool has_numbers() const { return number_ < numbers_.size(); }
     /// As next_index, and of the blob. Throws CommandError (usage) when the blob has no such triangle.
-    Triangle next_triangle();
+    TriangleId next_triangle();
 
 private:
     void read_word(const std::string& input, const QueryWord& word);

@@ -10,98 +10,84 @@ namespace {
 
 float max_distance(const QueryCall& call) { return length_argument(call.options().max_distance, "--max-distance"); }
 
-void add_nearest(Record& record, const Blob& blob, const Nearest& nearest) {
+/// Adds the values of a closest point; of a segment or a box its own point too.
+void add_nearest(Record& record, const Blob& blob, const ClosestPoint& nearest, bool has_shape = false) {
     record.triangle(blob, nearest.triangle, "nearest ");
     record.add("distance", nearest.distance).add("point", nearest.point);
+    if (has_shape) record.add("on_shape", nearest.on_shape);
     record.add("feature", name_in(feature_choices, nearest.feature)).add("u", nearest.u).add("v", nearest.v);
+    record.add("face_normal", nearest.face_normal)
+        .add("side", std::string(nearest.side == Side::front ? "front" : "back"));
 }
 
-void say_nothing_found(Answer& answer) { answer.record.title("nothing within that distance"); }
-
-Answer ask_nearest(QueryCall& call) {
-    const Vec3 point = call.next_vector();
-    const float limit = max_distance(call);
+Answer nearest_answer(const QueryCall& call, const ClosestPoint& nearest, bool has_shape = false) {
     Answer answer(call);
-    if (!call.options().accuracy.empty()) {
-        const float accuracy = length_argument(call.options().accuracy, "--accuracy");
-        DistanceBounds bounds;
-        QueryCounters counters;
-        const bool found = distance_bounds(call.blob(), point, limit, accuracy, bounds, &counters);
-        answer.record.add_silently("found", found);
-        if (!found) say_nothing_found(answer);
-        if (found) answer.record.title("distance").add("lower", bounds.lower).add("upper", bounds.upper);
-        return answer.work(counters);
-    }
-    if (call.options().first) {
-        std::vector<Nearest> places(std::min(*call.options().first, call.blob().triangle_count()));
-        const std::size_t count = closest_triangles(call.blob(), point, limit, places);
-        for (std::size_t i = 0; i < count; ++i) {
-            add_nearest(answer.list.emplace_back(call.options().json), call.blob(), places[i]);
-        }
-        return answer.counted_list("triangles", "triangle");
-    }
-    Nearest nearest;
-    const bool found = closest_point(call.blob(), point, limit, nearest);
-    answer.record.add_silently("found", found);
-    if (!found) say_nothing_found(answer);
-    if (found) add_nearest(answer.record, call.blob(), nearest);
-    return answer;
-}
-
-Answer pair_answer(const QueryCall& call, QueryStatus status, const NearestPair& pair) {
-    Answer answer(call, status);
-    if (status != QueryStatus::ok) return answer;
-    const bool found = pair.triangle != no_triangle;
-    answer.record.add_silently("found", found);
-    if (!found) {
-        say_nothing_found(answer);
+    if (is_refused(nearest.status)) {
+        answer.status = nearest.status;
         return answer;
     }
-    answer.record.triangle(call.blob(), pair.triangle, "nearest ").add("distance", pair.distance);
-    answer.record.add("on_shape", pair.on_shape).add("on_surface", pair.on_surface);
-    answer.record.add("u", pair.u).add("v", pair.v);
+    answer.record.add_silently("found", bool(nearest));
+    if (nearest) add_nearest(answer.record, call.blob(), nearest, has_shape);
+    else answer.record.title("nothing within that distance");
     return answer;
 }
 
-Answer ask_nearest_segment(QueryCall& call) {
+Answer bounds_answer(const QueryCall& call, Vec3 point, float limit) {
+    const float accuracy = length_argument(call.options().accuracy, "--accuracy");
+    Answer answer(call);
+    QueryCounters counters;
+    const Result<DistanceBounds> bounds = distance_bounds(call.blob(), point, limit, Accuracy{accuracy}, &counters);
+    if (is_refused(bounds.status)) {
+        answer.status = bounds.status;
+        return answer;
+    }
+    answer.record.add_silently("found", bool(bounds));
+    if (bounds) answer.record.title("distance").add("lower", bounds->lower).add("upper", bounds->upper);
+    else answer.record.title("nothing within that distance");
+    return answer.work(counters);
+}
+
+Answer closest_point_answer(QueryCall& call) {
+    const Vec3 point = call.next_vector();
+    const float limit = max_distance(call);
+    if (!call.options().accuracy.empty()) return bounds_answer(call, point, limit);
+    if (!call.options().first) return nearest_answer(call, closest_point(call.blob(), point, limit));
+    Answer answer(call);
+    std::vector<ClosestPoint> places(std::min(*call.options().first, call.blob().triangle_count()));
+    const Filled filled = closest_triangles(call.blob(), point, places, limit);
+    answer.status = filled.status;
+    if (is_refused(filled.status)) return answer;
+    for (const ClosestPoint& each : filled.in(places))
+        add_nearest(answer.list.emplace_back(call.options().json), call.blob(), each);
+    return answer.counted_list("triangles", "triangle");
+}
+
+Answer closest_point_segment_answer(QueryCall& call) {
     Segment segment;
     segment.from = call.next_vector();
     segment.to = call.next_vector();
-    NearestPair pair;
-    const QueryStatus status = closest_to_segment(call.blob(), segment, max_distance(call), pair);
-    return pair_answer(call, status, pair);
+    return nearest_answer(call, closest_point(call.blob(), segment, max_distance(call)), true);
 }
 
-Answer ask_nearest_box(QueryCall& call) {
+Answer closest_point_box_answer(QueryCall& call) {
     Box box;
     box.min = call.next_vector();
     box.max = call.next_vector();
-    NearestPair pair;
-    const QueryStatus status = closest_to_box(call.blob(), box, max_distance(call), pair);
-    return pair_answer(call, status, pair);
+    return nearest_answer(call, closest_point(call.blob(), box, max_distance(call)), true);
 }
 
-Answer ask_inside(QueryCall& call) {
-    bool inside = false;
+Answer contains_answer(QueryCall& call) {
     Answer answer(call);
-    answer.status = contains(call.blob(), call.next_vector(), inside);
-    if (answer.status == QueryStatus::ok) answer.yes_or_no("inside", inside, "inside", "outside");
+    const YesNo inside = contains(call.blob(), call.next_vector());
+    if (is_refused(inside.status())) answer.status = inside.status();
+    else answer.yes_or_no("inside", inside.yes(), "inside", "outside");
     return answer;
 }
 
-Answer ask_signed_distance(QueryCall& call) {
-    Nearest nearest;
-    Answer answer(call);
-    answer.status = signed_distance(call.blob(), call.next_vector(), max_distance(call), nearest);
-    if (answer.status != QueryStatus::ok) return answer;
-    const bool found = nearest.triangle != no_triangle;
-    answer.record.add_silently("found", found);
-    if (found) {
-        add_nearest(answer.record, call.blob(), nearest);
-    } else {
-        say_nothing_found(answer);
-        answer.record.add("distance", nearest.distance);
-    }
+Answer signed_distance_answer(QueryCall& call) {
+    const ClosestPoint nearest = signed_distance(call.blob(), call.next_vector(), max_distance(call));
+    Answer answer = nearest_answer(call, nearest);
+    if (nearest.status == QueryStatus::not_found) answer.record.add("distance", nearest.distance);
     return answer;
 }
 
@@ -111,30 +97,35 @@ QueryKinds distance_kinds() {
     constexpr const char* family = "Distances";
     return {
         {family,
-         "nearest",
+         "closest-point",
          "The point of the surface that is closest to a point",
          {point_word("point")},
          option_max_distance | option_first | option_accuracy,
-         ask_nearest},
+         closest_point_answer},
         {family,
-         "nearest-segment",
+         "closest-point-segment",
          "The closest pair of points of a segment and the surface",
          {point_word("from"), point_word("to")},
          option_max_distance,
-         ask_nearest_segment},
+         closest_point_segment_answer},
         {family,
-         "nearest-box",
+         "closest-point-box",
          "The closest pair of points of an axis-aligned box and the surface",
          {point_word("min"), point_word("max")},
          option_max_distance,
-         ask_nearest_box},
-        {family, "inside", "Whether a point is inside of a closed surface", {point_word("point")}, 0, ask_inside},
+         closest_point_box_answer},
+        {family,
+         "contains",
+         "Whether a point is inside of a closed surface",
+         {point_word("point")},
+         0,
+         contains_answer},
         {family,
          "signed-distance",
          "The distance of a point to a closed surface, negative inside",
          {point_word("point")},
          option_max_distance,
-         ask_signed_distance},
+         signed_distance_answer},
     };
 }
 

@@ -1,5 +1,5 @@
-// The kinds of question that `espalier query` knows: a table from which the command line and its help are made. Each
-// family of kinds has a file of its own, <family>.cpp.
+// The kinds of `espalier query`: a table from which the command line and its help are made. Each family of kinds has a
+// file of its own, <family>.cpp.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace espalier::tools {
 
-/// What stands on the command line after the kind's name, in order.
+/// An argument after the kind's name on the command line; they are in order.
 struct QueryWord {
     enum class Type : std::uint8_t {
-        length,  ///< takes units; `inf` and `nan` too, which go to the query as they are
-        number,  ///< no units; likewise
+        length,  ///< takes units; `inf` and `nan` too, which go to the query unchanged
+        number,  ///< no units; `inf` and `nan` too
         index,   ///< a whole number
         steps,   ///< a whole number of lattice steps, of either sign
         name,    ///< any text
@@ -31,15 +31,14 @@ constexpr QueryWord index_word(const char* name) { return {name, QueryWord::Type
 constexpr QueryWord steps_word(const char* name) { return {name, QueryWord::Type::steps, 3}; }
 constexpr QueryWord name_word(const char* name) { return {name, QueryWord::Type::name, 1}; }
 
-/// Which options a kind takes; command_line/query_arguments.cpp says what each means.
+/// The options that a kind takes; command_line/query_arguments.cpp describes each.
 enum QueryOption : unsigned {
     option_t_range = 1u << 0,
-    option_faces = 1u << 1,
+    option_culling = 1u << 1,
     option_any = 1u << 2,
     option_all = 1u << 3,
     option_first = 1u << 4,
     option_accuracy = 1u << 5,
-    option_bounds_only = 1u << 6,
     option_limit = 1u << 7,
     option_from = 1u << 8,
     option_max_distance = 1u << 9,
@@ -53,7 +52,7 @@ struct QueryKind {
     const char* help;
     std::vector<QueryWord> words;
     unsigned options;
-    Answer (*ask)(QueryCall& call);
+    Answer (*run)(QueryCall& call);
     bool repeats_words = false;  ///< once or more
 };
 

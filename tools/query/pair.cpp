@@ -6,8 +6,8 @@ namespace espalier::tools {
 
 namespace {
 
-espalier::Placement placement_of(const QueryArguments& options) {
-    espalier::Placement result;
+espalier::Transform placement_of(const QueryArguments& options) {
+    espalier::Transform result;
     const auto turn = [&](std::size_t i) { return number_argument(options.rotation.at(i), "--rotate"); };
     const auto move = [&](std::size_t i) { return length_argument(options.translation.at(i), "--move"); };
     result.rotation = {turn(0), turn(1), turn(2), turn(3)};
@@ -16,112 +16,115 @@ espalier::Placement placement_of(const QueryArguments& options) {
     return result;
 }
 
-/// The other blob and where it stands.
+/// The other blob and its place in the first one's space.
 struct Other {
     explicit Other(QueryCall& call)
-        : placement(placement_of(call.options())),
+        : transform(placement_of(call.options())),
           file(open_blob_file(call.next_name())),
-          limit{call.options().work_limit} {}
-    espalier::Placement placement;
+          limit(call.options().work_limit) {}
+    [[nodiscard]] PlacedBlob placed() const { return {file.blob, transform}; }
+
+    espalier::Transform transform;
     BlobFile file;
     WorkLimit limit;
 };
 
-void add_pair(Record& record, const QueryCall& call, const Other& other, const TrianglePair& pair) {
+void add_pair(Record& record, const QueryCall& call, const Other& other, TriangleId in_a, TriangleId in_b) {
     Record a(record.as_json());
     Record b(record.as_json());
-    record.add("a", a.triangle(call.blob(), pair.a)).add("b", b.triangle(other.file.blob, pair.b));
+    record.add("a", a.triangle(call.blob(), in_a)).add("b", b.triangle(other.file.blob, in_b));
 }
 
-Answer ask_collides(QueryCall& call) {
+/// The status of a command: that nothing was found is an answer like any other.
+QueryStatus complete(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
+
+Answer overlaps_answer(QueryCall& call) {
     const Other other(call);
-    bool collide = false;
-    Answer answer(call, collides(call.blob(), other.file.blob, other.placement, collide, other.limit));
-    if (answer.status == QueryStatus::ok) answer.yes_or_no("collides", collide, "collides", "does not collide");
+    const YesNo touch = overlaps(call.blob(), other.placed(), other.limit);
+    Answer answer(call, complete(touch.status()));
+    if (answer.status == QueryStatus::ok) answer.yes_or_no("overlaps", touch.yes(), "overlaps", "does not overlap");
     return answer;
 }
 
-Answer ask_first_contact(QueryCall& call) {
+Answer first_contact_answer(QueryCall& call) {
     const Other other(call);
-    TrianglePair pair;
-    bool found = false;
-    Answer answer(call, first_contact(call.blob(), other.file.blob, other.placement, pair, found, other.limit));
+    const PairContact contact = first_contact(call.blob(), other.placed(), other.limit);
+    Answer answer(call, complete(contact.status));
     if (answer.status != QueryStatus::ok) return answer;
-    answer.record.title(found ? "contact" : "no contact").add_silently("found", found);
-    if (found) add_pair(answer.record, call, other, pair);
+    answer.record.title(contact ? "contact" : "no contact").add_silently("found", bool(contact));
+    if (contact) add_pair(answer.record, call, other, contact.a, contact.b);
     return answer;
 }
 
-Answer ask_contacts(QueryCall& call) {
+Answer contacts_answer(QueryCall& call) {
     const Other other(call);
     Answer answer(call);
     bool is_full = false;
-    const auto visit = [&](const TrianglePair& pair) {
+    const auto visit = [&](const PairContact& pair) {
         is_full = call.options().limit && answer.list.size() == *call.options().limit;
-        if (is_full) return stop;
+        if (is_full) return Visit::stop;
         Record& record = answer.list.emplace_back(call.options().json).title("contact");
-        add_pair(record, call, other, pair);
-        return keep_going;
+        add_pair(record, call, other, pair.a, pair.b);
+        return Visit::next;
     };
-    answer.status = for_each_contact(call.blob(), other.file.blob, other.placement, visit, other.limit);
+    answer.status = for_each_contact(call.blob(), other.placed(), visit, other.limit);
     if (is_full) answer.status = QueryStatus::output_full;
     return answer.counted_list("contacts", "contact");
 }
 
-Answer ask_distance(QueryCall& call) {
+Answer distance_answer(QueryCall& call) {
     const Other other(call);
     const float max_distance = length_argument(call.options().max_distance, "--max-distance");
-    PairDistance nearest;
-    bool found = false;
-    Answer answer(call, minimum_distance(call.blob(), other.file.blob, other.placement, max_distance, nearest, found,
-                                         other.limit));
-    if (answer.status != QueryStatus::ok && answer.status != QueryStatus::work_limit) return answer;
+    const BlobDistance nearest = distance(call.blob(), other.placed(), other.limit, max_distance);
+    Answer answer(call, complete(nearest.status));
+    if (is_refused(nearest.status)) return answer;
+    const bool found = nearest.a != no_triangle;
     answer.record.title(found ? "nearest" : "nothing within that distance").add_silently("found", found);
     if (!found) return answer;
     answer.record.add("distance", nearest.distance).add("on_a", nearest.on_a).add("on_b", nearest.on_b);
-    add_pair(answer.record, call, other, nearest.pair);
+    add_pair(answer.record, call, other, nearest.a, nearest.b);
     return answer;
 }
 
-Answer ask_within(QueryCall& call) {
+Answer within_answer(QueryCall& call) {
     const Other other(call);
-    bool within = false;
-    Answer answer(
-        call, within_distance(call.blob(), other.file.blob, other.placement, call.next_number(), within, other.limit));
-    if (answer.status == QueryStatus::ok) answer.yes_or_no("within", within, "within that distance", "farther apart");
+    const YesNo within = within_distance(call.blob(), other.placed(), call.next_number(), other.limit);
+    Answer answer(call, complete(within.status()));
+    if (answer.status == QueryStatus::ok)
+        answer.yes_or_no("within", within.yes(), "within that distance", "farther apart");
     return answer;
 }
 
 }  // namespace
 
 QueryKinds pair_kinds() {
-    constexpr const char* family = "Two blobs; the other stands in the first one's space";
+    constexpr const char* family = "Two blobs; the other one is placed in the first one's space";
     return {
-        {family, "collides", "Whether the surfaces touch", {name_word("OTHER")}, option_placement, ask_collides},
+        {family, "overlaps", "Whether the surfaces touch", {name_word("OTHER")}, option_placement, overlaps_answer},
         {family,
          "first-contact",
          "A pair of triangles that touch, the first that is found",
          {name_word("OTHER")},
          option_placement,
-         ask_first_contact},
+         first_contact_answer},
         {family,
          "contacts",
          "All pairs of triangles that touch, in the order of the trees",
          {name_word("OTHER")},
          option_placement | option_limit,
-         ask_contacts},
+         contacts_answer},
         {family,
          "distance",
          "The closest pair of points",
          {name_word("OTHER")},
          option_placement | option_max_distance,
-         ask_distance},
+         distance_answer},
         {family,
-         "within",
+         "within-distance",
          "Whether the surfaces are within a distance of each other",
          {name_word("OTHER"), length_word("distance")},
          option_placement,
-         ask_within},
+         within_answer},
     };
 }
 

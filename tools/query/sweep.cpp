@@ -8,25 +8,28 @@ namespace {
 template <class Shape>
 Answer sweep_answer(QueryCall& call, const Shape& shape) {
     const Vec3 displacement = call.next_vector();
-    Answer answer(call, check_sweep(call.blob(), shape, displacement));
-    if (answer.status != QueryStatus::ok) return answer;
-    SweepHit hit;
-    const bool found = sweep(call.blob(), shape, displacement, hit);
-    answer.record.title("no contact").add_silently("hit", found);
-    if (!found) return answer;
+    const SweepHit hit = sweep(call.blob(), shape, displacement);
+    Answer answer(call);
+    if (is_refused(hit.status)) {
+        answer.status = hit.status;
+        return answer;
+    }
+    answer.record.title("no contact").add_silently("hit", bool(hit));
+    if (!hit) return answer;
     answer.record.triangle(call.blob(), hit.triangle, "touches ").add("t", hit.t).add("point", hit.point);
-    answer.record.add("normal", hit.normal).add("starts_overlapping", hit.starts_overlapping);
+    answer.record.add("normal", hit.normal).add("face_normal", hit.face_normal);
+    answer.record.add("starts_overlapping", hit.starts_overlapping);
     return answer;
 }
 
-Answer ask_sphere(QueryCall& call) {
+Answer sphere_answer(QueryCall& call) {
     Sphere sphere;
     sphere.center = call.next_vector();
     sphere.radius = call.next_number();
     return sweep_answer(call, sphere);
 }
 
-Answer ask_capsule(QueryCall& call) {
+Answer capsule_answer(QueryCall& call) {
     Capsule capsule;
     capsule.from = call.next_vector();
     capsule.to = call.next_vector();
@@ -34,7 +37,7 @@ Answer ask_capsule(QueryCall& call) {
     return sweep_answer(call, capsule);
 }
 
-Answer ask_box(QueryCall& call) {
+Answer box_answer(QueryCall& call) {
     Box box;
     box.min = call.next_vector();
     box.max = call.next_vector();
@@ -51,19 +54,19 @@ QueryKinds sweep_kinds() {
          "What a moving sphere touches first",
          {point_word("center"), length_word("radius"), point_word("displacement")},
          0,
-         ask_sphere},
+         sphere_answer},
         {family,
          "sweep-capsule",
          "What a moving capsule touches first",
          {point_word("from"), point_word("to"), length_word("radius"), point_word("displacement")},
          0,
-         ask_capsule},
+         capsule_answer},
         {family,
          "sweep-box",
          "What a moving axis-aligned box touches first",
          {point_word("min"), point_word("max"), point_word("displacement")},
          0,
-         ask_box},
+         box_answer},
     };
 }
 

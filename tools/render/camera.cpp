@@ -66,14 +66,14 @@ Camera::Camera(const Blob& blob, const View& view, unsigned width, unsigned heig
     half_height_ = half * height_ / shorter;
     Fit across(half_width_ / margin);
     Fit upwards(half_height_ / margin);
-    const Vec3 middle = 0.5f * (blob.bounds_min() + blob.bounds_max());
-    for_each_triangle(blob, [&](Triangle, const Corners& corners) {
+    const Vec3 middle = 0.5f * (blob.bounds().min + blob.bounds().max);
+    (void)for_each_triangle(blob, [&](TriangleId, const Triangle& corners) {
         for (const Vec3& corner : {corners.a, corners.b, corners.c}) {
             const Vec3 offset = corner - middle;
             across.include(dot(offset, view_.right), dot(offset, view_.towards));
             upwards.include(dot(offset, view_.up), dot(offset, view_.towards));
         }
-        return keep_going;
+        return Visit::next;
     });
     const float distance = std::max(across.distance(), upwards.distance());
     eye_ = middle + across.sideways() * view_.right + upwards.sideways() * view_.up + distance * view_.towards;

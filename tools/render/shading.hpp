@@ -13,7 +13,7 @@ namespace espalier::tools {
 class Shading {
 public:
     Shading(const Blob& blob, const View& view, Vec3 world_up);
-    /// What the ray sees; `height` is where it goes through the picture, 0 at the bottom, 1 at the top.
+    /// Returns the colour where the ray ends; it passes the picture at `height`, 0 at the bottom, 1 at the top.
     [[nodiscard]] Colour colour(const Ray& ray, float height) const;
     [[nodiscard]] static Colour background(float height);
 

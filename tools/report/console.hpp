@@ -1,4 +1,4 @@
-// What the command says to people: on stderr, so that stdout stays data.
+// Messages of the command to people: on stderr, so that stdout stays data.
 #pragma once
 
 #include <chrono>
@@ -11,9 +11,9 @@ namespace espalier::tools {
 class Console {
 public:
     explicit Console(bool quiet = false) : quiet_(quiet) {}
-    /// A line for whoever watches; dropped when quiet.
+    /// Prints a line, unless quiet.
     void say(const std::string& line) const;
-    /// A line that quiet does not silence.
+    /// Prints a line, also if quiet.
     static void warn(const Warning& warning);
 
 private:

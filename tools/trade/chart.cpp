@@ -20,7 +20,7 @@ constexpr double panels_end = 590.0;
 constexpr double row_height = 17.0;
 constexpr std::size_t most_rows = 30;
 
-/// Okabe and Ito (2008): told apart by the colour-blind too. More lattices than colours take them again.
+/// Okabe and Ito (2008): the colour-blind can distinguish them too. More lattices than colours take them again.
 constexpr std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                 "#B8860B", "#56B4E9", "#222222"};
 

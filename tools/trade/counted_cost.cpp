@@ -8,15 +8,15 @@ namespace {
 constexpr double leaf_visit = 1.4;
 constexpr double triangle_test = 0.045;
 
-/// How much dearer a visit is than one of the fast profile (docs/trade.md).
-double decoding_factor(format::Profile profile) {
+/// Returns the cost of a visit, as a multiple of one of the fast profile (docs/trade.md).
+double decoding_factor(Profile profile) {
     switch (profile) {
-        case format::Profile::fast:
+        case Profile::fast:
             return 1.0;
-        case format::Profile::balanced:
-        case format::Profile::small:
+        case Profile::balanced:
+        case Profile::small:
             return 1.11;
-        case format::Profile::tiny:  // of which a strip is decoded as a whole
+        case Profile::tiny:  // of which a strip is decoded as a whole
             return 1.8;
     }
     return 1.0;
@@ -26,16 +26,13 @@ double decoding_factor(format::Profile profile) {
 
 CountedWork count_work(const Blob& blob, std::span<const Ray> rays) {
     QueryCounters counters;
-    for (const Ray& ray : rays) {
-        RayHit hit;
-        raycast_counted(blob, ray, hit, counters);
-    }
+    for (const Ray& ray : rays) static_cast<void>(raycast(blob, ray, counters));
     if (rays.empty()) return {};
     const auto mean = [&](std::uint64_t sum) { return static_cast<double>(sum) / static_cast<double>(rays.size()); };
     return {mean(counters.nodes), mean(counters.leaves), mean(counters.triangles), mean(counters.candidates)};
 }
 
-double counted_cost(const CountedWork& work, format::Profile profile) {
+double counted_cost(const CountedWork& work, Profile profile) {
     return decoding_factor(profile) * (work.nodes + leaf_visit * work.leaves + triangle_test * work.triangles);
 }
 

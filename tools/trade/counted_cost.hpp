@@ -20,8 +20,8 @@ struct CountedWork {
 /// Casts every ray by the scalar path.
 CountedWork count_work(const Blob& blob, std::span<const Ray> rays);
 
-/// The cost of that work in visits of a node of the fast profile, by committed constants: the same judge for every cost
-/// model that a blob may have been baked with.
-double counted_cost(const CountedWork& work, format::Profile profile);
+/// The cost of that work in visits of a node of the fast profile, by committed constants, which do not depend on the
+/// options of the bake.
+double counted_cost(const CountedWork& work, Profile profile);
 
 }  // namespace espalier::tools

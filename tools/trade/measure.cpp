@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include <espalier/nearest.hpp>
+#include <espalier/distance.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/ray.hpp>
 
@@ -29,37 +29,32 @@ using Done = std::function<void(const char* stage, double done)>;
 double mean_error(const Blob& blob, std::span<const Vec3> surface_points) {
     double sum = 0.0;
     for (const Vec3& point : surface_points) {
-        Nearest nearest;
-        if (closest_point(blob, point, std::numeric_limits<float>::infinity(), nearest)) {
-            sum += static_cast<double>(nearest.distance);
-        }
+        const ClosestPoint nearest = closest_point(blob, point);
+        if (nearest) sum += static_cast<double>(nearest.distance);
     }
     return sum / static_cast<double>(surface_points.size());
 }
 
 /// A blob under measurement. The bytes stay where they are while it is moved.
 struct Contestant {
-    Baked baked;
+    BakeResult baked;
     Blob blob;
 };
 
-/// How many of the questions were answered with yes, so that the compiler can drop none.
-std::size_t ask(const Blob& blob, const SampleQueries& queries, std::size_t query, std::size_t first,
-                std::size_t count) {
+/// Returns the number of queries that found something, so that the compiler can drop none.
+std::size_t run_queries(const Blob& blob, const SampleQueries& queries, std::size_t query, std::size_t first,
+                        std::size_t count) {
     std::size_t found = 0;
     switch (query) {
         case 0:
-            for (const Ray& ray : std::span(queries.rays).subspan(first, count)) {
-                RayHit hit;
-                found += raycast(blob, ray, hit);
-            }
+            for (const Ray& ray : std::span(queries.rays).subspan(first, count)) found += bool(raycast(blob, ray));
             break;
         case 1:
-            for (const Ray& ray : std::span(queries.rays).subspan(first, count)) found += occluded(blob, ray);
+            for (const Ray& ray : std::span(queries.rays).subspan(first, count)) found += occluded(blob, ray).yes();
             break;
         default:
             for (const Sphere& sphere : std::span(queries.spheres).subspan(first, count)) {
-                found += overlaps(blob, sphere);
+                found += overlaps(blob, sphere).yes();
             }
     }
     return found;
@@ -91,19 +86,19 @@ std::vector<double> typical_times(const Rounds& rounds) {
     return result;
 }
 
-/// What a profile can hold of the largest leaves that were asked for, each once.
-std::vector<unsigned> leaf_sizes_of(format::Profile profile, const std::vector<unsigned>& asked) {
+/// Returns the sizes of leaves that were chosen, each limited to what the profile can hold, each once.
+std::vector<unsigned> leaf_sizes_of(Profile profile, const std::vector<unsigned>& chosen) {
     std::vector<unsigned> sizes;
-    for (const unsigned size : asked) {
+    for (const unsigned size : chosen) {
         const unsigned held = std::min(size, most_leaf_triangles(profile));
         if (std::find(sizes.begin(), sizes.end(), held) == sizes.end()) sizes.push_back(held);
     }
     return sizes;
 }
 
-/// Whether any profile goes with any builder. If none does, the baker says why not.
+/// Returns whether any profile goes with any builder. If none does, the baker reports why.
 bool some_go_together(const TradeSpace& space) {
-    return std::any_of(space.profiles.begin(), space.profiles.end(), [&](format::Profile profile) {
+    return std::any_of(space.profiles.begin(), space.profiles.end(), [&](Profile profile) {
         return std::any_of(space.builders.begin(), space.builders.end(),
                            [&](Builder builder) { return go_together(profile, builder); });
     });
@@ -113,7 +108,7 @@ std::vector<TradePoint> combinations(const TradeSpace& space) {
     const bool may_skip = some_go_together(space);
     std::vector<TradePoint> points;
     TradePoint point;
-    for (const format::Profile profile : space.profiles) {
+    for (const Profile profile : space.profiles) {
         point.profile = profile;
         for (const Builder builder : space.builders) {
             if (may_skip && !go_together(profile, builder)) continue;
@@ -135,18 +130,18 @@ std::vector<TradePoint> combinations(const TradeSpace& space) {
 
 Contestant bake_point(const Imported& imported, BakeOptions options, const SampleQueries& queries, TradePoint& point) {
     options.profile = point.profile;
-    options.builder = point.builder;
-    options.bits = point.bits;
-    options.max_leaf_triangles = point.leaf_size;
-    options.cost_model.byte_price = point.byte_price;
+    options.build.builder = point.builder;
+    options.resolution = Resolution::bits(point.bits);
+    options.build.max_leaf_triangles = point.leaf_size;
+    options.build.byte_price = point.byte_price;
     Contestant contestant{bake_or_throw(imported, options), {}};
     contestant.blob = opened(contestant.baked);
     const BakeReport& report = contestant.baked.report;
     point.bytes = report.bytes;
-    point.triangles = report.triangles;
-    point.depth = report.depth;
+    point.triangles = report.tree.triangles;
+    point.depth = report.tree.depth;
     point.bake_seconds = report.seconds;
-    point.max_error = report.max_error;
+    point.max_error = report.lattice.max_error;
     point.mean_error = mean_error(contestant.blob, queries.surface_points);
     point.work = count_work(contestant.blob, queries.rays);
     point.cost = counted_cost(point.work, point.profile);
@@ -163,9 +158,9 @@ struct Slice {
 /// far as they hold it, and not the answers in the branch predictor.
 double time_slice(const Blob& blob, const SampleQueries& queries, std::size_t query, Slice others, Slice slice,
                   std::size_t& found) {
-    found += ask(blob, queries, query, others.first, others.count);
+    found += run_queries(blob, queries, query, others.first, others.count);
     const auto start = std::chrono::steady_clock::now();
-    found += ask(blob, queries, query, slice.first, slice.count);
+    found += run_queries(blob, queries, query, slice.first, slice.count);
     const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
     return taken.count() / static_cast<double>(slice.count);
 }

@@ -20,38 +20,38 @@ constexpr std::size_t counted_rays = 20'000;
 /// The others hardly ever count best (bench/results/builders.md). Neither repeats triangles: what is picked answers
 /// every query.
 constexpr std::array<Builder, 2> builders = {Builder::binned_sah, Builder::sweep_sah};
-/// The dearer a byte, the smaller the blob and the more visits.
-constexpr float dear_bytes = 16.0f;
+/// A higher price of a byte gives a smaller blob and more visits.
+constexpr float high_byte_price = 16.0f;
 constexpr std::array<float, 3> byte_price_factors = {1.0f, 0.2f, 0.0f};
 /// Bytes are planned by estimates, so that another configuration may turn out a little smaller than the smallest one.
 constexpr double near_miss = 1.1;
 
 struct Configuration {
-    format::Profile profile;
+    Profile profile;
     Builder builder;
     unsigned leaf_size;
     float byte_price;
 };
 
-unsigned largest_leaf(const PickGoal& goal, format::Profile profile) {
+unsigned largest_leaf(const PickGoal& goal, Profile profile) {
     return std::min(goal.leaf_size.value_or(format::max_leaf_triangles), most_leaf_triangles(profile));
 }
 
 /// The smallest blob that is tried: the last profile of the list is the most compact one.
-Configuration smallest_configuration(const PickGoal& goal, const CostModel& model) {
-    const format::Profile profile = goal.profile.value_or(profile_choices.back().second);
+Configuration smallest_configuration(const PickGoal& goal, float byte_price) {
+    const Profile profile = goal.profile.value_or(profile_choices.back().second);
     return {profile, goal.builder.value_or(builders.front()), largest_leaf(goal, profile),
-            dear_bytes * model.byte_price};
+            high_byte_price * byte_price};
 }
 
-std::vector<Configuration> other_configurations(const PickGoal& goal, const CostModel& model) {
+std::vector<Configuration> other_configurations(const PickGoal& goal, float byte_price) {
     std::vector<Configuration> result;
-    const auto add_sizes = [&](format::Profile profile, Builder builder) {
+    const auto add_sizes = [&](Profile profile, Builder builder) {
         const unsigned most = largest_leaf(goal, profile);
         for (const unsigned size : {most, most / 2}) {
             if (goal.leaf_size && size != most) continue;
             for (const float factor : byte_price_factors) {
-                result.push_back({profile, builder, size, factor * model.byte_price});
+                result.push_back({profile, builder, size, factor * byte_price});
             }
         }
     };
@@ -59,7 +59,7 @@ std::vector<Configuration> other_configurations(const PickGoal& goal, const Cost
         if (goal.profile && *goal.profile != choice.second) continue;
         for (const Builder builder : builders) {
             if (goal.builder && builder != builders.front()) continue;
-            // Asked for both, the user is told why not.
+            // If the user chose both, the bake reports why they exclude each other.
             if (!goal.profile && !go_together(choice.second, goal.builder.value_or(builder))) continue;
             add_sizes(choice.second, goal.builder.value_or(builder));
         }
@@ -77,15 +77,14 @@ public:
           goal_(goal) {}
 
     Picked run() {
-        for (unsigned bits = options_.bits; bits >= 1; --bits) {  // while nothing fits, it is too fine
-            options_.bits = bits;
-            try_one(smallest_configuration(goal_, options_.cost_model));
+        do {
+            try_one(smallest_configuration(goal_, options_.build.byte_price));
             if (!loss_.empty()) break;
             if (some_fit_ || nearly_fits(tried_.back()) || !goal_.may_coarsen) {
-                for (const Configuration& other : other_configurations(goal_, options_.cost_model)) try_one(other);
+                for (const Configuration& other : other_configurations(goal_, options_.build.byte_price))
+                    try_one(other);
             }
-            if (some_fit_ || !goal_.may_coarsen) break;
-        }
+        } while (!some_fit_ && goal_.may_coarsen && coarsen());
         if (!some_fit_) refuse();
         const Candidate chosen = best();
         const BakeOptions options = options_for({chosen.profile, chosen.builder, chosen.leaf_size, chosen.byte_price});
@@ -93,12 +92,20 @@ public:
     }
 
 private:
+    /// Takes one bit off the lattice, which is chosen by bits. Returns whether there was one to take.
+    bool coarsen() {
+        const auto bits = static_cast<unsigned>(options_.resolution.value());
+        if (bits <= 1) return false;
+        options_.resolution = Resolution::bits(bits - 1);
+        return true;
+    }
+
     [[nodiscard]] BakeOptions options_for(const Configuration& configuration) const {
         BakeOptions options = options_;
         options.profile = configuration.profile;
-        options.builder = configuration.builder;
-        options.max_leaf_triangles = configuration.leaf_size;
-        options.cost_model.byte_price = configuration.byte_price;
+        options.build.builder = configuration.builder;
+        options.build.max_leaf_triangles = configuration.leaf_size;
+        options.build.byte_price = configuration.byte_price;
         if (options_.progress) {
             options.progress = [this](const char* stage, double done) {
                 options_.progress(text("bake ", tried_.size() + 1, ", ", stage).c_str(), done);
@@ -108,11 +115,11 @@ private:
     }
 
     void try_one(const Configuration& configuration) {
-        const Baked baked = bake_trial_or_throw(imported_, options_for(configuration));
+        const BakeResult baked = bake_trial_or_throw(imported_, options_for(configuration));
         const BakeReport& report = baked.report;
         // A lattice so coarse that no triangle is left fits everywhere and answers nothing.
-        if (report.collapsed.count > 0 && !tried_.empty()) {
-            if (report.triangles == 0) {
+        if (report.findings.collapsed.count > 0 && !tried_.empty()) {
+            if (report.tree.triangles == 0) {
                 loss_ = "leaves no triangle";
                 return;
             }
@@ -123,7 +130,7 @@ private:
         }
         const CountedWork work = count_work(opened(baked), rays_);
         tried_.push_back({configuration.profile, configuration.builder, configuration.leaf_size,
-                          configuration.byte_price, report.bits, report.bytes, report.max_error, work,
+                          configuration.byte_price, report.lattice.bits, report.bytes, report.lattice.max_error, work,
                           counted_cost(work, configuration.profile)});
         some_fit_ = some_fit_ || fits(tried_.back());
     }

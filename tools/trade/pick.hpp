@@ -19,18 +19,18 @@ struct PickGoal {
     bool may_coarsen = false;   ///< whether the lattice may lose bits until something fits
     double max_dropped = 10.0;  ///< percent of the triangles: a lattice is not coarsened beyond it
     std::string limit_name;     ///< "--max-bytes 64K", for messages
-    /// What stays as the user said; nothing: all that are worth a try.
-    std::optional<format::Profile> profile;
+    /// The choices of the user, which stay; without one, all that are worth a try.
+    std::optional<Profile> profile;
     std::optional<Builder> builder;
     std::optional<unsigned> leaf_size;
 };
 
 /// One bake that was tried, without its bytes.
 struct Candidate {
-    format::Profile profile;
+    Profile profile;
     Builder builder;
     unsigned leaf_size;
-    float byte_price;  ///< of the cost model that it was baked with
+    float byte_price;  ///< that it was baked with
     unsigned bits;
     std::uint64_t bytes;
     double max_error;
@@ -42,7 +42,7 @@ struct Candidate {
 std::string describe(const Candidate& candidate);
 
 struct Picked {
-    Baked baked;
+    BakeResult baked;
     Candidate chosen;
     std::vector<Candidate> tried;  ///< in the order in which they were
 };

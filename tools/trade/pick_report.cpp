@@ -49,13 +49,14 @@ Json candidate_json(const Candidate& candidate) {
 
 void say_pick(const Console& console, const Picked& picked, const BakeOptions& options) {
     const Candidate& chosen = picked.chosen;
-    const Candidate& asked = picked.tried.front();
+    const Candidate& first = picked.tried.front();
     console.say(text("picked: ", describe(chosen), ", out of ", counted(picked.tried.size(), "bake")));
-    if (options.tolerance) {
-        console.say(text("  error: ", rounded(chosen.max_error), " of ", rounded(*options.tolerance), " allowed"));
-    } else if (asked.bits != chosen.bits) {
-        console.say(text("  error: ", rounded(chosen.max_error), "; given up: ", rounded(asked.max_error), " at ",
-                         counted(asked.bits, "bit"), ", which takes ", counted(asked.bytes, "byte")));
+    if (options.resolution.kind() == Resolution::Kind::tolerance) {
+        console.say(
+            text("  error: ", rounded(chosen.max_error), " of ", rounded(options.resolution.value()), " allowed"));
+    } else if (first.bits != chosen.bits) {
+        console.say(text("  error: ", rounded(chosen.max_error), "; given up: ", rounded(first.max_error), " at ",
+                         counted(first.bits, "bit"), ", which takes ", counted(first.bytes, "byte")));
     } else {
         console.say(text("  error: ", rounded(chosen.max_error), ", nothing given up"));
     }

@@ -1,4 +1,4 @@
-// What a pick tells: what was taken, and what was given up for it.
+// The report of a pick: the chosen configuration, and what was given up for it.
 #pragma once
 
 #include "pick.hpp"

@@ -13,7 +13,7 @@ namespace espalier::tools {
 
 struct TradePoint {
     // what was chosen
-    format::Profile profile = format::Profile::fast;
+    Profile profile = Profile::fast;
     Builder builder = Builder::binned_sah;
     unsigned bits = 0;
     unsigned leaf_size = 0;

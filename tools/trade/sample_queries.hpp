@@ -12,8 +12,8 @@
 namespace espalier::tools {
 
 struct SampleQueries {
-    /// From a sphere of 1.2 radii around the source towards random points in its box; the closest and any hit are
-    /// asked.
+    /// From a sphere of 1.2 radii around the source towards random points in its box; both the
+    /// closest and any hit are queried.
     std::vector<Ray> rays;
     /// Of a fortieth of the box's diagonal, around points up to a twentieth of it beside the surface.
     std::vector<Sphere> spheres;
@@ -21,8 +21,8 @@ struct SampleQueries {
     std::vector<Vec3> surface_points;
 };
 
-/// As many of each as `count`; none when the source has no sound triangle with an area. Arithmetic that rounds the same
-/// everywhere, and a generator of our own: no machine asks anything else.
+/// As many of each as `count`; none when the source has no sound triangle with an area. Every machine makes
+/// the same queries: the arithmetic rounds alike everywhere, and the generator is our own.
 SampleQueries make_sample_queries(const Imported& source, std::size_t count);
 
 }  // namespace espalier::tools

@@ -33,7 +33,7 @@ public:
     void line(Place from, Place to, const char* colour, double width = 1.0);
     void path(const std::vector<Place>& places, const char* colour, double width);
     void rectangle(Place corner, double width, double height, const char* fill, const char* stroke);
-    /// `filled` shapes have a white edge, so that they can be told apart where they overlap.
+    /// `filled` shapes have a white edge, so that they stay distinct where they overlap.
     void shape(Shape shape, Place center, double radius, const char* colour, bool filled);
     void words(Place at, std::string_view written, const TextStyle& style = {});
 

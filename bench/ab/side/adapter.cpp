@@ -1,8 +1,9 @@
 // Implements ../side.h over the public calls of the commit whose headers are on the include path.
 //
-// This file serves every commit from 8ffbad7 on. Where a later commit renames a call or a field, test for it here with
-// `if constexpr (requires ...)`. Where the calls change as a whole, put the new ones into a second file beside this one
-// and select one of the two in CMakeLists.txt by a header that only one generation has.
+// This file serves commits that have espalier/distance.hpp; out_parameters_adapter.cpp serves those before. Where a
+// later commit renames a call or a field, test for it here with `if constexpr (requires ...)`. Where the calls change
+// as a whole, put the new ones into a second file beside this one and select one of the two in CMakeLists.txt by a
+// header that only one generation has.
 #include "../side.h"
 
 #include <bit>
@@ -14,7 +15,7 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
-#include <runtime/simd/select.hpp>
+#include <runtime/lanes/select.hpp>
 
 #if !defined(ESPALIER_SIDE_FLAGS)
 #define ESPALIER_SIDE_FLAGS ""
@@ -88,9 +89,9 @@ struct SweepQuestion {
 };
 
 struct PlacementQuestion {
-    using Question = Placement;
+    using Question = Transform;
     static constexpr std::size_t floats = 8;
-    static Placement make(const float* n) { return {{n[0], n[1], n[2], n[3]}, vector_at(n + 4), n[7]}; }
+    static Transform make(const float* n) { return {{n[0], n[1], n[2], n[3]}, vector_at(n + 4), n[7]}; }
 };
 
 struct NoQuestion {
@@ -101,32 +102,19 @@ struct NoQuestion {
 
 // ---- answers: what of each two commits must agree about ----
 
-template <class Value>
-struct Found {
-    bool found = false;
-    Value value;
-};
-struct YesNo {
-    bool yes = false;
-};
 struct Count {
     std::uint32_t count = 0;
 };
 
 /// Each is 0 for no and for nothing found.
-std::uint64_t digest(std::uint8_t yes) { return yes; }
-std::uint64_t digest(const YesNo& answer) { return answer.yes ? 1 : 0; }
+std::uint64_t digest(YesNo answer) { return answer.yes() ? 1 : 0; }
 std::uint64_t digest(const Count& answer) { return answer.count; }
 std::uint64_t digest(const RayHit& hit) {
     return hit.t < std::numeric_limits<float>::infinity() ? digest_of(hit.t, hit.normal) : 0;
 }
-std::uint64_t digest(const Nearest& nearest) { return digest_of(nearest.distance); }
-std::uint64_t digest(const SweepHit& hit) { return digest_of(hit.t, hit.starts_overlapping); }
-std::uint64_t digest(const PairDistance& nearest) { return digest_of(nearest.distance); }
-template <class Value>
-std::uint64_t digest(const Found<Value>& answer) {
-    return answer.found ? digest(answer.value) : 0;
-}
+std::uint64_t digest(const ClosestPoint& nearest) { return nearest ? digest_of(nearest.distance) : 0; }
+std::uint64_t digest(const SweepHit& hit) { return hit ? digest_of(hit.t, hit.starts_overlapping) : 0; }
+std::uint64_t digest(const BlobDistance& nearest) { return nearest ? digest_of(nearest.distance) : 0; }
 
 // ---- kinds ----
 
@@ -141,68 +129,63 @@ struct OneByOne : QuestionMaker {
     }
 };
 
-struct ClosestHit : OneByOne<ClosestHit, RayQuestion, Found<RayHit>> {
-    static void answer(const Blob& blob, const Ray& ray, Answer& to) { to.found = raycast(blob, ray, to.value); }
+struct ClosestHit : OneByOne<ClosestHit, RayQuestion, RayHit> {
+    static void answer(const Blob& blob, const Ray& ray, RayHit& to) { to = raycast(blob, ray); }
 };
 
 struct AnyHit : OneByOne<AnyHit, RayQuestion, YesNo> {
-    static void answer(const Blob& blob, const Ray& ray, Answer& to) { to.yes = occluded(blob, ray); }
+    static void answer(const Blob& blob, const Ray& ray, YesNo& to) { to = occluded(blob, ray); }
 };
 
 struct ClosestHitBatch : RayQuestion {
     using Answer = RayHit;
     static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<RayHit> hits) {
-        raycast(*static_cast<const Blob*>(asset.blob), rays, hits);
+        static_cast<void>(raycast(*static_cast<const Blob*>(asset.blob), rays, hits));
     }
 };
 
 struct AnyHitBatch : RayQuestion {
-    using Answer = std::uint8_t;
-    static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<std::uint8_t> answers) {
-        occluded(*static_cast<const Blob*>(asset.blob), rays, answers);
+    using Answer = YesNo;
+    static void run(const EspalierSideAsset& asset, std::span<const Ray> rays, std::span<Answer> answers) {
+        static_cast<void>(occluded(*static_cast<const Blob*>(asset.blob), rays, answers));
     }
 };
 
-struct ClosestPoint : OneByOne<ClosestPoint, PointQuestion, Found<Nearest>> {
-    static void answer(const Blob& blob, Vec3 point, Answer& to) {
-        to.found = closest_point(blob, point, std::numeric_limits<float>::infinity(), to.value);
-    }
+struct Nearest : OneByOne<Nearest, PointQuestion, ClosestPoint> {
+    static void answer(const Blob& blob, Vec3 point, ClosestPoint& to) { to = closest_point(blob, point); }
 };
 
 template <class Shape>
 struct Overlaps : OneByOne<Overlaps<Shape>, Shape, YesNo> {
     static void answer(const Blob& blob, const typename Shape::Question& shape, YesNo& to) {
-        to.yes = overlaps(blob, shape);
+        to = overlaps(blob, shape);
     }
 };
 
 struct AllOverlaps : OneByOne<AllOverlaps, SphereQuestion, Count> {
     static void answer(const Blob& blob, const Sphere& sphere, Count& to) {
         std::uint32_t count = 0;
-        for_each_overlap(blob, sphere, [&count](Triangle) { return ++count, keep_going; });
+        static_cast<void>(for_each_overlap(blob, sphere, [&count](TriangleId) { ++count; }));
         to.count = count;
     }
 };
 
 template <class Shape>
-struct Sweep : OneByOne<Sweep<Shape>, SweepQuestion<Shape>, Found<SweepHit>> {
-    static void answer(const Blob& blob, const typename SweepQuestion<Shape>::Question& question, Found<SweepHit>& to) {
-        to.found = sweep(blob, question.shape, question.displacement, to.value);
+struct Sweep : OneByOne<Sweep<Shape>, SweepQuestion<Shape>, SweepHit> {
+    static void answer(const Blob& blob, const typename SweepQuestion<Shape>::Question& question, SweepHit& to) {
+        to = sweep(blob, question.shape, question.displacement);
     }
 };
 
 struct Collides : OneByOne<Collides, PlacementQuestion, YesNo> {
-    static void answer(const Blob& blob, const Placement& placement, YesNo& to) {
-        to.yes = false;
-        static_cast<void>(collides(blob, blob, placement, to.yes));
+    static void answer(const Blob& blob, const Transform& placement, YesNo& to) {
+        to = overlaps(blob, PlacedBlob(blob, placement), WorkLimit::unlimited());
     }
 };
 
-struct Distance : OneByOne<Distance, PlacementQuestion, Found<PairDistance>> {
-    static void answer(const Blob& blob, const Placement& placement, Answer& to) {
-        to.found = false;
-        static_cast<void>(
-            minimum_distance(blob, blob, placement, std::numeric_limits<float>::infinity(), to.value, to.found));
+struct Distance : OneByOne<Distance, PlacementQuestion, BlobDistance> {
+    static void answer(const Blob& blob, const Transform& placement, BlobDistance& to) {
+        to = distance(blob, PlacedBlob(blob, placement), WorkLimit::unlimited());
     }
 };
 
@@ -210,10 +193,7 @@ struct Open : NoQuestion {
     using Answer = YesNo;
     static void run(const EspalierSideAsset& asset, std::span<const Question>, std::span<YesNo> answers) {
         const std::span bytes(static_cast<const std::byte*>(asset.bytes), asset.size);
-        for (YesNo& answer : answers) {
-            Blob blob;
-            answer.yes = open(bytes, blob) == Status::ok;
-        }
+        for (YesNo& answer : answers) answer = YesNo::of(bool(open(bytes)));
     }
 };
 
@@ -242,7 +222,7 @@ const EspalierSideKind kinds[] = {kind_named<ClosestHit>("closest_hit"),
                                   kind_named<AnyHit>("any_hit"),
                                   kind_named<ClosestHitBatch>("closest_hit_batch"),
                                   kind_named<AnyHitBatch>("any_hit_batch"),
-                                  kind_named<ClosestPoint>("closest_point"),
+                                  kind_named<Nearest>("closest_point"),
                                   kind_named<Overlaps<SphereQuestion>>("overlaps_sphere"),
                                   kind_named<AllOverlaps>("all_overlaps_sphere"),
                                   kind_named<Overlaps<BoxQuestion>>("overlaps_box"),
@@ -263,12 +243,12 @@ const char* bake_mesh(const EspalierSideMesh* mesh, const char* profile, unsigne
                       void (*take)(void* to, const void* bytes, std::size_t size), void* to) {
     static std::string message;
     BakeOptions options;
-    options.bits = bits;
+    options.resolution = Resolution::bits(bits);
     const std::string_view word = profile;
-    if (word == "fast") options.profile = format::Profile::fast;
-    else if (word == "balanced") options.profile = format::Profile::balanced;
-    else if (word == "small") options.profile = format::Profile::small;
-    else if (word == "tiny") options.profile = format::Profile(3);  // commits without it refuse it
+    if (word == "fast") options.profile = Profile::fast;
+    else if (word == "balanced") options.profile = Profile::balanced;
+    else if (word == "small") options.profile = Profile::small;
+    else if (word == "tiny") options.profile = Profile::tiny;
     else return "this commit has no such profile";
     std::vector<Vec3> positions;
     std::vector<TriangleVertices> triangles;
@@ -281,21 +261,21 @@ const char* bake_mesh(const EspalierSideMesh* mesh, const char* profile, unsigne
     view.positions = positions;
     view.triangles = triangles;
     view.name = mesh->name;
-    const auto baked = bake({&view, 1}, options);
+    const BakeResult baked = bake({&view, 1}, options);
     if (!baked) {
-        message = baked.error().message;
+        message = baked.message;
         return message.c_str();
     }
-    const auto& bytes = baked.value().blob;
-    take(to, bytes.data(), bytes.size());
+    take(to, baked.bytes.data(), baked.bytes.size());
     return nullptr;
 }
 
 /// The bytes are this side's own, so that their header is all that there is to check.
 const char* open_asset(EspalierSideAsset* asset) {
     Blob& blob = *new (asset->blob) Blob;
-    const Status status = open_trusted_image({static_cast<const std::byte*>(asset->bytes), asset->size}, blob);
-    return status == Status::ok ? nullptr : describe(status);
+    const std::span bytes(static_cast<const std::byte*>(asset->bytes), asset->size);
+    blob = open_unchecked(bytes);
+    return blob ? nullptr : describe(blob.status());
 }
 
 const char* use_set(const char* set) {

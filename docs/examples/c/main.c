@@ -31,25 +31,38 @@ int main(int argc, char** argv) {
         return 2;
     }
 
-    /* The blob is a view of the bytes, which must outlive it. Whoever made them: opened means safe. */
+    /* The blob is a view of the bytes, which must outlive it. Any bytes are safe: espalier_open() checks them. */
     espalier_blob blob;
-    const espalier_status status = espalier_open(bytes, size, &blob);
-    if (status != ESPALIER_STATUS_OK) {
-        fprintf(stderr, "cast_ray: %s: %s\n", argv[1], espalier_describe_status(status));
+    const espalier_open_status status = espalier_open(bytes, size, &blob);
+    if (status != ESPALIER_OPEN_OK) {
+        fprintf(stderr, "cast_ray: %s: %s\n", argv[1], espalier_describe_open_status(status));
         free(bytes);
         return 1;
     }
 
     float numbers[6];
-    for (int i = 0; i < 6; ++i) numbers[i] = strtof(argv[2 + i], NULL);
+    for (int i = 0; i < 6; ++i) {
+        char* end = NULL;
+        numbers[i] = strtof(argv[2 + i], &end);
+        if (end == argv[2 + i] || *end != '\0') {
+            fprintf(stderr, "cast_ray: \"%s\" is not a number\n", argv[2 + i]);
+            free(bytes);
+            return 2;
+        }
+    }
     const espalier_vec3 origin = {numbers[0], numbers[1], numbers[2]};
     const espalier_vec3 direction = {numbers[3], numbers[4], numbers[5]};
-    const espalier_ray ray = espalier_ray_from(origin, direction);
-    espalier_ray_hit hit;
-    if (espalier_raycast(&blob, &ray, &hit))
+    const espalier_ray ray = espalier_default_ray(origin, direction);
+    const espalier_ray_hit hit = espalier_raycast(&blob, &ray);
+    free(bytes);
+    /* A refusal is not a miss, although both have an infinite t and no triangle. */
+    if (espalier_is_refused(hit.status)) {
+        fprintf(stderr, "cast_ray: %s\n", espalier_describe_query_status(hit.status));
+        return 1;
+    }
+    if (hit.status == ESPALIER_QUERY_OK)
         printf("hit triangle %u at t = %g, normal %g %g %g\n", (unsigned)hit.triangle, (double)hit.t,
                (double)hit.normal.x, (double)hit.normal.y, (double)hit.normal.z);
     else printf("no hit\n");
-    free(bytes);
     return 0;
 }

@@ -18,13 +18,11 @@ Vec3 along_surface(Vec3 way, Vec3 normal) { return way + normal * -dot(way, norm
 /// Moves up to the first contact, then what is left along the surface that it met; four surfaces are a corner.
 void move_and_slide(const espalier::Blob& level, Character& character, Vec3 way) {
     for (int surfaces = 0; surfaces < 4; ++surfaces) {
-        espalier::SweepHit hit;
         const espalier::Sphere body = {character.position, character.radius};
-        if (!espalier::sweep(level, body, way, hit)) {
-            character.position = character.position + way;
-            return;
-        }
-        character.position = character.position + way * hit.t + hit.normal * skin;
+        const espalier::SweepHit hit = espalier::sweep(level, body, way);
+        character.position = character.position + way * hit.t;  // t is 1 for a miss and 0 for a refusal
+        if (!hit) return;
+        character.position = character.position + hit.normal * skin;
         way = along_surface(way * (1 - hit.t), hit.normal);
     }
 }
@@ -34,9 +32,9 @@ void move_and_slide(const espalier::Blob& level, Character& character, Vec3 way)
 void update(const espalier::Blob& level, Character& character, Vec3 walk, float seconds) {
     const espalier::Ray down = {
         .origin = character.position, .direction = {0, 0, -1}, .t_max = character.radius * 1.5f + ground_reach};
-    espalier::RayHit ground;
-    character.on_ground = espalier::raycast(level, down, ground) && ground.normal.z > 0.7f &&
-                          ground.t * ground.normal.z < character.radius + ground_reach;
+    const espalier::RayHit ground = espalier::raycast(level, down);
+    character.on_ground =
+        ground && ground.normal.z > 0.7f && ground.t * ground.normal.z < character.radius + ground_reach;
     if (character.on_ground) {
         character.fall_speed = 0;
         move_and_slide(level, character, along_surface(walk, ground.normal) * seconds);

@@ -5,9 +5,9 @@
 #include "level.h"
 
 int main() {
-    espalier::Blob level_blob;  // refers to the bytes, which must stay
-    if (const auto status = espalier::open(level_bytes(), level_blob); status != espalier::Status::ok) {
-        std::printf("the level: %s\n", espalier::describe(status));
+    const espalier::Blob level_blob = espalier::open(level_bytes());  // refers to the bytes, which must stay
+    if (!level_blob) {
+        std::printf("the level: %s\n", espalier::describe(level_blob.status()));
         return 1;
     }
     std::printf("the level: %u triangles in %u bytes\n", static_cast<unsigned>(level_blob.triangle_count()),

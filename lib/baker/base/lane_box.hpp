@@ -30,7 +30,7 @@ struct LaneBox {
     void add(Lanes point) { add(point, point); }
     void add(const LaneBox& box) { add(box.lo, box.hi); }
 
-    /// Half the surface; of an empty box infinity or NaN, so nobody asks.
+    /// Returns half the surface. The box must not be empty: its result would be infinity or NaN.
     [[nodiscard]] float half_area() const {
         const Lanes side = hi - lo;
         return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];

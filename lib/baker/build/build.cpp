@@ -1,6 +1,7 @@
 #include <baker/build/build.hpp>
 
 #include <array>
+#include <cstddef>
 
 #include <baker/base/threads.hpp>
 #include <baker/build/agglomerative.hpp>
@@ -12,16 +13,17 @@
 
 namespace espalier::baker {
 
-BuildSettings build_settings(unsigned effort, unsigned threads) {
-    constexpr std::array<unsigned, 10> bins = {16, 16, 24, 24, 32, 32, 48, 48, 64, 64};
-    constexpr std::array<unsigned, 10> exact_below = {4, 8, 8, 16, 16, 16, 32, 64, 128, 256};
-    constexpr std::array<unsigned, 10> clusters_from = {4, 4, 8, 8, 20, 20, 20, 40, 80, 160};
-    constexpr std::array<unsigned, 10> most_insert_places = {32, 64, 64, 128, 128, 256, 256, 512, 1024, 4096};
+BuildSettings build_settings(Effort effort, unsigned threads) {
+    constexpr std::array<unsigned, 3> bins = {16, 32, 64};
+    constexpr std::array<unsigned, 3> exact_below = {4, 16, 128};
+    constexpr std::array<unsigned, 3> clusters_from = {4, 20, 80};
+    constexpr std::array<unsigned, 3> most_insert_places = {32, 256, 1024};
+    const auto level = static_cast<std::size_t>(effort);
     BuildSettings settings;
-    settings.bins = bins[effort];
-    settings.exact_below = exact_below[effort];
-    settings.clusters_from = clusters_from[effort];
-    settings.most_insert_places = most_insert_places[effort];
+    settings.bins = bins[level];
+    settings.exact_below = exact_below[level];
+    settings.clusters_from = clusters_from[level];
+    settings.most_insert_places = most_insert_places[level];
     settings.threads = threads != 0 ? threads : machine_threads();
     return settings;
 }

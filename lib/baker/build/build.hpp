@@ -1,4 +1,4 @@
-// Third stage: a binary tree over the triangles, by the builder that was asked for.
+// Third stage: a binary tree over the triangles, by the builder of the options.
 #pragma once
 
 #include <espalier/bake.hpp>

@@ -77,7 +77,7 @@ struct Plane {
     unsigned bin = 0;  ///< the first bin on the right
 };
 
-/// Centres to bin numbers, by the same two roundings wherever it is asked. Just below `bins` at the far end.
+/// A map from centres to bin numbers: always by the same two roundings, and just below `bins` at the far end.
 struct Binning {
     Lanes low;
     Lanes scale;
@@ -109,8 +109,8 @@ void fill(Bins& bins, unsigned bin_count, std::span<const Reference> references,
     }
 }
 
-/// What a split costs besides the areas of its parts: the leaves that it adds, as a share of their triangles in the
-/// range's box. Large ranges are split anywhere, since their parts are split again.
+/// The cost of a split in addition to the areas of its parts: the leaves that it adds, as a share of their triangles in
+/// the range's box. Large ranges are split anywhere, since their parts are split again.
 class LeavesAdded {
 public:
     LeavesAdded(const SplitRange& range, unsigned full_leaf)

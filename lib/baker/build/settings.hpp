@@ -1,7 +1,9 @@
-// What every builder is told.
+// The parameters of every builder.
 #pragma once
 
 #include <functional>
+
+#include <espalier/bake.hpp>
 
 #include <baker/build/binary_tree.hpp>
 
@@ -13,13 +15,13 @@ struct BuildSettings {
     unsigned full_leaf = 0;             ///< triangles of a full leaf, so that few leaves result; 0: leaves are small
     unsigned clusters_from = 20;        ///< agglomeration starts with this many triangles
     unsigned most_insert_places = 256;  ///< looked at for one inserted triangle
-    double duplicates = 0.3;            ///< spatial splits may make this share of the triangles again as copies
+    double duplicate_budget = 0.3;      ///< spatial splits may store this share of the triangles again
     unsigned threads = 1;
     unsigned most_height = max_binary_height;  ///< the heuristic yields to balance where it would build higher
     std::function<void(double)> progress;      ///< share of triangles placed, 0..1; called from the calling thread
 };
 
-[[nodiscard]] BuildSettings build_settings(unsigned effort, unsigned threads);
+[[nodiscard]] BuildSettings build_settings(Effort effort, unsigned threads);
 
 /// Whether a node at `depth` whose larger child has `child_count` triangles leaves that child room for a balanced tree.
 [[nodiscard]] constexpr bool leaves_room(unsigned depth, std::uint32_t child_count, unsigned most_height) {

@@ -274,7 +274,7 @@ BinaryTree build_spatial(const LatticeMesh& mesh, const BuildSettings& settings)
     Work all;
     all.references.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) all.include(put_reference(mesh, i, all.references[i]));
-    all.spare = static_cast<std::uint32_t>(settings.duplicates * count);
+    all.spare = static_cast<std::uint32_t>(settings.duplicate_budget * count);
     SpatialBuilder builder(mesh, settings);
     builder.nodes.reserve(subtree_nodes(count + all.spare));
     builder.triangles.reserve(count + all.spare);

@@ -8,8 +8,9 @@
 namespace espalier::baker {
 
 /// "Spatial splits in bounding volume hierarchies" (Stich, Friedrich, Dietrich 2009), with at most
-/// settings.duplicates * triangles references more than there are triangles. BinaryTree::triangles names a triangle as
-/// often as it has references; their boxes together hold all of it (clip_triangle.hpp). One thread. As `build`.
+/// settings.duplicate_budget * triangles references more than there are triangles. BinaryTree::triangles names a
+/// triangle as often as it has references; their boxes together hold all of it (clip_triangle.hpp). One thread. As
+/// `build`.
 [[nodiscard]] BinaryTree build_spatial(const LatticeMesh& mesh, const BuildSettings& settings);
 
 }  // namespace espalier::baker

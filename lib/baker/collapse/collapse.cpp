@@ -65,14 +65,14 @@ public:
                     const CollapseSettings& settings, CollapsePlan& plan)
         : mesh_(mesh),
           tree_(tree),
-          model_(settings.cost_model),
+          costs_(settings.costs),
           sizes_(sizes),
           max_leaf_triangles_(std::min(settings.max_leaf_triangles, sizes.most_triangles())),
           most_children_(plan.most_children_),
           node_bytes_(static_cast<float>(format::node_bytes(settings.profile))),
           plan_(plan),
           relative_area_(1.0f / static_cast<float>(std::max(tree.nodes[0].half_area(), 1.0))),
-          byte_cost_(settings.cost_model.byte_price * sizes.byte_weight() / static_cast<float>(tree.triangles.size())) {
+          byte_cost_(settings.byte_price * sizes.byte_weight() / static_cast<float>(tree.triangles.size())) {
         plan.choices_.resize(tree.node_count());
         std::vector<Subtree> stack(max_binary_height + 2);
         std::size_t top = 0;
@@ -123,7 +123,7 @@ private:
         packed |= from_left[most_children_];
 
         const float area = area_of(binary);
-        const float node_cost = area * model_.node_visit + byte_cost_ * node_bytes_;
+        const float node_cost = area * costs_.node_visit + byte_cost_ * node_bytes_;
         float as_leaf = impossible;
         VertexList vertices;
         vertices.count = VertexList::too_many;
@@ -155,14 +155,13 @@ private:
 
     [[nodiscard]] float leaf_cost(const BinaryNode& node, const LeafSize& size) const {
         const unsigned groups = (size.slots + 7) / 8;
-        const float visit = model_.leaf_visit + model_.leaf_group * static_cast<float>(groups) +
-                            model_.triangle * static_cast<float>(size.slots);
+        const float visit = costs_.leaf_visit + costs_.leaf_group * static_cast<float>(groups);
         return area_of(node) * visit + byte_cost_ * static_cast<float>(size.bytes);
     }
 
     const LatticeMesh& mesh_;
     const BinaryTree& tree_;
-    const CostModel& model_;
+    const RayCosts& costs_;
     const LeafSizes& sizes_;
     unsigned max_leaf_triangles_;
     unsigned most_children_;

@@ -28,13 +28,23 @@ struct Children {
     [[nodiscard]] std::span<Child> list() { return {slots.data(), count}; }
 };
 
+/// What the plan expects an average ray to cost, in visits of a node. The defaults are committed, since no clock may
+/// enter the bytes; bench/cost_model fits them to a machine.
+struct RayCosts {
+    float node_visit = 1.0f;
+    float leaf_visit = 0.4f;
+    float leaf_group = 0.3f;  ///< for each started group of 8 triangles of a visited leaf
+};
+
 struct CollapseSettings {
-    format::Profile profile = format::Profile::fast;
-    CostModel cost_model;
+    Profile profile = Profile::fast;
+    RayCosts costs;
+    float byte_price = 5.0f;                                   ///< BuildOptions::byte_price
     unsigned max_leaf_triangles = format::max_leaf_triangles;  ///< at least 1
 };
 
-/// The cheapest choice for every subtree, found by dynamic programming.
+/// The cheapest choice for every subtree, found by dynamic programming. It minimises
+///   sum over nodes and leaves of (area / the root's area) * cost + byte_price * bytes / triangles.
 class CollapsePlan {
 public:
     CollapsePlan(const LatticeMesh& mesh, const BinaryTree& tree, const LeafSizes& sizes,

@@ -75,29 +75,29 @@ private:
 
 }  // namespace
 
-unsigned full_leaf(format::Profile profile, unsigned max_leaf_triangles) {
+unsigned full_leaf(Profile profile, unsigned max_leaf_triangles) {
     switch (profile) {
-        case format::Profile::fast:
+        case Profile::fast:
             return std::min(format::plain_leaf::max_triangles, max_leaf_triangles);
-        case format::Profile::tiny:
+        case Profile::tiny:
             return std::min((format::predicted_strip::max_entries - 2) * 7 / 8, max_leaf_triangles);
-        case format::Profile::balanced:
-        case format::Profile::small:
+        case Profile::balanced:
+        case Profile::small:
             break;
     }
     return 0;
 }
 
-std::unique_ptr<LeafSizes> leaf_sizes(format::Profile profile, unsigned bits, const StripMaker* strips) {
+std::unique_ptr<LeafSizes> leaf_sizes(Profile profile, unsigned bits, const StripMaker* strips) {
     using namespace format::strip_leaf;
     switch (profile) {
-        case format::Profile::balanced:
+        case Profile::balanced:
             return std::make_unique<StripLeafSizes>(*strips, max_balanced_entries, max_balanced_vertices, 1.0f);
-        case format::Profile::small:
+        case Profile::small:
             return std::make_unique<StripLeafSizes>(*strips, max_small_entries, max_small_entries, 4.0f);
-        case format::Profile::tiny:
+        case Profile::tiny:
             return std::make_unique<PredictedStripSizes>(*strips);
-        case format::Profile::fast:
+        case Profile::fast:
             break;
     }
     return std::make_unique<PlainLeafSizes>(bits);

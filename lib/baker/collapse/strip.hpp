@@ -29,7 +29,7 @@ struct Strip {
 
 class StripMaker {
 public:
-    StripMaker(const LatticeMesh& mesh, const BinaryTree& tree, format::Profile profile = format::Profile::small)
+    StripMaker(const LatticeMesh& mesh, const BinaryTree& tree, Profile profile = Profile::small)
         : mesh_(mesh), tree_(tree), profile_(profile), neighbours_(mesh, tree) {}
 
     [[nodiscard]] const LatticeMesh& mesh() const { return mesh_; }
@@ -53,7 +53,7 @@ public:
 private:
     const LatticeMesh& mesh_;
     const BinaryTree& tree_;
-    format::Profile profile_;
+    Profile profile_;
     Neighbours neighbours_;
 };
 

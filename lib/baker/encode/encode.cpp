@@ -5,7 +5,7 @@
 #include <string>
 
 #include <espalier/format.hpp>
-#include <runtime/checksum.hpp>
+#include <runtime/blob/checksum.hpp>
 
 #include <baker/base/byte_writer.hpp>
 #include <baker/encode/ids.hpp>
@@ -15,12 +15,12 @@ namespace espalier::baker {
 
 namespace {
 
-std::uint32_t features_of(const BakeOptions& options, const Properties& properties, const WideTree& wide,
-                          const OptionalSections& sections) {
+std::uint32_t features_of(const Source& source, const BakeOptions& options, const Properties& properties,
+                          const WideTree& wide, const OptionalSections& sections) {
     std::uint32_t features = sections.features;
     if (options.original_ids) features |= format::feature::original_ids;
-    if (options.materials == Materials::bits_8) features |= format::feature::materials_8;
-    if (options.materials == Materials::bits_16) features |= format::feature::materials_16;
+    if (source.material_bits == 8) features |= format::feature::materials_8;
+    if (source.material_bits == 16) features |= format::feature::materials_16;
     if (properties.closed) features |= format::feature::closed;
     if (wide.copies != 0) features |= format::feature::split_references;
     return features;
@@ -38,18 +38,17 @@ void put_source_table(std::vector<std::byte>& blob, const Source& source) {
     }
 }
 
-std::vector<std::uint32_t> numbers_of(const LatticeMesh& mesh, const WideTree& wide, format::Profile profile) {
+std::vector<std::uint32_t> numbers_of(const LatticeMesh& mesh, const WideTree& wide, Profile profile) {
     std::vector<std::uint32_t> numbers(wide.triangles.size());
     for (std::size_t i = 0; i < numbers.size(); ++i)
         numbers[i] = format::ids::corner_factor(profile) * original_id(mesh, wide, i) + wide.first_corners[i];
     return numbers;
 }
 
-void put_materials(std::vector<std::byte>& blob, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
-                   Materials width) {
+void put_materials(std::vector<std::byte>& blob, const Source& source, const LatticeMesh& mesh, const WideTree& wide) {
     for (std::size_t i = 0; i < wide.triangles.size(); ++i) {
         const std::uint32_t material = material_of(source, original_id(mesh, wide, i));
-        if (width == Materials::bits_8) {
+        if (source.material_bits == 8) {
             put_u8(blob, material);
         } else {
             put_u16(blob, material);
@@ -85,7 +84,7 @@ void put_copies(std::vector<std::byte>& blob, const LatticeMesh& mesh, const Wid
 void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh, const WideTree& wide,
                 const BakeOptions& options, const Properties& properties, const OptionalSections& sections) {
     using namespace format::header;
-    const std::uint32_t features = features_of(options, properties, wide, sections);
+    const std::uint32_t features = features_of(source, options, properties, wide, sections);
     set_u32(header + magic_at, format::magic);
     set_u16(header + version_major_at, format::version_major);
     set_u16(header + version_minor_at, format::version_minor);
@@ -110,39 +109,38 @@ void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh
     set_u32(header + source_triangles_at, source.triangle_count);
 }
 
-std::optional<BakeError> check_limits(const WideTree& wide, std::uint64_t total_bytes) {
+std::optional<Refusal> check_limits(const WideTree& wide, std::uint64_t total_bytes) {
     constexpr const char* advice = "; split the input into several blobs";
     if (wide.nodes.size() > format::max_nodes) {
-        return BakeError{BakeError::Kind::too_large, "the tree has " + std::to_string(wide.nodes.size()) +
-                                                         " nodes; a blob holds at most " +
-                                                         std::to_string(format::max_nodes) + advice};
+        return Refusal{BakeStatus::too_large, "the tree has " + std::to_string(wide.nodes.size()) +
+                                                  " nodes; a blob holds at most " + std::to_string(format::max_nodes) +
+                                                  advice};
     }
     if (wide.triangles.size() > format::max_triangles) {
-        return BakeError{BakeError::Kind::too_large, "with copies there are " + std::to_string(wide.triangles.size()) +
-                                                         " triangles; a blob holds at most " +
-                                                         std::to_string(format::max_triangles) + advice};
+        return Refusal{BakeStatus::too_large, "with copies there are " + std::to_string(wide.triangles.size()) +
+                                                  " triangles; a blob holds at most " +
+                                                  std::to_string(format::max_triangles) + advice};
     }
     if (total_bytes > std::numeric_limits<std::uint32_t>::max()) {
-        return BakeError{BakeError::Kind::too_large, "the blob would have " + std::to_string(total_bytes) +
-                                                         " bytes; it can have at most 4294967295" + advice};
+        return Refusal{BakeStatus::too_large, "the blob would have " + std::to_string(total_bytes) +
+                                                  " bytes; it can have at most 4294967295" + advice};
     }
     return std::nullopt;
 }
 
-std::optional<BakeError> check_number_limit(std::uint64_t limit) {
+std::optional<Refusal> check_number_limit(std::uint64_t limit) {
     if (limit >> 32 == 0) return std::nullopt;
-    return BakeError{
-        BakeError::Kind::too_large,
-        "with original ids the sources can have at most 1431655765 triangles (4294967295 in profile fast), "
-        "dropped ones included; split the input into several blobs"};
+    return Refusal{BakeStatus::too_large,
+                   "with original ids the sources can have at most 1431655765 triangles (4294967295 in profile fast), "
+                   "dropped ones included; split the input into several blobs"};
 }
 
 }  // namespace
 
-Result<std::vector<std::byte>, BakeError> encode(const Source& source, const LatticeMesh& mesh, const BinaryTree& tree,
-                                                 const WideTree& wide, const BakeOptions& options,
-                                                 const Properties& properties, const OptionalSections& sections) {
-    if (auto error = check_limits(wide, 0)) return *error;
+Expected<std::vector<std::byte>> encode(const Source& source, const LatticeMesh& mesh, const BinaryTree& tree,
+                                        const WideTree& wide, const BakeOptions& options, const Properties& properties,
+                                        const OptionalSections& sections) {
+    if (auto refusal = check_limits(wide, 0)) return *refusal;
     const EncodedTree encoded = encode_tree(mesh, tree, wide, options.profile);
 
     std::vector<std::byte> blob(format::header::bytes);
@@ -153,14 +151,14 @@ Result<std::vector<std::byte>, BakeError> encode(const Source& source, const Lat
     IdSteps id_steps;
     if (options.original_ids) {
         const std::uint64_t limit = format::ids::number_limit(options.profile, source.triangle_count);
-        if (auto error = check_number_limit(limit)) return *error;
+        if (auto refusal = check_number_limit(limit)) return *refusal;
         put_source_table(blob, source);
         id_steps = put_ids(blob, numbers_of(mesh, wide, options.profile), format::ids::number_bits(limit));
     }
-    if (options.materials != Materials::none) put_materials(blob, source, mesh, wide, options.materials);
+    if (source.material_bits != 0) put_materials(blob, source, mesh, wide);
     if (wide.copies != 0) put_copies(blob, mesh, wide);
     put_optional_sections(blob, sections, wide);
-    if (auto error = check_limits(wide, blob.size())) return *error;
+    if (auto refusal = check_limits(wide, blob.size())) return *refusal;
 
     put_header(blob.data(), source, mesh, wide, options, properties, sections);
     set_u8(blob.data() + format::header::id_kind_bits_at, id_steps.kind_bits);

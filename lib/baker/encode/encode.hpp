@@ -6,6 +6,7 @@
 
 #include <espalier/bake.hpp>
 
+#include <baker/base/expected.hpp>
 #include <baker/build/binary_tree.hpp>
 #include <baker/collapse/order.hpp>
 #include <baker/input/source.hpp>
@@ -14,15 +15,14 @@
 
 namespace espalier::baker {
 
-/// What the header says and no other stage's result holds.
+/// Fields of the header that no other stage's result holds.
 struct Properties {
     float max_error = 0.0f;
     bool closed = false;
 };
 
-[[nodiscard]] Result<std::vector<std::byte>, BakeError> encode(const Source& source, const LatticeMesh& mesh,
-                                                               const BinaryTree& tree, const WideTree& wide,
-                                                               const BakeOptions& options, const Properties& properties,
-                                                               const OptionalSections& sections);
+Expected<std::vector<std::byte>> encode(const Source& source, const LatticeMesh& mesh, const BinaryTree& tree,
+                                        const WideTree& wide, const BakeOptions& options, const Properties& properties,
+                                        const OptionalSections& sections);
 
 }  // namespace espalier::baker

@@ -8,7 +8,7 @@
 
 namespace espalier::baker {
 
-/// What the header says about the section.
+/// Fields of the header about the section.
 struct IdSteps {
     unsigned kind_bits = 0;
     std::uint32_t bytes = 0;

@@ -14,8 +14,8 @@
 
 namespace espalier::baker {
 
-/// In lattice steps.
-struct LatticeBox {
+/// The box of one child, in lattice steps.
+struct ChildBox {
     std::array<std::int32_t, 3> lo;
     std::array<std::int32_t, 3> hi;
 };
@@ -25,8 +25,8 @@ struct NodeToWrite {
     const LatticeMesh& mesh;
     const WideTree& wide;
     const WideNode& node;
-    format::Profile profile;
-    std::span<const LatticeBox> boxes;
+    Profile profile;
+    std::span<const ChildBox> boxes;
 };
 
 /// Write into the node's zeroed `bytes`, and append its leaves to the leaf section.

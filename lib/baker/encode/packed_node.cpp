@@ -37,10 +37,10 @@ Frame frame_for(std::int32_t lo, std::int32_t hi, unsigned base_unit) {
     return frame;
 }
 
-Frame put_axis(std::span<const LatticeBox> boxes, std::size_t axis, unsigned bits, std::byte* bytes) {
+Frame put_axis(std::span<const ChildBox> boxes, std::size_t axis, unsigned bits, std::byte* bytes) {
     std::int32_t lo = boxes.front().lo[axis];
     std::int32_t hi = boxes.front().hi[axis];
-    for (const LatticeBox& box : boxes) {
+    for (const ChildBox& box : boxes) {
         lo = std::min(lo, box.lo[axis]);
         hi = std::max(hi, box.hi[axis]);
     }
@@ -66,7 +66,7 @@ void put_leaf_block(const NodeToWrite& from, const std::array<Frame, 3>& frames,
     bytes.resize(bytes.size() + each * node.leaves);
     const StripBlock written{bytes.size(), first_triangle};
     for (std::uint32_t i = 0; i < node.leaves; ++i) {
-        const LatticeBox& exact = from.boxes[node.node_children + i];
+        const ChildBox& exact = from.boxes[node.node_children + i];
         LeafBox box;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Frame& frame = frames[axis];

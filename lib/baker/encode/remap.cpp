@@ -2,8 +2,8 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/format.hpp>
-#include <runtime/bytes.hpp>
-#include <runtime/checksum.hpp>
+#include <runtime/base/bytes.hpp>
+#include <runtime/blob/checksum.hpp>
 
 #include <baker/base/byte_writer.hpp>
 
@@ -22,15 +22,16 @@ std::vector<OriginalTriangle> remap_of(const Source& source, const LatticeMesh& 
 
 }  // namespace baker
 
-std::vector<std::byte> remap_file(const Baked& baked) {
+std::vector<std::byte> remap_file(const BakeResult& result) {
     using namespace format::remap;
+    if (!result) return {};
     std::vector<std::byte> file;
-    file.reserve(triangles_at + triangle_bytes * baked.remap.size());
+    file.reserve(triangles_at + triangle_bytes * result.remap.size());
     baker::put_u32(file, magic);
     baker::put_u32(file, version);
-    baker::put_u32(file, detail::load_u32(baked.blob.data() + format::header::checksum_at));
+    baker::put_u32(file, detail::load_u32(result.bytes.data() + format::header::checksum_at));
     baker::put_u32(file, 0);
-    for (const OriginalTriangle& original : baked.remap) {
+    for (const OriginalTriangle& original : result.remap) {
         for (const std::uint32_t field : {original.file, original.mesh, original.triangle, original.first_corner})
             baker::put_u32(file, field);
     }

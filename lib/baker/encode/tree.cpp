@@ -12,8 +12,8 @@ namespace espalier::baker {
 
 namespace {
 
-LatticeBox box_of(const BinaryNode& node) {
-    LatticeBox box;
+ChildBox box_of(const BinaryNode& node) {
+    ChildBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         box.lo[axis] = static_cast<std::int32_t>(node.lo[axis]);
         box.hi[axis] = static_cast<std::int32_t>(node.hi[axis]);
@@ -23,7 +23,7 @@ LatticeBox box_of(const BinaryNode& node) {
 
 class TreeEncoder {
 public:
-    TreeEncoder(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide, format::Profile profile)
+    TreeEncoder(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide, Profile profile)
         : mesh_(mesh), tree_(tree), wide_(wide), profile_(profile) {
         encoded.nodes.resize(wide.nodes.size() * format::node_bytes(profile));
         encoded.leaves.reserve(wide.triangles.size() * 7);
@@ -33,7 +33,7 @@ public:
     void encode(std::uint32_t number) {
         const WideNode& node = wide_.nodes[number];
         const unsigned count = unsigned{node.node_children} + node.leaves;
-        std::array<LatticeBox, format::max_children> boxes;
+        std::array<ChildBox, format::max_children> boxes;
         std::transform(node.binary_nodes.begin(), node.binary_nodes.begin() + count, boxes.begin(),
                        [&](std::uint32_t binary) { return box_of(tree_.nodes[binary]); });
 
@@ -53,13 +53,12 @@ private:
     const LatticeMesh& mesh_;
     const BinaryTree& tree_;
     const WideTree& wide_;
-    format::Profile profile_;
+    Profile profile_;
 };
 
 }  // namespace
 
-EncodedTree encode_tree(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide,
-                        format::Profile profile) {
+EncodedTree encode_tree(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide, Profile profile) {
     if (wide.nodes.empty()) return {};
     TreeEncoder encoder(mesh, tree, wide, profile);
     encoder.encode(0);

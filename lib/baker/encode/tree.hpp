@@ -16,6 +16,6 @@ struct EncodedTree {
 };
 
 [[nodiscard]] EncodedTree encode_tree(const LatticeMesh& mesh, const BinaryTree& tree, const WideTree& wide,
-                                      format::Profile profile);
+                                      Profile profile);
 
 }  // namespace espalier::baker

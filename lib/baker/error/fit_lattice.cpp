@@ -10,23 +10,23 @@ namespace espalier::baker {
 
 namespace {
 
-FittedMesh snap_and_measure(const Source& source, const Lattice& lattice, BakeReport& report) {
-    FittedMesh fitted{snap_and_weld(source, lattice, report), {}};
+FittedMesh snap_and_measure(const Source& source, const Lattice& lattice, Findings& findings) {
+    FittedMesh fitted{snap_and_weld(source, lattice, findings), {}};
     fitted.error = measure_error(source, fitted.mesh);
     return fitted;
 }
 
-BakeError too_far_away(const Source& source, const FittedMesh& fitted) {
-    return {BakeError::Kind::too_large,
+Refusal too_far_away(const Source& source, const FittedMesh& fitted) {
+    return {BakeStatus::too_large,
             triangle_name(source, fitted.error.dropped_triangle) +
                 ": it has no area and lies so far from all others that the distance cannot be "
                 "written; remove it from the mesh",
             place_of(source, fitted.error.dropped_triangle)};
 }
 
-BakeError tolerance_error(const Source& source, const FittedMesh& last, double tolerance, const BakeError& too_fine) {
+Refusal tolerance_error(const Source& source, const FittedMesh& last, double tolerance, const Refusal& too_fine) {
     if (!last.error.is_of_dropped) return too_fine;
-    return {BakeError::Kind::too_fine,
+    return {BakeStatus::too_fine,
             triangle_name(source, last.error.dropped_triangle) + ": it has no area on the lattice and lies " +
                 number_text(double(last.error.largest)) +
                 " from the rest, so that dropping it exceeds the tolerance of " + number_text(tolerance) +
@@ -62,30 +62,41 @@ int first_exponent(const Source& source, const SourceBounds& bounds, double tole
     return exponent;
 }
 
-Result<FittedMesh, BakeError> fit_tolerance(const Source& source, const SourceBounds& bounds, double tolerance,
-                                            BakeReport& report) {
+Expected<FittedMesh> fit_tolerance(const Source& source, const SourceBounds& bounds, double tolerance,
+                                   Findings& findings) {
     FittedMesh last;
     for (int exponent = first_exponent(source, bounds, tolerance);; --exponent) {
         const auto lattice = lattice_for_tolerance(bounds, exponent, tolerance);
-        if (!lattice) return tolerance_error(source, last, tolerance, lattice.error());
-        last = snap_and_measure(source, *lattice, report);
+        if (!lattice) return tolerance_error(source, last, tolerance, lattice.refusal());
+        last = snap_and_measure(source, *lattice, findings);
         // A surface that vanished as a whole keeps no tolerance.
         const bool is_something_left = !last.mesh.triangles.empty();
         if (is_something_left && double(last.error.largest) <= tolerance) return last;
     }
 }
 
+/// Returns the lattice that a step or bits give; for a tolerance that of a mesh without triangles.
+Expected<Lattice> fixed_lattice(const SourceBounds& bounds, Resolution resolution) {
+    switch (resolution.kind()) {
+        case Resolution::Kind::bits:
+            return lattice_for_bits(bounds, static_cast<unsigned>(resolution.value()));
+        case Resolution::Kind::step:
+            return lattice_for_step(bounds, static_cast<int>(resolution.value()));
+        case Resolution::Kind::tolerance:
+            break;
+    }
+    return Lattice{};
+}
+
 }  // namespace
 
-Result<FittedMesh, BakeError> fit_lattice(const Source& source, const SourceBounds& bounds, const BakeOptions& options,
-                                          BakeReport& report) {
-    if (options.tolerance && !source.triangles.empty())
-        return fit_tolerance(source, bounds, *options.tolerance, report);
-    const auto lattice = options.tolerance       ? Result<Lattice, BakeError>(Lattice{})
-                         : options.step_exponent ? lattice_for_step(bounds, *options.step_exponent)
-                                                 : lattice_for_bits(bounds, options.bits);
-    if (!lattice) return lattice.error();
-    FittedMesh fitted = snap_and_measure(source, *lattice, report);
+Expected<FittedMesh> fit_lattice(const Source& source, const SourceBounds& bounds, Resolution resolution,
+                                 Findings& findings) {
+    if (resolution.kind() == Resolution::Kind::tolerance && !source.triangles.empty())
+        return fit_tolerance(source, bounds, resolution.value(), findings);
+    const auto lattice = fixed_lattice(bounds, resolution);
+    if (!lattice) return lattice.refusal();
+    FittedMesh fitted = snap_and_measure(source, *lattice, findings);
     if (!std::isfinite(fitted.error.largest)) return too_far_away(source, fitted);
     return fitted;
 }

@@ -1,6 +1,7 @@
 // Which lattice: the one that the user's bits or step give, or a coarse one that keeps the user's tolerance.
 #pragma once
 
+#include <baker/base/expected.hpp>
 #include <baker/error/measure_error.hpp>
 #include <baker/quantise/lattice_mesh.hpp>
 
@@ -12,7 +13,7 @@ struct FittedMesh {
 };
 
 /// Snaps, welds and measures; under a tolerance as often as it takes for the measured error to keep it.
-[[nodiscard]] Result<FittedMesh, BakeError> fit_lattice(const Source& source, const SourceBounds& bounds,
-                                                        const BakeOptions& options, BakeReport& report);
+Expected<FittedMesh> fit_lattice(const Source& source, const SourceBounds& bounds, Resolution resolution,
+                                 Findings& findings);
 
 }  // namespace espalier::baker

@@ -50,7 +50,7 @@ double square_distance_to_box(const StepPoint& point, const BinaryNode& node) {
 }  // namespace
 
 KeptSurface::KeptSurface(const LatticeMesh& mesh)
-    : mesh_(mesh), tree_(build_sah(mesh, build_settings(0, 1))), distances_left_(most_distances) {}
+    : mesh_(mesh), tree_(build_sah(mesh, build_settings(Effort::fast, 1))), distances_left_(most_distances) {}
 
 double KeptSurface::distance_to_triangle(const StepPoint& point, std::uint32_t triangle) const {
     const auto& corners = mesh_.triangles[triangle].corners;

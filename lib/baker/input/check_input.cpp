@@ -12,15 +12,12 @@ namespace espalier::baker {
 
 namespace {
 
-constexpr unsigned max_effort = 9;
-constexpr float most_expensive = 1e6f;   // sums over all nodes stay far from infinity, which means impossible there
+constexpr float dearest_byte = 1e6f;     // sums over all nodes stay far from infinity, which means impossible there
 constexpr double max_flat_angle = 90.0;  // degrees; an angle that can be called flat is below this
 constexpr const char* corner_names[3] = {"first", "second", "third"};
 
-BakeError invalid_options(std::string message) { return {BakeError::Kind::invalid_options, std::move(message)}; }
-BakeError too_large(std::string message, SourcePlace place) {
-    return {BakeError::Kind::too_large, std::move(message), place};
-}
+Refusal invalid_options(std::string message) { return {BakeStatus::invalid_options, std::move(message)}; }
+Refusal too_large(std::string message, SourcePlace place) { return {BakeStatus::too_large, std::move(message), place}; }
 
 bool is_finite(const Vec3& point) { return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z); }
 
@@ -51,17 +48,17 @@ std::string describe_out_of_range(const MeshView& mesh, const TriangleVertices& 
 }
 
 /// Arrays that do not belong together, and sums that no blob can number.
-std::optional<BakeError> check_sizes(std::span<const MeshView> meshes) {
+std::optional<Refusal> check_sizes(std::span<const MeshView> meshes) {
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const MeshView& mesh = meshes[i];
         if (!mesh.materials.empty() && mesh.materials.size() != mesh.triangles.size()) {
-            return BakeError{BakeError::Kind::invalid_mesh,
-                             mesh_name(meshes, i) + ": " + std::to_string(mesh.materials.size()) + " materials for " +
-                                 std::to_string(mesh.triangles.size()) +
-                                 " triangles; give one for each triangle, or none at all",
-                             place_of(mesh)};
+            return Refusal{BakeStatus::invalid_mesh,
+                           mesh_name(meshes, i) + ": " + std::to_string(mesh.materials.size()) + " materials for " +
+                               std::to_string(mesh.triangles.size()) +
+                               " triangles; give one for each triangle, or none at all",
+                           place_of(mesh)};
         }
         triangles += mesh.triangles.size();
         vertices += mesh.positions.size();
@@ -81,23 +78,24 @@ std::optional<BakeError> check_sizes(std::span<const MeshView> meshes) {
     return std::nullopt;
 }
 
-std::optional<BakeError> check_materials(std::span<const MeshView> meshes, Materials width) {
-    if (width == Materials::none) return std::nullopt;
-    const std::uint32_t largest = width == Materials::bits_8 ? 0xFF : 0xFFFF;
+/// Returns the bits that hold every material, or a refusal if one takes more than 16.
+Expected<unsigned> material_bits_of(std::span<const MeshView> meshes) {
+    constexpr std::uint32_t largest = 0xFFFF;
+    std::uint32_t all = 0;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         for (std::size_t triangle = 0; triangle < meshes[i].materials.size(); ++triangle) {
             const std::uint32_t material = meshes[i].materials[triangle];
+            all |= material;
             if (material <= largest) continue;
             SourcePlace place = place_of(meshes[i]);
             place.triangle = static_cast<std::uint32_t>(triangle);
             return too_large(mesh_name(meshes, i) + ", triangle " + std::to_string(triangle) + ": material " +
-                                 std::to_string(material) + " does not fit into " +
-                                 (width == Materials::bits_8 ? "8 bits (at most 255); bake with 16-bit materials"
-                                                             : "16 bits (at most 65535); number the materials anew"),
+                                 std::to_string(material) +
+                                 " does not fit into 16 bits (at most 65535); number the materials anew",
                              place);
         }
     }
-    return std::nullopt;
+    return all == 0 ? 0u : all <= 0xFF ? 8u : 16u;
 }
 
 void count(Finding& finding, const Source& source, std::uint32_t original_id) {
@@ -119,7 +117,7 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
         const TriangleVertices& triangle = mesh.triangles[i];
         const std::uint32_t id = first_triangle + static_cast<std::uint32_t>(i);
         if (triangle[0] >= vertex_count || triangle[1] >= vertex_count || triangle[2] >= vertex_count) {
-            count(report.index_out_of_range, source, id);
+            count(report.findings.index_out_of_range, source, id);
             if (!complaint) complaint = {id, triangle_name(source, id) + ": " + describe_out_of_range(mesh, triangle)};
             continue;
         }
@@ -127,14 +125,14 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
         const Vec3& b = mesh.positions[triangle[1]];
         const Vec3& c = mesh.positions[triangle[2]];
         if (!is_finite(a) || !is_finite(b) || !is_finite(c)) {
-            count(report.not_finite, source, id);
+            count(report.findings.not_finite, source, id);
             if (!complaint) complaint = {id, triangle_name(source, id) + ": " + describe_not_finite(mesh, triangle)};
             continue;
         }
         const SourceTriangle sound{{first_vertex + triangle[0], first_vertex + triangle[1], first_vertex + triangle[2]},
                                    id};
         if (has_zero_area(a, b, c)) {
-            count(report.zero_area, source, id);
+            count(report.findings.zero_area, source, id);
             source.without_area.push_back(sound);
         } else {
             source.triangles.push_back(sound);
@@ -142,84 +140,78 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
     }
 }
 
-std::optional<BakeError> check_cost_model(const CostModel& model) {
-    const std::pair<const char*, float> costs[] = {{"node_visit", model.node_visit},
-                                                   {"leaf_visit", model.leaf_visit},
-                                                   {"leaf_group", model.leaf_group},
-                                                   {"triangle", model.triangle},
-                                                   {"byte_price", model.byte_price}};
-    for (const auto& [name, cost] : costs) {
-        if (std::isfinite(cost) && cost >= 0.0f && cost <= most_expensive) continue;
-        return invalid_options(std::string("the cost model's ") + name + " is " + number_text(double(cost)) +
-                               "; choose a number from 0 to " + number_text(double(most_expensive)));
+std::optional<Refusal> check_resolution(Resolution resolution) {
+    const double value = resolution.value();
+    switch (resolution.kind()) {
+        case Resolution::Kind::bits:
+            if (value >= 1 && value <= format::max_bits) return std::nullopt;
+            return invalid_options("bits is " + number_text(value) + "; choose 1 to " +
+                                   std::to_string(format::max_bits));
+        case Resolution::Kind::tolerance:
+            if (std::isfinite(value) && value > 0.0) return std::nullopt;
+            return invalid_options("the tolerance is " + number_text(value) +
+                                   "; choose a length above zero, in the units of the mesh");
+        case Resolution::Kind::step:
+            if (value >= format::min_step_exponent && value <= format::max_step_exponent) return std::nullopt;
+            return invalid_options("the step is 2^" + number_text(value) + "; choose one from 2^" +
+                                   std::to_string(format::min_step_exponent) + " to 2^" +
+                                   std::to_string(format::max_step_exponent));
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> check_build(const BuildOptions& build, Profile profile) {
+    if (build.builder > Builder::insertion) {
+        return invalid_options("builder " + std::to_string(static_cast<unsigned>(build.builder)) +
+                               " does not exist; choose one of Builder in bake.hpp");
+    }
+    if (build.builder == Builder::spatial_splits && profile != Profile::fast) {
+        return invalid_options(
+            "spatial splits need the profile fast: the strips of other profiles turn triangles, and copies of one must "
+            "be alike; choose profile fast or another builder");
+    }
+    if (!(build.duplicate_budget >= 0.0 && build.duplicate_budget <= 1.0)) {
+        return invalid_options("duplicate_budget is " + number_text(build.duplicate_budget) +
+                               "; choose a share of the triangles, 0 to 1");
+    }
+    if (!(build.byte_price >= 0.0f && build.byte_price <= dearest_byte)) {
+        return invalid_options("byte_price is " + number_text(double(build.byte_price)) +
+                               "; choose a number from 0 to " + number_text(double(dearest_byte)));
+    }
+    if (build.max_leaf_triangles < 1 || build.max_leaf_triangles > format::max_leaf_triangles) {
+        return invalid_options("max_leaf_triangles is " + std::to_string(build.max_leaf_triangles) + "; choose 1 to " +
+                               std::to_string(format::max_leaf_triangles));
     }
     return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<BakeError> check_options(const BakeOptions& options) {
-    if (options.bits < 1 || options.bits > unsigned{format::max_bits}) {
-        return invalid_options("bits is " + std::to_string(options.bits) + "; choose 1 to " +
-                               std::to_string(format::max_bits));
+std::optional<Refusal> check_options(const BakeOptions& options) {
+    if (auto refusal = check_resolution(options.resolution)) return refusal;
+    if (options.effort > Effort::best) {
+        return invalid_options("effort " + std::to_string(static_cast<unsigned>(options.effort)) +
+                               " does not exist; choose fast, normal or best");
     }
-    if (options.tolerance && !(std::isfinite(*options.tolerance) && *options.tolerance > 0.0)) {
-        return invalid_options("the tolerance is " + number_text(*options.tolerance) +
-                               "; choose a length above zero, in the units of the mesh");
-    }
-    if (options.effort > max_effort) {
-        return invalid_options("effort is " + std::to_string(options.effort) + "; choose 0 (fastest) to " +
-                               std::to_string(max_effort) + " (best)");
-    }
-    if (options.max_leaf_triangles < 1 || options.max_leaf_triangles > format::max_leaf_triangles) {
-        return invalid_options("max_leaf_triangles is " + std::to_string(options.max_leaf_triangles) +
-                               "; choose 1 to " + std::to_string(format::max_leaf_triangles));
-    }
-    if (auto error = check_cost_model(options.cost_model)) return error;
-    if (options.profile > format::Profile::tiny) {
+    if (options.profile > Profile::tiny) {
         return invalid_options("profile " + std::to_string(static_cast<unsigned>(options.profile)) +
-                               " is not known; choose fast, balanced, small or tiny");
+                               " does not exist; choose fast, balanced, small or tiny");
     }
-    if (options.builder > Builder::insertion) {
-        return invalid_options("builder " + std::to_string(static_cast<unsigned>(options.builder)) +
-                               " is not known; choose one of Builder in bake.hpp");
-    }
-    if (options.builder == Builder::spatial_splits && options.profile != format::Profile::fast) {
-        return invalid_options(
-            "spatial splits need the profile fast: the strips of other profiles turn triangles, and copies of one must "
-            "be alike; choose profile fast or another builder");
-    }
-    if (!(options.duplicates >= 0.0 && options.duplicates <= 1.0)) {
-        return invalid_options("duplicates is " + number_text(options.duplicates) +
-                               "; choose a share of the triangles, 0 to 1");
-    }
-    if (options.materials > Materials::bits_16) {
-        return invalid_options("materials is " + std::to_string(static_cast<unsigned>(options.materials)) +
-                               "; choose none, 8 bits or 16 bits");
-    }
-    if (options.step_exponent) {
-        if (options.tolerance)
-            return invalid_options(
-                "a step and a tolerance were both given; either of them fixes the lattice: choose one");
-        if (*options.step_exponent < format::min_step_exponent || *options.step_exponent > format::max_step_exponent)
-            return invalid_options("the step is 2^" + std::to_string(*options.step_exponent) + "; choose one from 2^" +
-                                   std::to_string(format::min_step_exponent) + " to 2^" +
-                                   std::to_string(format::max_step_exponent));
-    }
-    if (options.edge_flags && !(*options.edge_flags >= 0.0 && *options.edge_flags < max_flat_angle)) {
-        return invalid_options("the largest angle of a flat edge is " + number_text(*options.edge_flags) +
+    if (options.flat_angle && !(*options.flat_angle >= 0.0 && *options.flat_angle < max_flat_angle)) {
+        return invalid_options("flat_angle, the largest angle of a flat edge, is " + number_text(*options.flat_angle) +
                                " degrees; choose 0 or more, below " + number_text(max_flat_angle));
     }
-    return std::nullopt;
+    return check_build(options.build, options.profile);
 }
 
-Result<Source, BakeError> check_input(std::span<const MeshView> meshes, const BakeOptions& options,
-                                      BakeReport& report) {
-    if (auto error = check_sizes(meshes)) return *error;
-    if (auto error = check_materials(meshes, options.materials)) return *error;
+Expected<Source> check_input(std::span<const MeshView> meshes, const BakeOptions& options, BakeReport& report) {
+    if (auto refusal = check_sizes(meshes)) return *refusal;
+    const auto material_bits = material_bits_of(meshes);
+    if (!material_bits) return material_bits.refusal();
 
     Source source;
     source.meshes = meshes;
+    source.material_bits = *material_bits;
     std::size_t vertex_count = 0;
     for (const MeshView& mesh : meshes) {
         source.first_triangle.push_back(source.triangle_count);
@@ -228,20 +220,20 @@ Result<Source, BakeError> check_input(std::span<const MeshView> meshes, const Ba
     }
     source.positions.reserve(vertex_count);
     source.triangles.reserve(source.triangle_count);
-    report.source_triangles = source.triangle_count;
-    report.source_vertices = vertex_count;
+    report.source.triangles = source.triangle_count;
+    report.source.vertices = vertex_count;
 
     std::optional<Complaint> complaint;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const auto first_vertex = static_cast<std::uint32_t>(source.positions.size());
         append_mesh(meshes[i], first_vertex, source.first_triangle[i], source, report, complaint);
     }
-    const std::uint64_t broken = report.not_finite.count + report.index_out_of_range.count;
-    if (complaint && !options.repair) {
-        return BakeError{BakeError::Kind::invalid_mesh,
-                         complaint->message + ". Broken triangles: " + std::to_string(broken) +
-                             ". Mend the mesh, or bake with repair to drop them",
-                         place_of(source, complaint->original_id)};
+    const std::uint64_t broken = report.findings.not_finite.count + report.findings.index_out_of_range.count;
+    if (complaint && !options.drop_bad_triangles) {
+        return Refusal{BakeStatus::invalid_mesh,
+                       complaint->message + ". Broken triangles: " + std::to_string(broken) +
+                           ". Mend the mesh, or drop them with drop_bad_triangles",
+                       place_of(source, complaint->original_id)};
     }
     return source;
 }

@@ -1,4 +1,4 @@
-// First stage: nothing that an importer delivers is believed.
+// First stage: checks everything that an importer delivers.
 #pragma once
 
 #include <optional>
@@ -6,16 +6,16 @@
 
 #include <espalier/bake.hpp>
 
+#include <baker/base/expected.hpp>
 #include <baker/input/source.hpp>
 
 namespace espalier::baker {
 
-/// Options out of their range.
-[[nodiscard]] std::optional<BakeError> check_options(const BakeOptions& options);
+/// Returns a refusal for options that are out of their range.
+[[nodiscard]] std::optional<Refusal> check_options(const BakeOptions& options);
 
-/// Concatenates the meshes and sorts out what is broken: refused, or under repair dropped and counted in the report.
+/// Concatenates the meshes. Broken triangles are refused, or with drop_bad_triangles dropped and counted in the report.
 /// Triangles without area are set aside and counted.
-[[nodiscard]] Result<Source, BakeError> check_input(std::span<const MeshView> meshes, const BakeOptions& options,
-                                                    BakeReport& report);
+Expected<Source> check_input(std::span<const MeshView> meshes, const BakeOptions& options, BakeReport& report);
 
 }  // namespace espalier::baker

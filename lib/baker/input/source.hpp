@@ -25,6 +25,7 @@ struct Source {
     std::vector<Vec3> positions;                ///< of all meshes in a row
     std::vector<SourceTriangle> triangles;      ///< finite, in range, with an area; ascending ids
     std::vector<SourceTriangle> without_area;   ///< finite, in range, but a point or a line
+    unsigned material_bits = 0;                 ///< that hold all materials: 0 if all are 0, else 8 or 16
 };
 
 /// "level.obj, mesh 3 (walls)"

@@ -47,7 +47,7 @@ public:
         }
     }
 
-    /// The same tree in the order that BinaryTree asks for; an empty one when it is no better than the given one.
+    /// Returns the same tree in the order that BinaryTree requires; an empty one if it is no better than the given one.
     [[nodiscard]] BinaryTree tightened(unsigned most_height) const {
         BinaryTree result;
         result.triangles.reserve(tree_.triangles.size());
@@ -192,7 +192,8 @@ private:
         return sum;
     }
 
-    /// The same tree, but where it is higher than allowed. Without recursion, as nobody knows how high it is.
+    /// Returns the same tree, changed only where it is higher than allowed. Without recursion, since any height is
+    /// possible.
     [[nodiscard]] BinaryTree lowered(unsigned most_height) const {
         const auto leaf_count = static_cast<std::uint32_t>(tree_.triangles.size());
         std::vector<Reference> references(leaf_count);
@@ -261,10 +262,11 @@ private:
 
 }  // namespace
 
-OptimiseSettings optimise_settings(unsigned effort) {
-    constexpr std::array<unsigned, 10> passes = {0, 0, 0, 0, 1, 1, 2, 3, 3, 3};
-    constexpr std::array<std::uint32_t, 10> least_triangles = {0, 0, 0, 0, 16, 8, 8, 8, 4, 2};
-    return {passes[effort], least_triangles[effort], max_binary_height};
+OptimiseSettings optimise_settings(Effort effort) {
+    constexpr std::array<unsigned, 3> passes = {0, 1, 3};
+    constexpr std::array<std::uint32_t, 3> least_triangles = {0, 8, 4};
+    const auto level = static_cast<std::size_t>(effort);
+    return {passes[level], least_triangles[level], max_binary_height};
 }
 
 BinaryTree optimise(BinaryTree tree, const OptimiseSettings& settings) {

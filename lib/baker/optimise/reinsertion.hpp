@@ -1,6 +1,8 @@
 // Between building and collapsing: subtrees move to where they cost less.
 #pragma once
 
+#include <espalier/bake.hpp>
+
 #include <baker/build/binary_tree.hpp>
 
 namespace espalier::baker {
@@ -11,7 +13,7 @@ struct OptimiseSettings {
     unsigned most_height = max_binary_height;
 };
 
-[[nodiscard]] OptimiseSettings optimise_settings(unsigned effort);
+[[nodiscard]] OptimiseSettings optimise_settings(Effort effort);
 
 /// Takes subtrees out, the largest boxes first, and puts each where the sum of all boxes' areas becomes least: "Fast
 /// insertion- based optimization of bounding volume hierarchies" (Bittner, Hapala, Havran 2013), with the search of

@@ -39,13 +39,13 @@ unsigned bits_needed(const SourceBounds& bounds, int step_exponent) {
     return bits;
 }
 
-std::optional<BakeError> check_exponent(int step_exponent, const SourceBounds& bounds) {
+std::optional<Refusal> check_exponent(int step_exponent, const SourceBounds& bounds) {
     if (step_exponent >= format::min_step_exponent && step_exponent <= format::max_step_exponent) return std::nullopt;
-    return BakeError{BakeError::Kind::too_large, "the meshes are " + number_text(bounds.largest_side) +
-                                                     " units large, which needs a lattice step of 2^" +
-                                                     std::to_string(step_exponent) + "; steps go from 2^" +
-                                                     std::to_string(format::min_step_exponent) + " to 2^" +
-                                                     std::to_string(format::max_step_exponent) + "; scale the input"};
+    return Refusal{BakeStatus::too_large, "the meshes are " + number_text(bounds.largest_side) +
+                                              " units large, which needs a lattice step of 2^" +
+                                              std::to_string(step_exponent) + "; steps go from 2^" +
+                                              std::to_string(format::min_step_exponent) + " to 2^" +
+                                              std::to_string(format::max_step_exponent) + "; scale the input"};
 }
 
 /// With as many bits as given. A step of which the bounds are too many gives an origin, too, which is of no use.
@@ -87,12 +87,12 @@ bool is_below_float_spacing(const Lattice& lattice, const SourceBounds& bounds) 
     return bounds.largest_coordinate != 0.0f && lattice.step_exponent < exponent - std::numeric_limits<float>::digits;
 }
 
-Result<Lattice, BakeError> lattice_for_bits(const SourceBounds& bounds, unsigned bits) {
+Expected<Lattice> lattice_for_bits(const SourceBounds& bounds, unsigned bits) {
     if (bounds.largest_side == 0.0) return Lattice{{}, 0, bits};  // only of nothing: an area has an extent
     int step_exponent = 0;                                        // side < 2^exponent: a step of this size fits
     std::frexp(bounds.largest_side, &step_exponent);
     while (bits_needed(bounds, step_exponent - 1) <= bits) --step_exponent;
-    if (auto error = check_exponent(step_exponent, bounds)) return *error;
+    if (auto refusal = check_exponent(step_exponent, bounds)) return *refusal;
     return lattice_at(bounds, step_exponent, bits);
 }
 
@@ -103,7 +103,7 @@ int step_exponent_for_tolerance(double tolerance) {
     return exponent;
 }
 
-Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent) {
+Expected<Lattice> lattice_for_step(const SourceBounds& bounds, int step_exponent) {
     const unsigned bits = bits_needed(bounds, step_exponent);
     if (bits <= unsigned{format::max_bits}) return lattice_at(bounds, step_exponent, bits);
     std::string message = "a step of 2^" + std::to_string(step_exponent) + " is too fine for meshes that are " +
@@ -111,11 +111,11 @@ Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step
                           std::to_string(format::max_bits) + " - 1 steps along each axis";
     if (const auto finest = lattice_for_bits(bounds, unsigned{format::max_bits}))
         message += ", so at this size the finest step is 2^" + std::to_string(finest->step_exponent);
-    return BakeError{BakeError::Kind::too_fine,
-                     message + "; choose a coarser step, or split the input into several blobs with the same step"};
+    return Refusal{BakeStatus::too_fine,
+                   message + "; choose a coarser step, or split the input into several blobs with the same step"};
 }
 
-Result<Lattice, BakeError> lattice_for_tolerance(const SourceBounds& bounds, int step_exponent, double tolerance) {
+Expected<Lattice> lattice_for_tolerance(const SourceBounds& bounds, int step_exponent, double tolerance) {
     if (bounds.largest_side == 0.0) return Lattice{};
     const unsigned bits = bits_needed(bounds, step_exponent);
     if (bits > unsigned{format::max_bits}) {
@@ -126,13 +126,13 @@ Result<Lattice, BakeError> lattice_for_tolerance(const SourceBounds& bounds, int
                               number_text(bounds.largest_side) + " large: at this tolerance they may be " +
                               number_text(largest_extent * (1.0 - text_margin)) + " large";
         if (finest) {
-            const double finest_tolerance = double(largest_snap_error(finest.value().step_exponent));
+            const double finest_tolerance = double(largest_snap_error(finest->step_exponent));
             message += ", at this size the finest tolerance is " + number_text(finest_tolerance * (1.0 + text_margin));
         }
-        return BakeError{BakeError::Kind::too_fine,
-                         message + "; choose a coarser tolerance, or split the input into several blobs"};
+        return Refusal{BakeStatus::too_fine,
+                       message + "; choose a coarser tolerance, or split the input into several blobs"};
     }
-    if (auto error = check_exponent(step_exponent, bounds)) return *error;
+    if (auto refusal = check_exponent(step_exponent, bounds)) return *refusal;
     return lattice_at(bounds, step_exponent, bits);
 }
 

@@ -8,17 +8,12 @@
 #include <optional>
 
 #include <espalier/bake.hpp>
+#include <espalier/lattice.hpp>
 
+#include <baker/base/expected.hpp>
 #include <baker/input/source.hpp>
 
 namespace espalier::baker {
-
-struct LatticePoint {
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-    std::int32_t z = 0;
-    friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
-};
 
 [[nodiscard]] inline std::int32_t coordinate_of(const LatticePoint& point, std::size_t axis) {
     return axis == 0 ? point.x : axis == 1 ? point.y : point.z;
@@ -66,16 +61,15 @@ struct SourceBounds {
 [[nodiscard]] bool is_below_float_spacing(const Lattice& lattice, const SourceBounds& bounds);
 
 /// The finest lattice on which `bits` hold every coordinate.
-[[nodiscard]] Result<Lattice, BakeError> lattice_for_bits(const SourceBounds& bounds, unsigned bits);
+Expected<Lattice> lattice_for_bits(const SourceBounds& bounds, unsigned bits);
 
 /// The largest step exponent at which no lattice point is farther than `tolerance` from what it stands for.
 [[nodiscard]] int step_exponent_for_tolerance(double tolerance);
 
 /// The lattice with this step and as few bits as hold every coordinate; refused with the step that would fit.
-[[nodiscard]] Result<Lattice, BakeError> lattice_for_step(const SourceBounds& bounds, int step_exponent);
+Expected<Lattice> lattice_for_step(const SourceBounds& bounds, int step_exponent);
 
 /// The same for a step that keeps a tolerance; refused with the tolerance that would fit.
-[[nodiscard]] Result<Lattice, BakeError> lattice_for_tolerance(const SourceBounds& bounds, int step_exponent,
-                                                               double tolerance);
+Expected<Lattice> lattice_for_tolerance(const SourceBounds& bounds, int step_exponent, double tolerance);
 
 }  // namespace espalier::baker

@@ -1,4 +1,4 @@
-// Whether a bake made an open surface of a closed one.
+// Tests whether a bake made an open surface of a closed one.
 #pragma once
 
 #include <baker/input/source.hpp>
@@ -6,8 +6,12 @@
 
 namespace espalier::baker {
 
-/// Fills in BakeReport::lost_closed and bits_that_keep_closed. Reads BakeReport::closed, bits and the counts of kept
-/// and dropped triangles. Snaps the source once for each number of bits that it tries, and only if `closed` is lost.
-void report_lost_closed(const Source& source, const SourceBounds& bounds, BakeReport& report);
+/// Returns whether the source is closed and the baked surface is not. Reads BakeReport::closed and the counts of kept
+/// and dropped triangles.
+[[nodiscard]] bool has_lost_closed(const Source& source, const BakeReport& report);
+
+/// Returns the fewest bits above `bits` with which a closed source stays closed; 0 if there are none. Snaps the source
+/// once for each number that it tries.
+[[nodiscard]] unsigned bits_that_keep_closed(const Source& source, const SourceBounds& bounds, unsigned bits);
 
 }  // namespace espalier::baker

@@ -50,7 +50,7 @@ private:
 };
 
 /// Keeps the first of equal triangles.
-void drop_duplicates(const Source& source, std::vector<LatticeTriangle>& triangles, BakeReport& report) {
+void drop_duplicates(const Source& source, std::vector<LatticeTriangle>& triangles, Findings& findings) {
     constexpr std::size_t lookahead = 16;  // enough lookups in flight to hide the memory's latency
     TriangleSet kept(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -58,8 +58,8 @@ void drop_duplicates(const Source& source, std::vector<LatticeTriangle>& triangl
         const std::uint32_t next = kept.size();
         if (kept.find_or_insert(triangles[i].corners) == next) {
             triangles[next] = triangles[i];
-        } else if (report.duplicate.count++ == 0) {
-            report.duplicate = first_finding(source, triangles[i].original_id);
+        } else if (findings.duplicate.count++ == 0) {
+            findings.duplicate = first_finding(source, triangles[i].original_id);
         }
     }
     triangles.resize(kept.size());
@@ -94,12 +94,12 @@ void settle(LatticeMesh& mesh) {
 
 }  // namespace
 
-LatticeMesh snap_and_weld(const Source& source, const Lattice& lattice, BakeReport& report) {
+LatticeMesh snap_and_weld(const Source& source, const Lattice& lattice, Findings& findings) {
     LatticeMesh mesh;
     mesh.lattice = lattice;
     mesh.triangles.reserve(source.triangles.size());
-    report.collapsed = {};
-    report.duplicate = {};
+    findings.collapsed = {};
+    findings.duplicate = {};
     {
         VertexWelder welder(source, lattice, mesh);
         for (const SourceTriangle& triangle : source.triangles) {
@@ -114,10 +114,10 @@ LatticeMesh snap_and_weld(const Source& source, const Lattice& lattice, BakeRepo
         }
     }
     if (!mesh.collapsed.empty()) {
-        report.collapsed = first_finding(source, mesh.collapsed.front().original_id);
-        report.collapsed.count = mesh.collapsed.size();
+        findings.collapsed = first_finding(source, mesh.collapsed.front().original_id);
+        findings.collapsed.count = mesh.collapsed.size();
     }
-    drop_duplicates(source, mesh.triangles, report);
+    drop_duplicates(source, mesh.triangles, findings);
     settle(mesh);
     return mesh;
 }

@@ -6,7 +6,7 @@
 
 namespace espalier::baker {
 
-/// Counts collapsed and duplicate triangles in the report, from zero: snapping may be tried with several lattices.
-[[nodiscard]] LatticeMesh snap_and_weld(const Source& source, const Lattice& lattice, BakeReport& report);
+/// Counts collapsed and duplicate triangles in the findings, from zero: snapping may be tried with several lattices.
+[[nodiscard]] LatticeMesh snap_and_weld(const Source& source, const Lattice& lattice, Findings& findings);
 
 }  // namespace espalier::baker

@@ -5,8 +5,8 @@
 
 #include <espalier/contact.hpp>
 #include <espalier/format.hpp>
-#include <runtime/lattice_triangle.hpp>
-#include <runtime/wide_integer.hpp>
+#include <runtime/base/wide_integer.hpp>
+#include <runtime/lattice/triangle.hpp>
 
 #include <baker/base/edge_table.hpp>
 
@@ -79,7 +79,7 @@ std::uint32_t flat_limit_of(double degrees) {
 }
 
 std::vector<std::array<std::uint8_t, 3>> edge_flags_of(const LatticeMesh& mesh, std::uint32_t flat_limit) {
-    constexpr auto open_edge = static_cast<std::uint8_t>(EdgeKind::open);
+    constexpr auto open_edge = static_cast<std::uint8_t>(EdgeKind::boundary);
     std::vector<std::array<std::uint8_t, 3>> flags(mesh.triangles.size(), {open_edge, open_edge, open_edge});
     const auto corners_of = [&](std::uint32_t triangle) -> const std::array<std::uint32_t, 3>& {
         return mesh.triangles[triangle].corners;

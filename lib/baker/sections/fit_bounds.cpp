@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include <runtime/stored_bounds.hpp>
+#include <runtime/blob/stored_bounds.hpp>
 
 namespace espalier::baker {
 

@@ -4,8 +4,8 @@
 
 #include <espalier/contact.hpp>
 #include <espalier/format.hpp>
-#include <runtime/copies.hpp>
-#include <runtime/stored_bounds.hpp>
+#include <runtime/blob/duplicate_references.hpp>
+#include <runtime/blob/stored_bounds.hpp>
 
 #include <baker/base/byte_writer.hpp>
 #include <baker/sections/edge_flags.hpp>
@@ -15,7 +15,7 @@ namespace espalier::baker {
 namespace {
 
 constexpr const char* edge_names[3] = {"a to b", "b to c", "c to a"};
-constexpr const char* kind_names[4] = {"flat", "convex", "concave", "open"};
+constexpr const char* kind_names[4] = {"flat", "convex", "concave", "boundary"};
 
 void put_edge_flags(std::vector<std::byte>& blob, const OptionalSections& sections, const WideTree& wide) {
     put_u32(blob, sections.flat_limit);
@@ -35,14 +35,13 @@ void put_all(std::vector<std::byte>& blob, const Numbers& numbers) {
 }
 
 std::optional<std::string> check_edge_flags(const Blob& blob, const LatticeMesh& mesh) {
-    const detail::BlobData& data = blob.data();
+    const detail::BlobData& data = espalier::detail::data_of(blob);
     const auto expected = edge_flags_of(mesh, detail::load_u32(data.edge_flags + format::edge_flags::flat_limit_at));
     std::vector<std::uint32_t> number_of(data.triangle_count);  // in the mesh, of each storage index that is no copy
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) number_of[mesh.triangles[i].original_id] = i;
     for (std::uint32_t index = 0; index < data.triangle_count; ++index) {
         const auto& flags = expected[number_of[detail::owner_of(data, index)]];
-        EdgeKinds found;
-        edge_kinds(blob, Triangle{index}, found);
+        const EdgeKinds found = *edge_kinds(blob, TriangleId{index});
         const EdgeKind kinds[3] = {found.ab, found.bc, found.ca};
         for (std::size_t edge = 0; edge < 3; ++edge) {
             const auto kind = static_cast<std::uint8_t>(kinds[edge]);
@@ -93,7 +92,7 @@ std::optional<std::string> check_bounds(const detail::BlobData& data, const std:
             if (detail::load_i32(stored + 8 * k) == k_dop.lo[k] && detail::load_i32(stored + 8 * k + 4) == k_dop.hi[k])
                 continue;
             return "the vertices lie between " + std::to_string(k_dop.lo[k]) + " and " + std::to_string(k_dop.hi[k]) +
-                   " along direction " + std::to_string(k) + " of the 26-DOP, which says something else";
+                   " along direction " + std::to_string(k) + " of the 26-DOP, whose slab is another";
         }
     }
     return std::nullopt;
@@ -105,9 +104,9 @@ OptionalSections make_optional_sections(const LatticeMesh& mesh, const BakeOptio
     namespace feature = format::feature;
     OptionalSections sections;
     if (mesh.triangles.empty()) return sections;
-    if (options.edge_flags) {
+    if (options.flat_angle) {
         sections.features |= feature::edge_flags;
-        sections.flat_limit = flat_limit_of(*options.edge_flags);
+        sections.flat_limit = flat_limit_of(*options.flat_angle);
         sections.edge_flags = edge_flags_of(mesh, sections.flat_limit);
     }
     if (options.bounds.oriented_box) sections.features |= feature::oriented_box;
@@ -162,7 +161,7 @@ BoundsVolumes volumes_of(const OptionalSections& sections, const LatticeMesh& me
 std::optional<std::string> check_optional_sections(const Blob& blob, const LatticeMesh& mesh) {
     if (blob.has_edge_flags())
         if (auto complaint = check_edge_flags(blob, mesh)) return complaint;
-    return check_bounds(blob.data(), mesh.vertices);
+    return check_bounds(espalier::detail::data_of(blob), mesh.vertices);
 }
 
 }  // namespace espalier::baker

@@ -32,10 +32,10 @@ struct OptionalSections {
 /// Appends the sections to a blob that holds all others.
 void put_optional_sections(std::vector<std::byte>& blob, const OptionalSections& sections, const WideTree& wide);
 
-/// In world units; zero for those that there are not.
+/// Returns the volumes in world units; zero for bounds that are not stored.
 [[nodiscard]] BoundsVolumes volumes_of(const OptionalSections& sections, const LatticeMesh& mesh);
 
-/// Nothing, or what is wrong with the sections of a blob: each flag must be what `edge_flags_of` says, and all bounds
+/// Returns nothing, or the fault of a blob's sections: each flag must equal that of `edge_flags_of`, and all bounds
 /// must hold all vertices. `mesh` is the blob's, with storage indices as original ids and corners in the blob's order.
 [[nodiscard]] std::optional<std::string> check_optional_sections(const Blob& blob, const LatticeMesh& mesh);
 

@@ -1,6 +1,6 @@
 #include <baker/verify/check_result.hpp>
 
-#include <runtime/bytes.hpp>
+#include <runtime/base/bytes.hpp>
 
 #include <baker/verify/check_tree.hpp>
 
@@ -20,7 +20,7 @@ std::optional<std::string> check_result(std::span<const std::byte> blob, const L
     const std::uint32_t node_count = detail::load_u32(blob.data() + header::node_count_at);
     const std::uint32_t leaf_bytes = detail::load_u32(blob.data() + header::leaf_bytes_at);
     const std::uint32_t triangle_count = detail::load_u32(blob.data() + header::triangle_count_at);
-    const auto profile = static_cast<format::Profile>(detail::load_u8(blob.data() + header::profile_at));
+    const auto profile = static_cast<Profile>(detail::load_u8(blob.data() + header::profile_at));
     const std::size_t node_bytes = node_count * format::node_bytes(profile);
     if (blob.size() < header::bytes + node_bytes + leaf_bytes + format::guard_bytes)
         return "the header counts too many bytes";

@@ -1,4 +1,4 @@
-// What must hold for every node and every leaf of a blob, whoever wrote it.
+// The rules for every node and every leaf of a blob, of any origin.
 #pragma once
 
 #include <cstdint>

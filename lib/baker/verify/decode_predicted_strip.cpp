@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most = format::max_leaf_entries;
 
-/// What stands before the coordinates of a predicted strip.
+/// The part of a predicted strip before its coordinates.
 struct PredictedMarks {
     std::array<unsigned, 3> large{}, small{};
     unsigned entry_count = 0;

@@ -38,7 +38,7 @@ bool TreeBytes::decode_node(std::uint32_t number, DecodedNode& node) const {
     const std::size_t size = format::node_bytes(profile);
     if (number >= nodes.size() / size) return false;
     const auto bytes = nodes.subspan(number * size, size);
-    return profile == format::Profile::fast ? decode_plain_node(bytes, node) : decode_packed_node(bytes, node);
+    return profile == Profile::fast ? decode_plain_node(bytes, node) : decode_packed_node(bytes, node);
 }
 
 bool TreeBytes::decode_plain_node(std::span<const std::byte> bytes, DecodedNode& node) const {
@@ -87,14 +87,14 @@ bool TreeBytes::decode_packed_node(std::span<const std::byte> bytes, DecodedNode
 }
 
 std::size_t TreeBytes::first_leaf_at(const DecodedNode& node) const {
-    if (profile == format::Profile::fast) return node.leaf_block;
-    const std::size_t descriptor_bytes = profile == format::Profile::tiny ? 2 : 4;
+    if (profile == Profile::fast) return node.leaf_block;
+    const std::size_t descriptor_bytes = profile == Profile::tiny ? 2 : 4;
     return node.leaf_block + format::strip_leaf::descriptors_at + descriptor_bytes * node.leaves;
 }
 
 bool TreeBytes::decode_leaf(const DecodedNode& node, unsigned index, DecodedLeaf& leaf) const {
-    if (profile == format::Profile::fast) return decode_plain_leaf(node, index, leaf);
-    if (profile == format::Profile::tiny) return decode_predicted_strip(node, index, leaf);
+    if (profile == Profile::fast) return decode_plain_leaf(node, index, leaf);
+    if (profile == Profile::tiny) return decode_predicted_strip(node, index, leaf);
     return decode_strip_leaf(node, index, leaf);
 }
 

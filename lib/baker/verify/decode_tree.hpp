@@ -50,7 +50,7 @@ struct TreeBytes {
     std::span<const std::byte> nodes;
     std::span<const std::byte> leaves;
     unsigned bits = 1;
-    format::Profile profile = format::Profile::fast;
+    Profile profile = Profile::fast;
     bool has_copies = false;  ///< the blob has split references
     Coordinates extent{};
 
@@ -63,7 +63,7 @@ struct TreeBytes {
     /// Where the data of a node's first leaf belongs.
     [[nodiscard]] std::size_t first_leaf_at(const DecodedNode& node) const;
     /// Leaves lie one after the other at multiples of this.
-    [[nodiscard]] std::size_t leaf_unit() const { return profile == format::Profile::fast ? 4 : 1; }
+    [[nodiscard]] std::size_t leaf_unit() const { return profile == Profile::fast ? 4 : 1; }
 
 private:
     [[nodiscard]] bool decode_plain_node(std::span<const std::byte> bytes, DecodedNode& node) const;

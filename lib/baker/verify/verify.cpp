@@ -1,10 +1,10 @@
-#include <baker/verify/verify.hpp>
+#include <espalier/bake.hpp>
 
 #include <algorithm>
 #include <bit>
 
 #include <espalier/blob.hpp>
-#include <runtime/copies.hpp>
+#include <runtime/blob/duplicate_references.hpp>
 
 #include <baker/base/indexed_hash_set.hpp>
 #include <baker/base/triangle_set.hpp>
@@ -13,7 +13,9 @@
 #include <baker/sections/optional_sections.hpp>
 #include <baker/verify/check_tree.hpp>
 
-namespace espalier::baker {
+namespace espalier {
+
+namespace baker {
 
 namespace {
 
@@ -37,7 +39,7 @@ public:
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const std::uint32_t vertex = leaf.corners[i][corner];
                 // Of a strip it is the entries whose first uses number the vertices; a window may turn them round.
-                if (data_.profile == format::Profile::fast && vertex > static_cast<unsigned>(std::popcount(used)))
+                if (data_.profile == Profile::fast && vertex > static_cast<unsigned>(std::popcount(used)))
                     return about(index, leaf, "uses a vertex before the ones that are numbered lower");
                 used |= std::uint64_t{1} << vertex;
                 corners[corner] = numbers[vertex];
@@ -106,20 +108,19 @@ std::optional<std::string> check_extent(const Blob& blob, const LatticeMesh& mes
     all.hi = all.lo;
     for (const LatticePoint& point : mesh.vertices) all.add({{point.x, point.y, point.z}, {point.x, point.y, point.z}});
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (all.lo[axis] == 0 && all.hi[axis] == blob.data().extent[axis]) continue;
-        return "the header (byte " + std::to_string(format::header::extent_at + 4 * axis) + ") says that axis " +
-               std::to_string(axis) + " goes from 0 to " + std::to_string(blob.data().extent[axis]) +
+        if (all.lo[axis] == 0 && all.hi[axis] == detail::data_of(blob).extent[axis]) continue;
+        return "the header (byte " + std::to_string(format::header::extent_at + 4 * axis) + ") states that axis " +
+               std::to_string(axis) + " goes from 0 to " + std::to_string(detail::data_of(blob).extent[axis]) +
                ", but its vertices go from " + std::to_string(all.lo[axis]) + " to " + std::to_string(all.hi[axis]);
     }
     return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
-    Blob blob;
-    if (const Status status = open(bytes, blob); status != Status::ok) return describe(status);
-    const detail::BlobData& data = blob.data();
+/// Returns the first thing that is wrong, or nothing.
+std::optional<std::string> find_fault(std::span<const std::byte> bytes) {
+    const Blob blob = open(bytes);
+    if (!blob) return describe(blob.status());
+    const detail::BlobData& data = detail::data_of(blob);
     const std::size_t node_bytes = data.node_count * format::node_bytes(data.profile);
     const std::size_t leaves_at = format::header::bytes + node_bytes;
     const auto extent_of = [&](std::size_t axis) { return static_cast<std::int32_t>(data.extent[axis]); };
@@ -141,11 +142,21 @@ std::optional<std::string> verify_deep(std::span<const std::byte> bytes) {
         return "the header (byte " + std::to_string(format::header::vertex_count_at) + ") counts " +
                std::to_string(blob.vertex_count()) + " vertices, but there are " + std::to_string(mesh.vertices.size());
     }
-    if (is_closed(mesh) != blob.closed()) {
+    if (is_closed(mesh) != blob.is_closed()) {
         return std::string("the header (byte ") + std::to_string(format::header::features_at) + ") calls the mesh " +
-               (blob.closed() ? "closed, but it is not" : "open, but it is closed");
+               (blob.is_closed() ? "closed, but it is not" : "open, but it is closed");
     }
     return check_optional_sections(blob, mesh);
 }
 
-}  // namespace espalier::baker
+}  // namespace
+
+}  // namespace baker
+
+VerifyReport verify(std::span<const std::byte> bytes) {
+    std::optional<std::string> fault = baker::find_fault(bytes);
+    if (fault) return {false, std::move(*fault)};
+    return {true, {}};
+}
+
+}  // namespace espalier

@@ -1,4 +1,4 @@
-# Linux on 32-bit ARM. Its VFP unit rounds as IEEE 754 says; NEON of 32-bit ARM flushes subnormals, so it stays off.
+# Linux on 32-bit ARM. Its VFP unit rounds as IEEE 754 requires; NEON of 32-bit ARM flushes subnormals, so it stays off.
 # Debian: g++-arm-linux-gnueabihf, qemu-user.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR arm)

@@ -1,4 +1,4 @@
-# Linux on 32-bit x86. Its x87 unit rounds to other widths than the code says, so that all arithmetic is SSE2's.
+# Linux on 32-bit x86. Its x87 unit rounds to other widths than the code states, so that all arithmetic is SSE2's.
 # Debian: g++-i686-linux-gnu; an x86-64 kernel runs it.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR i686)

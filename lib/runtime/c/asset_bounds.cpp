@@ -1,38 +1,21 @@
-// espalier.h: bounds of the whole asset.
-#include <runtime/c/twins.hpp>
+// espalier/c/bounds.h: bounds of the whole asset.
+#include <runtime/c/abi.hpp>
 
-using namespace espalier;
 using namespace espalier::detail;
-
-extern "C" {
 
 constexpr espalier_vec3 espalier_k_dop_directions[ESPALIER_K_DOP_COUNT] = {
     {1, 0, 0}, {0, 1, 0},  {0, 0, 1}, {1, 1, 0},  {1, -1, 0}, {1, 0, 1},  {1, 0, -1},
     {0, 1, 1}, {0, 1, -1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
 static_assert([] {
-    for (unsigned k = 0; k < KDop::count; ++k)
-        if (twin_value(espalier_k_dop_directions[k]) != KDop::directions[k]) return false;
+    for (unsigned k = 0; k < espalier::KDop::count; ++k)
+        if (cpp(espalier_k_dop_directions[k]) != espalier::KDop::directions[k]) return false;
     return true;
 }());
 
-bool espalier_bounding_sphere(const espalier_blob* blob, espalier_sphere* sphere) {
-    return bounding_sphere(*twin(blob), *twin(sphere));
+espalier_sphere_result espalier_bounding_sphere(const espalier_blob* blob) { return c(bounding_sphere(cpp(blob))); }
+
+espalier_oriented_box_result espalier_oriented_bounds(const espalier_blob* blob) {
+    return c(oriented_bounds(cpp(blob)));
 }
 
-bool espalier_oriented_bounds(const espalier_blob* blob, espalier_oriented_box* box) {
-    return oriented_bounds(*twin(blob), *twin(box));
-}
-
-bool espalier_k_dop_bounds(const espalier_blob* blob, espalier_k_dop* k_dop) {
-    return k_dop_bounds(*twin(blob), *twin(k_dop));
-}
-
-bool espalier_is_outside_bounds_sphere(const espalier_blob* blob, const espalier_sphere* sphere) {
-    return is_outside_bounds(*twin(blob), *twin(sphere));
-}
-
-bool espalier_is_outside_bounds_box(const espalier_blob* blob, const espalier_box* box) {
-    return is_outside_bounds(*twin(blob), *twin(box));
-}
-
-}  // extern "C"
+espalier_k_dop_result espalier_k_dop_bounds(const espalier_blob* blob) { return c(k_dop_bounds(cpp(blob))); }

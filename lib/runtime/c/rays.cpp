@@ -1,84 +1,80 @@
-// espalier.h: rays.
-#include <runtime/c/twins.hpp>
+// espalier/c/ray.h, rounded_ray.h and statistics.h: rays.
+#include <runtime/c/abi.hpp>
 
-using namespace espalier;
 using namespace espalier::detail;
 
-extern "C" {
-
-espalier_ray espalier_ray_from(espalier_vec3 origin, espalier_vec3 direction) {
-    return {origin, direction, 0.0f, __builtin_inff(), ESPALIER_FACES_BOTH};
+espalier_ray espalier_default_ray(espalier_vec3 origin, espalier_vec3 direction) {
+    return {origin, direction, 0.0f, __builtin_inff(), ESPALIER_FACE_CULLING_NONE};
 }
 
-espalier_ray espalier_along(const espalier_segment* segment) { return twin_value(along(*twin(segment))); }
-
-bool espalier_raycast(const espalier_blob* blob, const espalier_ray* ray, espalier_ray_hit* hit) {
-    return raycast(*twin(blob), *twin(ray), *twin(hit));
+espalier_ray espalier_ray_between(espalier_vec3 from, espalier_vec3 to) {
+    return c(espalier::Ray::between(cpp(from), cpp(to)));
 }
 
-bool espalier_raycast_filtered(const espalier_blob* blob, const espalier_ray* ray, espalier_ray_hit* hit,
-                               espalier_triangle_filter filter, void* user) {
-    const Filter counts = {filter, user};
-    return raycast(*twin(blob), *twin(ray), *twin(hit), counts);
+espalier_ray_hit espalier_raycast(const espalier_blob* blob, const espalier_ray* ray) {
+    return c(raycast(cpp(blob), cpp(ray)));
 }
 
-bool espalier_occluded(const espalier_blob* blob, const espalier_ray* ray) { return occluded(*twin(blob), *twin(ray)); }
-
-bool espalier_occluded_filtered(const espalier_blob* blob, const espalier_ray* ray, espalier_triangle_filter filter,
-                                void* user) {
-    const Filter counts = {filter, user};
-    return occluded(*twin(blob), *twin(ray), counts);
+espalier_ray_hit espalier_raycast_filtered(const espalier_blob* blob, const espalier_ray* ray,
+                                           espalier_triangle_filter filter, void* user) {
+    return c(raycast(cpp(blob), cpp(ray), Filter{filter, user}));
 }
 
-espalier_hit_count espalier_closest_hits(const espalier_blob* blob, const espalier_ray* ray, espalier_ray_hit* hits,
-                                         size_t places) {
-    return twin_value(closest_hits(*twin(blob), *twin(ray), twins(hits, places)));
+espalier_yes_no espalier_occluded(const espalier_blob* blob, const espalier_ray* ray) {
+    return c(occluded(cpp(blob), cpp(ray)));
 }
 
-espalier_hit_count espalier_closest_hits_filtered(const espalier_blob* blob, const espalier_ray* ray,
-                                                  espalier_ray_hit* hits, size_t places,
-                                                  espalier_triangle_filter filter, void* user) {
-    const Filter counts = {filter, user};
-    return twin_value(closest_hits(*twin(blob), *twin(ray), twins(hits, places), counts));
+espalier_yes_no espalier_occluded_filtered(const espalier_blob* blob, const espalier_ray* ray,
+                                           espalier_triangle_filter filter, void* user) {
+    return c(occluded(cpp(blob), cpp(ray), Filter{filter, user}));
 }
 
-size_t espalier_raycast_batch(const espalier_blob* blob, const espalier_ray* rays, espalier_ray_hit* hits,
-                              size_t count) {
-    return raycast(*twin(blob), twins(rays, count), twins(hits, count));
+espalier_filled espalier_closest_hits(const espalier_blob* blob, const espalier_ray* ray, espalier_ray_hit* hits,
+                                      size_t capacity) {
+    return c(closest_hits(cpp(blob), cpp(ray), cpp(hits, capacity)));
 }
 
-size_t espalier_occluded_batch(const espalier_blob* blob, const espalier_ray* rays, uint8_t* answers, size_t count) {
-    return occluded(*twin(blob), twins(rays, count), std::span(answers, count));
+espalier_filled espalier_closest_hits_filtered(const espalier_blob* blob, const espalier_ray* ray,
+                                               espalier_ray_hit* hits, size_t capacity, espalier_triangle_filter filter,
+                                               void* user) {
+    return c(closest_hits(cpp(blob), cpp(ray), cpp(hits, capacity), Filter{filter, user}));
 }
 
-bool espalier_for_each_hit(const espalier_blob* blob, const espalier_ray* ray, espalier_hit_visitor visit, void* user) {
-    if (visit == nullptr) return false;
-    return for_each_hit(*twin(blob), *twin(ray),
-                        [=](const RayHit& hit) { return visit_answer(visit(twin(&hit), user)); });
+espalier_query_status espalier_for_each_hit(const espalier_blob* blob, const espalier_ray* ray,
+                                            espalier_hit_visitor visit, void* user) {
+    if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;
+    return c(for_each_hit(cpp(blob), cpp(ray), visitor(visit, user)));
 }
 
-bool espalier_raycast_counted(const espalier_blob* blob, const espalier_ray* ray, espalier_ray_hit* hit,
-                              espalier_query_counters* counters) {
-    return raycast_counted(*twin(blob), *twin(ray), *twin(hit), *twin(counters));
+espalier_filled espalier_raycast_batch(const espalier_blob* blob, const espalier_ray* rays, espalier_ray_hit* hits,
+                                       size_t count) {
+    return c(raycast(cpp(blob), cpp(rays, count), cpp(hits, count)));
 }
 
-espalier_query_status espalier_lattice_of_blobs(const espalier_blob* blobs, size_t count, espalier_lattice* region) {
-    return static_cast<espalier_query_status>(lattice_of(twins(blobs, count), *twin(region)));
+espalier_filled espalier_occluded_batch(const espalier_blob* blob, const espalier_ray* rays, espalier_yes_no* answers,
+                                        size_t count) {
+    return c(occluded(cpp(blob), cpp(rays, count), cpp(answers, count)));
 }
 
-espalier_query_status espalier_round_ray(const espalier_lattice* region, const espalier_ray* ray,
-                                         espalier_rounded_ray* rounded) {
-    *twin(rounded) = round_ray(*twin(region), *twin(ray));
-    return static_cast<espalier_query_status>(twin(rounded)->status());
+espalier_ray_hit espalier_raycast_counted(const espalier_blob* blob, const espalier_ray* ray,
+                                          espalier_query_counters* counters) {
+    return c(raycast(cpp(blob), cpp(ray), cpp(counters)));
 }
 
-espalier_query_status espalier_raycast_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray,
-                                               espalier_ray_hit* hit) {
-    return static_cast<espalier_query_status>(raycast(*twin(blob), *twin(ray), *twin(hit)));
+espalier_lattice_result espalier_lattice_of_blobs(const espalier_blob* blobs, size_t count) {
+    return c(lattice_of(cpp(blobs, count)));
 }
 
-espalier_query_status espalier_occluded_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray, bool* hit) {
-    return static_cast<espalier_query_status>(occluded(*twin(blob), *twin(ray), *hit));
+espalier_rounded_ray espalier_round_ray(const espalier_lattice* region, const espalier_ray* ray) {
+    return c(round_ray(cpp(region), cpp(ray)));
 }
 
-}  // extern "C"
+espalier_query_status espalier_rounded_ray_status(const espalier_rounded_ray* ray) { return c(cpp(ray).status()); }
+
+espalier_ray_hit espalier_raycast_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray) {
+    return c(raycast(cpp(blob), cpp(ray)));
+}
+
+espalier_yes_no espalier_occluded_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray) {
+    return c(occluded(cpp(blob), cpp(ray)));
+}

@@ -1,42 +1,30 @@
-// espalier.h: how far a query moves when it is rounded.
-#include <runtime/c/twins.hpp>
+// espalier/c/rounding.h: how far a query moves when it is rounded.
+#include <runtime/c/abi.hpp>
 
-using namespace espalier;
 using namespace espalier::detail;
 
-extern "C" {
+#define ROUNDING_ERROR(name)                                                                                        \
+    espalier_float_result espalier_rounding_error_##name(const espalier_blob* blob, const espalier_##name* shape) { \
+        return c(rounding_error(cpp(blob), cpp(shape)));                                                            \
+    }
+#define ROUNDING_ERROR_SWEEP(name)                                                             \
+    espalier_float_result espalier_rounding_error_sweep_##name(                                \
+        const espalier_blob* blob, const espalier_##name* shape, espalier_vec3 displacement) { \
+        return c(rounding_error(cpp(blob), cpp(shape), cpp(displacement)));                    \
+    }
 
 espalier_float_result espalier_rounding_error_point(const espalier_blob* blob, espalier_vec3 point) {
-    return twin_value(rounding_error(*twin(blob), twin_value(point)));
+    return c(rounding_error(cpp(blob), cpp(point)));
 }
 
-espalier_float_result espalier_rounding_error_ray(const espalier_blob* blob, const espalier_ray* ray) {
-    return twin_value(rounding_error(*twin(blob), *twin(ray)));
-}
+ROUNDING_ERROR(ray)
+ROUNDING_ERROR(segment)
+ROUNDING_ERROR(sphere)
+ROUNDING_ERROR(capsule)
+ROUNDING_ERROR(box)
+ROUNDING_ERROR(oriented_box)
+ROUNDING_ERROR(triangle)
 
-espalier_float_result espalier_rounding_error_segment(const espalier_blob* blob, const espalier_segment* segment) {
-    return twin_value(rounding_error(*twin(blob), *twin(segment)));
-}
-
-espalier_float_result espalier_rounding_error_sphere(const espalier_blob* blob, const espalier_sphere* sphere) {
-    return twin_value(rounding_error(*twin(blob), *twin(sphere)));
-}
-
-espalier_float_result espalier_rounding_error_capsule(const espalier_blob* blob, const espalier_capsule* capsule) {
-    return twin_value(rounding_error(*twin(blob), *twin(capsule)));
-}
-
-espalier_float_result espalier_rounding_error_box(const espalier_blob* blob, const espalier_box* box) {
-    return twin_value(rounding_error(*twin(blob), *twin(box)));
-}
-
-espalier_float_result espalier_rounding_error_oriented_box(const espalier_blob* blob,
-                                                           const espalier_oriented_box* box) {
-    return twin_value(rounding_error(*twin(blob), *twin(box)));
-}
-
-espalier_float_result espalier_rounding_error_triangle(const espalier_blob* blob, const espalier_corners* triangle) {
-    return twin_value(rounding_error(*twin(blob), *twin(triangle)));
-}
-
-}  // extern "C"
+ROUNDING_ERROR_SWEEP(sphere)
+ROUNDING_ERROR_SWEEP(capsule)
+ROUNDING_ERROR_SWEEP(box)

@@ -1,30 +1,25 @@
-// espalier.h: volumes.
-#include <runtime/c/overlaps.hpp>
+// espalier/c/overlap.h: overlaps.
+#include <runtime/c/abi.hpp>
 
-using namespace espalier;
 using namespace espalier::detail;
 
-extern "C" {
+/// Defines the functions that test, visit and collect overlaps with a shape.
+#define OVERLAPS(name, Cpp)                                                                                         \
+    espalier_yes_no espalier_overlaps_##name(const espalier_blob* blob, const espalier_##name* shape) {             \
+        return c(overlaps(cpp(blob), cpp(shape)));                                                                  \
+    }                                                                                                               \
+    espalier_query_status espalier_for_each_overlap_##name(const espalier_blob* blob, const espalier_##name* shape, \
+                                                           espalier_triangle_visitor visit, void* user) {           \
+        if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;                                               \
+        return c(for_each_overlap(cpp(blob), cpp(shape), visitor(visit, user)));                                    \
+    }                                                                                                               \
+    espalier_filled espalier_collect_overlaps_##name(const espalier_blob* blob, const espalier_##name* shape,       \
+                                                     espalier_triangle_id* out, size_t capacity,                    \
+                                                     espalier_cursor from) {                                        \
+        return c(collect_overlaps(cpp(blob), cpp(shape), cpp(out, capacity), cpp(from)));                           \
+    }
 
-ESPALIER_C_OVERLAPS(sphere, espalier_sphere)
-ESPALIER_C_OVERLAPS(capsule, espalier_capsule)
-ESPALIER_C_OVERLAPS(box, espalier_box)
-ESPALIER_C_OVERLAPS(oriented_box, espalier_oriented_box)
-ESPALIER_C_OVERLAPS(triangle, espalier_corners)
-
-bool espalier_overlaps_planes(const espalier_blob* blob, const espalier_plane* planes, size_t plane_count) {
-    return overlaps(*twin(blob), twins(planes, plane_count));
-}
-
-bool espalier_for_each_overlap_planes(const espalier_blob* blob, const espalier_plane* planes, size_t plane_count,
-                                      espalier_triangle_visitor visit, void* user) {
-    return for_each(blob, twins(planes, plane_count), visit, user);
-}
-
-espalier_overlap_page espalier_collect_overlaps_planes(const espalier_blob* blob, const espalier_plane* planes,
-                                                       size_t plane_count, espalier_triangle* page, size_t places,
-                                                       uint32_t first) {
-    return collect(blob, twins(planes, plane_count), page, places, first);
-}
-
-}  // extern "C"
+ESPALIER_SHAPES_(OVERLAPS)
+OVERLAPS(triangle, Triangle)
+OVERLAPS(convex_volume, ConvexVolume)
+OVERLAPS(lattice_box, LatticeBox)

@@ -1,40 +1,19 @@
-// espalier.h: walking over what a blob holds.
-#include <runtime/c/twins.hpp>
+// espalier/c/walk.h: walks over the contents of a blob.
+#include <runtime/c/abi.hpp>
 
-using namespace espalier;
 using namespace espalier::detail;
 
-namespace {
-
-NodeVisit node_answer(espalier_node_visit answer) {
-    switch (answer) {
-        case ESPALIER_NODE_DESCEND:
-            return NodeVisit::descend;
-        case ESPALIER_NODE_SKIP:
-            return NodeVisit::skip;
-        default:
-            return NodeVisit::end;
-    }
+espalier_query_status espalier_for_each_triangle(const espalier_blob* blob, espalier_triangle_visitor visit,
+                                                 void* user) {
+    if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;
+    return c(for_each_triangle(cpp(blob), visitor(visit, user)));
 }
 
-}  // namespace
-
-extern "C" {
-
-bool espalier_for_each_triangle(const espalier_blob* blob, espalier_corners_visitor visit, void* user) {
-    if (visit == nullptr) return false;
-    return for_each_triangle(*twin(blob), [=](Triangle triangle, const Corners& corners) {
-        return visit_answer(visit(triangle.index, twin(&corners), user));
-    });
+espalier_triangle_result espalier_triangle_at(const espalier_blob* blob, espalier_triangle_id triangle) {
+    return c(triangle_at(cpp(blob), cpp(triangle)));
 }
 
-bool espalier_triangle_corners(const espalier_blob* blob, espalier_triangle triangle, espalier_corners* corners) {
-    return triangle_corners(*twin(blob), {triangle}, *twin(corners));
+espalier_query_status espalier_for_each_node(const espalier_blob* blob, espalier_node_visitor visit, void* user) {
+    if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;
+    return c(for_each_node(cpp(blob), visitor<espalier::NodeVisit>(visit, user)));
 }
-
-bool espalier_for_each_node(const espalier_blob* blob, espalier_node_visitor visit, void* user) {
-    if (visit == nullptr) return false;
-    return for_each_node(*twin(blob), [=](const TreeNode& node) { return node_answer(visit(twin(&node), user)); });
-}
-
-}  // extern "C"

@@ -7,11 +7,12 @@
 #include <numeric>
 #include <string>
 
+#include <espalier/bake.hpp>
 #include <baker/build/build.hpp>
-#include <baker/verify/verify.hpp>
 
 #include "baker/baking_support.hpp"
 #include "support/answers/differences.hpp"
+#include "support/base/profiles.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/blobs/baking.hpp"
 #include "support/meshes/makers.hpp"
@@ -76,7 +77,7 @@ TEST_SUITE("builders") {
     TEST_CASE("builder: no triangles give an empty tree") {
         for (const NamedBuilder& named : builders) {
             CAPTURE(named.name);
-            CHECK(baker::build({}, named.builder, baker::build_settings(5, 1)).triangles.empty());
+            CHECK(baker::build({}, named.builder, baker::build_settings(Effort::normal, 1)).triangles.empty());
         }
     }
 
@@ -95,7 +96,7 @@ TEST_SUITE("builders") {
             CAPTURE(named.name);
             for (const baker::LatticeMesh& mesh : meshes) {
                 CAPTURE(mesh.triangles.size());
-                for (const unsigned effort : {0u, 5u, 9u}) {
+                for (const Effort effort : every_effort) {
                     const auto tree = baker::build(mesh, named.builder, baker::build_settings(effort, 1));
                     CHECK(height_of_sound_tree(mesh, tree) <= baker::max_binary_height);
                 }
@@ -107,7 +108,7 @@ TEST_SUITE("builders") {
         const baker::LatticeMesh mesh = identical_triangles(100'000);
         for (const NamedBuilder& named : builders) {
             CAPTURE(named.name);
-            const auto tree = baker::build(mesh, named.builder, baker::build_settings(5, 1));
+            const auto tree = baker::build(mesh, named.builder, baker::build_settings(Effort::normal, 1));
             CHECK(height_of_sound_tree(mesh, tree) <= baker::max_binary_height);
         }
     }
@@ -118,7 +119,7 @@ TEST_SUITE("builders") {
             const unsigned balanced = balanced_height_of(mesh.triangles.size());
             for (const NamedBuilder& named : builders) {
                 CAPTURE(named.name);
-                baker::BuildSettings settings = baker::build_settings(5, 1);
+                baker::BuildSettings settings = baker::build_settings(Effort::normal, 1);
                 const unsigned free_height = height_of_sound_tree(mesh, baker::build(mesh, named.builder, settings));
                 REQUIRE(free_height > balanced);  // or this claim would test nothing
                 for (settings.most_height = 0; settings.most_height <= free_height; ++settings.most_height) {
@@ -135,9 +136,10 @@ TEST_SUITE("builders") {
         for (const baker::LatticeMesh& mesh : {mixed_sizes(20'000, 7), nearly_equal_boxes(9'000)}) {
             for (const NamedBuilder& named : builders) {
                 CAPTURE(named.name);
-                const auto one = baker::build(mesh, named.builder, baker::build_settings(3, 1));
+                const auto one = baker::build(mesh, named.builder, baker::build_settings(Effort::fast, 1));
                 for (const unsigned threads : {2u, 3u, 16u}) {
-                    CHECK(is_same(baker::build(mesh, named.builder, baker::build_settings(3, threads)), one));
+                    CHECK(
+                        is_same(baker::build(mesh, named.builder, baker::build_settings(Effort::fast, threads)), one));
                 }
             }
         }
@@ -149,17 +151,17 @@ TEST_SUITE("builders") {
         for (const NamedBuilder& named : builders) {
             CAPTURE(named.name);
             BakeOptions options;
-            options.builder = named.builder;
+            options.build.builder = named.builder;
             const auto one = bake_mesh(mesh, options);
             options.threads = 2;
             const auto two = bake_mesh(mesh, options);
             REQUIRE(one);
             REQUIRE(two);
-            CHECK(one->blob == two->blob);
-            const auto complaint = baker::verify_deep(one->blob);
-            if (complaint) FAIL_CHECK(*complaint);
-            CHECK(std::find(blobs.begin(), blobs.end(), one->blob) == blobs.end());
-            blobs.push_back(one->blob);
+            CHECK(one.bytes == two.bytes);
+            const VerifyReport verified = verify(one.bytes);
+            if (!verified) FAIL_CHECK(verified.message);
+            CHECK(std::find(blobs.begin(), blobs.end(), one.bytes) == blobs.end());
+            blobs.push_back(one.bytes);
         }
     }
 
@@ -168,7 +170,7 @@ TEST_SUITE("builders") {
             for (const NamedBuilder& named : builders) {
                 CAPTURE(named.name);
                 BakeOptions options;
-                options.builder = named.builder;
+                options.build.builder = named.builder;
                 const OpenedBlob opened(mesh, options);
                 const DecodedBlob decoded = decode(opened.bytes);
                 const TriangleLoop loop(decoded);

@@ -8,15 +8,16 @@
 
 #include <baker/build/build.hpp>
 #include <baker/build/spatial.hpp>
-#include <baker/verify/verify.hpp>
-#include <espalier/nearest.hpp>
+#include <espalier/distance.hpp>
 #include <espalier/original.hpp>
 #include <espalier/statistics.hpp>
 #include <espalier/walk.hpp>
+#include <espalier/bake.hpp>
 
 #include "baker/baking_support.hpp"
 #include "support/answers/differences.hpp"
 #include "support/base/checksum.hpp"
+#include "support/base/same_bits.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/blobs/baking.hpp"
 #include "support/format/edits.hpp"
@@ -31,38 +32,15 @@ namespace {
 
 BakeOptions with_splits(double duplicates = 1.0, unsigned bits = 16) {
     BakeOptions options;
-    options.builder = Builder::spatial_splits;
-    options.profile = format::Profile::fast;
-    options.duplicates = duplicates;
-    options.bits = bits;
+    options.build.builder = Builder::spatial_splits;
+    options.profile = Profile::fast;
+    options.build.duplicate_budget = duplicates;
+    options.resolution = Resolution::bits(bits);
     return options;
 }
 
-/// Long slanted triangles through a crowd of small ones: what spatial splits are for.
-Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed) {
-    Mesh mesh;
-    mesh.name = "beams";
-    Random random(seed);
-    const auto unit = [&] { return static_cast<float>(random.below(1'000'000)) * 1e-6f; };
-    const auto add = [&](Vec3 a, Vec3 b, Vec3 c) {
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(), {a, b, c});
-        mesh.triangles.push_back({first, first + 1, first + 2});
-    };
-    for (unsigned i = 0; i < beams; ++i) {
-        const Vec3 a = {unit(), 0.0f, unit()};
-        const Vec3 b = {unit(), 1.0f, unit()};
-        add(a, b, {b.x + 0.01f * unit(), b.y, b.z + 0.01f * unit()});
-    }
-    for (unsigned i = 0; i < small; ++i) {
-        const Vec3 a = {unit(), unit(), unit()};
-        add(a, {a.x + 0.02f * unit(), a.y, a.z + 0.01f}, {a.x, a.y + 0.02f * unit(), a.z});
-    }
-    return mesh;
-}
-
 /// Whether the boxes hold all points of a fine grid on the triangle, exactly: coordinates are compared as fractions.
-bool hold_grid(const std::vector<baker::BinaryNode>& boxes, const std::array<baker::LatticePoint, 3>& corners) {
+bool hold_grid(const std::vector<baker::BinaryNode>& boxes, const std::array<LatticePoint, 3>& corners) {
     constexpr std::int64_t steps = 60;
     for (std::int64_t i = 0; i <= steps; ++i) {
         for (std::int64_t j = 0; i + j <= steps; ++j) {
@@ -101,8 +79,8 @@ TEST_SUITE("spatial") {
             const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
             CAPTURE(count);
             for (const double duplicates : {0.0, 0.1, 1.0}) {
-                baker::BuildSettings settings = baker::build_settings(5, 1);
-                settings.duplicates = duplicates;
+                baker::BuildSettings settings = baker::build_settings(Effort::normal, 1);
+                settings.duplicate_budget = duplicates;
                 const baker::BinaryTree tree = baker::build_spatial(mesh, settings);
                 CHECK(static_cast<double>(tree.triangles.size()) <= (1.0 + duplicates) * count);
                 CHECK(checked_height(tree, 0) <= baker::max_binary_height);
@@ -121,8 +99,8 @@ TEST_SUITE("spatial") {
 
     TEST_CASE("spatial split: splits fall back to balance where the tree would become too high") {
         const baker::LatticeMesh mesh = mixed_sizes(1'000, 3);
-        baker::BuildSettings settings = baker::build_settings(5, 1);
-        settings.duplicates = 1.0;
+        baker::BuildSettings settings = baker::build_settings(Effort::normal, 1);
+        settings.duplicate_budget = 1.0;
         for (settings.most_height = 0; settings.most_height < 24; ++settings.most_height) {
             const baker::BinaryTree tree = baker::build_spatial(mesh, settings);
             CHECK(checked_height(tree, 0) <= std::max(settings.most_height, 10u));
@@ -133,12 +111,12 @@ TEST_SUITE("spatial") {
         const Mesh mesh = crossed_by_beams(60, 600, 1);
         const auto split = bake_mesh(mesh, with_splits(0.0));
         BakeOptions ordinary;
-        ordinary.profile = format::Profile::fast;
+        ordinary.profile = Profile::fast;
         const auto plain = bake_mesh(mesh, ordinary);
         REQUIRE(split);
         REQUIRE(plain);
-        CHECK(split->blob == plain->blob);
-        CHECK(split->report.copies == 0);
+        CHECK(split.bytes == plain.bytes);
+        CHECK(split.report.tree.duplicate_references == 0);
     }
 
     TEST_CASE("spatial split: copies are counted and sound and reduce the visits at any number of threads") {
@@ -149,14 +127,14 @@ TEST_SUITE("spatial") {
         const auto three = bake_mesh(mesh, options);
         REQUIRE(one);
         REQUIRE(three);
-        CHECK(one->blob == three->blob);
-        CHECK(one->report.copies > 20);
-        const OpenedBlob opened(one->blob);
-        CHECK(opened.blob.copy_count() == one->report.copies);
-        CHECK(opened.blob.triangle_count() == one->report.triangles + one->report.copies);
-        CHECK((opened.blob.data().features & format::feature::split_references) != 0);
-        const auto complaint = baker::verify_deep(one->blob);
-        if (complaint) FAIL_CHECK(*complaint);
+        CHECK(one.bytes == three.bytes);
+        CHECK(one.report.tree.duplicate_references > 20);
+        const OpenedBlob opened(one.bytes);
+        CHECK(opened.blob.duplicate_reference_count() == one.report.tree.duplicate_references);
+        CHECK(opened.blob.triangle_count() == one.report.tree.triangles + one.report.tree.duplicate_references);
+        CHECK((detail::data_of(opened.blob).features & format::feature::split_references) != 0);
+        const VerifyReport verified = verify(one.bytes);
+        if (!verified) FAIL_CHECK(verified.message);
 
         const OpenedBlob plain(mesh);
         QueryCounters counters;
@@ -164,9 +142,9 @@ TEST_SUITE("spatial") {
         for (unsigned i = 0; i < 500; ++i) {
             const float x = static_cast<float>(i % 25) * 0.04f;
             const float y = static_cast<float>(i / 25) * 0.05f;
-            RayHit hit;
-            raycast_counted(opened.blob, {.origin = {x, y, 5.0f}, .direction = {0, 0, -1}}, hit, counters);
-            raycast_counted(plain.blob, {.origin = {x, y, 5.0f}, .direction = {0, 0, -1}}, hit, plain_counters);
+            const Ray down = {.origin = {x, y, 5.0f}, .direction = {0, 0, -1}};
+            REQUIRE(same_bits(raycast(opened.blob, down, counters), raycast(opened.blob, down)));
+            static_cast<void>(raycast(plain.blob, down, plain_counters));
         }
         CHECK(counters.triangles < plain_counters.triangles);
     }
@@ -178,9 +156,9 @@ TEST_SUITE("spatial") {
                 CAPTURE(mesh.name);
                 CAPTURE(bits);
                 const OpenedBlob opened(mesh, with_splits(1.0, bits));
-                copies += opened.blob.copy_count();
-                const auto complaint = baker::verify_deep(opened.bytes);
-                if (complaint) FAIL_CHECK(*complaint);
+                copies += opened.blob.duplicate_reference_count();
+                const VerifyReport verified = verify(opened.bytes);
+                if (!verified) FAIL_CHECK(verified.message);
                 const DecodedBlob decoded = decode(opened.bytes);
                 const TriangleLoop loop(decoded);
                 QueryMaker maker(decoded, 500 + bits);
@@ -197,16 +175,14 @@ TEST_SUITE("spatial") {
                     const auto difference = sphere_difference(opened.blob, loop, maker.sphere(), found);
                     REQUIRE_MESSAGE(!difference, *difference);
                     const Vec3 from = maker.sphere().center, to = maker.sphere().center;
-                    const float infinity = std::numeric_limits<float>::infinity();
-                    NearestPair pair;
-                    // Some shapes are too far away to be asked about.
-                    const bool is_near = closest_to_segment(opened.blob, {from, to}, infinity, pair) == QueryStatus::ok;
-                    if (is_near) CHECK(decoded.owners[pair.triangle.index] == pair.triangle.index);
-                    near += is_near ? 1u : 0u;
+                    // Some shapes are too far away: those are refused.
+                    const ClosestPoint pair = closest_point(opened.blob, Segment{from, to});
+                    if (pair) CHECK(decoded.owners[pair.triangle.index] == pair.triangle.index);
+                    near += pair ? 1u : 0u;
                     const Box box = {{std::min(from.x, to.x), std::min(from.y, to.y), std::min(from.z, to.z)},
                                      {std::max(from.x, to.x), std::max(from.y, to.y), std::max(from.z, to.z)}};
-                    if (closest_to_box(opened.blob, box, infinity, pair) == QueryStatus::ok)
-                        CHECK(decoded.owners[pair.triangle.index] == pair.triangle.index);
+                    if (const ClosestPoint to_box = closest_point(opened.blob, box))
+                        CHECK(decoded.owners[to_box.triangle.index] == to_box.triangle.index);
                 }
                 if (asks_enough()) CHECK(found > 0);
                 if (asks_enough()) CHECK(near > 0);
@@ -222,34 +198,25 @@ TEST_SUITE("spatial") {
         bool only_owners = true;
         std::uint64_t asked = 0;
         for (unsigned i = 0; i < 300; ++i) {
-            const auto filter = [&](Triangle triangle) {
+            const auto filter = [&](TriangleId triangle) {
                 ++asked;
                 only_owners = only_owners && decoded.owners[triangle.index] == triangle.index;
                 return false;
             };
-            RayHit hit;
-            CHECK(!raycast(opened.blob, maker.any_ray(), hit, filter));
-            CHECK(!occluded(opened.blob, maker.any_ray(), filter));
+            CHECK_FALSE(raycast(opened.blob, maker.any_ray(), filter));
+            CHECK_FALSE(occluded(opened.blob, maker.any_ray(), filter).yes());
         }
         CHECK(asked > 100);
         CHECK(only_owners);
     }
 
-    TEST_CASE("spatial split: queries that would report a triangle twice are refused") {
+    TEST_CASE("spatial split: a walk over the triangles leaves duplicate references out") {
         const OpenedBlob opened(crossed_by_beams(60, 600, 1), with_splits());
-        REQUIRE(opened.blob.copy_count() > 0);
-        unsigned visits = 0;
-        const auto count_hit = [&](const RayHit&) { return ++visits, keep_going; };
-        const auto count_overlap = [&](Triangle) { return ++visits, keep_going; };
-        CHECK(!for_each_hit(opened.blob, {.origin = {0.5f, 0.5f, 5.0f}, .direction = {0, 0, -1}}, count_hit));
-        CHECK(!for_each_overlap(opened.blob, {.center = {0.5f, 0.5f, 0.5f}, .radius = 10.0f}, count_overlap));
-        CHECK(visits == 0);
+        REQUIRE(opened.blob.duplicate_reference_count() > 0);
         std::set<std::uint32_t> walked;
-        for_each_triangle(opened.blob, [&](Triangle triangle, const Corners&) {
-            walked.insert(triangle.index);
-            return keep_going;
-        });
-        CHECK(walked.size() == opened.blob.triangle_count() - opened.blob.copy_count());
+        CHECK(for_each_triangle(opened.blob, [&](TriangleId triangle) { walked.insert(triangle.index); }) ==
+              QueryStatus::ok);
+        CHECK(walked.size() == opened.blob.triangle_count() - opened.blob.duplicate_reference_count());
     }
 
     TEST_CASE("spatial split: ids and materials of an owner are those of its source") {
@@ -257,41 +224,40 @@ TEST_SUITE("spatial") {
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(static_cast<std::uint32_t>(i));
         BakeOptions options = with_splits();
         options.original_ids = true;
-        options.materials = Materials::bits_16;
         const OpenedBlob opened(mesh, options);
         for (std::uint32_t i = 0; i < opened.blob.triangle_count(); ++i) {
-            OriginalTriangle original;
-            REQUIRE(original_triangle(opened.blob, Triangle{i}, original));
-            CHECK(original.triangle == material(opened.blob, Triangle{i}));
+            const Result<OriginalTriangle> found = original_triangle(opened.blob, TriangleId{i});
+            REQUIRE(found);
+            const OriginalTriangle& original = *found;
+            CHECK(original.triangle == material(opened.blob, TriangleId{i}));
         }
     }
 
     TEST_CASE("spatial split: every bit of the map of copies is checked or harmless") {
         const OpenedBlob opened(crossed_by_beams(20, 100, 2), with_splits());
-        REQUIRE(opened.blob.copy_count() > 0);
-        const auto map_at = static_cast<std::size_t>(opened.blob.data().copies - opened.bytes.data());
+        REQUIRE(opened.blob.duplicate_reference_count() > 0);
+        const auto map_at = static_cast<std::size_t>(detail::data_of(opened.blob).copies - opened.bytes.data());
         std::uint64_t refused = 0;
         std::uint64_t opens = 0;
         for (std::size_t bit = 8 * map_at; bit < 8 * opened.bytes.size(); ++bit) {
             auto bytes = opened.bytes;
             bytes[bit / 8] ^= std::byte{1} << (bit % 8);
             repair_checksum(bytes);
-            Blob blob;
-            if (open(bytes, blob) != Status::ok) {
+            const Blob blob = open(bytes);
+            if (!blob) {
                 ++refused;
                 continue;
             }
             ++opens;  // another owner, that is: lower, and no copy itself
-            CHECK(baker::verify_deep(bytes));
-            RayHit hit;
-            raycast(blob, {.origin = {0.5f, 0.5f, 5.0f}, .direction = {0, 0, -1}}, hit);
+            CHECK(!verify(bytes));
+            static_cast<void>(raycast(blob, {.origin = {0.5f, 0.5f, 5.0f}, .direction = {0, 0, -1}}));
         }
         CHECK(refused > opens);
         for (std::size_t size = map_at; size < opened.bytes.size(); size += 4) {
             auto bytes = opened.bytes;
             bytes.resize(size);
-            Blob blob;
-            CHECK(open(bytes, blob) != Status::ok);
+            const Blob blob = open(bytes);
+            CHECK(blob.status() != OpenStatus::ok);
         }
     }
 
@@ -303,10 +269,10 @@ TEST_SUITE("spatial") {
         REQUIRE(get(bytes, plane, 2) > get(bytes, plane - 96, 2) + 1);
         put(bytes, plane, (get(bytes, plane, 2) + get(bytes, plane - 96, 2)) / 2, 2);
         repair_checksum(bytes);
-        Blob blob;
-        REQUIRE(open(bytes, blob) == Status::ok);
-        const auto complaint = baker::verify_deep(bytes);
-        REQUIRE(complaint);
-        CHECK(contains(*complaint, "corner"));
+        const Blob blob = open(bytes);
+        REQUIRE(blob);
+        const VerifyReport verified = verify(bytes);
+        REQUIRE(!verified);
+        CHECK(contains(verified.message, "corner"));
     }
 }

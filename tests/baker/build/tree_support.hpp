@@ -15,8 +15,8 @@
 
 namespace espalier::tests {
 
-inline void add_triangle(baker::LatticeMesh& mesh, const baker::LatticePoint& a, const baker::LatticePoint& b,
-                         const baker::LatticePoint& c) {
+inline void add_triangle(baker::LatticeMesh& mesh, const LatticePoint& a, const LatticePoint& b,
+                         const LatticePoint& c) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
     mesh.triangles.push_back({{first, first + 1, first + 2}, static_cast<std::uint32_t>(mesh.triangles.size())});
@@ -30,10 +30,10 @@ inline baker::LatticeMesh mixed_sizes(std::uint32_t count, std::uint64_t seed) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::int32_t size = 10 << random.below(10);
         const auto from = [&] { return random.between(0, 65'535 - size); };
-        const baker::LatticePoint a = {from(), from(), from()};
+        const LatticePoint a = {from(), from(), from()};
         const auto near = [&](std::int32_t coordinate) { return coordinate + random.between(0, size); };
-        const baker::LatticePoint b = {near(a.x), near(a.y), near(a.z)};
-        const baker::LatticePoint c = {near(a.x), near(a.y), near(a.z)};
+        const LatticePoint b = {near(a.x), near(a.y), near(a.z)};
+        const LatticePoint c = {near(a.x), near(a.y), near(a.z)};
         add_triangle(mesh, a, b, c);
     }
     return mesh;
@@ -47,9 +47,9 @@ inline baker::LatticeMesh nearly_equal_boxes(std::uint32_t count) {
     Random random(1);
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto jitter = [&] { return random.between(0, 40'000); };
-        const baker::LatticePoint a = {jitter(), jitter(), jitter()};
-        const baker::LatticePoint b = {16'000'000 + jitter(), 16'000'000 + jitter(), jitter()};
-        const baker::LatticePoint c = {jitter(), 16'000'000 + jitter(), 16'000'000 + jitter()};
+        const LatticePoint a = {jitter(), jitter(), jitter()};
+        const LatticePoint b = {16'000'000 + jitter(), 16'000'000 + jitter(), jitter()};
+        const LatticePoint c = {jitter(), 16'000'000 + jitter(), 16'000'000 + jitter()};
         add_triangle(mesh, a, b, c);
     }
     return mesh;
@@ -91,7 +91,7 @@ inline baker::LatticeMesh exponential_stairs(std::uint32_t copies) {
 /// The triangles of a lattice mesh in the world.
 inline Mesh as_mesh(const baker::LatticeMesh& lattice_mesh) {
     Mesh mesh;
-    for (const baker::LatticePoint& point : lattice_mesh.vertices) {
+    for (const LatticePoint& point : lattice_mesh.vertices) {
         mesh.positions.push_back(
             {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
     }

@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include <espalier/bake.hpp>
+#include <baker/bake_with.hpp>
 #include <baker/build/sah.hpp>
 #include <baker/collapse/collapse.hpp>
-#include <baker/verify/verify.hpp>
+#include <baker/optimise/reinsertion.hpp>
 
 #include "baker/baking_support.hpp"
 #include "support/base/profiles.hpp"
@@ -21,6 +23,9 @@ using namespace espalier;
 using namespace espalier::tests;
 
 namespace {
+
+/// Leaves of few triangles are cheap, and a node hardly costs anything.
+constexpr baker::RayCosts dear_leaves = {0.001f, 1.0f, 8.0f};
 
 unsigned height_of(const baker::BinaryTree& tree, std::size_t node = 0) {
     if (tree.nodes[node].is_leaf()) return 0;
@@ -51,25 +56,25 @@ unsigned wide_depth(const baker::CollapsePlan& plan, std::uint32_t binary_node, 
     return below + 1;
 }
 
-void check_soundness(const Mesh& mesh, format::Profile profile, const BakeOptions& options) {
+void check_soundness(const Mesh& mesh, Profile profile, const BakeOptions& options) {
     CAPTURE(mesh.name);
     CAPTURE(mesh.triangles.size());
     const auto result = bake_mesh(mesh, with_profile(profile, options));
     REQUIRE(result);
-    const auto complaint = baker::verify_deep(result->blob);
-    if (complaint) FAIL_CHECK(*complaint);
-    Blob blob;
-    CHECK(open(result->blob, blob) == Status::ok);
-    CHECK(blob.triangle_count() == result->report.triangles);
-    CHECK(blob.vertex_count() == result->report.vertices);
-    CHECK(blob.depth() == result->report.depth);
-    CHECK(blob.closed() == result->report.closed);
-    CHECK(blob.size_bytes() == result->report.bytes);
+    const VerifyReport verified = verify(result.bytes);
+    if (!verified) FAIL_CHECK(verified.message);
+    const Blob blob = open(result.bytes);
+    CHECK(blob.status() == OpenStatus::ok);
+    CHECK(blob.triangle_count() == result.report.tree.triangles);
+    CHECK(blob.vertex_count() == result.report.tree.vertices);
+    CHECK(blob.depth() == result.report.tree.depth);
+    CHECK(blob.is_closed() == result.report.closed);
+    CHECK(blob.size() == result.report.bytes);
     CHECK(blob.depth() <= format::max_depth);
 }
 
 void check_soundness(const Mesh& mesh, const BakeOptions& options = {}) {
-    for_each_profile([&](format::Profile profile) { check_soundness(mesh, profile, options); });
+    for_each_profile([&](Profile profile) { check_soundness(mesh, profile, options); });
 }
 
 }  // namespace
@@ -77,9 +82,9 @@ void check_soundness(const Mesh& mesh, const BakeOptions& options = {}) {
 TEST_SUITE("tree") {
     TEST_CASE("builder: the bytes of a blob are the same at any number of threads") {
         for (const Mesh& mesh : {make_terrain(60, 1), make_soup(6000, 2), make_torus(120, 50, 3.0, 1.0)}) {
-            for (const unsigned effort : {0u, 5u, 9u}) {
+            for (const Effort effort : every_effort) {
                 // Effort 0 with plain leaves, 5 and 9 with strips.
-                BakeOptions options = with_profile(static_cast<format::Profile>((effort + 4) / 5));
+                BakeOptions options = with_profile(every_profile[static_cast<std::size_t>(effort)]);
                 options.effort = effort;
                 const auto one = bake_mesh(mesh, options);
                 REQUIRE(one);
@@ -87,7 +92,7 @@ TEST_SUITE("tree") {
                     options.threads = threads;
                     const auto many = bake_mesh(mesh, options);
                     REQUIRE(many);
-                    CHECK(many->blob == one->blob);
+                    CHECK(many.bytes == one.bytes);
                 }
             }
         }
@@ -103,9 +108,9 @@ TEST_SUITE("tree") {
     TEST_CASE("builder: one triangle gives a root with one leaf") {
         const auto result = bake_mesh(first_triangles(make_cube(0.0f, 1.0f), 1));
         REQUIRE(result);
-        CHECK(result->report.nodes == 1);
-        CHECK(result->report.leaves == 1);
-        CHECK(result->report.depth == 1);
+        CHECK(result.report.tree.nodes == 1);
+        CHECK(result.report.tree.leaves == 1);
+        CHECK(result.report.tree.depth == 1);
     }
 
     TEST_CASE("builder: every kind of mesh gives a sound blob on every lattice and at every effort") {
@@ -115,7 +120,7 @@ TEST_SUITE("tree") {
               make_needle_fan(500), make_slivers(500, 1), make_coplanar_stacks(500, 1), make_soup(1000, 1)}) {
             for (const unsigned bits : {1u, 2u, 7u, 8u, 15u, 16u, 17u, 20u, 24u})
                 check_soundness(mesh, with_bits(bits));
-            for (unsigned effort = 0; effort <= 9; ++effort) {
+            for (const Effort effort : every_effort) {
                 BakeOptions options;
                 options.effort = effort;
                 check_soundness(mesh, options);
@@ -143,7 +148,7 @@ TEST_SUITE("tree") {
     TEST_CASE("builder: the heuristic falls back to balance exactly where the tree would become too high") {
         for (const baker::LatticeMesh& mesh :
              {nearly_equal_boxes(1000), nearly_equal_boxes(1024), nearly_equal_boxes(1025)}) {
-            baker::BuildSettings settings = baker::build_settings(5, 1);
+            baker::BuildSettings settings = baker::build_settings(Effort::normal, 1);
             const unsigned free_height = height_of(baker::build_sah(mesh, settings));
             const unsigned balanced_height = mesh.triangles.size() <= 1024 ? 10 : 11;
             REQUIRE(free_height > balanced_height + 3);  // or this claim would test nothing
@@ -162,7 +167,7 @@ TEST_SUITE("tree") {
         for (std::int32_t i = 0; i < static_cast<std::int32_t>(count); ++i) {
             add_triangle(mesh, {100 * i, 0, 0}, {100 * i + 90, 0, 90}, {100 * i, 90, 0});
         }
-        baker::BuildSettings settings = baker::build_settings(5, 1);
+        baker::BuildSettings settings = baker::build_settings(Effort::normal, 1);
         const auto left_count = [&] { return baker::build_sah(mesh, settings).nodes[1].count; };
         CHECK(left_count() == count / 2);  // the smallest boxes
         settings.full_leaf = 40;
@@ -173,11 +178,12 @@ TEST_SUITE("tree") {
 
     TEST_CASE("builder: three levels of a binary tree always collapse into one wide level") {
         const baker::LatticeMesh mesh = nearly_equal_boxes(5000);
-        const baker::BinaryTree tree = baker::build_sah(mesh, baker::build_settings(5, 1));
+        const baker::BinaryTree tree = baker::build_sah(mesh, baker::build_settings(Effort::normal, 1));
         const unsigned least_levels = (height_of(tree) + 2) / 3;
-        for (const CostModel& model : {CostModel{}, CostModel{0.001f, 1.0f, 0.0f, 1.0f, 0.0f}}) {
-            const auto sizes = baker::leaf_sizes(format::Profile::fast, 16, nullptr);
-            const baker::CollapsePlan plan(mesh, tree, *sizes, {format::Profile::fast, model});
+        const auto sizes = baker::leaf_sizes(Profile::fast, 16, nullptr);
+        for (const baker::CollapseSettings& settings :
+             {baker::CollapseSettings{}, baker::CollapseSettings{Profile::fast, dear_leaves, 0.0f}}) {
+            const baker::CollapsePlan plan(mesh, tree, *sizes, settings);
             for (unsigned levels = least_levels; levels <= format::max_depth; ++levels) {
                 CHECK(wide_depth(plan, 0, levels) <= levels);
             }
@@ -187,42 +193,50 @@ TEST_SUITE("tree") {
     TEST_CASE("builder: a collapse that prefers long chains keeps the depth") {
         // Free bytes and dear leaves: the dynamic program takes whatever nodes it likes.
         const Mesh mesh = as_mesh(nearly_equal_boxes(30'000));
-        for (const CostModel& model :
-             {CostModel{0.001f, 1.0f, 0.0f, 1.0f, 0.0f}, CostModel{1.0f, 0.0f, 0.0f, 0.0f, 0.0f},
-              CostModel{1.0f, 0.0f, 1.0f, 0.0f, 1000.0f}}) {
+        struct Prices {
+            baker::RayCosts costs;
+            float byte_price;
+        };
+        for (const Prices& prices :
+             {Prices{dear_leaves, 0.0f}, Prices{{1.0f, 0.0f, 0.0f}, 0.0f}, Prices{{1.0f, 0.0f, 1.0f}, 1000.0f}}) {
             BakeOptions options = with_bits(24);
-            options.cost_model = model;
-            const auto result = bake_mesh(mesh, options);
+            options.build.byte_price = prices.byte_price;
+            const auto make_tree = [](const baker::LatticeMesh& lattice_mesh, const baker::BuildSettings& settings) {
+                return baker::optimise(baker::build_sah(lattice_mesh, settings),
+                                       baker::optimise_settings(Effort::normal));
+            };
+            const MeshView view = mesh.view();
+            const auto result = baker::bake_with(make_tree, {&view, 1}, options, prices.costs);
             REQUIRE(result);
-            CHECK(result->report.depth <= format::max_depth);
-            CHECK(!baker::verify_deep(result->blob));
+            CHECK(result.report.tree.depth <= format::max_depth);
+            CHECK(verify(result.bytes));
         }
     }
 
     TEST_CASE("builder: leaves reach the size in the options and never exceed it") {
         const Mesh mesh = make_terrain(60, 3);
         struct Case {
-            format::Profile profile;
+            Profile profile;
             unsigned most;
         };
         std::vector<Case> cases;
         for (unsigned most = 1; most <= format::plain_leaf::max_triangles; ++most) {
-            cases.push_back({format::Profile::fast, most});
-            cases.push_back({format::Profile::balanced, most});
-            cases.push_back({format::Profile::small, most});
+            cases.push_back({Profile::fast, most});
+            cases.push_back({Profile::balanced, most});
+            cases.push_back({Profile::small, most});
         }
         for (const Case& one : cases) {
-            const format::Profile profile = one.profile;
+            const Profile profile = one.profile;
             const unsigned most = one.most;
             CAPTURE(name_of(profile));
             CAPTURE(most);
             BakeOptions options = with_profile(profile);
-            options.max_leaf_triangles = most;
-            options.cost_model.byte_price = 20.0f;  // large leaves are wanted
+            options.build.max_leaf_triangles = most;
+            options.build.byte_price = 20.0f;  // large leaves are wanted
             const auto result = bake_mesh(mesh, options);
             REQUIRE(result);
-            CHECK(!baker::verify_deep(result->blob));
-            const DecodedBlob decoded = decode(result->blob);
+            CHECK(verify(result.bytes));
+            const DecodedBlob decoded = decode(result.bytes);
             CHECK(decoded.triangles.size() == mesh.triangles.size());
             CHECK(*std::max_element(decoded.triangles_in_leaf.begin(), decoded.triangles_in_leaf.end()) == most);
         }
@@ -230,34 +244,31 @@ TEST_SUITE("tree") {
 
     TEST_CASE("builder: nodes have as many children as their profile allows and never more") {
         const Mesh mesh = make_terrain(60, 3);
-        for_each_profile([&](format::Profile profile) {
+        for_each_profile([&](Profile profile) {
             std::size_t most = 0;
             for (const DecodedNode& node : decode(bake_or_throw(mesh, with_profile(profile))).nodes)
                 most = std::max(most, node.children.size());
-            CHECK(most == (profile == format::Profile::fast ? 16 : 8));
+            CHECK(most == (profile == Profile::fast ? 16 : 8));
         });
     }
 
-    TEST_CASE("builder: a senseless leaf size or cost is refused by name") {
+    TEST_CASE("builder: a senseless leaf size or price is refused by name") {
         const Mesh mesh = make_terrain(4, 3);
         const auto refused_for = [&](const BakeOptions& options, const char* name) {
             const auto result = bake_mesh(mesh, options);
             REQUIRE(!result);
-            CHECK(result.error().kind == BakeError::Kind::invalid_options);
-            CHECK(contains(result.error().message, name));
+            CHECK(result.status == BakeStatus::invalid_options);
+            CHECK(contains(result.message, name));
         };
         for (const unsigned most : {0u, format::max_leaf_triangles + 1u}) {
             BakeOptions options;
-            options.max_leaf_triangles = most;
+            options.build.max_leaf_triangles = most;
             refused_for(options, "max_leaf_triangles");
         }
-        for (const float cost :
+        for (const float price :
              {-1.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e7f}) {
             BakeOptions options;
-            options.cost_model.leaf_visit = cost;
-            refused_for(options, "leaf_visit");
-            options.cost_model = {};
-            options.cost_model.byte_price = cost;
+            options.build.byte_price = price;
             refused_for(options, "byte_price");
         }
     }
@@ -267,11 +278,11 @@ TEST_SUITE("tree") {
         std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
         for (const float price : {0.0f, 5.0f, 100.0f}) {
             BakeOptions options;
-            options.cost_model.byte_price = price;
+            options.build.byte_price = price;
             const auto result = bake_mesh(mesh, options);
             REQUIRE(result);
-            CHECK(result->report.bytes < last);
-            last = result->report.bytes;
+            CHECK(result.report.bytes < last);
+            last = result.report.bytes;
         }
     }
 
@@ -281,23 +292,23 @@ TEST_SUITE("tree") {
         options.original_ids = true;
         const auto result = bake_mesh(mesh, options);
         REQUIRE(result);
-        const DecodedBlob decoded = decode(result->blob);
+        const DecodedBlob decoded = decode(result.bytes);
         const std::set<std::uint32_t> ids(decoded.original_ids.begin(), decoded.original_ids.end());
-        CHECK(ids.size() == result->report.triangles);
-        CHECK(decoded.triangles.size() == result->report.triangles);
-        CHECK(result->report.triangles + result->report.collapsed.count + result->report.duplicate.count +
-                  result->report.zero_area.count ==
+        CHECK(ids.size() == result.report.tree.triangles);
+        CHECK(decoded.triangles.size() == result.report.tree.triangles);
+        CHECK(result.report.tree.triangles + result.report.findings.collapsed.count +
+                  result.report.findings.duplicate.count + result.report.findings.zero_area.count ==
               mesh.triangles.size());
     }
 
     TEST_CASE("builder: plain leaves ascend by source triangle and larger siblings come first") {
         const Mesh mesh = make_terrain(40, 6);
         BakeOptions options;
-        options.profile = format::Profile::fast;
+        options.profile = Profile::fast;
         options.original_ids = true;
         const auto result = bake_mesh(mesh, options);
         REQUIRE(result);
-        const DecodedBlob decoded = decode(result->blob);
+        const DecodedBlob decoded = decode(result.bytes);
         std::size_t first = 0;
         for (const std::uint8_t count : decoded.triangles_in_leaf) {
             CHECK(std::is_sorted(decoded.original_ids.begin() + static_cast<std::ptrdiff_t>(first),
@@ -310,12 +321,12 @@ TEST_SUITE("tree") {
     TEST_CASE("builder: more effort keeps the set of triangles") {
         const Mesh mesh = make_terrain(60, 2);
         std::set<std::uint32_t> counts;
-        for (unsigned effort = 0; effort <= 9; ++effort) {
+        for (const Effort effort : every_effort) {
             BakeOptions options;
             options.effort = effort;
             const auto result = bake_mesh(mesh, options);
             REQUIRE(result);
-            counts.insert(result->report.triangles);
+            counts.insert(result.report.tree.triangles);
         }
         CHECK(counts.size() == 1);
     }

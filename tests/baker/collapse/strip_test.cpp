@@ -6,10 +6,10 @@
 #include <bit>
 #include <set>
 
+#include <espalier/bake.hpp>
 #include <baker/build/sah.hpp>
 #include <baker/collapse/leaf_size.hpp>
 #include <baker/collapse/strip.hpp>
-#include <baker/verify/verify.hpp>
 
 #include "baker/baking_support.hpp"
 #include "support/answers/differences.hpp"
@@ -81,7 +81,7 @@ void check_strip(const baker::Strip& strip, const baker::LatticeMesh& mesh, cons
 unsigned check_strips_of(const Mesh& mesh) {
     CAPTURE(mesh.name);
     const baker::LatticeMesh lattice_mesh = lattice_mesh_of(mesh);
-    const baker::BinaryTree tree = baker::build_sah(lattice_mesh, baker::build_settings(5, 1));
+    const baker::BinaryTree tree = baker::build_sah(lattice_mesh, baker::build_settings(Effort::normal, 1));
     const baker::StripMaker maker(lattice_mesh, tree);
     unsigned entries_of_all = 0;
     for (std::size_t i = 0; i < tree.node_count(); ++i) {
@@ -100,10 +100,10 @@ unsigned check_strips_of(const Mesh& mesh) {
 }
 
 /// Bytes are dear: as few leaves as the profile allows.
-BakeOptions with_large_leaves(format::Profile profile, unsigned bits) {
+BakeOptions with_large_leaves(Profile profile, unsigned bits) {
     BakeOptions options = with_profile(profile, with_bits(bits));
     options.original_ids = true;
-    options.cost_model.byte_price = 1000.0f;
+    options.build.byte_price = 1000.0f;
     return options;
 }
 
@@ -139,14 +139,14 @@ TEST_SUITE("strip") {
     TEST_CASE("strip: shapes hard on strips bake to sound blobs that keep every corner of the source") {
         for (const Mesh& mesh : strip_shapes()) {
             CAPTURE(mesh.name);
-            for_each_profile([&](format::Profile profile) {
+            for_each_profile([&](Profile profile) {
                 for (const unsigned bits : {10u, 16u, 24u}) {
                     CAPTURE(bits);
                     const auto result = bake_mesh(mesh, with_large_leaves(profile, bits));
                     REQUIRE(result);
-                    const auto complaint = baker::verify_deep(result->blob);
-                    if (complaint) FAIL_CHECK(*complaint);
-                    const DecodedBlob decoded = decode(result->blob);
+                    const VerifyReport verified = verify(result.bytes);
+                    if (!verified) FAIL_CHECK(verified.message);
+                    const DecodedBlob decoded = decode(result.bytes);
                     CHECK(std::set(decoded.original_ids.begin(), decoded.original_ids.end()).size() ==
                           decoded.triangles.size());
                     for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
@@ -167,8 +167,7 @@ TEST_SUITE("strip") {
     TEST_CASE("strip: shapes hard on strips equal the loop on every instruction set") {
         for (const Mesh& mesh : strip_shapes()) {
             CAPTURE(mesh.name);
-            for (const format::Profile profile :
-                 {format::Profile::balanced, format::Profile::small, format::Profile::tiny}) {
+            for (const Profile profile : {Profile::balanced, Profile::small, Profile::tiny}) {
                 CAPTURE(name_of(profile));
                 for (const unsigned bits : {12u, 24u}) {
                     const OpenedBlob opened(mesh, with_large_leaves(profile, bits));
@@ -189,9 +188,9 @@ TEST_SUITE("strip") {
     }
 
     TEST_CASE("strip: a fan of 50 triangles is one leaf whose pivot serves more windows than lanes") {
-        const auto result = bake_mesh(make_fan(50, false), with_large_leaves(format::Profile::small, 16));
+        const auto result = bake_mesh(make_fan(50, false), with_large_leaves(Profile::small, 16));
         REQUIRE(result);
-        const DecodedBlob decoded = decode(result->blob);
+        const DecodedBlob decoded = decode(result.bytes);
         REQUIRE(decoded.triangles_in_leaf.size() == 1);
         CHECK(decoded.triangles_in_leaf[0] == 50);
         const std::size_t descriptor =
@@ -199,7 +198,7 @@ TEST_SUITE("strip") {
         const std::size_t marks = descriptor + format::strip_leaf::descriptor_bytes;
         unsigned pivots = 0;
         for (unsigned entry = 0; entry < 49; ++entry) {
-            pivots += std::to_integer<unsigned>(result->blob[marks + entry / 8]) >> (entry % 8) & 1u;
+            pivots += std::to_integer<unsigned>(result.bytes[marks + entry / 8]) >> (entry % 8) & 1u;
         }
         CHECK(pivots <= 2);
     }
@@ -211,11 +210,11 @@ TEST_SUITE("strip") {
             Mesh mesh = make_fan(7, true);
             std::rotate(mesh.triangles.begin(), mesh.triangles.begin() + static_cast<std::ptrdiff_t>(cut),
                         mesh.triangles.end());
-            BakeOptions options = with_large_leaves(format::Profile::small, 16);
+            BakeOptions options = with_large_leaves(Profile::small, 16);
             options.original_ids = true;
             const auto result = bake_mesh(mesh, options);
             REQUIRE(result);
-            std::vector<std::uint32_t> ids = decode(result->blob).original_ids;
+            std::vector<std::uint32_t> ids = decode(result.bytes).original_ids;
             REQUIRE(ids.size() == 7);
             if (ids[0] != 0) std::reverse(ids.begin(), ids.end());
             CHECK(ids == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6});
@@ -224,14 +223,14 @@ TEST_SUITE("strip") {
 
     TEST_CASE("strip: leaves reach the largest size of each profile and never exceed it") {
         const Mesh mesh = make_terrain(60, 3);
-        for_each_profile([&](format::Profile profile) {
-            const unsigned most = profile == format::Profile::fast       ? format::plain_leaf::max_triangles
-                                  : profile == format::Profile::balanced ? format::strip_leaf::max_balanced_entries - 2
-                                  : profile == format::Profile::small    ? format::strip_leaf::max_small_entries - 2
-                                                                         : format::predicted_strip::max_entries - 2;
+        for_each_profile([&](Profile profile) {
+            const unsigned most = profile == Profile::fast       ? format::plain_leaf::max_triangles
+                                  : profile == Profile::balanced ? format::strip_leaf::max_balanced_entries - 2
+                                  : profile == Profile::small    ? format::strip_leaf::max_small_entries - 2
+                                                                 : format::predicted_strip::max_entries - 2;
             const auto result = bake_mesh(mesh, with_large_leaves(profile, 16));
             REQUIRE(result);
-            const DecodedBlob decoded = decode(result->blob);
+            const DecodedBlob decoded = decode(result.bytes);
             const unsigned largest =
                 *std::max_element(decoded.triangles_in_leaf.begin(), decoded.triangles_in_leaf.end());
             CHECK(largest <= most);

@@ -87,9 +87,9 @@ TEST_SUITE("error") {
                 CAPTURE(bits);
                 const auto result = bake_mesh(mesh, with_bits(bits));
                 REQUIRE(result);
-                if (result->report.triangles == 0) continue;
-                const double sampled = sampled_error(mesh, decode(result->blob), 6);
-                CHECK(sampled <= result->report.max_error * (1 + 1e-9));
+                if (result.report.tree.triangles == 0) continue;
+                const double sampled = sampled_error(mesh, decode(result.bytes), 6);
+                CHECK(sampled <= result.report.lattice.max_error * (1 + 1e-9));
             }
         }
     }
@@ -98,12 +98,12 @@ TEST_SUITE("error") {
         for (unsigned seed = 0; seed < 40; ++seed) {
             const Mesh mesh = make_terrain(6, seed);
             BakeOptions options = with_bits(10 + seed % 5);
-            options.profile = format::Profile::fast;  // which keeps the order of corners
+            options.profile = Profile::fast;  // which keeps the order of corners
             options.original_ids = true;
             const auto result = bake_mesh(mesh, options);
             REQUIRE(result);
-            REQUIRE(result->report.triangles == mesh.triangles.size());
-            const DecodedBlob decoded = decode(result->blob);
+            REQUIRE(result.report.tree.triangles == mesh.triangles.size());
+            const DecodedBlob decoded = decode(result.bytes);
             double largest = 0.0;
             for (std::size_t i = 0; i < decoded.triangles.size(); ++i) {
                 const auto corners = world_corners(decoded, decoded.triangles[i]);
@@ -113,8 +113,8 @@ TEST_SUITE("error") {
                                                              {double(source.x), double(source.y), double(source.z)})));
                 }
             }
-            CHECK(result->report.max_error >= largest);
-            CHECK(result->report.max_error <= largest * (1 + 1e-6));
+            CHECK(result.report.lattice.max_error >= largest);
+            CHECK(result.report.lattice.max_error <= largest * (1 + 1e-6));
         }
     }
 
@@ -133,7 +133,7 @@ TEST_SUITE("error") {
     TEST_CASE("error: a mesh on the lattice has none") {
         const auto result = bake_mesh(make_cube(-3.0f, 5.0f));
         REQUIRE(result);
-        CHECK(result->report.max_error == 0.0);
+        CHECK(result.report.lattice.max_error == 0.0);
     }
 
     TEST_CASE("error: a speck that vanishes far from the rest counts with its distance") {
@@ -142,14 +142,14 @@ TEST_SUITE("error") {
         append(mesh, speck);
         const auto result = bake_mesh(mesh, with_bits(8));
         REQUIRE(result);
-        CHECK(result->report.collapsed.count == 12);
+        CHECK(result.report.findings.collapsed.count == 12);
         const double distance = 250.0 * std::sqrt(3.0);
-        CHECK(result->report.max_error >= distance);
-        CHECK(result->report.max_error <= distance * 1.02);
+        CHECK(result.report.lattice.max_error >= distance);
+        CHECK(result.report.lattice.max_error <= distance * 1.02);
         // A tolerance keeps the speck instead.
         const auto kept = bake_mesh(mesh, with_tolerance(1.0));
         REQUIRE(kept);
-        CHECK(kept->report.triangles == 24);
+        CHECK(kept.report.tree.triangles == 24);
     }
 
     TEST_CASE("error: a triangle that collapses across empty space counts with its farthest point") {
@@ -163,9 +163,9 @@ TEST_SUITE("error") {
         mesh.triangles.push_back({first, first + 1, first + 2});
         const auto result = bake_mesh(mesh, with_bits(8));
         REQUIRE(result);
-        CHECK(result->report.collapsed.count == 1);
-        CHECK(result->report.max_error >= 450.0);
-        CHECK(result->report.max_error <= 450.0 * 1.02 + 8.0);
+        CHECK(result.report.findings.collapsed.count == 1);
+        CHECK(result.report.lattice.max_error >= 450.0);
+        CHECK(result.report.lattice.max_error <= 450.0 * 1.02 + 8.0);
     }
 
     TEST_CASE("error: triangles that collapse onto kept edges and vertices add none") {
@@ -177,10 +177,10 @@ TEST_SUITE("error") {
         mesh.triangles.push_back({first, first, first + 1});
         const auto result = bake_mesh(mesh, with_bits(8));
         REQUIRE(result);
-        CHECK(result->report.collapsed.count == 1);
-        CHECK(result->report.zero_area.count == 1);
-        CHECK(result->report.max_error <= 0.0015);
-        CHECK(result->report.max_error >= 0.001);
+        CHECK(result.report.findings.collapsed.count == 1);
+        CHECK(result.report.findings.zero_area.count == 1);
+        CHECK(result.report.lattice.max_error <= 0.0015);
+        CHECK(result.report.lattice.max_error >= 0.001);
     }
 
     TEST_CASE("error: a source triangle without area counts with its distance and the tolerance names it") {
@@ -191,14 +191,14 @@ TEST_SUITE("error") {
         mesh.triangles.push_back({first, first, first});
         const auto result = bake_mesh(mesh);
         REQUIRE(result);
-        CHECK(result->report.zero_area.count == 1);
-        CHECK(result->report.extent == 1.0);
-        CHECK(result->report.max_error >= 10.0);
-        CHECK(result->report.max_error <= 10.001);
+        CHECK(result.report.findings.zero_area.count == 1);
+        CHECK(result.report.bounds.extent == 1.0);
+        CHECK(result.report.lattice.max_error >= 10.0);
+        CHECK(result.report.lattice.max_error <= 10.001);
         const auto refused = bake_mesh(mesh, with_tolerance(0.01));
         REQUIRE(!refused);
-        CHECK(contains(refused.error().message, "cube, triangle 12:"));
-        CHECK(contains(refused.error().message, "remove it"));
+        CHECK(contains(refused.message, "cube, triangle 12:"));
+        CHECK(contains(refused.message, "remove it"));
     }
 
     TEST_CASE("error: a mesh that vanishes whole gives an empty blob and no error") {
@@ -207,8 +207,8 @@ TEST_SUITE("error") {
         mesh.triangles = {{0, 1, 2}};
         const auto result = bake_mesh(mesh, with_bits(1));
         REQUIRE(result);
-        CHECK(result->report.triangles == 0);
-        CHECK(result->report.collapsed.count == 1);
-        CHECK(result->report.max_error == 0.0);
+        CHECK(result.report.tree.triangles == 0);
+        CHECK(result.report.findings.collapsed.count == 1);
+        CHECK(result.report.lattice.max_error == 0.0);
     }
 }

@@ -24,39 +24,39 @@ TEST_SUITE("fit lattice") {
         append(mesh, small);
         const auto result = bake_mesh(mesh, with_tolerance(0.9 * double(s)));
         REQUIRE(result);
-        CHECK(result->report.triangles == 3);
-        CHECK(result->report.step == double(s));
+        CHECK(result.report.tree.triangles == 3);
+        CHECK(result.report.lattice.step == double(s));
     }
 
     TEST_CASE("lattice: an error of exactly the tolerance is accepted") {
         for (const Mesh& mesh : {make_terrain(12, 4), make_torus(20, 10, 3.0, 1.0)}) {
             const auto first = bake_mesh(mesh, with_tolerance(0.01));
             REQUIRE(first);
-            const double error = first->report.max_error;
+            const double error = first.report.lattice.max_error;
             REQUIRE(error > 0.0);
             const auto again = bake_mesh(mesh, with_tolerance(error));
             REQUIRE(again);
-            CHECK(again->report.step == first->report.step);
-            CHECK(again->report.max_error == error);
+            CHECK(again.report.lattice.step == first.report.lattice.step);
+            CHECK(again.report.lattice.max_error == error);
         }
     }
 
     TEST_CASE("lattice: the coarsest step of the format is the limit for every mesh and tolerance") {
         const auto result = bake_mesh(make_cube(0.0f, 0x1p110f), with_tolerance(1e37));
         REQUIRE(result);
-        CHECK(result->report.step == 0x1p100);
-        CHECK(result->report.triangles == 12);
+        CHECK(result.report.lattice.step == 0x1p100);
+        CHECK(result.report.tree.triangles == 12);
     }
 
     TEST_CASE("lattice: the finest step of the format becomes coarser where the mesh allows it") {
         const auto result = bake_mesh(make_cube(0.0f, 0x1p-90f), with_tolerance(0.9 * 0x1p-100));
         REQUIRE(result);
-        CHECK(result->report.step == 0x1p-94);
-        CHECK(result->report.max_error == 0.0);
+        CHECK(result.report.lattice.step == 0x1p-94);
+        CHECK(result.report.lattice.max_error == 0.0);
         for (const double tolerance : {0x1p-101, 0x1p-102, 0x1p-600}) {
             const auto refused = bake_mesh(make_cube(0.0f, 1.0f), with_tolerance(tolerance));
             REQUIRE(!refused);
-            CHECK(refused.error().kind == BakeError::Kind::too_fine);
+            CHECK(refused.status == BakeStatus::too_fine);
         }
     }
 
@@ -67,17 +67,17 @@ TEST_SUITE("fit lattice") {
         mesh.triangles.push_back({last - 3, last - 2, last - 1});
         const auto result = bake_mesh(mesh);
         REQUIRE(!result);
-        CHECK(result.error().kind == BakeError::Kind::too_large);
-        CHECK(contains(result.error().message, "triangle 12"));
-        CHECK(contains(result.error().message, "remove it from the mesh"));
+        CHECK(result.status == BakeStatus::too_large);
+        CHECK(contains(result.message, "triangle 12"));
+        CHECK(contains(result.message, "remove it from the mesh"));
     }
 
     TEST_CASE("weld: several positions that snap to one lattice point are stored once") {
         baker::Source source;
         source.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {9, 0.25f, 0}, {9, 9, 0}, {0, 9, 0.25f}};
         source.triangles = {{{0, 1, 2}, 0}, {{3, 4, 5}, 1}};
-        BakeReport report;
-        const baker::LatticeMesh mesh = baker::snap_and_weld(source, {{0, 0, 0}, 0, 4}, report);
+        Findings findings;
+        const baker::LatticeMesh mesh = baker::snap_and_weld(source, {{0, 0, 0}, 0, 4}, findings);
         CHECK(mesh.vertices.size() == 4);
         CHECK(mesh.used_vertices == 4);
         CHECK(mesh.triangles.size() == 2);

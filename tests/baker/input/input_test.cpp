@@ -26,7 +26,7 @@ Mesh named_cube() {
 
 BakeOptions with_repair() {
     BakeOptions options;
-    options.repair = true;
+    options.drop_bad_triangles = true;
     return options;
 }
 
@@ -36,19 +36,19 @@ TEST_SUITE("input") {
     TEST_CASE("input: no meshes and meshes without triangles give an empty blob") {
         const auto nothing = bake({}, {});
         REQUIRE(nothing);
-        CHECK(nothing->report.triangles == 0);
-        CHECK(decode(nothing->blob).triangle_count == 0);
+        CHECK(nothing.report.tree.triangles == 0);
+        CHECK(decode(nothing.bytes).triangle_count == 0);
 
         Mesh only_points = make_cube(0.0f, 1.0f);
         only_points.triangles.clear();
         only_points.positions[0].x = not_a_number;  // used by no triangle, so of no interest
         const auto points = bake_meshes({&only_points, &only_points});
         REQUIRE(points);
-        CHECK(points->report.nodes == 0);
-        CHECK(points->report.depth == 0);
-        CHECK(points->report.max_error == 0.0);
-        CHECK(points->report.source_vertices == 16);
-        CHECK(bake_mesh(only_points, with_tolerance(0.001)).has_value());
+        CHECK(points.report.tree.nodes == 0);
+        CHECK(points.report.tree.depth == 0);
+        CHECK(points.report.lattice.max_error == 0.0);
+        CHECK(points.report.source.vertices == 16);
+        CHECK(bake_mesh(only_points, with_tolerance(0.001)));
     }
 
     TEST_CASE("input: a corner that is not finite is refused with mesh and triangle and coordinate") {
@@ -60,10 +60,10 @@ TEST_SUITE("input") {
             cube.triangles[7][1] = static_cast<std::uint32_t>(cube.positions.size()) - 1;
             const auto result = bake_mesh(cube);
             REQUIRE(!result);
-            CHECK(result.error().kind == BakeError::Kind::invalid_mesh);
-            CHECK(contains(result.error().message, "level.obj, mesh 3 (walls), triangle 7: its second corner"));
-            CHECK(contains(result.error().message, "y = "));
-            CHECK(contains(result.error().message, "repair"));
+            CHECK(result.status == BakeStatus::invalid_mesh);
+            CHECK(contains(result.message, "level.obj, mesh 3 (walls), triangle 7: its second corner"));
+            CHECK(contains(result.message, "y = "));
+            CHECK(contains(result.message, "drop_bad_triangles"));
         }
     }
 
@@ -73,10 +73,10 @@ TEST_SUITE("input") {
             cube.triangles[11][2] = broken;
             const auto result = bake_mesh(cube);
             REQUIRE(!result);
-            CHECK(result.error().kind == BakeError::Kind::invalid_mesh);
-            CHECK(contains(result.error().message, "level.obj, mesh 3 (walls), triangle 11: its third corner"));
-            CHECK(contains(result.error().message, std::to_string(broken)));
-            CHECK(contains(result.error().message, "8 vertices"));
+            CHECK(result.status == BakeStatus::invalid_mesh);
+            CHECK(contains(result.message, "level.obj, mesh 3 (walls), triangle 11: its third corner"));
+            CHECK(contains(result.message, std::to_string(broken)));
+            CHECK(contains(result.message, "8 vertices"));
         }
     }
 
@@ -87,7 +87,7 @@ TEST_SUITE("input") {
         CHECK(!bake_meshes({&first, &second}));
     }
 
-    TEST_CASE("input: repair drops and counts broken triangles and keeps the rest") {
+    TEST_CASE("input: dropping bad triangles counts them and keeps the rest") {
         Mesh cube = named_cube();
         cube.positions.push_back({0.0f, infinity, 0.0f});
         cube.triangles[2][0] = 8;
@@ -95,12 +95,12 @@ TEST_SUITE("input") {
         cube.triangles[6][1] = 10;
         const auto result = bake_mesh(cube, with_repair());
         REQUIRE(result);
-        CHECK(result->report.source_triangles == 12);
-        CHECK(result->report.triangles == 9);
-        CHECK(result->report.not_finite.count == 1);
-        CHECK(result->report.not_finite.first == "level.obj, mesh 3 (walls), triangle 2");
-        CHECK(result->report.index_out_of_range.count == 2);
-        CHECK(result->report.index_out_of_range.first == "level.obj, mesh 3 (walls), triangle 5");
+        CHECK(result.report.source.triangles == 12);
+        CHECK(result.report.tree.triangles == 9);
+        CHECK(result.report.findings.not_finite.count == 1);
+        CHECK(result.report.findings.not_finite.first == "level.obj, mesh 3 (walls), triangle 2");
+        CHECK(result.report.findings.index_out_of_range.count == 2);
+        CHECK(result.report.findings.index_out_of_range.first == "level.obj, mesh 3 (walls), triangle 5");
     }
 
     TEST_CASE("input: an unnamed mesh is named by its number") {
@@ -110,19 +110,19 @@ TEST_SUITE("input") {
         bad.triangles[4][0] = 100;
         const auto result = bake_meshes({&good, &bad});
         REQUIRE(!result);
-        CHECK(contains(result.error().message, "mesh 1, triangle 4:"));
+        CHECK(contains(result.message, "mesh 1, triangle 4:"));
     }
 
-    TEST_CASE("input: source triangles without area are dropped and counted without repair too") {
+    TEST_CASE("input: source triangles without area are dropped and counted without an option") {
         Mesh cube = named_cube();
         cube.triangles.insert(cube.triangles.begin() + 3, {5, 5, 6});
         cube.triangles.push_back({1, 1, 1});
         const auto result = bake_mesh(cube);
         REQUIRE(result);
-        CHECK(result->report.triangles == 12);
-        CHECK(result->report.zero_area.count == 2);
-        CHECK(result->report.zero_area.first == "level.obj, mesh 3 (walls), triangle 3");
-        CHECK(result->report.collapsed.count == 0);
+        CHECK(result.report.tree.triangles == 12);
+        CHECK(result.report.findings.zero_area.count == 2);
+        CHECK(result.report.findings.zero_area.first == "level.obj, mesh 3 (walls), triangle 3");
+        CHECK(result.report.findings.collapsed.count == 0);
     }
 
     TEST_CASE("input: zero area is decided exactly") {
@@ -163,33 +163,56 @@ TEST_SUITE("input") {
         cube.materials = {1, 2, 3};
         const auto result = bake_mesh(cube);
         REQUIRE(!result);
-        CHECK(result.error().kind == BakeError::Kind::invalid_mesh);
-        CHECK(contains(result.error().message, "level.obj, mesh 3 (walls): 3 materials for 12 triangles"));
+        CHECK(result.status == BakeStatus::invalid_mesh);
+        CHECK(contains(result.message, "level.obj, mesh 3 (walls): 3 materials for 12 triangles"));
     }
 
-    TEST_CASE("input: a material too large for its width is refused by name and fits the next width") {
+    TEST_CASE("input: materials take the least width that holds them and beyond 16 bits are refused by name") {
         Mesh cube = named_cube();
+        const auto features = [&cube] {
+            const auto result = bake_mesh(cube);
+            REQUIRE(result);
+            return decode(result.bytes).features & (format::feature::materials_8 | format::feature::materials_16);
+        };
+        CHECK(features() == 0);
         cube.materials.assign(12, 0);
+        CHECK(features() == 0);
+        cube.materials[9] = 1;
+        CHECK(features() == format::feature::materials_8);
+        cube.materials[9] = 255;
+        CHECK(features() == format::feature::materials_8);
         cube.materials[9] = 256;
-        BakeOptions options;
-        options.materials = Materials::bits_8;
-        const auto narrow = bake_mesh(cube, options);
-        REQUIRE(!narrow);
-        CHECK(contains(narrow.error().message, "level.obj, mesh 3 (walls), triangle 9: material 256"));
-        options.materials = Materials::bits_16;
-        CHECK(bake_mesh(cube, options).has_value());
+        CHECK(features() == format::feature::materials_16);
+        cube.materials[9] = 65535;
+        CHECK(features() == format::feature::materials_16);
         cube.materials[9] = 65536;
-        CHECK(!bake_mesh(cube, options));
-        options.materials = Materials::none;
-        CHECK(bake_mesh(cube, options).has_value());
+        const auto refused = bake_mesh(cube);
+        REQUIRE(!refused);
+        CHECK(refused.status == BakeStatus::too_large);
+        CHECK(contains(refused.message, "level.obj, mesh 3 (walls), triangle 9: material 65536"));
+        REQUIRE(refused.place);
+        CHECK(refused.place->triangle == 9);
+    }
+
+    TEST_CASE("input: a refusal returns no bytes and no remap and does not convert to true") {
+        Mesh cube = named_cube();
+        cube.triangles[4][1] = 99;
+        const BakeResult refused = bake_mesh(cube);
+        CHECK(!refused);
+        CHECK(refused.status == BakeStatus::invalid_mesh);
+        CHECK(refused.bytes.empty());
+        CHECK(refused.remap.empty());
+        CHECK(refused.report.tree.triangles == 0);
+        CHECK(remap_file(refused).empty());
+        CHECK(!BakeResult());
     }
 
     TEST_CASE("input: options out of range are refused with the range") {
         const auto refused = [](BakeOptions options, const char* text) {
             const auto result = bake_mesh(make_cube(0.0f, 1.0f), options);
             REQUIRE(!result);
-            CHECK(result.error().kind == BakeError::Kind::invalid_options);
-            CHECK(contains(result.error().message, text));
+            CHECK(result.status == BakeStatus::invalid_options);
+            CHECK(contains(result.message, text));
         };
         refused(with_bits(0), "1 to 24");
         refused(with_bits(25), "1 to 24");
@@ -198,22 +221,22 @@ TEST_SUITE("input") {
         refused(with_tolerance(std::numeric_limits<double>::infinity()), "above zero");
         refused(with_tolerance(std::numeric_limits<double>::quiet_NaN()), "above zero");
         BakeOptions options;
-        options.effort = 10;
-        refused(options, "0 (fastest) to 9 (best)");
+        options.effort = static_cast<Effort>(3);
+        refused(options, "fast, normal or best");
         options = {};
-        options.profile = static_cast<format::Profile>(4);
+        options.profile = static_cast<Profile>(4);
         refused(options, "profile 4");
         options = {};
-        options.builder = static_cast<Builder>(99);
+        options.build.builder = static_cast<Builder>(99);
         refused(options, "builder 99");
         options = {};
-        options.builder = Builder::spatial_splits;
-        options.profile = format::Profile::balanced;
+        options.build.builder = Builder::spatial_splits;
+        options.profile = Profile::balanced;
         refused(options, "profile fast");
         options = {};
-        options.duplicates = 1.5;
+        options.build.duplicate_budget = 1.5;
         refused(options, "0 to 1");
-        options.duplicates = std::numeric_limits<double>::quiet_NaN();
+        options.build.duplicate_budget = std::numeric_limits<double>::quiet_NaN();
         refused(options, "0 to 1");
     }
 

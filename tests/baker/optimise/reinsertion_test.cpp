@@ -8,6 +8,7 @@
 #include <baker/optimise/reinsertion.hpp>
 
 #include "baker/build/tree_support.hpp"
+#include "support/base/profiles.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -26,10 +27,10 @@ TEST_SUITE("reinsertion") {
     TEST_CASE("builder: moved subtrees give a sound tree of the same triangles with less area") {
         for (const std::uint32_t count : {1u, 2u, 3u, 4u, 7u, 50u, 3000u}) {
             const baker::LatticeMesh mesh = mixed_sizes(count, count);
-            const baker::BinaryTree before = baker::build_sah(mesh, baker::build_settings(0, 1));
-            for (unsigned effort = 0; effort <= 9; ++effort) {
-                const baker::BinaryTree after = baker::optimise(baker::build_sah(mesh, baker::build_settings(0, 1)),
-                                                                baker::optimise_settings(effort));
+            const baker::BinaryTree before = baker::build_sah(mesh, baker::build_settings(Effort::fast, 1));
+            for (const Effort effort : every_effort) {
+                const baker::BinaryTree after = baker::optimise(
+                    baker::build_sah(mesh, baker::build_settings(Effort::fast, 1)), baker::optimise_settings(effort));
                 REQUIRE(after.triangles.size() == count);
                 CHECK(checked_height(after, 0) <= baker::max_binary_height);
                 auto triangles = after.triangles;
@@ -38,19 +39,21 @@ TEST_SUITE("reinsertion") {
                 std::iota(all.begin(), all.end(), 0u);
                 CHECK(triangles == all);
                 CHECK(sum_of_areas(after) <= sum_of_areas(before));
-                if (count == 3000 && effort >= 4) CHECK(sum_of_areas(after) < sum_of_areas(before));
+                if (count == 3000 && effort != Effort::fast) CHECK(sum_of_areas(after) < sum_of_areas(before));
             }
         }
     }
 
     TEST_CASE("builder: a tree that would become too high is lowered and never worse than before") {
         const baker::LatticeMesh mesh = mixed_sizes(3000, 5);
-        const baker::BuildSettings build = baker::build_settings(0, 1);
+        const baker::BuildSettings build = baker::build_settings(Effort::fast, 1);
         const baker::BinaryTree before = baker::build_sah(mesh, build);
         const unsigned height_before = checked_height(before, 0);
         unsigned became_higher = 0;
-        for (const unsigned effort : {5u, 8u, 9u}) {  // large, small and no subtrees that stay together
-            baker::OptimiseSettings settings = baker::optimise_settings(effort);
+        for (const std::uint32_t least_triangles : {8u, 4u, 2u}) {  // of subtrees that stay together
+            baker::OptimiseSettings settings;
+            settings.passes = least_triangles == 8 ? 1 : 3;
+            settings.least_triangles = least_triangles;
             const auto optimised = [&] { return baker::optimise(baker::build_sah(mesh, build), settings); };
             const unsigned free_height = checked_height(optimised(), 0);
             const auto free_triangles = optimised().triangles;
@@ -74,6 +77,6 @@ TEST_SUITE("reinsertion") {
     }
 
     TEST_CASE("builder: optimising an empty tree leaves it empty") {
-        CHECK(baker::optimise({}, baker::optimise_settings(9)).triangles.empty());
+        CHECK(baker::optimise({}, baker::optimise_settings(Effort::best)).triangles.empty());
     }
 }

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <espalier/inside.hpp>
-#include <runtime/lattice_point.hpp>
+#include <espalier/distance.hpp>
+#include <runtime/lattice/round_point.hpp>
 
 #include "oracle/winding.hpp"
 #include "support/blobs/baking.hpp"
@@ -134,8 +134,9 @@ std::int64_t exact_winding(const Subject& subject, const WholePoint& point, Rand
 
 /// The point as the library rounds it, in the oracle's unit.
 std::optional<WholePoint> rounded(const Subject& subject, Vec3 point) {
-    detail::LatticePoint at{};
-    if (!detail::round_point(subject.opened.blob.data(), point, std::numeric_limits<float>::infinity(), at))
+    detail::RoundedPoint at{};
+    if (detail::round_point(detail::data_of(subject.opened.blob), point, std::numeric_limits<float>::infinity(), at) !=
+        QueryStatus::ok)
         return std::nullopt;
     WholePoint whole{};
     for (std::size_t k = 0; k < 3; ++k) whole[k] = at.origin[k] << (fraction_bits - at.fraction_bits);
@@ -145,27 +146,26 @@ std::optional<WholePoint> rounded(const Subject& subject, Vec3 point) {
 std::string check_point(const Subject& subject, Random& random, ClosedTally& tally) {
     const Vec3 point = subject.some_point(random);
     const std::optional<WholePoint> whole = rounded(subject, point);
-    bool inside = false;
-    const QueryStatus status = contains(subject.opened.blob, point, inside);
-    if (!whole || status != QueryStatus::ok) return std::string("contains refuses: ") + describe(status);
+    const YesNo inside = contains(subject.opened.blob, point);
+    if (!whole || is_refused(inside.status())) return std::string("contains refuses: ") + describe(inside.status());
     ++tally.points;
     const bool on_surface = oracle::is_on_surface(subject.triangles, *whole);
     const std::int64_t winding = on_surface ? 0 : exact_winding(subject, *whole, random);
     tally.on_surface += on_surface ? 1u : 0u;
     tally.inside += winding != 0 ? 1u : 0u;
     tally.other_windings += winding != 0 && winding != 1 && winding != -1 ? 1u : 0u;
-    if (inside == (on_surface || winding != 0)) return {};
+    if (inside == YesNo::of(on_surface || winding != 0)) return {};
     return "contains is wrong at " + std::to_string(point.x) + ' ' + std::to_string(point.y) + ' ' +
            std::to_string(point.z) + ": the winding number is " + std::to_string(winding);
 }
 
 /// The fewest bits above those of the report that keep the surface closed, by baking with each of them.
 unsigned bits_that_keep(const Mesh& mesh, BakeOptions options, unsigned bits) {
-    options.tolerance.reset();
-    for (options.bits = bits + 1; options.bits <= format::max_bits; ++options.bits) {
+    while (++bits <= format::max_bits) {
+        options.resolution = Resolution::bits(bits);
         const MeshView view = mesh.view();
         const auto baked = bake({&view, 1}, options);
-        if (baked && baked->report.closed) return options.bits;
+        if (baked && baked.report.closed) return bits;
     }
     return 0;
 }
@@ -184,21 +184,23 @@ std::string check_closed(const Mesh& mesh, const BakeOptions& options, std::uint
                          ClosedTally& tally) {
     const MeshView view = mesh.view();
     auto baked = bake({&view, 1}, options);
-    if (!baked) return baked.error().message;
-    const BakeReport& report = baked->report;
-    if (report.triangles == 0) return report.closed ? "nothing is closed" : "";
-    const Subject subject(std::move(baked->blob));
+    if (!baked) return baked.message;
+    const BakeReport& report = baked.report;
+    if (report.tree.triangles == 0) return report.closed ? "nothing is closed" : "";
+    const Subject subject(std::move(baked.bytes));
     ++tally.bakes;
     const bool is_small = subject.triangles.size() <= all_corners;
     if (subject.are_windings_whole(is_small || !report.closed, random) != report.closed)
         return report.closed ? "it is not closed: a winding number is not whole" : "its winding numbers are whole";
     if (!report.closed) {
-        tally.lost += report.lost_closed ? 1u : 0u;
-        const unsigned keeping = report.lost_closed ? bits_that_keep(mesh, options, report.bits) : 0;
+        tally.lost += report.warns_of(BakeWarning::Kind::lost_closed) ? 1u : 0u;
+        const unsigned keeping =
+            report.warns_of(BakeWarning::Kind::lost_closed) ? bits_that_keep(mesh, options, report.lattice.bits) : 0;
         if (report.bits_that_keep_closed == keeping) return {};
         return "it would stay closed with " + std::to_string(keeping) + " bits";
     }
-    if (report.lost_closed || report.bits_that_keep_closed != 0) return "it is closed and nothing is lost";
+    if (report.warns_of(BakeWarning::Kind::lost_closed) || report.bits_that_keep_closed != 0)
+        return "it is closed and nothing is lost";
     ++tally.closed;
     tally.edges_not_in_pairs += subject.are_edges_in_pairs() ? 0u : 1u;
     for (std::uint64_t i = 0; i < points; ++i)

@@ -6,7 +6,7 @@
 
 #include <baker/bake_with.hpp>
 #include <baker/quantise/closed.hpp>
-#include <espalier/inside.hpp>
+#include <espalier/distance.hpp>
 
 #include "baker/baking_support.hpp"
 #include "closed_check.hpp"
@@ -24,7 +24,7 @@ void require_sound(const Mesh& mesh, const BakeOptions& options, std::uint64_t p
                    ClosedTally& tally) {
     const std::string complaint = check_closed(mesh, options, points, random, tally);
     CAPTURE(mesh.name);
-    CAPTURE(options.bits);
+    CAPTURE(options.resolution.value());
     REQUIRE_MESSAGE(complaint.empty(), complaint);
 }
 
@@ -54,17 +54,14 @@ TEST_SUITE("closed") {
         const Mesh mesh = make_sliver_pyramid();
         const auto baked = bake_mesh(mesh, with_bits(16));
         REQUIRE(baked);
-        CHECK(baked->report.collapsed.count == 1);
-        CHECK(baked->report.closed);
-        CHECK(!baked->report.lost_closed);
-        const OpenedBlob opened(baked->blob);
-        bool inside = false;
-        CHECK(contains(opened.blob, {0.1f, 0.1f, 0.1f}, inside) == QueryStatus::ok);
-        CHECK(inside);
-        CHECK(contains(opened.blob, {0.5f, 0.5f, 0.5f}, inside) == QueryStatus::ok);
-        CHECK(!inside);
-        Nearest nearest;
-        CHECK(signed_distance(opened.blob, {0.125f, 0.125f, 0.25f}, 10.0f, nearest) == QueryStatus::ok);
+        CHECK(baked.report.findings.collapsed.count == 1);
+        CHECK(baked.report.closed);
+        CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
+        const OpenedBlob opened(baked.bytes);
+        CHECK(contains(opened.blob, {0.1f, 0.1f, 0.1f}).yes());
+        CHECK(contains(opened.blob, {0.5f, 0.5f, 0.5f}).no());
+        const ClosestPoint nearest = signed_distance(opened.blob, {0.125f, 0.125f, 0.25f}, 10.0f);
+        CHECK(nearest);
         CHECK(nearest.distance == -0.125f);
         ClosedTally tally;
         Random random(2400);
@@ -79,7 +76,7 @@ TEST_SUITE("closed") {
             const Mesh mesh = make_watertight(random);
             for (const unsigned bits : {8u, 10u, 12u, 16u}) {
                 BakeOptions options = with_profile(every_profile[(i + bits) % every_profile.size()]);
-                options.bits = bits;
+                options.resolution = Resolution::bits(bits);
                 require_sound(mesh, options, 40, random, tally);
             }
         }
@@ -112,14 +109,14 @@ TEST_SUITE("closed") {
             mesh.triangles = {{0, 6, 3}, {6, 1, 2}, {6, 2, 3}, {4, 0, 3}, {5, 4, 3}, {1, 5, 2}, {2, 5, 3}};
             return mesh;
         };
-        CHECK(bake_mesh(folded(4.0f))->report.closed);
-        CHECK(bake_mesh(folded(5.0f))->report.closed);
+        CHECK(bake_mesh(folded(4.0f)).report.closed);
+        CHECK(bake_mesh(folded(5.0f)).report.closed);
         Mesh bent = folded(4.0f);
         bent.positions[5].z = 1.0f;
-        CHECK(!bake_mesh(bent)->report.closed);
+        CHECK(!bake_mesh(bent).report.closed);
         Mesh beside = folded(4.0f);
         beside.positions[6].y = 1.0f;
-        CHECK(!bake_mesh(beside)->report.closed);
+        CHECK(!bake_mesh(beside).report.closed);
     }
 
     TEST_CASE("closed: edges cancel along lines of every direction") {
@@ -133,9 +130,9 @@ TEST_SUITE("closed") {
             Mesh mesh;
             mesh.positions = {place(0, 0), place(6, 0), place(6, 4), place(0, 4), place(2, 0), place(3, 0)};
             mesh.triangles = {{0, 5, 3}, {5, 1, 2}, {5, 2, 3}, {4, 0, 3}, {1, 4, 2}, {2, 4, 3}};
-            CHECK(bake_mesh(mesh)->report.closed);
+            CHECK(bake_mesh(mesh).report.closed);
             mesh.positions[5] = place(3, 1);
-            CHECK(!bake_mesh(mesh)->report.closed);
+            CHECK(!bake_mesh(mesh).report.closed);
         }
     }
 
@@ -183,14 +180,14 @@ TEST_SUITE("closed") {
         for (unsigned bits = 2; bits <= 20; ++bits) {
             const auto baked = bake_mesh(mesh, with_bits(bits));
             REQUIRE(baked);
-            const BakeReport& report = baked->report;
-            CHECK(report.zero_area.count == 1);
-            CHECK(report.lost_closed == !report.closed);
-            was_lost = was_lost || report.lost_closed;
-            if (!report.lost_closed) continue;
+            const BakeReport& report = baked.report;
+            CHECK(report.findings.zero_area.count == 1);
+            CHECK(report.warns_of(BakeWarning::Kind::lost_closed) == !report.closed);
+            was_lost = was_lost || report.warns_of(BakeWarning::Kind::lost_closed);
+            if (!report.warns_of(BakeWarning::Kind::lost_closed)) continue;
             REQUIRE(report.bits_that_keep_closed > bits);
             for (unsigned more = bits + 1; more <= report.bits_that_keep_closed; ++more)
-                CHECK(bake_mesh(mesh, with_bits(more))->report.closed == (more == report.bits_that_keep_closed));
+                CHECK(bake_mesh(mesh, with_bits(more)).report.closed == (more == report.bits_that_keep_closed));
         }
         CHECK(was_lost);
     }
@@ -198,13 +195,13 @@ TEST_SUITE("closed") {
     TEST_CASE("closed: duplicates that are dropped may lose it and no bits keep what is in the source") {
         const auto baked = bake_mesh(make_needed_twice());
         REQUIRE(baked);
-        CHECK(baked->report.duplicate.count == 1);
-        CHECK(!baked->report.closed);
-        CHECK(baked->report.lost_closed);
-        CHECK(baked->report.bits_that_keep_closed == 0);
+        CHECK(baked.report.findings.duplicate.count == 1);
+        CHECK(!baked.report.closed);
+        CHECK(baked.report.warns_of(BakeWarning::Kind::lost_closed));
+        CHECK(baked.report.bits_that_keep_closed == 0);
         const auto twice = bake_mesh(joined(make_cube(0.0f, 1.0f), make_cube(0.0f, 1.0f)));
-        CHECK(twice->report.duplicate.count == 12);
-        CHECK(twice->report.closed);
+        CHECK(twice.report.findings.duplicate.count == 12);
+        CHECK(twice.report.closed);
     }
 
     TEST_CASE("closed: a closed source that collapses as a whole is lost and the report names the bits that keep it") {
@@ -216,15 +213,15 @@ TEST_SUITE("closed") {
         };
         const auto thin = bake_mesh(needle(1e-7f));
         REQUIRE(thin);
-        CHECK(thin->report.triangles == 0);
-        CHECK(thin->report.lost_closed);
-        const unsigned keeping = thin->report.bits_that_keep_closed;
-        REQUIRE(keeping > thin->report.bits);
-        for (unsigned bits = thin->report.bits + 1; bits <= keeping; ++bits)
-            CHECK(bake_mesh(needle(1e-7f), with_bits(bits))->report.closed == (bits == keeping));
+        CHECK(thin.report.tree.triangles == 0);
+        CHECK(thin.report.warns_of(BakeWarning::Kind::lost_closed));
+        const unsigned keeping = thin.report.bits_that_keep_closed;
+        REQUIRE(keeping > thin.report.lattice.bits);
+        for (unsigned bits = thin.report.lattice.bits + 1; bits <= keeping; ++bits)
+            CHECK(bake_mesh(needle(1e-7f), with_bits(bits)).report.closed == (bits == keeping));
         const auto too_thin = bake_mesh(needle(1e-9f));
-        CHECK(too_thin->report.lost_closed);
-        CHECK(too_thin->report.bits_that_keep_closed == 0);
+        CHECK(too_thin.report.warns_of(BakeWarning::Kind::lost_closed));
+        CHECK(too_thin.report.bits_that_keep_closed == 0);
     }
 
     TEST_CASE("closed: triangles without area alone lose nothing") {
@@ -233,9 +230,9 @@ TEST_SUITE("closed") {
         mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
         const auto baked = bake_mesh(mesh);
         REQUIRE(baked);
-        CHECK(baked->report.zero_area.count == 2);
-        CHECK(!baked->report.closed);
-        CHECK(!baked->report.lost_closed);
+        CHECK(baked.report.findings.zero_area.count == 2);
+        CHECK(!baked.report.closed);
+        CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
     }
 
     TEST_CASE("closed: a trial bakes the same blob and leaves out what became of a closed source") {
@@ -244,9 +241,9 @@ TEST_SUITE("closed") {
         const auto trial = baker::bake_trial({&view, 1}, {});
         const auto baked = bake_mesh(mesh);
         REQUIRE(trial);
-        CHECK(trial->blob == baked->blob);
-        CHECK(baked->report.lost_closed);
-        CHECK(!trial->report.lost_closed);
+        CHECK(trial.bytes == baked.bytes);
+        CHECK(baked.report.warns_of(BakeWarning::Kind::lost_closed));
+        CHECK(!trial.report.warns_of(BakeWarning::Kind::lost_closed));
     }
 
     TEST_CASE("closed: a tube with open ends is open although its areas cancel") {
@@ -256,22 +253,23 @@ TEST_SUITE("closed") {
             return height(0) == height(1) && height(1) == height(2);
         });
         REQUIRE(mesh.triangles.size() == 8);
-        CHECK(!bake_mesh(mesh)->report.closed);
+        CHECK(!bake_mesh(mesh).report.closed);
     }
 
     TEST_CASE("closed: what is open in the source is not lost") {
         Mesh mesh = make_terrain(5, 1);
         mesh.triangles.push_back(mesh.triangles[3]);
         const auto baked = bake_mesh(mesh);
-        CHECK(baked->report.duplicate.count == 1);
-        CHECK(!baked->report.closed);
-        CHECK(!baked->report.lost_closed);
-        CHECK(bake({}, {})->report.lost_closed == false);
+        CHECK(baked.report.findings.duplicate.count == 1);
+        CHECK(!baked.report.closed);
+        CHECK(!baked.report.warns_of(BakeWarning::Kind::lost_closed));
+        CHECK(bake({}, {}).report.warns_of(BakeWarning::Kind::lost_closed) == false);
     }
 
-    TEST_CASE("closed: from 23 bits on the report says that rays are rounded coarsely") {
+    TEST_CASE("closed: from 23 bits on the report warns that rays are rounded coarsely") {
         const Mesh mesh = make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f});
         for (unsigned bits = 20; bits <= 24; ++bits)
-            CHECK(bake_mesh(mesh, with_bits(bits))->report.rays_rounded_coarsely == (bits >= 23));
+            CHECK(bake_mesh(mesh, with_bits(bits)).report.warns_of(BakeWarning::Kind::rays_rounded_coarsely) ==
+                  (bits >= 23));
     }
 }

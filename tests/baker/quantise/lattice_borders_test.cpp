@@ -92,8 +92,8 @@ TEST_SUITE("lattice borders") {
             CHECK(baker::lattice_for_step(fits, exponent)->bits == 24);
             const auto refused = baker::lattice_for_step(fits, exponent - 1);
             REQUIRE(!refused);
-            CHECK(refused.error().kind == BakeError::Kind::too_fine);
-            CHECK(number_after(refused.error().message, "the finest step is 2^") == exponent);
+            CHECK(refused.refusal().status == BakeStatus::too_fine);
+            CHECK(number_after(refused.refusal().message, "the finest step is 2^") == exponent);
             const auto larger = bounds_between({}, {std::ldexp(1.0f, exponent + 24), 0.0f, 0.0f});
             CHECK(!baker::lattice_for_step(larger, exponent));
         }
@@ -129,7 +129,7 @@ TEST_SUITE("lattice borders") {
                 CHECK(kept->step_exponent == border);
                 const auto refused = of_exponent(border < 0 ? border - 1 : border + 1);
                 REQUIRE(!refused);
-                CHECK(refused.error().kind == BakeError::Kind::too_large);
+                CHECK(refused.refusal().status == BakeStatus::too_large);
             }
         }
     }
@@ -156,11 +156,11 @@ TEST_SUITE("lattice borders") {
             const auto larger = bounds_between({}, {static_cast<float>(most * 1.5), 1.0f, 1.0f});
             const auto refused = baker::lattice_for_tolerance(larger, exponent, tolerance);
             REQUIRE(!refused);
-            CHECK(refused.error().kind == BakeError::Kind::too_fine);
-            const double named = number_after(refused.error().message, "they may be ");
+            CHECK(refused.refusal().status == BakeStatus::too_fine);
+            const double named = number_after(refused.refusal().message, "they may be ");
             CHECK(named <= most);
             CHECK(named >= most * (1.0 - 3e-8));
-            const double finest = number_after(refused.error().message, "the finest tolerance is ");
+            const double finest = number_after(refused.refusal().message, "the finest tolerance is ");
             CHECK(baker::step_exponent_for_tolerance(finest) == exponent + 1);
             CHECK(baker::step_exponent_for_tolerance(finest * (1.0 - 3e-8)) == exponent);
         }
@@ -171,7 +171,7 @@ TEST_SUITE("lattice borders") {
         for (const int exponent : {-999, -1000, -1001, -1024, -1074}) {
             const auto refused = baker::lattice_for_tolerance(bounds, exponent, std::ldexp(1.0, exponent));
             REQUIRE(!refused);
-            CHECK(refused.error().kind == BakeError::Kind::too_fine);
+            CHECK(refused.refusal().status == BakeStatus::too_fine);
         }
     }
 
@@ -186,6 +186,6 @@ TEST_SUITE("lattice borders") {
         CHECK(by_bits->step_exponent == 0);
         const auto empty = bake_mesh({}, with_tolerance(0.001));
         REQUIRE(empty);
-        CHECK(empty->report.triangles == 0);
+        CHECK(empty.report.tree.triangles == 0);
     }
 }

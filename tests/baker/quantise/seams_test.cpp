@@ -29,8 +29,9 @@ std::map<std::uint32_t, WorldSteps> places_of(const Mesh& mesh, const OpenedBlob
     const DecodedBlob decoded = decode(opened.bytes);
     std::map<std::uint32_t, WorldSteps> places;
     for (std::uint32_t i = 0; i < decoded.triangles.size(); ++i) {
-        OriginalTriangle original;
-        REQUIRE(original_triangle(opened.blob, {i}, original));
+        const Result<OriginalTriangle> found = original_triangle(opened.blob, {i});
+        REQUIRE(found);
+        const OriginalTriangle& original = *found;
         const GridPoint* corners[3] = {&decoded.triangles[i].a, &decoded.triangles[i].b, &decoded.triangles[i].c};
         for (std::size_t corner = 0; corner < 3; ++corner) {
             WorldSteps place{};
@@ -53,7 +54,7 @@ WorldSteps nearest_steps(const Vec3& position, int exponent) {
 
 BakeOptions with_step(int exponent) {
     BakeOptions options;
-    options.step_exponent = exponent;
+    options.resolution = Resolution::step(exponent);
     options.original_ids = true;
     return options;
 }
@@ -67,12 +68,13 @@ TEST_SUITE("seams") {
         for (std::uint32_t number = 0; number < splits; ++number) {
             const Split split = make_split(number);
             CAPTURE(split.name);
+            const int step_exponent = static_cast<int>(split.options.resolution.value());
             std::map<std::uint32_t, WorldSteps> places;  // of the whole's positions
             for (const Split::Part& part : split.parts) {
                 const OpenedBlob opened(part.mesh, split.options);
                 REQUIRE(opened.blob.triangle_count() == part.mesh.triangles.size());
                 for (const auto& [position, place] : places_of(part.mesh, opened)) {
-                    REQUIRE(place == nearest_steps(part.mesh.positions[position], *split.options.step_exponent));
+                    REQUIRE(place == nearest_steps(part.mesh.positions[position], step_exponent));
                     const auto [at, is_new] = places.emplace(part.in_whole[position], place);
                     REQUIRE(at->second == place);
                     shared += is_new ? 0 : 1;
@@ -89,10 +91,10 @@ TEST_SUITE("seams") {
             Mesh mesh = scaled_by(make_icosphere(1, 1.0, random.in_cube(1000.0f)), std::ldexp(1.0f, exponent + 8));
             const auto result = bake_mesh(mesh, with_step(exponent));
             REQUIRE(result);
-            CHECK(result->report.step == std::ldexp(1.0, exponent));
-            CHECK(result->report.bits == 10);
-            CHECK(result->report.max_error <= std::sqrt(0.75) * result->report.step * 1.000001);
-            const DecodedBlob decoded = decode(result->blob);
+            CHECK(result.report.lattice.step == std::ldexp(1.0, exponent));
+            CHECK(result.report.lattice.bits == 10);
+            CHECK(result.report.lattice.max_error <= std::sqrt(0.75) * result.report.lattice.step * 1.000001);
+            const DecodedBlob decoded = decode(result.bytes);
             for (std::size_t k = 0; k < 3; ++k) {
                 const double steps = std::ldexp(double(decoded.origin[k]), -exponent);
                 CHECK(steps == std::nearbyint(steps));
@@ -100,22 +102,30 @@ TEST_SUITE("seams") {
         }
         const auto empty = bake_mesh({}, with_step(-3));
         REQUIRE(empty);
-        CHECK(decode(empty->blob).step_exponent == -3);
+        CHECK(decode(empty.bytes).step_exponent == -3);
     }
 
-    TEST_CASE("seams: a step is refused together with a tolerance and where the format has none") {
-        BakeOptions both = with_step(-4);
-        both.tolerance = 0.1;
-        for (const BakeOptions& options : {both, with_step(-101), with_step(101)}) {
+    TEST_CASE("seams: the lattice of another blob gives its step") {
+        for (const int exponent : {-9, -3, 2}) {
+            const OpenedBlob other(make_icosphere(1, 30.0, {5.0f, 0.0f, 0.0f}), with_step(exponent));
+            BakeOptions options;
+            options.resolution = Resolution::same_as(other.blob.lattice());
+            const auto result = bake_mesh(make_torus(20, 12, 30.0, 10.0), options);
+            REQUIRE(result);
+            CHECK(result.report.lattice.step == std::ldexp(1.0, exponent));
+        }
+    }
+
+    TEST_CASE("seams: a step is refused where the format has none") {
+        for (const BakeOptions& options : {with_step(-101), with_step(101)}) {
             const auto refused = bake_mesh(make_cube(0.0f, 1.0f), options);
             REQUIRE(!refused);
-            CHECK(refused.error().kind == BakeError::Kind::invalid_options);
+            CHECK(refused.status == BakeStatus::invalid_options);
         }
-        CHECK(contains(bake_mesh(make_cube(0.0f, 1.0f), both).error().message, "a step and a tolerance"));
-        CHECK(contains(bake_mesh(make_cube(0.0f, 1.0f), with_step(101)).error().message, "from 2^-100 to 2^100"));
+        CHECK(contains(bake_mesh(make_cube(0.0f, 1.0f), with_step(101)).message, "from 2^-100 to 2^100"));
         const auto too_fine = bake_mesh(make_cube(0.0f, 1.0f), with_step(-24));
         REQUIRE(!too_fine);
-        CHECK(too_fine.error().kind == BakeError::Kind::too_fine);
-        CHECK(contains(too_fine.error().message, "the finest step is 2^-23"));
+        CHECK(too_fine.status == BakeStatus::too_fine);
+        CHECK(contains(too_fine.message, "the finest step is 2^-23"));
     }
 }

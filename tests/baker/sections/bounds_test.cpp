@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include <espalier/bake.hpp>
 #include <baker/sections/fit_bounds.hpp>
-#include <baker/verify/verify.hpp>
 
 #include "baker/baking_support.hpp"
 #include "support/base/checksum.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 BakeOptions with_bounds(unsigned bits = 16) {
     BakeOptions options;
-    options.bits = bits;
+    options.resolution = Resolution::bits(bits);
     options.bounds = {true, true, true};
     return options;
 }
@@ -132,7 +132,7 @@ TEST_SUITE("bounds") {
             CAPTURE(mesh.name);
             for (const unsigned bits : {1u, 2u, 8u, 16u, 24u}) {
                 CAPTURE(bits);
-                for_each_profile([&](format::Profile profile) {
+                for_each_profile([&](Profile profile) {
                     const OpenedBlob opened(mesh, with_profile(profile, with_bounds(bits)));
                     if (opened.blob.triangle_count() != 0) check_bounds(opened);  // coarse lattices leave none of some
                 });
@@ -145,7 +145,7 @@ TEST_SUITE("bounds") {
             CAPTURE(path.string());
             const OpenedBlob opened(read_mesh(path), with_bounds());
             check_bounds(opened);
-            CHECK(baker::verify_deep(opened.bytes).value_or("") == "");
+            CHECK(verify(opened.bytes).message == "");
         }
     }
 
@@ -155,8 +155,8 @@ TEST_SUITE("bounds") {
             CAPTURE(i);
             const auto baked = bake_mesh(turned_box(random), with_bounds());
             REQUIRE(baked);
-            CHECK(baked->report.volumes.oriented_box >= 0.999 * 10.0);
-            CHECK(baked->report.volumes.oriented_box <= 1.006 * 10.0);
+            CHECK(baked.report.bounds.volumes.oriented_box >= 0.999 * 10.0);
+            CHECK(baked.report.bounds.volumes.oriented_box <= 1.006 * 10.0);
         }
     }
 
@@ -167,32 +167,33 @@ TEST_SUITE("bounds") {
             const auto baked = bake_mesh(mesh, with_bounds());
             REQUIRE(baked);
             const auto cubed = [](double x) { return x * x * x; };
-            const Vec3 low = baked->report.bounds_min;
-            const Vec3 high = baked->report.bounds_max;
+            const Vec3 low = baked.report.bounds.min;
+            const Vec3 high = baked.report.bounds.max;
             const double x = double(high.x) - double(low.x);
             const double y = double(high.y) - double(low.y);
             const double z = double(high.z) - double(low.z);
             constexpr double ball = 4.0 / 3.0 * 3.14159265358979323846;
             const double around_box = ball * cubed(0.5 * std::sqrt(x * x + y * y + z * z));
-            CHECK(baked->report.volumes.sphere <= 1.004 * around_box);
-            if (mesh.name.find("icosphere") != std::string::npos) CHECK(baked->report.volumes.sphere <= 1.004 * ball);
+            CHECK(baked.report.bounds.volumes.sphere <= 1.004 * around_box);
+            if (mesh.name.find("icosphere") != std::string::npos)
+                CHECK(baked.report.bounds.volumes.sphere <= 1.004 * ball);
         }
     }
 
     TEST_CASE("bounds: the 26-DOP is smaller than the box and that of a cube is the cube") {
         const auto cube = bake_mesh(make_cube(0.0f, 2.0f), with_bounds());
-        CHECK(cube->report.volumes.box == doctest::Approx(8.0));
-        CHECK(cube->report.volumes.k_dop == doctest::Approx(8.0));
-        CHECK(cube->report.volumes.oriented_box == doctest::Approx(8.0).epsilon(1e-4));
+        CHECK(cube.report.bounds.volumes.box == doctest::Approx(8.0));
+        CHECK(cube.report.bounds.volumes.k_dop == doctest::Approx(8.0));
+        CHECK(cube.report.bounds.volumes.oriented_box == doctest::Approx(8.0).epsilon(1e-4));
         const auto ball = bake_mesh(make_icosphere(4, 1.0, {0, 0, 0}), with_bounds());
-        CHECK(ball->report.volumes.box == doctest::Approx(8.0).epsilon(0.01));
-        CHECK(ball->report.volumes.k_dop < 0.65 * 8.0);  // that of the ball itself is 0.52
-        CHECK(ball->report.volumes.k_dop > 0.52 * 8.0);
+        CHECK(ball.report.bounds.volumes.box == doctest::Approx(8.0).epsilon(0.01));
+        CHECK(ball.report.bounds.volumes.k_dop < 0.65 * 8.0);  // that of the ball itself is 0.52
+        CHECK(ball.report.bounds.volumes.k_dop > 0.52 * 8.0);
     }
 
     TEST_CASE("verify: a vertex outside each of the bounds and a wrong edge flag are found") {
         BakeOptions options = with_bounds();
-        options.edge_flags = 5.0;
+        options.flat_angle = 5.0;
         const auto good = bake_or_throw(make_terrain(10, 1), options);
         const std::size_t size = good.size();
         const auto verdict_with = [&](std::size_t from_end, int by) {
@@ -203,7 +204,7 @@ TEST_SUITE("bounds") {
             value += static_cast<std::uint32_t>(by);
             for (unsigned i = 0; i < 4; ++i) bad[size - from_end + i] = static_cast<std::byte>(value >> (8 * i));
             repair_checksum(bad);
-            return baker::verify_deep(bad).value_or("");
+            return verify(bad).message;
         };
         CHECK(verdict_with(80, 0) == "");
         for (std::size_t slab = 0; slab < 10; ++slab) {

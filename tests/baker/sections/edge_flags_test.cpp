@@ -62,7 +62,8 @@ std::vector<std::array<EdgeKind, 3>> expected_kinds(const DecodedBlob& decoded) 
         if (decoded.owners[i] != i) continue;
         for (unsigned e = 0; e < 3; ++e) uses[{triangles[i][e], triangles[i][(e + 1) % 3]}].push_back({i, e});
     }
-    std::vector<std::array<EdgeKind, 3>> kinds(triangles.size(), {EdgeKind::open, EdgeKind::open, EdgeKind::open});
+    std::vector<std::array<EdgeKind, 3>> kinds(triangles.size(),
+                                               {EdgeKind::boundary, EdgeKind::boundary, EdgeKind::boundary});
     for (const auto& [ends, along] : uses) {
         const auto back = uses.find({ends.second, ends.first});
         if (along.size() != 1 || back == uses.end() || back->second.size() != 1) continue;
@@ -82,9 +83,9 @@ std::array<std::uint64_t, 4> check_kinds(const OpenedBlob& opened) {
     std::array<std::uint64_t, 4> counts{};
     REQUIRE(decoded.edge_flags.size() == expected.size());
     for (std::uint32_t i = 0; i < expected.size(); ++i) {
-        EdgeKinds kinds;
-        REQUIRE(edge_kinds(opened.blob, Triangle{i}, kinds));
-        const std::array<EdgeKind, 3> found = {kinds.ab, kinds.bc, kinds.ca};
+        const Result<EdgeKinds> kinds = edge_kinds(opened.blob, TriangleId{i});
+        REQUIRE(kinds);
+        const std::array<EdgeKind, 3> found = {kinds->ab, kinds->bc, kinds->ca};
         for (std::size_t edge = 0; edge < 3; ++edge) {
             CAPTURE(i);
             CAPTURE(edge);
@@ -96,10 +97,10 @@ std::array<std::uint64_t, 4> check_kinds(const OpenedBlob& opened) {
     return counts;
 }
 
-BakeOptions with_flags(format::Profile profile, double degrees = 5.0, unsigned bits = 16) {
+BakeOptions with_flags(Profile profile, double degrees = 5.0, unsigned bits = 16) {
     BakeOptions options = with_profile(profile);
-    options.edge_flags = degrees;
-    options.bits = bits;
+    options.flat_angle = degrees;
+    options.resolution = Resolution::bits(bits);
     return options;
 }
 
@@ -109,7 +110,7 @@ using Counts = std::array<std::uint64_t, 4>;
 
 TEST_SUITE("edge flags") {
     TEST_CASE("edge flags: a cube has flat diagonals and convex edges and inside out concave ones") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             Mesh cube = make_cube(0.0f, 1.0f);
             CHECK(check_kinds(OpenedBlob(cube, with_flags(profile))) == Counts{12, 24, 0, 0});
             for (auto& triangle : cube.triangles) std::swap(triangle[0], triangle[1]);
@@ -123,7 +124,7 @@ TEST_SUITE("edge flags") {
              {make_terrain(20, 7), make_soup(300, 2), make_slivers(200, 3), make_needle_fan(200),
               make_coplanar_stacks(200, 5), make_icosphere(3, 1.0, {0, 0, 0}), make_torus(24, 12, 2.0, 0.7)}) {
             CAPTURE(mesh.name);
-            for_each_profile([&](format::Profile profile) {
+            for_each_profile([&](Profile profile) {
                 for (const unsigned bits : {4u, 16u, 24u}) {
                     CAPTURE(bits);
                     for (const double degrees : {0.0, 5.0, 60.0}) {
@@ -145,7 +146,7 @@ TEST_SUITE("edge flags") {
             }
             const Mesh mesh = read_mesh(*path);
             for_each_profile(
-                [&](format::Profile profile) { CHECK(check_kinds(OpenedBlob(mesh, with_flags(profile)))[0] > 0); });
+                [&](Profile profile) { CHECK(check_kinds(OpenedBlob(mesh, with_flags(profile)))[0] > 0); });
         }
     }
 
@@ -153,21 +154,21 @@ TEST_SUITE("edge flags") {
         for (const Mesh& mesh : {make_cube(0.0f, 1.0f), make_terrain(5, 1), make_torus(20, 12, 3.0, 1.0),
                                  make_soup(50, 1), make_coplanar_stacks(50, 5)}) {
             CAPTURE(mesh.name);
-            const OpenedBlob opened(mesh, with_flags(format::Profile::balanced));
-            CHECK(opened.blob.closed() == (check_kinds(opened)[3] == 0));
+            const OpenedBlob opened(mesh, with_flags(Profile::balanced));
+            CHECK(opened.blob.is_closed() == (check_kinds(opened)[3] == 0));
         }
         Mesh fin = make_cube(0.0f, 1.0f);  // a third triangle on an edge of the first triangle
         fin.positions.push_back({2.0f, 3.0f, 4.0f});
         fin.triangles.push_back({fin.triangles[0][0], fin.triangles[0][1], 8});
-        CHECK(check_kinds(OpenedBlob(fin, with_flags(format::Profile::fast)))[3] == 5);
+        CHECK(check_kinds(OpenedBlob(fin, with_flags(Profile::fast)))[3] == 5);
     }
 
     TEST_CASE("edge flags: a copy has the flags of its owner") {
-        BakeOptions options = with_flags(format::Profile::fast);
-        options.builder = Builder::spatial_splits;
-        options.duplicates = 1.0;
+        BakeOptions options = with_flags(Profile::fast);
+        options.build.builder = Builder::spatial_splits;
+        options.build.duplicate_budget = 1.0;
         const OpenedBlob opened(make_soup(500, 4), options);
-        REQUIRE(opened.blob.copy_count() > 0);
+        REQUIRE(opened.blob.duplicate_reference_count() > 0);
         check_kinds(opened);
     }
 
@@ -180,9 +181,9 @@ TEST_SUITE("edge flags") {
                 Mesh roof;
                 roof.positions = {{0, 0, 0}, {4096, 0, 0}, {0, 4096, 0}, {0, -4096, -static_cast<float>(lift)}};
                 roof.triangles = {{0, 1, 2}, {1, 0, 3}};
-                BakeOptions options = with_flags(format::Profile::fast, degrees, 14);
+                BakeOptions options = with_flags(Profile::fast, degrees, 14);
                 const OpenedBlob opened(roof, options);
-                REQUIRE(opened.blob.step() == 1.0f);
+                REQUIRE(opened.blob.lattice().step_exponent == 0);
                 return check_kinds(opened)[0] == 2;
             };
             REQUIRE(is_flat(0));
@@ -198,16 +199,15 @@ TEST_SUITE("edge flags") {
     }
 
     TEST_CASE("edge flags: a blob without them has no byte for them and the same tree") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             const Mesh mesh = make_terrain(10, 1);
             BakeOptions options = with_profile(profile);
             const auto without = bake_or_throw(mesh, options);
-            options.edge_flags = 5.0;
+            options.flat_angle = 5.0;
             options.bounds = {true, true, true};
             const auto with = bake_or_throw(mesh, options);
             CHECK(!OpenedBlob(without).blob.has_edge_flags());
-            EdgeKinds kinds;
-            CHECK(!edge_kinds(OpenedBlob(without).blob, {0}, kinds));
+            CHECK(edge_kinds(OpenedBlob(without).blob, {0}).status == QueryStatus::no_data);
             CHECK(std::equal(without.begin() + format::header::bytes, without.end(),
                              with.begin() + format::header::bytes));
             const std::size_t flag_bits = OpenedBlob(with).blob.triangle_count() * format::edge_flags::triangle_bits;
@@ -219,17 +219,17 @@ TEST_SUITE("edge flags") {
 
     TEST_CASE("edge flags: an empty mesh has no flags and no bounds and senseless angles are refused") {
         BakeOptions options;
-        options.edge_flags = 5.0;
+        options.flat_angle = 5.0;
         options.bounds = {true, true, true};
-        const OpenedBlob empty(bake({}, options)->blob);
+        const OpenedBlob empty(bake({}, options).bytes);
         CHECK(!empty.blob.has_edge_flags());
-        CHECK(empty.blob.data().bounds == nullptr);
+        CHECK(detail::data_of(empty.blob).bounds == nullptr);
         for (const double degrees : {-1.0, 90.0, 1e300, std::nan("")}) {
-            options.edge_flags = degrees;
+            options.flat_angle = degrees;
             const auto result = bake({}, options);
             REQUIRE(!result);
-            CHECK(result.error().kind == BakeError::Kind::invalid_options);
-            CHECK(contains(result.error().message, "degrees"));
+            CHECK(result.status == BakeStatus::invalid_options);
+            CHECK(contains(result.message, "degrees"));
         }
     }
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <baker/verify/verify.hpp>
+#include <espalier/bake.hpp>
 
 #include "baker/baking_support.hpp"
 #include "support/base/checksum.hpp"
@@ -29,7 +29,7 @@ namespace {
 
 /// One triangle in one leaf, `extent` long on one axis and 3 steps on the others, whose box ends on a plane of choice.
 /// In profile `fast` planes count units of the lattice, else 2^shift.
-PlainBlob make_one_box(format::Profile profile, unsigned bits, std::size_t axis, std::int32_t extent, unsigned shift,
+PlainBlob make_one_box(Profile profile, unsigned bits, std::size_t axis, std::int32_t extent, unsigned shift,
                        unsigned plane) {
     const std::size_t second = (axis + 1) % 3, third = (axis + 2) % 3;
     PlainBlob blob;
@@ -42,13 +42,13 @@ PlainBlob make_one_box(format::Profile profile, unsigned bits, std::size_t axis,
     leaf.vertices.assign(3, {0, 0, 0});
     leaf.vertices[1][axis] = leaf.vertices[2][axis] = extent;
     leaf.vertices[1][second] = leaf.vertices[2][third] = 3;
-    if (profile == format::Profile::fast) {
+    if (profile == Profile::fast) {
         leaf.triangles = {{0, 1, 2}};
     } else {
         leaf.entries = {{0, true, true}, {1, false, false}, {2, false, false}};
     }
     PlainChild child;
-    const bool has_units = profile == format::Profile::fast && bits > 16;
+    const bool has_units = profile == Profile::fast && bits > 16;
     child.high.fill(has_units ? static_cast<std::uint16_t>(3 >> (bits - 16)) : 3);
     child.high[axis] = static_cast<std::uint16_t>(plane);
     child.leaf = leaf;
@@ -60,7 +60,7 @@ PlainBlob make_one_box(format::Profile profile, unsigned bits, std::size_t axis,
 }
 
 /// The same with a node above its node, whose own box keeps the rule or is the one that breaks it.
-PlainBlob make_two_boxes(format::Profile profile, bool is_upper_too_long) {
+PlainBlob make_two_boxes(Profile profile, bool is_upper_too_long) {
     PlainBlob blob = make_one_box(profile, 12, 1, 512, 2, 128);
     PlainNode upper = blob.nodes[0];
     upper.children[0].leaf.reset();
@@ -71,9 +71,9 @@ PlainBlob make_two_boxes(format::Profile profile, bool is_upper_too_long) {
 }
 
 BakeOptions with_splits(unsigned bits) {
-    BakeOptions options = with_profile(format::Profile::fast, with_bits(bits));
-    options.builder = Builder::spatial_splits;
-    options.duplicates = 1.0;
+    BakeOptions options = with_profile(Profile::fast, with_bits(bits));
+    options.build.builder = Builder::spatial_splits;
+    options.build.duplicate_budget = 1.0;
     return options;
 }
 
@@ -93,14 +93,11 @@ bool has_farthest_box(DecodedBlob decoded) {
     return false;
 }
 
-constexpr format::Profile packed_profiles[] = {format::Profile::balanced, format::Profile::small};
+constexpr Profile packed_profiles[] = {Profile::balanced, Profile::small};
 
-std::string verdict(const std::vector<std::byte>& blob) { return baker::verify_deep(blob).value_or(""); }
+std::string verdict(const std::vector<std::byte>& blob) { return verify(blob).message; }
 
-bool opens(const std::vector<std::byte>& bytes) {
-    Blob blob;
-    return open(bytes, blob) == Status::ok;
-}
+bool opens(const std::vector<std::byte>& bytes) { return static_cast<bool>(open(bytes)); }
 
 using Extent = std::array<std::uint32_t, 3>;
 
@@ -166,7 +163,7 @@ TEST_SUITE("box ends") {
             {24, 254 << 16, 16, 255, false}, {24, 255 << 16, 17, 128, false}, {24, (255 << 16) + 1, 17, 128, true},
             {24, largest, 17, 128, true},    {24, largest, 17, 129, false}};
         // clang-format on
-        for (const format::Profile profile : packed_profiles) {
+        for (const Profile profile : packed_profiles) {
             CAPTURE(name_of(profile));
             for (const Ending& ending : endings) {
                 for (unsigned bits = ending.least_bits; bits <= format::max_bits; ++bits) {
@@ -203,12 +200,12 @@ TEST_SUITE("box ends") {
                     CAPTURE(extent);
                     CAPTURE(axis);
                     const auto last = static_cast<unsigned>(extent >> unit);
-                    const auto good = encode(make_one_box(format::Profile::fast, bits, axis, extent, 0, last));
+                    const auto good = encode(make_one_box(Profile::fast, bits, axis, extent, 0, last));
                     CHECK(opens(good));
                     CHECK(is_sound(good));
                     CHECK(verdict(good) == "");
                     if (last == 0xFFFF) continue;
-                    const auto bad = encode(make_one_box(format::Profile::fast, bits, axis, extent, 0, last + 1));
+                    const auto bad = encode(make_one_box(Profile::fast, bits, axis, extent, 0, last + 1));
                     CHECK_FALSE(opens(bad));
                     CHECK_FALSE(is_sound(bad));
                 }
@@ -217,7 +214,7 @@ TEST_SUITE("box ends") {
     }
 
     TEST_CASE("format: a box of a node must end near the extent whatever the boxes below do") {
-        for (const format::Profile profile : packed_profiles) {
+        for (const Profile profile : packed_profiles) {
             const auto below = encode(make_two_boxes(profile, false)), above = encode(make_two_boxes(profile, true));
             CHECK(opens(below));
             CHECK(opens(above));
@@ -235,8 +232,8 @@ TEST_SUITE("box ends") {
         REQUIRE(verdict(blob) == "");
         REQUIRE(boxes_end_near_asset(decode(blob)));
         const std::size_t plane = format::header::bytes + format::plain_node::hi_at;
-        CHECK(status_with(blob, plane, 511, 2) == Status::ok);
-        CHECK(status_with(blob, plane, 512, 2) == Status::bad_node);
+        CHECK(status_with(blob, plane, 511, 2) == OpenStatus::ok);
+        CHECK(status_with(blob, plane, 512, 2) == OpenStatus::bad_node);
         put(blob, plane, 512, 2);
         CHECK_FALSE(boxes_end_near_asset(decode(blob)));
     }
@@ -263,7 +260,7 @@ TEST_SUITE("box ends") {
                 CAPTURE(extent[1]);
                 CAPTURE(extent[2]);
                 const Mesh mesh = make_filled_box(extent, random);
-                for_each_profile([&](format::Profile profile) {
+                for_each_profile([&](Profile profile) {
                     const auto blob = bake_or_throw(mesh, with_profile(profile, with_bits(bits)));
                     CHECK(decode(blob).extent == extent);
                     CHECK(is_sound(blob));
@@ -293,7 +290,7 @@ TEST_SUITE("box ends") {
             const DecodedBlob decoded = decode(bytes);
             CHECK(boxes_end_near_asset(decoded));
             CHECK(is_sound(decoded) != has_copies(decoded));  // which sound blobs have not
-            CHECK(baker::verify_deep(bytes).value_or("") == "");
+            CHECK(verify(bytes).message == "");
             ++count;
         }
         CHECK(count >= 12);

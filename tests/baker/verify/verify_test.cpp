@@ -1,9 +1,9 @@
-// Claims about verify_deep: each thing that it promises to find is planted and found.
+// Claims about verify: each thing that it promises to find is planted and found.
 #include <doctest/doctest.h>
 
 #include <array>
 
-#include <baker/verify/verify.hpp>
+#include <espalier/bake.hpp>
 
 #include "baker/baking_support.hpp"
 #include "support/base/checksum.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 std::string verdict(std::vector<std::byte> blob) {
     repair_checksum(blob);
-    return baker::verify_deep(blob).value_or("");
+    return verify(blob).message;
 }
 
 void add_to(std::vector<std::byte>& blob, std::size_t at, int by) {
@@ -30,22 +30,23 @@ void add_to(std::vector<std::byte>& blob, std::size_t at, int by) {
 
 TEST_SUITE("verify") {
     TEST_CASE("verify: baked blobs and the empty blob are sound") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             CHECK(verdict(bake_or_throw(make_terrain(20, 1), with_profile(profile))) == "");
             CHECK(verdict(bake_or_throw(make_soup(200, 2), with_profile(profile))) == "");
-            CHECK(verdict(bake({}, with_profile(profile))->blob) == "");
+            CHECK(verdict(bake({}, with_profile(profile)).bytes) == "");
         });
     }
 
     TEST_CASE("verify: bytes that are no blob are refused with a reason") {
-        CHECK(!baker::verify_deep({}).value_or("").empty());
+        CHECK(!verify({}));
+        CHECK(!verify({}).message.empty());
         auto blob = bake_or_throw(make_cube(0.0f, 1.0f));
         blob[200] ^= std::byte{1};
-        CHECK(contains(baker::verify_deep(blob).value_or(""), "checksum"));
+        CHECK(contains(verify(blob).message, "checksum"));
     }
 
     TEST_CASE("verify: a box that is too small is found and named with node and byte") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             const auto good = bake_or_throw(make_terrain(30, 1), with_profile(profile));
             const DecodedBlob decoded = decode(good);
             unsigned found = 0;
@@ -70,7 +71,7 @@ TEST_SUITE("verify") {
     }
 
     TEST_CASE("verify: a wrong vertex count and extent and closed flag are found") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             namespace header = format::header;
             const auto good = bake_or_throw(make_icosphere(2, 1.0, {0, 0, 0}), with_profile(profile));
             auto bad = good;
@@ -93,7 +94,7 @@ TEST_SUITE("verify") {
         Mesh quad;
         quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
         quad.triangles = {{0, 1, 2}, {0, 2, 3}};
-        const auto good = bake_or_throw(quad, with_profile(format::Profile::fast, with_bits(1)));
+        const auto good = bake_or_throw(quad, with_profile(Profile::fast, with_bits(1)));
         const DecodedBlob decoded = decode(good);
         REQUIRE(decoded.triangles.size() == 2);
         const std::size_t data = leaf_data_of(good, format::header::bytes, 0) + format::plain_leaf::words_at;
@@ -122,7 +123,7 @@ TEST_SUITE("verify") {
         Mesh fan;
         fan.positions = {{0, 0, 0}, {4, 0, 0}, {3, 3, 0}, {0, 4, 0}, {-3, 3, 0}};
         fan.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
-        const auto good = bake_or_throw(fan, with_profile(format::Profile::balanced, with_bits(3)));
+        const auto good = bake_or_throw(fan, with_profile(Profile::balanced, with_bits(3)));
         const DecodedBlob decoded = decode(good);
         REQUIRE(decoded.triangles.size() == 3);
         REQUIRE((std::to_integer<unsigned>(good[marks_at]) & ~15u) == 0b110000);  // five first uses
@@ -140,7 +141,7 @@ TEST_SUITE("verify") {
         Mesh tetrahedron;
         tetrahedron.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
         tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-        auto bad = bake_or_throw(tetrahedron, with_profile(format::Profile::balanced, with_bits(3)));
+        auto bad = bake_or_throw(tetrahedron, with_profile(Profile::balanced, with_bits(3)));
         CHECK(verdict(bad) == "");
         const unsigned high = std::to_integer<unsigned>(bad[marks_at + 1]);
         const unsigned fourth = high >> 1 & 3u;

@@ -8,9 +8,9 @@
 
 int main() {
     using namespace espalier;
-    Blob blob;
-    if (const Status status = open(firmware::blob_in_image(), blob); status != Status::ok) {
-        board::print(describe(status));
+    const Blob blob = open(firmware::blob_in_image());
+    if (!blob) {
+        board::print(describe(blob.status()));
         return 2;
     }
     board::print(platform::report(platform::ask_everything(blob, ESPALIER_QUESTIONS)).c_str());

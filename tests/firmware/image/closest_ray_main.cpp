@@ -6,9 +6,8 @@
 #include "blob_in_image.hpp"
 
 int main() {
-    espalier::Blob blob;
-    espalier::RayHit hit;
-    if (espalier::open(espalier::firmware::blob_in_image(), blob) != espalier::Status::ok) return 2;
-    const bool found = espalier::raycast(blob, {.origin = {8.0f, 8.0f, 50.0f}, .direction = {0.0f, 0.0f, -1.0f}}, hit);
-    return found ? 0 : 3;
+    const espalier::Blob blob = espalier::open(espalier::firmware::blob_in_image());
+    if (!blob) return 2;
+    const auto hit = espalier::raycast(blob, {.origin = {8.0f, 8.0f, 50.0f}, .direction = {0.0f, 0.0f, -1.0f}});
+    return hit ? 0 : 3;
 }

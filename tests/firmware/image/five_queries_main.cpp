@@ -6,16 +6,14 @@
 using namespace espalier;
 
 int main() {
-    Blob blob;
-    if (open(firmware::blob_in_image(), blob) != Status::ok) return 2;
+    const Blob blob = open(firmware::blob_in_image());
+    if (!blob) return 2;
     const Vec3 middle = {8.0f, 8.0f, 8.0f};
     const Ray ray = {.origin = {8.0f, 8.0f, 50.0f}, .direction = {0.0f, 0.0f, -1.0f}};
-    RayHit hit;
-    Nearest nearest;
-    const bool closest = raycast(blob, ray, hit);
-    const bool any = occluded(blob, ray);
-    const bool sphere = overlaps(blob, Sphere{middle, 1.0f});
-    const bool box = overlaps(blob, Box{middle, {9.0f, 9.0f, 9.0f}});
-    const bool point = closest_point(blob, middle, __builtin_inff(), nearest);
+    const bool closest = bool(raycast(blob, ray));
+    const bool any = occluded(blob, ray).yes();
+    const bool sphere = overlaps(blob, Sphere{middle, 1.0f}).yes();
+    const bool box = overlaps(blob, Box{middle, {9.0f, 9.0f, 9.0f}}).yes();
+    const bool point{closest_point(blob, middle)};
     return (closest ? 1 : 0) + (any ? 2 : 0) + (sphere ? 4 : 0) + (box ? 8 : 0) + (point ? 16 : 0);
 }

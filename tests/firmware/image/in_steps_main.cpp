@@ -6,8 +6,8 @@
 #include "blob_in_image.hpp"
 
 int main() {
-    espalier::Blob blob;
-    espalier::HitInSteps hit;
-    if (open_trusted_image(espalier::firmware::blob_in_image(), blob) != espalier::Status::ok) return 2;
-    return first_hit(blob, {{8, 8, 5000}, {8, 8, -5000}}, hit) == espalier::QueryStatus::ok ? 0 : 3;
+    const espalier::Blob blob = espalier::open_unchecked(espalier::firmware::blob_in_image());
+    if (!blob) return 2;
+    const auto hit = raycast(blob, espalier::LatticeSegment{{8, 8, 5000}, {8, 8, -5000}});
+    return is_refused(hit.status) ? 3 : 0;
 }

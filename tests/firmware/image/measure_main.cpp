@@ -11,9 +11,9 @@ static_assert(espalier::firmware::kind_count < espalier::firmware::end_mark);
 
 int main() {
     using namespace espalier;
-    Blob blob;
-    if (const Status status = open(firmware::blob_in_image(), blob); status != Status::ok) {
-        board::print(describe(status));
+    const Blob blob = open(firmware::blob_in_image());
+    if (!blob) {
+        board::print(describe(blob.status()));
         return 2;
     }
     const auto measure = [](unsigned kind, FunctionRef<void()> call) { firmware::measure(kind, call); };

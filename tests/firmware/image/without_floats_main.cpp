@@ -7,20 +7,19 @@
 using namespace espalier;
 
 int main() {
-    Blob blob;
-    if (open_trusted_image(firmware::blob_in_image(), blob) != Status::ok) return 2;
-    const Lattice lattice = lattice_of(blob);
-    Steps steps;
-    BoxInSteps box;
-    if (to_steps(lattice, lattice.origin, steps) != QueryStatus::ok ||
-        steps_around(lattice, {lattice.origin, lattice.origin}, box) != QueryStatus::ok)
-        return 3;
-    HitInSteps hit;
-    bool any = overlaps(blob, box);
-    Triangle page[4];
-    const OverlapPage found = collect_overlaps(blob, box, page);
-    const bool saw_all = for_each_overlap(blob, box, [](Triangle) { return keep_going; });
-    if (first_hit(blob, {steps, {8, 8, 5000}}, hit) != QueryStatus::ok) return 4;
-    if (any_hit(blob, {steps, {8, 8, 5000}}, any) != QueryStatus::ok) return 5;
+    const Blob blob = open_unchecked(firmware::blob_in_image());
+    if (!blob) return 2;
+    const Lattice lattice = blob.lattice();
+    const Result<LatticePoint> point = to_lattice(lattice, lattice.origin);
+    const Result<LatticeBox> around = to_lattice(lattice, Box{lattice.origin, lattice.origin});
+    if (!point || !around) return 3;
+    const LatticeBox& box = *around;
+    bool any = overlaps(blob, box).yes();
+    TriangleId page[4];
+    const Filled found = collect_overlaps(blob, box, page);
+    const bool saw_all = for_each_overlap(blob, box, [](TriangleId) {}) == QueryStatus::ok;
+    const LatticeSegment segment = {*point, {8, 8, 5000}};
+    if (is_refused(raycast(blob, segment).status)) return 4;
+    if (is_refused(occluded(blob, segment).status())) return 5;
     return any && saw_all && found.count != 0 ? 0 : 1;
 }

@@ -88,7 +88,7 @@ def check_area(claims, claim, name, corners):
 def check_materials(claims, claim, name, expected):
     """The material of the source's triangles, in their order."""
     path = os.path.join(claims.folder, name)
-    subprocess.run([claims.espalier, "bake", path, "-o", claims.blob, "--materials", "8", "--ids", "-q"], check=True)
+    subprocess.run([claims.espalier, "bake", path, "-o", claims.blob, "--materials", "--ids", "-q"], check=True)
     answer = subprocess.run([claims.espalier, "query", claims.blob, "triangles", "--json"], capture_output=True, check=False)
     triangles = json.loads(answer.stdout or b"{}").get("triangles", [])
     found = {triangle["original"]["triangle"]: triangle["material"] for triangle in triangles}

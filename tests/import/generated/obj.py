@@ -87,8 +87,8 @@ def obj(claims):
                  ["unknown_statement"])
     claims.bakes("OBJ: a weight of a vertex is warned of", "weight.obj", SQUARE.replace("2 2 0", "2 2 0 0.5") + "f 1 2 3 4\n",
                  2, SQUARE_BOUNDS, ["vertex_weight"])
-    claims.bakes("OBJ: --repair drops faces whose vertices are missing, with a warning", "missing.obj",
-                 SQUARE + "f 1 2 3\nf 1 2 5\nf 1 -5 3\nf 0 1 2\n", 1, SQUARE_BOUNDS, ["missing_vertex"], options=["--repair", "--max-dropped", "100"])
+    claims.bakes("OBJ: --drop-bad-triangles drops faces whose vertices are missing, with a warning", "missing.obj",
+                 SQUARE + "f 1 2 3\nf 1 2 5\nf 1 -5 3\nf 0 1 2\n", 1, SQUARE_BOUNDS, ["missing_vertex"], options=["--drop-bad-triangles", "--max-dropped", "100"])
 
     claims.refuses("OBJ: a vertex that is missing is refused with its number", "missing.obj", SQUARE + "f 1 2 5\n", "vertex 4")
     claims.refuses("OBJ: a vertex that is missing twice in a face is refused", "missing.obj", SQUARE + "f 1 2 9 9\n", "vertex 8")
@@ -110,7 +110,7 @@ def obj(claims):
     check_materials(claims, "OBJ: materials are numbered by their library, then by use", "materials.obj", [0, 2, 3, 1])
 
     red, unknown = "usemtl red\nf 1 2 3\n", "usemtl unknown\nf 1 3 4\n"
-    with_materials = ["--materials", "8"]
+    with_materials = ["--materials"]
     for libraries, faces, options, warnings in (
             ("absent.mtl", red, with_materials, ["missing_file"]), ("absent.mtl", red, [], []),
             ("absent.mtl", "f 1 2 3\n", with_materials, []), ("absent.mtl", "f 1 2 3\n" + unknown, with_materials, ["missing_file"]),

@@ -87,8 +87,8 @@ def ply(claims):
     stitched = claims.bakes("PLY: repeated corners that join strips add no triangle", "stitched.ply", strips.encode() + data, 12,
                             BOX_BOUNDS, closed=True)
     claims.check("PLY: repeated corners that join strips count as no triangle", stitched.get("source_triangles") == 12, stitched)
-    claims.bakes("PLY: --repair drops faces whose vertices are missing, with a warning", "missing.ply",
-                 text.replace("4 0 1 3 2", "3 0 1 8"), 10, BOX_BOUNDS, ["missing_vertex"], options=["--repair", "--max-dropped", "100"])
+    claims.bakes("PLY: --drop-bad-triangles drops faces whose vertices are missing, with a warning", "missing.ply",
+                 text.replace("4 0 1 3 2", "3 0 1 8"), 10, BOX_BOUNDS, ["missing_vertex"], options=["--drop-bad-triangles", "--max-dropped", "100"])
 
     box_bytes = ply_bytes("<", "f", "B", "i")
     claims.refuses("PLY: a file that is cut off is refused", "cut.ply", box_bytes[:-3], "ends before")

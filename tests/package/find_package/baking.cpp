@@ -13,8 +13,9 @@ int main() {
     mesh.triangles = triangles;
     mesh.name = "one";
     const auto baked = espalier::bake(std::array{mesh}, {});
-    espalier::Blob blob;
-    if (!baked || espalier::open(baked->blob, blob) != espalier::Status::ok) return 1;
+    if (!baked) return 1;
+    const espalier::Blob blob = espalier::open(baked.bytes);
+    if (!blob) return 1;
     std::printf("baked %u triangle\n", static_cast<unsigned>(blob.triangle_count()));
     return 0;
 }

@@ -12,21 +12,18 @@ int main(int argument_count, char** arguments) {
     bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
     std::fclose(file);
 
-    espalier::Blob blob;
-    if (const auto status = espalier::open(bytes, blob); status != espalier::Status::ok) {
-        std::puts(espalier::describe(status));
+    const espalier::Blob blob = espalier::open(bytes);
+    if (!blob) {
+        std::puts(espalier::describe(blob.status()));
         return 1;
     }
-    espalier::RayHit hit;
-    const bool is_hit = espalier::raycast(blob, {.origin = {0.25f, 0.5f, 5}, .direction = {0, 0, -1}}, hit);
+    const espalier::RayHit hit = espalier::raycast(blob, {.origin = {0.25f, 0.5f, 5}, .direction = {0, 0, -1}});
     unsigned touched = 0;
-    espalier::for_each_overlap(blob, espalier::Sphere{.center = {3, -3, 0.25f}, .radius = 0.5f},
-                               [&](espalier::Triangle) {
-                                   ++touched;
-                                   return espalier::keep_going;
-                               });
+    const auto status = espalier::for_each_overlap(blob, espalier::Sphere{.center = {3, -3, 0.25f}, .radius = 0.5f},
+                                                   [&](espalier::TriangleId) { ++touched; });
+    if (espalier::is_refused(status)) return 1;
     std::printf("%u triangles, version %s\n", static_cast<unsigned>(blob.triangle_count()), espalier::library_version);
-    std::printf("a ray down: %s, t = %.3f, normal %g %g %g\n", is_hit ? "hit" : "no hit", static_cast<double>(hit.t),
+    std::printf("a ray down: %s, t = %.3f, normal %g %g %g\n", hit ? "hit" : "no hit", static_cast<double>(hit.t),
                 static_cast<double>(hit.normal.x), static_cast<double>(hit.normal.y),
                 static_cast<double>(hit.normal.z));
     std::printf("a sphere beside the table touches %u\n", touched);

@@ -32,14 +32,15 @@ struct Scene {
 };
 
 /// Several meshes of two files, an empty one among them, with a degenerate triangle so that ids and indices differ.
-Scene make_scene(format::Profile profile, bool ids, Materials materials) {
+Scene make_scene(Profile profile, bool ids, unsigned material_bits) {
     std::vector<Mesh> meshes = {make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}), Mesh{}, make_torus(16, 8, 4.0, 0.5),
                                 make_cube(5.0f, 6.0f)};
     meshes[0].triangles.insert(meshes[0].triangles.begin(), {3, 3, 3});
     std::uint32_t number = 0;
     std::vector<MeshView> views;
     for (Mesh& mesh : meshes) {
-        const std::uint32_t last = materials == Materials::bits_16 ? 65535 : 255;
+        if (material_bits == 0) break;
+        const std::uint32_t last = material_bits == 16 ? 65535 : 255;
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(last - (number++ * 37) % 251);
     }
     const std::pair<std::uint32_t, std::uint32_t> places[] = {{0, 0}, {0, 1}, {3, 0}, {3, 9}};
@@ -50,10 +51,9 @@ Scene make_scene(format::Profile profile, bool ids, Materials materials) {
     }
     BakeOptions options = with_profile(profile);
     options.original_ids = ids;
-    options.materials = materials;
     auto baked = bake(views, options);
-    REQUIRE_MESSAGE(baked.has_value(), baked.error().message);
-    OpenedBlob opened(std::move(baked->blob));
+    REQUIRE_MESSAGE(baked, baked.message);
+    OpenedBlob opened(std::move(baked.bytes));
     DecodedBlob decoded = decode(opened.bytes);
     return {std::move(meshes), std::move(opened), std::move(decoded)};
 }
@@ -64,12 +64,12 @@ std::size_t mesh_of(const OriginalTriangle& original) {
 }
 
 /// Collected before anything is required of them: no exception may pass through the runtime.
-std::vector<Corners> every_triangle(const Blob& blob) {
-    std::vector<Corners> triangles;
-    CHECK(for_each_triangle(blob, [&](Triangle triangle, const Corners& corners) {
-        CHECK(triangle.index == triangles.size());
-        return triangles.push_back(corners), keep_going;
-    }));
+std::vector<Triangle> every_triangle(const Blob& blob) {
+    std::vector<Triangle> triangles;
+    CHECK(for_each_triangle(blob, [&](TriangleId triangle, const Triangle& corners) {
+              CHECK(triangle.index == triangles.size());
+              triangles.push_back(corners);
+          }) == QueryStatus::ok);
     return triangles;
 }
 
@@ -95,20 +95,21 @@ bool is_near(Vec3 a, Vec3 b, float distance) {
 
 TEST_SUITE("identity") {
     TEST_CASE("source triangle: every triangle leads to the source triangle with its corners and material") {
-        for_each_profile([](format::Profile profile) {
-            for (const Materials materials : {Materials::bits_8, Materials::bits_16}) {
-                const Scene scene = make_scene(profile, true, materials);
+        for_each_profile([](Profile profile) {
+            for (const unsigned material_bits : {8u, 16u}) {
+                const Scene scene = make_scene(profile, true, material_bits);
                 const Blob& blob = scene.opened.blob;
                 REQUIRE(blob.has_original_ids());
                 REQUIRE(blob.has_materials());
                 std::set<std::pair<std::size_t, std::uint32_t>> seen;
                 std::size_t turned = 0;
-                const std::vector<Corners> triangles = every_triangle(blob);
+                const std::vector<Triangle> triangles = every_triangle(blob);
                 for (std::uint32_t index = 0; index < triangles.size(); ++index) {
-                    const Triangle triangle{index};
-                    const Corners& corners = triangles[index];
-                    OriginalTriangle original;
-                    REQUIRE(original_triangle(blob, triangle, original));
+                    const TriangleId triangle{index};
+                    const Triangle& corners = triangles[index];
+                    const Result<OriginalTriangle> found = original_triangle(blob, triangle);
+                    REQUIRE(found);
+                    const OriginalTriangle& original = *found;
                     const std::size_t number = mesh_of(original);
                     const Mesh& mesh = scene.meshes[number];
                     REQUIRE(original.triangle < mesh.triangles.size());
@@ -126,13 +127,13 @@ TEST_SUITE("identity") {
                 }
                 CHECK(seen.size() == blob.triangle_count());
                 CHECK(blob.triangle_count() == 320 + 256 + 12);
-                CHECK((turned > 0) == (profile != format::Profile::fast));
+                CHECK((turned > 0) == (profile != Profile::fast));
             }
         });
     }
 
     TEST_CASE("source triangle: original_hit gives the triangle and the weights that make up the point of the hit") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             Mesh mesh = make_terrain(12, 3);
             std::size_t number = 0;
             for (TriangleVertices& triangle : mesh.triangles) {
@@ -147,8 +148,8 @@ TEST_SUITE("identity") {
             std::array<int, 3> seen{};
             for (int i = 0; i < 500; ++i) {
                 const Ray ray = maker.ray(RayKind::incoherent);
-                RayHit hit;
-                if (!raycast(opened.blob, ray, hit)) continue;
+                const RayHit hit = raycast(opened.blob, ray);
+                if (!hit) continue;
                 const OriginalHit original = original_hit(opened.blob, hit);
                 REQUIRE(original);
                 REQUIRE(same(original_hit(remap, hit), original));
@@ -168,8 +169,8 @@ TEST_SUITE("identity") {
                 REQUIRE(is_near(on_source, on_ray, 0.002f));
             }
             CHECK(seen[0] > 0);
-            CHECK((seen[1] > 0) == (profile != format::Profile::fast));
-            CHECK((seen[2] > 0) == (profile != format::Profile::fast));
+            CHECK((seen[1] > 0) == (profile != Profile::fast));
+            CHECK((seen[2] > 0) == (profile != Profile::fast));
         });
     }
 
@@ -178,6 +179,7 @@ TEST_SUITE("identity") {
         float worst = 0.0f;
         for (int i = 0; i < 10000; ++i) {
             RayHit hit;
+            hit.triangle = {0};
             hit.u = random.below(4) == 0 ? std::ldexp(1.0f, -static_cast<int>(random.below(40))) : random.unit();
             hit.v = random.unit() * (1.0f - hit.u);
             if (random.below(4) == 0) hit.v = std::nextafter(1.0f - hit.u, 2.0f);  // rounded over the edge
@@ -204,11 +206,11 @@ TEST_SUITE("identity") {
     }
 
     TEST_CASE("source triangle: a batch gives what one call for each gives") {
-        for_each_profile([](format::Profile profile) {
-            const Scene scene = make_scene(profile, true, Materials::none);
+        for_each_profile([](Profile profile) {
+            const Scene scene = make_scene(profile, true, 0);
             const Blob& blob = scene.opened.blob;
             std::vector<RayHit> hits(50);
-            std::vector<Triangle> triangles;
+            std::vector<TriangleId> triangles;
             for (std::uint32_t i = 0; i < hits.size(); ++i) {
                 hits[i].u = 0.25f;
                 hits[i].triangle = {i * 11};
@@ -217,38 +219,54 @@ TEST_SUITE("identity") {
             hits[3].triangle = no_triangle;
             hits[4].triangle = {blob.triangle_count()};
             std::vector<OriginalHit> originals(hits.size());
-            REQUIRE(original_hit(blob, hits, originals) == QueryStatus::ok);
+            const Filled all_hits = original_hit(blob, hits, originals);
+            REQUIRE(all_hits.status == QueryStatus::ok);
+            REQUIRE(all_hits.count == hits.size());
             for (std::size_t i = 0; i < hits.size(); ++i) REQUIRE(same(originals[i], original_hit(blob, hits[i])));
             CHECK(originals[2]);
             CHECK(originals[3].status == QueryStatus::not_found);
             CHECK(originals[4].status == QueryStatus::invalid_argument);
 
-            std::vector<OriginalTriangle> sources(triangles.size());
-            REQUIRE(original_triangle(blob, triangles, sources) == QueryStatus::ok);
+            triangles[3] = no_triangle;
+            triangles[4] = {blob.triangle_count()};
+            std::vector<Result<OriginalTriangle>> sources(triangles.size());
+            const Filled all_triangles = original_triangle(blob, triangles, sources);
+            REQUIRE(all_triangles.status == QueryStatus::ok);
+            REQUIRE(all_triangles.count == triangles.size());
             for (std::size_t i = 0; i < triangles.size(); ++i) {
-                OriginalTriangle original;
-                REQUIRE(original_triangle(blob, triangles[i], original));
-                REQUIRE(sources[i] == original);
+                const Result<OriginalTriangle> found = original_triangle(blob, triangles[i]);
+                REQUIRE(sources[i].status == found.status);
+                REQUIRE(sources[i].value == found.value);
             }
+            CHECK(sources[2]);
+            CHECK(sources[3].status == QueryStatus::not_found);
+            CHECK(sources[4].status == QueryStatus::invalid_argument);
+            CHECK(sources[4].value == OriginalTriangle{});
 
-            // Refused as a whole, with nothing written.
-            const std::vector<OriginalTriangle> before = sources;
-            std::swap(triangles[0], triangles[1]);
-            CHECK(original_triangle(blob, triangles, std::span(sources).first(49)) == QueryStatus::invalid_argument);
-            triangles.back() = {blob.triangle_count()};
-            CHECK(original_triangle(blob, triangles, sources) == QueryStatus::invalid_argument);
-            CHECK(sources == before);
+            // Different sizes: nothing is written.
+            const auto is_refused_whole = [](const Filled& filled) {
+                return filled.status == QueryStatus::invalid_argument && filled.count == 0;
+            };
+            sources[0].status = QueryStatus::work_limit;
+            CHECK(is_refused_whole(original_triangle(blob, triangles, std::span(sources).first(49))));
+            CHECK(sources[0].status == QueryStatus::work_limit);
             originals[0].status = QueryStatus::work_limit;
-            CHECK(original_hit(blob, hits, std::span(originals).first(49)) == QueryStatus::invalid_argument);
+            CHECK(is_refused_whole(original_hit(blob, hits, std::span(originals).first(49))));
             CHECK(originals[0].status == QueryStatus::work_limit);
+            // A blob that is not open refuses each.
+            const Filled refused = original_triangle(Blob(), triangles, sources);
+            CHECK(refused.status == QueryStatus::not_open);
+            CHECK(refused.count == sources.size());
+            for (const auto& each : sources) CHECK(each.status == QueryStatus::not_open);
         });
     }
 
     TEST_CASE("source triangle: the status of an original hit is the reason for none") {
-        for_each_profile([](format::Profile profile) {
-            const Scene without = make_scene(profile, false, Materials::none);
-            const Scene scene = make_scene(profile, true, Materials::none);
+        for_each_profile([](Profile profile) {
+            const Scene without = make_scene(profile, false, 0);
+            const Scene scene = make_scene(profile, true, 0);
             RayHit hit;
+            hit.triangle = {0};
             CHECK(original_hit(scene.opened.blob, hit).status == QueryStatus::ok);
             CHECK(original_hit(without.opened.blob, hit).status == QueryStatus::no_data);
             CHECK(original_hit(Blob(), hit).status == QueryStatus::not_open);
@@ -268,10 +286,11 @@ TEST_SUITE("identity") {
             CHECK(original_hit(scene.opened.blob, hit).status == QueryStatus::not_found);
             CHECK(original_hit(scene.opened.blob, hit).triangle == 0);
 
-            OriginalTriangle original[1];
-            const Triangle first[1] = {};
-            CHECK(original_triangle(without.opened.blob, first, original) == QueryStatus::no_data);
-            CHECK(original_triangle(Blob(), first, original) == QueryStatus::not_open);
+            Result<OriginalTriangle> original[1];
+            const TriangleId first[1] = {{0}};
+            CHECK(original_triangle(without.opened.blob, first, original).status == QueryStatus::no_data);
+            CHECK(original[0].status == QueryStatus::no_data);
+            CHECK(original_triangle(Blob(), first, original).status == QueryStatus::not_open);
             // An empty blob that was opened has no triangles, and no ids unless they were asked for.
             const OpenedBlob empty(Mesh{}, with_profile(profile));
             CHECK(original_hit(empty.blob, hit).status == QueryStatus::no_data);
@@ -279,7 +298,7 @@ TEST_SUITE("identity") {
     }
 
     TEST_CASE("source triangle: ids of every width lead back with and without a first corner") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             BakeOptions options = with_profile(profile);
             options.original_ids = true;
             for (const unsigned side : {1u, 2u, 3u, 5u, 9u, 17u, 40u}) {
@@ -289,8 +308,9 @@ TEST_SUITE("identity") {
                 const DecodedBlob decoded = decode(opened.bytes);
                 std::set<std::uint32_t> seen;
                 for (std::uint32_t i = 0; i < opened.blob.triangle_count(); ++i) {
-                    OriginalTriangle original;
-                    REQUIRE(original_triangle(opened.blob, Triangle{i}, original));
+                    const Result<OriginalTriangle> found = original_triangle(opened.blob, TriangleId{i});
+                    REQUIRE(found);
+                    const OriginalTriangle& original = *found;
                     REQUIRE(original == OriginalTriangle{0, 0, decoded.original_ids[i], decoded.first_corners[i]});
                     seen.insert(original.triangle);
                 }
@@ -300,47 +320,49 @@ TEST_SUITE("identity") {
     }
 
     TEST_CASE("source triangle: the last id is read within the blob") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             BakeOptions options = with_profile(profile);
             options.original_ids = true;
             const auto bytes = bake_or_throw(make_plane_grid(4), options);  // 32 ids of 5 bits: nothing pads them
             const DecodedBlob decoded = decode(bytes);
             const GuardedPages pages(bytes, true);
-            Blob blob;
-            REQUIRE(open(pages.bytes(), blob) == Status::ok);
+            const Blob blob = open(pages.bytes());
+            REQUIRE(blob);
             REQUIRE(blob.triangle_count() == 32);
-            OriginalTriangle original;
-            REQUIRE(original_triangle(blob, Triangle{31}, original));
+            const Result<OriginalTriangle> found = original_triangle(blob, TriangleId{31});
+            REQUIRE(found);
+            const OriginalTriangle& original = *found;
             CHECK(original == OriginalTriangle{0, 0, decoded.original_ids[31], decoded.first_corners[31]});
         });
     }
 
     TEST_CASE("source triangle: absent ids and materials and triangles out of range give none") {
-        for_each_profile([](format::Profile profile) {
-            const Scene scene = make_scene(profile, false, Materials::none);
-            const OriginalTriangle before{7, 8, 9, 10};
-            OriginalTriangle original = before;
-            CHECK_FALSE(original_triangle(scene.opened.blob, Triangle{0}, original));
-            CHECK(original == before);
-            CHECK(material(scene.opened.blob, Triangle{0}) == 0);
+        for_each_profile([](Profile profile) {
+            const Scene scene = make_scene(profile, false, 0);
+            const auto status = [](const Blob& blob, std::uint32_t index) {
+                const Result<OriginalTriangle> found = original_triangle(blob, {index});
+                CHECK(found.value == OriginalTriangle{});
+                return found.status;
+            };
+            CHECK(status(scene.opened.blob, 0) == QueryStatus::no_data);
+            CHECK(material(scene.opened.blob, TriangleId{0}) == 0);
             CHECK_FALSE(scene.opened.blob.has_original_ids());
             CHECK_FALSE(scene.opened.blob.has_materials());
 
-            const Scene with_ids = make_scene(profile, true, Materials::bits_16);
+            const Scene with_ids = make_scene(profile, true, 16);
             const std::uint32_t count = with_ids.opened.blob.triangle_count();
-            CHECK_FALSE(original_triangle(with_ids.opened.blob, Triangle{count}, original));
-            CHECK_FALSE(original_triangle(with_ids.opened.blob, Triangle{0xFFFFFFFFu}, original));
-            CHECK(original == before);
-            CHECK(material(with_ids.opened.blob, Triangle{count}) == 0);
-            CHECK_FALSE(original_triangle(Blob(), Triangle{0}, original));
-            CHECK(material(Blob(), Triangle{0}) == 0);
+            CHECK(status(with_ids.opened.blob, count) == QueryStatus::invalid_argument);
+            CHECK(status(with_ids.opened.blob, no_triangle.index) == QueryStatus::not_found);
+            CHECK(material(with_ids.opened.blob, TriangleId{count}) == 0);
+            CHECK(status(Blob(), 0) == QueryStatus::not_open);
+            CHECK(material(Blob(), TriangleId{0}) == 0);
         });
     }
 
     TEST_CASE("source triangle: optional sections keep the triangles and their order") {
-        for_each_profile([](format::Profile profile) {
-            const Scene plain = make_scene(profile, false, Materials::none);
-            const Scene full = make_scene(profile, true, Materials::bits_8);
+        for_each_profile([](Profile profile) {
+            const Scene plain = make_scene(profile, false, 0);
+            const Scene full = make_scene(profile, true, 8);
             CHECK(plain.decoded.triangles == full.decoded.triangles);
             CHECK(plain.opened.bytes.size() < full.opened.bytes.size());
         });
@@ -352,7 +374,7 @@ TEST_SUITE("identity") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             const double step = std::ldexp(1.0, blob.decoded.step_exponent);
-            const std::vector<Corners> triangles = every_triangle(blob.opened.blob);
+            const std::vector<Triangle> triangles = every_triangle(blob.opened.blob);
             REQUIRE(triangles.size() == blob.decoded.triangles.size());
             for (std::size_t i = 0; i < triangles.size(); ++i) {
                 const GridTriangle& expected = blob.decoded.triangles[i];
@@ -368,7 +390,8 @@ TEST_SUITE("identity") {
                 check(triangles[i].c, expected.c);
             }
             int calls = 0;
-            CHECK_FALSE(for_each_triangle(blob.opened.blob, [&](Triangle, const Corners&) { return ++calls, stop; }));
+            const auto stop = [&](TriangleId, const Triangle&) { return ++calls, Visit::stop; };
+            CHECK(for_each_triangle(blob.opened.blob, stop) == QueryStatus::stopped);
             CHECK(calls == 1);
         }
     }
@@ -379,20 +402,20 @@ TEST_SUITE("identity") {
             const Blob& view = blob.opened.blob;
             CHECK(view.triangle_count() == blob.decoded.triangle_count);
             CHECK(view.vertex_count() == distinct_corners(blob.decoded).size());
-            CHECK(view.size_bytes() == blob.opened.bytes.size());
-            CHECK(view.bits() == blob.decoded.bits);
+            CHECK(view.size() == blob.opened.bytes.size());
+            CHECK(detail::data_of(view).bits == blob.decoded.bits);
             CHECK(view.depth() == blob.decoded.depth);
-            CHECK(view.step() == std::ldexp(1.0f, blob.decoded.step_exponent));
+            CHECK(view.lattice().step_exponent == blob.decoded.step_exponent);
             CHECK(view.max_error() == blob.decoded.max_error);
-            CHECK(view.bounds_min() == Vec3{blob.decoded.origin[0], blob.decoded.origin[1], blob.decoded.origin[2]});
+            CHECK(view.bounds().min == Vec3{blob.decoded.origin[0], blob.decoded.origin[1], blob.decoded.origin[2]});
             unsigned deepest = 0;
             for (const DecodedNode& node : blob.decoded.nodes) deepest = std::max(deepest, node.depth);
             CHECK(view.depth() == deepest);
         }
         const Blob empty;
         CHECK(empty.triangle_count() == 0);
-        CHECK(empty.bounds_min() == Vec3{});
-        CHECK(empty.bounds_max() == Vec3{});
-        CHECK(for_each_triangle(empty, [](Triangle, const Corners&) { return stop; }));
+        CHECK(empty.bounds().min == Vec3{});
+        CHECK(empty.bounds().max == Vec3{});
+        CHECK(for_each_triangle(empty, [](TriangleId) { return Visit::stop; }) == QueryStatus::not_open);
     }
 }

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include <runtime/bytes.hpp>
-#include <runtime/float_bits.hpp>
-#include <runtime/square_root.hpp>
+#include <runtime/base/bytes.hpp>
+#include <runtime/base/float_bits.hpp>
 
 #include "support/base/hostile_values.hpp"
 #include "support/base/random.hpp"

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include <runtime/wide_integer.hpp>
+#include <runtime/base/wide_integer.hpp>
 
 #include "oracle/rational.hpp"
 #include "support/base/random.hpp"

@@ -26,29 +26,28 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-Bytes small_blob(format::Profile profile, bool sections) {
+Bytes small_blob(Profile profile, bool sections) {
     Mesh mesh = make_icosphere(1, 1.0, {0.25f, 0.0f, -1.0f});
     BakeOptions options = with_profile(profile);
     if (sections) {
         mesh.materials.assign(mesh.triangles.size(), 3);
         options.original_ids = true;
-        options.materials = Materials::bits_8;
     }
     return bake_or_throw(mesh, options);
 }
 
 /// With triangles that have copies in several leaves.
 Bytes split_blob() {
-    BakeOptions options = with_profile(format::Profile::fast);
-    options.builder = Builder::spatial_splits;
-    options.duplicates = 1.0;
+    BakeOptions options = with_profile(Profile::fast);
+    options.build.builder = Builder::spatial_splits;
+    options.build.duplicate_budget = 1.0;
     return bake_or_throw(make_soup(60, 1), options);
 }
 
 /// Opens; on ok every query must be safe. Whether it opened.
 bool open_and_exercise(std::span<const std::byte> bytes, std::uint64_t seed, unsigned rounds) {
-    Blob blob;
-    if (open(bytes, blob) != Status::ok) {
+    const Blob blob = open(bytes);
+    if (!blob) {
         REQUIRE(blob.triangle_count() == 0);
         return false;
     }
@@ -61,24 +60,24 @@ bool open_and_exercise(std::span<const std::byte> bytes, std::uint64_t seed, uns
 
 TEST_SUITE("hostile") {
     TEST_CASE("open: every flipped bit is refused by the checksum") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             for (const bool sections : {false, true}) {
                 ExactBuffer buffer(small_blob(profile, sections));
                 for (std::size_t bit = 0; bit < 8 * buffer.bytes().size(); ++bit) {
                     const auto mask = static_cast<std::byte>(1u << (bit % 8));
                     buffer.bytes()[bit / 8] ^= mask;
-                    Blob blob;
-                    REQUIRE(open(buffer.bytes(), blob) != Status::ok);
+                    const Blob blob = open(buffer.bytes());
+                    REQUIRE(blob.status() != OpenStatus::ok);
                     buffer.bytes()[bit / 8] ^= mask;
                 }
-                Blob blob;
-                REQUIRE(open(buffer.bytes(), blob) == Status::ok);
+                const Blob blob = open(buffer.bytes());
+                REQUIRE(blob);
             }
         });
     }
 
     TEST_CASE("open: every flipped bit with the checksum repaired is refused or leaves queries safe") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             for (const bool sections : {false, true}) {
                 ExactBuffer buffer(small_blob(profile, sections));
                 std::size_t opened = 0;
@@ -101,10 +100,10 @@ TEST_SUITE("hostile") {
 
     TEST_CASE("open: every flipped bit of a map of copies is refused or leaves queries safe") {
         ExactBuffer buffer(split_blob());
-        Blob blob;
-        REQUIRE(open(buffer.bytes(), blob) == Status::ok);
-        REQUIRE(blob.copy_count() > 0);
-        const auto begin = static_cast<std::size_t>(blob.data().copies - blob.data().bytes);
+        const Blob blob = open(buffer.bytes());
+        REQUIRE(blob);
+        REQUIRE(blob.duplicate_reference_count() > 0);
+        const auto begin = static_cast<std::size_t>(detail::data_of(blob).copies - detail::data_of(blob).bytes);
         std::size_t opened = 0;
         const std::size_t bits = 8 * (buffer.bytes().size() - begin);
         for (std::size_t bit = 0; bit < bits; ++bit) {
@@ -126,7 +125,7 @@ TEST_SUITE("hostile") {
         const std::uint64_t count = scaled(20'000);
         Random random(5);
         std::vector<Bytes> originals;
-        for_each_profile([&](format::Profile profile) {
+        for_each_profile([&](Profile profile) {
             originals.push_back(small_blob(profile, false));
             originals.push_back(small_blob(profile, true));
             originals.push_back(bake_or_throw(make_cube(0.0f, 1.0f), with_profile(profile)));
@@ -150,15 +149,15 @@ TEST_SUITE("hostile") {
     }
 
     TEST_CASE("promise: every hostile value in every argument of every query is safe") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             const BakeOptions options = with_profile(profile);
             const OpenedBlob far(make_far_sphere(), options);
             const OpenedBlob flat(make_plane_grid(6), options);
             const OpenedBlob tiny(scaled_by(make_cube(-1.0f, 1.0f), 0x1p-85f), options);
             const OpenedBlob huge(scaled_by(make_cube(-1.0f, 1.0f), 0x1p100f), options);
             for (const Blob& blob : {Blob(), far.blob, flat.blob, tiny.blob, huge.blob}) {
-                const Vec3 low = blob.bounds_min();
-                const Vec3 high = blob.bounds_max();
+                const Vec3 low = blob.bounds().min;
+                const Vec3 high = blob.bounds().max;
                 const Vec3 middle{low.x + (high.x - low.x) * 0.4f, low.y + (high.y - low.y) * 0.5f,
                                   low.z + (high.z - low.z) * 0.6f};
                 for (int slot = 0; slot < 8; ++slot) {
@@ -169,9 +168,9 @@ TEST_SUITE("hostile") {
                                                      &ray.direction.x, &ray.direction.y, &ray.direction.z,
                                                      &ray.t_min,       &ray.t_max};
                             *slots[slot] = value;
-                            RayHit hit;
-                            const bool found = raycast(blob, ray, hit);
-                            CHECK(occluded(blob, ray) == found);
+                            const RayHit hit = raycast(blob, ray);
+                            const bool found = bool(hit);
+                            CHECK(occluded(blob, ray).status() == hit.status);
                             const float arguments[8] = {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
                                                         ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
                             for (int i = 0; i < 8; ++i) {
@@ -192,12 +191,12 @@ TEST_SUITE("hostile") {
                         Sphere sphere{middle, high.x - low.x};
                         float* const slots[4] = {&sphere.center.x, &sphere.center.y, &sphere.center.z, &sphere.radius};
                         *slots[slot] = value;
-                        Nearest nearest;
-                        const bool found = closest_point(blob, sphere.center, sphere.radius, nearest);
-                        CHECK(overlaps(blob, sphere) == found);
+                        const ClosestPoint nearest = closest_point(blob, sphere.center, sphere.radius);
+                        const bool found{nearest};
+                        CHECK(overlaps(blob, sphere).yes() == found);
                         if (value != value || value == -__builtin_inff() || (slot < 3 && value == __builtin_inff()))
-                            CHECK_FALSE(found);
-                        if (slot == 3 && value < 0.0f) CHECK_FALSE(found);
+                            CHECK(is_refused(nearest.status));
+                        if (slot == 3 && value < 0.0f) CHECK(is_refused(nearest.status));
                         if (slot == 3 && value == __builtin_inff()) CHECK(found == (blob.triangle_count() != 0));
                         if (found) CHECK(nearest.distance <= sphere.radius);
                     }
@@ -207,7 +206,7 @@ TEST_SUITE("hostile") {
     }
 
     TEST_CASE("promise: random bits as arguments give the same answers on every instruction set") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             const BakeOptions options = with_profile(profile);
             const OpenedBlob tiny(scaled_by(make_cube(-1.0f, 1.0f), 0x1p-85f), options);
             const OpenedBlob huge(scaled_by(make_cube(-1.0f, 1.0f), 0x1p100f), options);
@@ -215,8 +214,8 @@ TEST_SUITE("hostile") {
             const OpenedBlob far(make_far_sphere(), options);
             Random random(7);
             for (const Blob& blob : {tiny.blob, huge.blob, unit.blob, far.blob}) {
-                const Vec3 low = blob.bounds_min();
-                const Vec3 high = blob.bounds_max();
+                const Vec3 low = blob.bounds().min;
+                const Vec3 high = blob.bounds().max;
                 const auto any = [&](float from, float to) {
                     switch (random.below(4)) {
                         case 0:
@@ -234,7 +233,7 @@ TEST_SUITE("hostile") {
                     if (random.below(4) == 0) ray.direction = target;
                     if (random.below(4) == 0) ray.t_min = any(0.0f, 1.0f);
                     if (random.below(4) == 0) ray.t_max = any(0.0f, 1.0f);
-                    ray.faces = static_cast<Faces>(random.below(3));
+                    ray.culling = static_cast<FaceCulling>(random.below(3));
                     const auto ray_difference = path_difference(blob, ray);
                     REQUIRE_MESSAGE(!ray_difference, *ray_difference);
                     const auto sphere_difference = path_difference(blob, Sphere{origin, any(0.0f, high.x - low.x)});

@@ -20,12 +20,12 @@ namespace at = format::header;
 namespace feature = format::feature;
 using Bytes = std::vector<std::byte>;
 
-inline Bytes plain_blob(format::Profile profile) {
+inline Bytes plain_blob(Profile profile) {
     return bake_or_throw(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}), with_profile(profile));
 }
 
 /// Of three sources with a triangle each.
-inline Bytes three_sources(format::Profile profile) {
+inline Bytes three_sources(Profile profile) {
     std::array<Mesh, 3> meshes = {make_cube(0.0f, 1.0f), make_cube(2.0f, 3.0f), make_cube(4.0f, 5.0f)};
     std::vector<MeshView> views;
     for (Mesh& mesh : meshes) {
@@ -35,8 +35,8 @@ inline Bytes three_sources(format::Profile profile) {
     BakeOptions options = with_profile(profile);
     options.original_ids = true;
     auto baked = bake(views, options);
-    REQUIRE(baked.has_value());
-    return baked->blob;
+    REQUIRE(baked);
+    return baked.bytes;
 }
 
 inline Bytes without(Bytes bytes, std::size_t first, std::size_t count) {

@@ -54,7 +54,7 @@ Bytes zeros(std::size_t count) { return Bytes(count, std::byte{0}); }
 
 /// A grid of 2 * side * side triangles with another section of ids, which is the last one.
 struct Section {
-    format::Profile profile;
+    Profile profile;
     unsigned side;
     std::vector<Kind> kinds;  // a power of two of them
     Bytes steps;
@@ -88,19 +88,18 @@ struct Section {
         repair_checksum(bytes);
         return bytes;
     }
-    [[nodiscard]] Status status() const {
+    [[nodiscard]] OpenStatus status() const {
         const GuardedPages pages(blob(), true);
-        Blob opened;
-        return open(pages.bytes(), opened);
+        return open(pages.bytes()).status();
     }
 };
 
 }  // namespace
 
 TEST_SUITE("open ids") {
-    TEST_CASE("open: steps of ids end where the header says and no byte behind them is read") {
-        for_each_profile([](format::Profile profile) {
-            const std::size_t number_bits = profile == format::Profile::fast ? 6 : 8;
+    TEST_CASE("open: steps of ids end where the header states and no byte behind them is read") {
+        for_each_profile([](Profile profile) {
+            const std::size_t number_bits = profile == Profile::fast ? 6 : 8;
             const auto status = [&](std::vector<Kind> kinds, Bytes steps) {
                 return Section{profile, 5, std::move(kinds), std::move(steps)}.status();
             };
@@ -113,13 +112,13 @@ TEST_SUITE("open ids") {
                                                   {0, static_cast<std::uint32_t>(width), kind_bits});
                     const std::size_t bits = number_bits + 49 * (width + kind_bits);
                     const std::size_t bytes = (bits + 7) / 8;
-                    CHECK(status(kinds, zeros(bytes)) == Status::ok);
+                    CHECK(status(kinds, zeros(bytes)) == OpenStatus::ok);
                     // Of nothing, of the first number alone, a byte less, a byte more.
                     for (const std::size_t other : {std::size_t{0}, std::size_t{1}, bytes - 1, bytes + 1})
-                        if (other != bytes) CHECK(status(kinds, zeros(other)) == Status::bad_section);
+                        if (other != bytes) CHECK(status(kinds, zeros(other)) == OpenStatus::bad_section);
                     Bytes padded = zeros(bytes);
                     padded.back() = static_cast<std::byte>(1u << (bits - 1) % 8 << 1);
-                    if (bits % 8 != 0) CHECK(status(kinds, padded) == Status::bad_section);
+                    if (bits % 8 != 0) CHECK(status(kinds, padded) == OpenStatus::bad_section);
                 }
             }
         });
@@ -128,55 +127,55 @@ TEST_SUITE("open ids") {
     TEST_CASE("open: a first number of ids that does not fit into the steps is refused") {
         for (const std::size_t bytes : {0u, 1u, 2u}) {
             // 10 bits, and no step takes any.
-            CHECK(Section{format::Profile::balanced, 7, {{}}, zeros(bytes), {0}, 1024 / 3}.status() ==
-                  (bytes == 2 ? Status::ok : Status::bad_section));
+            CHECK(Section{Profile::balanced, 7, {{}}, zeros(bytes), {0}, 1024 / 3}.status() ==
+                  (bytes == 2 ? OpenStatus::ok : OpenStatus::bad_section));
         }
         // 256 numbers take 8 bits, one more takes 9.
         for (const std::uint64_t numbers : {256u, 257u}) {
-            CHECK(Section{format::Profile::fast, 7, {{}}, zeros(1), {0}, numbers}.status() ==
-                  (numbers == 256 ? Status::ok : Status::bad_section));
+            CHECK(Section{Profile::fast, 7, {{}}, zeros(1), {0}, numbers}.status() ==
+                  (numbers == 256 ? OpenStatus::ok : OpenStatus::bad_section));
         }
     }
 
     TEST_CASE("open: each block of ids has the steps that are left for it") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             // 8 or 10 bits of a first number, then 127 and 71 steps of 4 bits: 65 and 37 bytes.
             const auto status = [&](std::uint32_t second, std::size_t bytes) {
                 return Section{profile, 10, {{0, 4}}, zeros(bytes), {0, second}}.status();
             };
-            CHECK(status(65, 102) == Status::ok);
-            CHECK(status(65, 101) == Status::bad_section);
-            CHECK(status(65, 98) == Status::bad_section);
-            CHECK(status(65, 66) == Status::bad_section);  // the steps would end behind the blob
-            CHECK(status(65, 103) == Status::bad_section);
-            CHECK(status(65, 106) == Status::bad_section);
-            CHECK(status(64, 102) == Status::bad_section);
-            CHECK(status(66, 103) == Status::bad_section);
-            CHECK(status(~0u, 102) == Status::bad_section);
+            CHECK(status(65, 102) == OpenStatus::ok);
+            CHECK(status(65, 101) == OpenStatus::bad_section);
+            CHECK(status(65, 98) == OpenStatus::bad_section);
+            CHECK(status(65, 66) == OpenStatus::bad_section);  // the steps would end behind the blob
+            CHECK(status(65, 103) == OpenStatus::bad_section);
+            CHECK(status(65, 106) == OpenStatus::bad_section);
+            CHECK(status(64, 102) == OpenStatus::bad_section);
+            CHECK(status(66, 103) == OpenStatus::bad_section);
+            CHECK(status(~0u, 102) == OpenStatus::bad_section);
         });
     }
 
     TEST_CASE("open: a kind of step that is not used obeys the rules too") {
-        for_each_profile([](format::Profile profile) {
-            const std::uint32_t number_bits = profile == format::Profile::fast ? 6 : 8;
+        for_each_profile([](Profile profile) {
+            const std::uint32_t number_bits = profile == Profile::fast ? 6 : 8;
             const auto status = [&](const Kind& unused) {
                 return Section{profile, 5, {{0, 0, 1}, unused}, zeros((number_bits + 49 + 7) / 8)}.status();
             };
-            CHECK(status({~0u, number_bits, 1, 7, 7}) == Status::ok);
-            CHECK(status({0, 0, 0, 0, 0}) == Status::ok);
+            CHECK(status({~0u, number_bits, 1, 7, 7}) == OpenStatus::ok);
+            CHECK(status({0, 0, 0, 0, 0}) == OpenStatus::ok);
             for (const std::uint32_t more : {1u, 255u - number_bits})
-                CHECK(status({0, number_bits + more, 1}) == Status::bad_section);
-            for (const std::uint32_t prefix : {2u, 255u}) CHECK(status({0, 0, prefix}) == Status::bad_section);
+                CHECK(status({0, number_bits + more, 1}) == OpenStatus::bad_section);
+            for (const std::uint32_t prefix : {2u, 255u}) CHECK(status({0, 0, prefix}) == OpenStatus::bad_section);
             for (const std::uint32_t place : {8u, 255u}) {
-                CHECK(status({0, 0, 1, place, 0}) == Status::bad_section);
-                CHECK(status({0, 0, 1, 0, place}) == Status::bad_section);
+                CHECK(status({0, 0, 1, place, 0}) == OpenStatus::bad_section);
+                CHECK(status({0, 0, 1, 0, place}) == OpenStatus::bad_section);
             }
         });
     }
 
     TEST_CASE("open: numbers of ids fill 32 bits and no more") {
-        for_each_profile([](format::Profile profile) {
-            const std::uint32_t corners = profile == format::Profile::fast ? 1 : 3;
+        for_each_profile([](Profile profile) {
+            const std::uint32_t corners = profile == Profile::fast ? 1 : 3;
             // A first number and 49 steps of 7 and 32 bits: 242 bytes and seven bits.
             const auto status = [&](std::uint64_t source_triangles, std::uint32_t number) {
                 BitWriter steps;
@@ -186,9 +185,9 @@ TEST_SUITE("open ids") {
                     .status();
             };
             const std::uint32_t most = ~0u / corners;
-            CHECK(status(most, corners * most - 1) == Status::ok);
-            CHECK(status(most, corners * most) == Status::bad_section);
-            if (corners != 1) CHECK(status(std::uint64_t{most} + 1, 0) == Status::bad_header);
+            CHECK(status(most, corners * most - 1) == OpenStatus::ok);
+            CHECK(status(most, corners * most) == OpenStatus::bad_section);
+            if (corners != 1) CHECK(status(std::uint64_t{most} + 1, 0) == OpenStatus::bad_header);
         });
     }
 
@@ -223,14 +222,15 @@ TEST_SUITE("open ids") {
             }
             steps.end_block();
         }
-        const Section section{format::Profile::fast, 10, kinds, steps.bytes(), begins};
+        const Section section{Profile::fast, 10, kinds, steps.bytes(), begins};
         const GuardedPages pages(section.blob(), true);
-        Blob blob;
-        REQUIRE(open(pages.bytes(), blob) == Status::ok);
+        const Blob blob = open(pages.bytes());
+        REQUIRE(blob);
         REQUIRE(blob.triangle_count() == expected.size());
         for (std::uint32_t i = 0; i < blob.triangle_count(); ++i) {
-            OriginalTriangle original;
-            REQUIRE(original_triangle(blob, {i}, original));
+            const Result<OriginalTriangle> found = original_triangle(blob, {i});
+            REQUIRE(found);
+            const OriginalTriangle& original = *found;
             CHECK(original.triangle == expected[i]);
             CHECK(original.first_corner == 0);
         }

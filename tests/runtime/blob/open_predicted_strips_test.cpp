@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <runtime/leaf_kinds.hpp>
+#include <runtime/blob/leaf_kinds.hpp>
 
 #include "support/base/random.hpp"
 #include "support/format/encoder.hpp"
@@ -27,7 +27,7 @@ using Bytes = std::vector<std::byte>;
 /// Of one node, whose leaves have boxes of so many steps from 0 0 0 on.
 PlainBlob make_blob(unsigned bits, std::uint16_t planes, unsigned shift, const std::vector<PlainLeaf>& leaves) {
     PlainBlob blob;
-    blob.decoded.profile = format::Profile::tiny;
+    blob.decoded.profile = Profile::tiny;
     blob.decoded.bits = bits;
     blob.decoded.extent.fill((1u << bits) - 1);
     blob.decoded.vertex_count = 3;
@@ -62,7 +62,7 @@ Bytes with_bits(Bytes bytes, unsigned bit, unsigned width, std::uint64_t value) 
     repair_checksum(bytes);
     return bytes;
 }
-Status status_with_bits(const Bytes& bytes, unsigned bit, unsigned width, std::uint64_t value) {
+OpenStatus status_with_bits(const Bytes& bytes, unsigned bit, unsigned width, std::uint64_t value) {
     return status_of(with_bits(bytes, bit, width, value));
 }
 
@@ -72,17 +72,17 @@ void check_triangles(const PlainBlob& blob) {
     for (const PlainChild& child : blob.nodes[0].children)
         for (const GridTriangle& triangle : child.leaf->corners()) expected.push_back(triangle);
     const Bytes bytes = encode(blob);
-    Blob opened;
-    REQUIRE(open(bytes, opened) == Status::ok);
+    const Blob opened = open(bytes);
+    REQUIRE(opened);
     REQUIRE(opened.triangle_count() == expected.size());
     const auto is_at = [](const Vec3& point, const GridPoint& corner) {  // a step of 1 from 0 0 0
         return point.x == static_cast<float>(corner[0]) && point.y == static_cast<float>(corner[1]) &&
                point.z == static_cast<float>(corner[2]);
     };
-    for_each_triangle(opened, [&](Triangle triangle, const Corners& corners) {
+    (void)for_each_triangle(opened, [&](TriangleId triangle, const Triangle& corners) {
         const GridTriangle& same = expected[triangle.index];
         CHECK((is_at(corners.a, same.a) && is_at(corners.b, same.b) && is_at(corners.c, same.c)));
-        return keep_going;
+        return Visit::next;
     });
 }
 
@@ -101,7 +101,7 @@ TEST_SUITE("open predicted strips") {
                 CAPTURE(first);
                 CAPTURE(second);
                 CHECK(status_with_bits(good, joint_at, 2 * place_bits, first | second << place_bits) ==
-                      (is_sound ? Status::ok : Status::bad_leaf));
+                      (is_sound ? OpenStatus::ok : OpenStatus::bad_leaf));
             }
         }
     }
@@ -114,17 +114,17 @@ TEST_SUITE("open predicted strips") {
         leaf.entries[fourth].vertex = 3;
         leaf.entries[fourth - 2].is_triangle = leaf.entries[fourth - 3].is_triangle = false;
         const Bytes good = encode(make_blob(4, 15, 0, {leaf}));
-        REQUIRE(status_of(good) == Status::ok);
+        REQUIRE(status_of(good) == OpenStatus::ok);
         for (unsigned entry = 3; entry < entries; ++entry) {
             if (entry == fourth) continue;
             const unsigned reference = entry < fourth ? entry - 3 : entry - 4;
             CHECK(status_with_bits(good, references_at(entries, 1) + 2 * reference, 2, 3) ==
-                  (entry < fourth ? Status::bad_leaf : Status::ok));
+                  (entry < fourth ? OpenStatus::bad_leaf : OpenStatus::ok));
         }
         // With three vertices there is none of number 3.
         const Bytes three = encode(make_blob(4, 15, 0, {make_strip_of_references(entries)}));
         for (unsigned entry = 3; entry < entries; ++entry)
-            CHECK(status_with_bits(three, references_at(entries, 0) + 2 * (entry - 3), 2, 3) == Status::bad_leaf);
+            CHECK(status_with_bits(three, references_at(entries, 0) + 2 * (entry - 3), 2, 3) == OpenStatus::bad_leaf);
     }
 
     TEST_CASE("open: widths of residuals are refused also where no vertex is predicted") {
@@ -134,7 +134,7 @@ TEST_SUITE("open predicted strips") {
                 for (unsigned small = 0; small < 32; ++small) {
                     const bool is_sound = small <= large && large <= max_width(4);
                     CHECK(status_with_bits(good, 2 * width_bits * axis, 2 * width_bits, large | small << width_bits) ==
-                          (is_sound ? Status::ok : Status::bad_leaf));
+                          (is_sound ? OpenStatus::ok : OpenStatus::bad_leaf));
                 }
             }
         }
@@ -143,8 +143,10 @@ TEST_SUITE("open predicted strips") {
     TEST_CASE("open: a predicted strip has at most 64 entries and 56 vertices") {
         check_triangles(make_blob(4, 15, 0, {make_strip_of_references(max_entries)}));
         check_triangles(make_blob(24, 128, 17, {make_strip_of_references(max_entries)}));
-        CHECK(status_of(encode(make_blob(4, 15, 0, {make_strip_of_references(max_entries + 1)}))) == Status::bad_leaf);
-        CHECK(status_of(encode(make_blob(4, 15, 0, {make_strip_of_references(max_entries + 2)}))) == Status::bad_leaf);
+        CHECK(status_of(encode(make_blob(4, 15, 0, {make_strip_of_references(max_entries + 1)}))) ==
+              OpenStatus::bad_leaf);
+        CHECK(status_of(encode(make_blob(4, 15, 0, {make_strip_of_references(max_entries + 2)}))) ==
+              OpenStatus::bad_leaf);
         std::vector<GridPoint> vertices;
         for (unsigned i = 0; i < max_vertices; ++i) {
             const auto x = static_cast<std::int32_t>(i);
@@ -152,7 +154,7 @@ TEST_SUITE("open predicted strips") {
         }
         check_triangles(make_blob(4, 15, 0, {make_strip(vertices)}));
         vertices.push_back({1, 2, 3});
-        CHECK(status_of(encode(make_blob(4, 15, 0, {make_strip(vertices)}))) == Status::bad_leaf);
+        CHECK(status_of(encode(make_blob(4, 15, 0, {make_strip(vertices)}))) == OpenStatus::bad_leaf);
     }
 
     TEST_CASE("open: a predicted strip on one point has no numbers") {
@@ -177,7 +179,7 @@ TEST_SUITE("open predicted strips") {
                     CAPTURE(lattice.bits);
                     CAPTURE(coordinate);
                     if (coordinate >= 0 && coordinate < end) check_triangles(blob);
-                    else CHECK(status_of(encode(blob)) == Status::bad_leaf);
+                    else CHECK(status_of(encode(blob)) == OpenStatus::bad_leaf);
                 }
             }
         }
@@ -210,10 +212,11 @@ TEST_SUITE("open predicted strips") {
         alignas(64) std::array<std::byte, 2048> buffer{};
         REQUIRE(bytes.size() <= buffer.size());
         std::copy(bytes.begin(), bytes.end(), buffer.begin());
-        Blob blob;
-        REQUIRE(open(std::span(buffer).first(bytes.size()), blob) == Status::ok);
+        const Blob blob = open(std::span(buffer).first(bytes.size()));
+        REQUIRE(blob);
         detail::StripLeaf leaf;
-        detail::decode_predicted_marks(blob.data(), detail::node_at<detail::PackedNode>(blob.data(), 0), 0, leaf);
+        detail::decode_predicted_marks(detail::data_of(blob),
+                                       detail::node_at<detail::PackedNode>(detail::data_of(blob), 0), 0, leaf);
         constexpr std::uint32_t untouched = 0xABCDEF01;
         std::array<std::array<std::uint32_t, max_vertices + 1>, 3> stored;
         for (auto& row : stored) row.fill(untouched);

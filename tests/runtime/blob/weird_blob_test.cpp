@@ -4,7 +4,7 @@
 #include <set>
 
 #include <espalier/espalier.hpp>
-#include <runtime/step_counter.hpp>
+#include <runtime/base/step_counter.hpp>
 
 #include "support/answers/differences.hpp"
 #include "support/answers/loop_answers.hpp"
@@ -29,13 +29,13 @@ TEST_SUITE("weird blob") {
             CAPTURE(seed);
             Random random(seed);
             const ExactBuffer buffer(encode(make_weird_blob(random)), seed % 16);
-            Blob blob;
-            REQUIRE(open(buffer.bytes(), blob) == Status::ok);
+            const Blob blob = open(buffer.bytes());
+            REQUIRE(blob);
             const bool is_this_sound = is_sound(buffer.bytes());
             REQUIRE_NOTHROW(exercise(blob, random, 1, is_this_sound));
             const auto difference = path_difference(blob, random, is_this_sound);
             REQUIRE_MESSAGE(!difference, *difference);
-            features.insert(blob.data().features);
+            features.insert(detail::data_of(blob).features);
             depths.insert(blob.depth());
             if (!is_this_sound || blob.triangle_count() == 0) continue;
             ++sound;
@@ -76,10 +76,9 @@ TEST_SUITE("weird blob") {
         QueryMaker maker(test_blob.decoded, 3);
         for (int i = 0; i < 100; ++i) {
             const Ray ray = maker.any_ray();
-            RayHit hit;
             QueryCounters counters;
             detail::step_counter = {};
-            raycast_counted(test_blob.opened.blob, ray, hit, counters);
+            static_cast<void>(raycast(test_blob.opened.blob, ray, counters));
             REQUIRE(detail::step_counter.nodes == counters.nodes);
             REQUIRE(detail::step_counter.leaves == counters.leaves);
         }

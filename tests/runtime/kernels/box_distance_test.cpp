@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include <runtime/box_distance.hpp>
+#include <runtime/kernels/triangle_distance.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/random.hpp"
@@ -16,7 +16,7 @@
 #include "support/exact/as_rationals.hpp"
 
 using namespace espalier;
-using detail::LatticeSegment;
+using detail::RoundedSegment;
 using detail::SegmentDistance;
 using oracle::Point;
 using oracle::Rational;
@@ -30,7 +30,7 @@ namespace {
 
 struct Case {
     GridTriangle triangle;
-    LatticeSegment box;
+    RoundedSegment box;
 };
 
 /// Boxes and triangles around one another, at all sizes: flat boxes, coordinates in common, one in the other, slivers.

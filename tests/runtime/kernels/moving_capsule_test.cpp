@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
-#include <runtime/moving_capsule.hpp>
-#include <runtime/moving_sphere.hpp>
+#include <runtime/kernels/moving_capsule.hpp>
+#include <runtime/kernels/moving_sphere.hpp>
 
 #include "moving_scene.hpp"
 #include "oracle/exact_geometry.hpp"

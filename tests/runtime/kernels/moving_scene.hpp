@@ -7,9 +7,9 @@
 #include <array>
 #include <cstdint>
 
-#include <runtime/moving_box.hpp>
-#include <runtime/moving_capsule.hpp>
-#include <runtime/moving_sphere.hpp>
+#include <runtime/kernels/moving_box.hpp>
+#include <runtime/kernels/moving_capsule.hpp>
+#include <runtime/kernels/moving_sphere.hpp>
 
 #include "oracle/exact_geometry.hpp"
 #include "oracle/rational.hpp"

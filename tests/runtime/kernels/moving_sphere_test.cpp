@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdint>
 
-#include <runtime/moving_sphere.hpp>
-#include <runtime/segment_triangle.hpp>
+#include <runtime/kernels/moving_sphere.hpp>
+#include <runtime/kernels/segment_triangle.hpp>
 
 #include "moving_scene.hpp"
 #include "oracle/exact_geometry.hpp"
@@ -70,7 +70,7 @@ TEST_SUITE("moving sphere") {
             const Case<MovingSphere> c = some_sphere(random);
             // Lattice triangles are small: those that fit are moved to where the lattice is.
             detail::LatticeTriangle triangle;
-            detail::LatticeSegment path{};
+            detail::RoundedSegment path{};
             bool fits = true;
             for (unsigned k = 0; k < 3; ++k) {
                 const auto& t = c.triangle.corner;

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include <runtime/point_triangle.hpp>
+#include <runtime/kernels/point_triangle.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/random.hpp"
@@ -14,8 +14,8 @@
 #include "support/exact/as_rationals.hpp"
 
 using namespace espalier;
-using detail::LatticePoint;
 using detail::PointDistance;
+using detail::RoundedPoint;
 using oracle::BigInteger;
 using oracle::Rational;
 using tests::decisions_made;
@@ -54,7 +54,7 @@ Feature exact_feature(const oracle::Triangle& t, const oracle::Point& p) {
 
 struct Case {
     GridTriangle triangle;
-    LatticePoint point;
+    RoundedPoint point;
 };
 
 /// Triangles and points on and around one another, at all sizes; false when the triangle has no area.
@@ -86,7 +86,7 @@ bool some_case(Random& random, Case& result) {
         random.below(4) == 0 ? 0.0f : std::ldexp(1.0f, random.between(-6, static_cast<std::int32_t>(bits) + 12));
     const Vec3 off = random.in_cube(reach);
     const Vec3 world{coordinate(0, share, off.x), coordinate(1, share, off.y), coordinate(2, share, off.z)};
-    return detail::round_point(tests::lattice_asset(bits), world, 0.0f, result.point);
+    return detail::round_point(tests::lattice_asset(bits), world, 0.0f, result.point) == QueryStatus::ok;
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cmath>
 
-#include <runtime/ray_triangle.hpp>
-#include <runtime/small_ray_triangle.hpp>
+#include <runtime/kernels/ray_triangle.hpp>
+#include <runtime/kernels/small_ray_triangle.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/random.hpp"
@@ -91,11 +91,13 @@ Ray some_ray(Random& random, unsigned bits, const GridTriangle& triangle) {
     } else {
         ray.direction = {target.x - ray.origin.x, target.y - ray.origin.y, target.z - ray.origin.z};
     }
-    ray.faces = static_cast<Faces>(random.below(3));
+    ray.culling = static_cast<FaceCulling>(random.below(3));
     return ray;
 }
 
-bool faces_match(Faces faces, bool front) { return faces == Faces::both || (faces == Faces::front) == front; }
+bool faces_match(FaceCulling culling, bool front) {
+    return culling == FaceCulling::none || (culling == FaceCulling::back) == front;
+}
 
 }  // namespace
 
@@ -117,7 +119,7 @@ TEST_SUITE("ray triangle") {
             LatticeRay ray;
             if (!detail::round_ray(tests::lattice_asset(bits), world, ray)) continue;
             const auto crossing = oracle::cross(tests::exact_line(ray), tests::exact_triangle(triangle));
-            const bool expected = crossing && crossing->t.sign() >= 0 && faces_match(world.faces, crossing->front);
+            const bool expected = crossing && crossing->t.sign() >= 0 && faces_match(world.culling, crossing->front);
             detail::TriangleHit hit{};
             const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
             ++decided;
@@ -156,7 +158,7 @@ TEST_SUITE("ray triangle") {
             LatticeRay ray;
             if (!detail::round_ray(data, world, ray)) continue;
             const auto crossing = oracle::cross(tests::exact_line(ray), tests::exact_triangle(triangle));
-            if (!crossing || crossing->t.sign() < 0 || !faces_match(world.faces, crossing->front)) continue;
+            if (!crossing || crossing->t.sign() < 0 || !faces_match(world.culling, crossing->front)) continue;
             const detail::LatticeTriangle lattice = tests::lattice_triangle(triangle);
             detail::TriangleHit hit{};
             REQUIRE(both_intersect(ray, lattice, hit));

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include <runtime/segment_triangle.hpp>
+#include <runtime/kernels/segment_triangle.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/random.hpp"
@@ -15,7 +15,7 @@
 #include "support/exact/as_rationals.hpp"
 
 using namespace espalier;
-using detail::LatticeSegment;
+using detail::RoundedSegment;
 using detail::SegmentDistance;
 using oracle::Point;
 using oracle::Rational;
@@ -29,7 +29,7 @@ namespace {
 
 struct Case {
     GridTriangle triangle;
-    LatticeSegment segment;
+    RoundedSegment segment;
 };
 
 /// A segment around a triangle, at all sizes: ends on corners, sides and faces, parallel to sides, in the plane,
@@ -130,7 +130,7 @@ Case some_case(Random& random) {
     return result;
 }
 
-std::array<Point, 2> exact_segment(const LatticeSegment& segment) {
+std::array<Point, 2> exact_segment(const RoundedSegment& segment) {
     std::array<Point, 2> ends;
     for (int k = 0; k < 3; ++k) {
         ends[0][k] = Rational::of(segment.from[k], -segment.fraction_bits);
@@ -225,7 +225,7 @@ TEST_SUITE("segment triangle") {
 
     TEST_CASE("kernel: segments out of range and NaN and infinity are refused") {
         const detail::BlobData asset = tests::lattice_asset(16);
-        LatticeSegment segment;
+        RoundedSegment segment;
         const float nan = std::numeric_limits<float>::quiet_NaN();
         const float infinity = std::numeric_limits<float>::infinity();
         const Vec3 near{1.0f, 2.0f, 3.0f};

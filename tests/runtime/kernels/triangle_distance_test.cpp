@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include <runtime/triangle_distance.hpp>
+#include <runtime/kernels/triangle_distance.hpp>
 
 #include "oracle/convex_hull.hpp"
 #include "support/base/calls.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include <runtime/triangle_triangle.hpp>
+#include <runtime/kernels/triangle_triangle.hpp>
 
 #include "oracle/big_integer.hpp"
 #include "oracle/convex_hull.hpp"

@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
-#include <runtime/lattice_box.hpp>
-#include <runtime/lattice_corners.hpp>
-#include <runtime/lattice_half_spaces.hpp>
-#include <runtime/lattice_oriented_box.hpp>
+#include <runtime/overlap/box.hpp>
+#include <runtime/overlap/triangle.hpp>
+#include <runtime/overlap/convex_volume.hpp>
+#include <runtime/overlap/oriented_box.hpp>
 
 #include "oracle/big_integer.hpp"
 #include "oracle/convex_hull.hpp"
@@ -141,12 +141,12 @@ TEST_SUITE("volume triangle") {
                     box.max = {std::max(box.max.x, corner.x), std::max(box.max.y, corner.y),
                                std::max(box.max.z, corner.z)};
                 }
-                detail::LatticeBox rounded;
+                detail::RoundedBox rounded;
                 REQUIRE(round_volume(asset, box, rounded) == QueryStatus::ok);
                 if (rounded.is_empty) continue;  // clearly apart
                 const Integer3 half[3] = {{rounded.half[0], 0, 0}, {0, rounded.half[1], 0}, {0, 0, rounded.half[2]}};
                 const bool expected = meet_in_truth(to_integer3(rounded.center), half,
-                                                    detail::LatticeBox::fraction_bits, bits + 8, triangle);
+                                                    detail::RoundedBox::fraction_bits, bits + 8, triangle);
                 CAPTURE(describe(triangle));
                 ++decided;
                 REQUIRE(meets(rounded, triangle) == expected);
@@ -200,7 +200,7 @@ TEST_SUITE("volume triangle") {
                     default:
                         break;
                 }
-                detail::LatticeOrientedBox rounded;
+                detail::RoundedOrientedBox rounded;
                 REQUIRE(round_volume(asset, box, rounded) == QueryStatus::ok);
                 if (rounded.is_empty) continue;  // clearly apart
                 flat += rounded.face_reach.is_zero() ? 1u : 0u;
@@ -226,8 +226,8 @@ TEST_SUITE("volume triangle") {
                                maker.random.coin() ? 0.0f : std::fabs(maker.steps(12, 0)),
                                std::fabs(maker.steps(15, 0))};
             const Vec3 center = maker.random.coin() ? maker.point(16, 0) : to_vec3(triangle.corner[0]);
-            detail::LatticeBox box;
-            detail::LatticeOrientedBox oriented;
+            detail::RoundedBox box;
+            detail::RoundedOrientedBox oriented;
             REQUIRE(round_volume(asset,
                                  Box{{center.x - half.x, center.y - half.y, center.z - half.z},
                                      {center.x + half.x, center.y + half.y, center.z + half.z}},
@@ -261,7 +261,7 @@ Polygon clipped(const Polygon& polygon, const detail::LatticePlane& plane) {
     return result;
 }
 
-bool meet_in_truth(const detail::LatticeHalfSpaces& set, const LatticeTriangle& triangle) {
+bool meet_in_truth(const detail::RoundedConvexVolume& set, const LatticeTriangle& triangle) {
     Polygon polygon;
     for (const auto& c : triangle.corner)
         polygon.push_back({Rational(std::int64_t{c[0]}), Rational(std::int64_t{c[1]}), Rational(std::int64_t{c[2]})});
@@ -303,8 +303,8 @@ TEST_SUITE("volume triangle") {
                     const Plane& first = planes[0];
                     planes[1] = {{-first.normal.x, -first.normal.y, -first.normal.z}, -first.offset};
                 }
-                detail::LatticeHalfSpaces set;
-                REQUIRE(round_volume(asset, planes, set) == QueryStatus::ok);
+                detail::RoundedConvexVolume set;
+                REQUIRE(round_volume(asset, ConvexVolume{planes}, set) == QueryStatus::ok);
                 REQUIRE(set.plane_count == planes.size());
                 const bool expected = meet_in_truth(set, triangle);
                 CAPTURE(describe(triangle));
@@ -335,8 +335,8 @@ TEST_SUITE("volume triangle") {
             // Subnormal numbers count as zero.
             for (float* x : {&plane.normal.x, &plane.normal.y, &plane.normal.z, &plane.offset})
                 *x = detail::flush_subnormal(*x);
-            detail::LatticeHalfSpaces set;
-            REQUIRE(round_volume(asset, std::span(&plane, 1), set) == QueryStatus::ok);
+            detail::RoundedConvexVolume set;
+            REQUIRE(round_volume(asset, ConvexVolume{{&plane, 1}}, set) == QueryStatus::ok);
             const detail::LatticePlane& rounded = set.half_space[0];
             const float normal[3] = {plane.normal.x, plane.normal.y, plane.normal.z};
             int exponent = -1000;

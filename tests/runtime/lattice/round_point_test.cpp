@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <runtime/lattice_point.hpp>
+#include <runtime/lattice/round_point.hpp>
 
 #include "oracle/rational.hpp"
 #include "support/base/hostile_values.hpp"
@@ -14,7 +14,7 @@
 #include "support/exact/as_rationals.hpp"
 
 using namespace espalier;
-using detail::LatticePoint;
+using detail::RoundedPoint;
 using oracle::Rational;
 using tests::Random;
 using tests::scaled;
@@ -31,8 +31,8 @@ TEST_SUITE("round point") {
             const Vec3 offset = random.in_cube(std::ldexp(size, random.between(-3, 7)));
             const Vec3 world{data.origin[0] + offset.x, data.origin[1] + offset.y, data.origin[2] + offset.z};
             const float radius = random.unit() * size;
-            LatticePoint point;
-            REQUIRE(detail::round_point(data, world, radius, point));
+            RoundedPoint point;
+            REQUIRE(detail::round_point(data, world, radius, point) == QueryStatus::ok);
             REQUIRE(point.distance_offset == 0.0f);
             REQUIRE(Rational::of(point.radius) == Rational::of(radius) * Rational::of(1, -data.step_exponent));
             const float given[3] = {world.x, world.y, world.z};
@@ -52,19 +52,19 @@ TEST_SUITE("round point") {
         const detail::BlobData data = tests::lattice_asset(16);
         const float nan = std::numeric_limits<float>::quiet_NaN();
         const float infinity = std::numeric_limits<float>::infinity();
-        LatticePoint point;
+        RoundedPoint point;
         const Vec3 good{1.0f, 2.0f, 3.0f};
-        CHECK(detail::round_point(data, good, 0.0f, point));
-        CHECK(detail::round_point(data, good, -0.0f, point));
-        CHECK(detail::round_point(data, good, infinity, point));
-        CHECK_FALSE(detail::round_point(data, good, nan, point));
-        CHECK_FALSE(detail::round_point(data, good, -1.0f, point));
-        CHECK_FALSE(detail::round_point(data, good, -infinity, point));
+        CHECK(detail::round_point(data, good, 0.0f, point) == QueryStatus::ok);
+        CHECK(detail::round_point(data, good, -0.0f, point) == QueryStatus::ok);
+        CHECK(detail::round_point(data, good, infinity, point) == QueryStatus::ok);
+        CHECK(detail::round_point(data, good, nan, point) == QueryStatus::invalid_argument);
+        CHECK(detail::round_point(data, good, -1.0f, point) == QueryStatus::invalid_argument);
+        CHECK(detail::round_point(data, good, -infinity, point) == QueryStatus::invalid_argument);
         for (const float bad : {nan, infinity, -infinity}) {
             for (float Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
                 Vec3 broken = good;
                 broken.*axis = bad;
-                CHECK_FALSE(detail::round_point(data, broken, 1.0f, point));
+                CHECK(detail::round_point(data, broken, 1.0f, point) == QueryStatus::invalid_argument);
             }
         }
     }
@@ -80,8 +80,8 @@ TEST_SUITE("round point") {
                 return random.coin() ? tests::hostile_values[random.below(tests::hostile_values.size())]
                                      : std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
             };
-            LatticePoint point;
-            if (!detail::round_point(data, {any(), any(), any()}, any(), point)) continue;
+            RoundedPoint point;
+            if (detail::round_point(data, {any(), any(), any()}, any(), point) != QueryStatus::ok) continue;
             ++rounded;
             for (int k = 0; k < 3; ++k) {
                 REQUIRE(std::abs(point.origin[k]) <= std::int64_t{1} << 37);

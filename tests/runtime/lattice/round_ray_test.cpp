@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <runtime/lattice_ray.hpp>
+#include <runtime/lattice/round_ray.hpp>
 
 #include "oracle/rational.hpp"
 #include "support/base/hostile_values.hpp"
@@ -204,7 +204,7 @@ TEST_SUITE("round ray") {
                 return random.coin() ? tests::hostile_values[random.below(tests::hostile_values.size())]
                                      : std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
             };
-            const Ray world{{any(), any(), any()}, {any(), any(), any()}, any(), any(), Faces::both};
+            const Ray world{{any(), any(), any()}, {any(), any(), any()}, any(), any(), FaceCulling::none};
             LatticeRay ray;
             detail::RaySlope slope;
             if (!detail::round_ray(data, world, ray, slope)) continue;

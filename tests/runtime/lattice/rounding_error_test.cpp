@@ -8,11 +8,13 @@
 #include <limits>
 
 #include <espalier/rounding.hpp>
-#include <runtime/lattice_corners.hpp>
-#include <runtime/lattice_oriented_box.hpp>
-#include <runtime/lattice_point.hpp>
-#include <runtime/lattice_ray.hpp>
-#include <runtime/lattice_segment.hpp>
+#include <espalier/sweep.hpp>
+#include <runtime/lattice/round_point.hpp>
+#include <runtime/lattice/round_ray.hpp>
+#include <runtime/lattice/round_segment.hpp>
+#include <runtime/overlap/triangle.hpp>
+#include <runtime/overlap/oriented_box.hpp>
+#include <runtime/sweeps/round_sweep.hpp>
 
 #include "oracle/rational.hpp"
 #include "support/base/profiles.hpp"
@@ -60,9 +62,12 @@ struct Held {
     std::uint64_t queries = 0;
     std::uint64_t above_an_eighth = 0;
 
-    void check(const detail::BlobData& blob, const Result<float>& bound, const Rational& squared_move) {
+    /// The shape also grows or shrinks by `growth` steps.
+    void check(const detail::BlobData& blob, const Result<float>& bound, const Rational& squared_move,
+               const Rational& growth = Rational(0)) {
         REQUIRE(bound.status == QueryStatus::ok);
-        const Rational steps = Rational::of(bound.value) * Rational::of(1, -blob.step_exponent);
+        const Rational steps = Rational::of(bound.value) * Rational::of(1, -blob.step_exponent) - growth;
+        REQUIRE(steps.sign() >= 0);
         REQUIRE(squared_move <= steps * steps);
         ++queries;
         above_an_eighth += squared_move * Rational(64) >= steps * steps ? 1u : 0u;
@@ -71,14 +76,33 @@ struct Held {
 
 /// In the asset's box or around it, up to 2^`exponent` of its sizes away.
 Vec3 some_place(const Blob& blob, Random& random, int exponent) {
-    const Vec3 low = blob.bounds_min(), high = blob.bounds_max();
-    const float size = std::max({high.x - low.x, high.y - low.y, high.z - low.z, blob.step()});
+    const Vec3 low = blob.bounds().min, high = blob.bounds().max;
+    const float size =
+        std::max({high.x - low.x, high.y - low.y, high.z - low.z, std::ldexp(1.0f, blob.lattice().step_exponent)});
     const Vec3 off =
         random.in_cube(std::ldexp(size, static_cast<int>(random.below(static_cast<unsigned>(exponent + 1)))));
     return {low.x + off.x, low.y + off.y, low.z + off.z};
 }
 
 constexpr int exponents[] = {0, 4, 12};
+
+/// The square of how far a point of a sweep moves when it is rounded, at its start or at its end, whichever is more: in
+/// between it moves by a mean of both.
+Rational squared_move(const detail::BlobData& blob, const detail::LatticeSweep& sweep, const Vec3& start,
+                      const Vec3& displacement, const detail::Integer3& rounded_start) {
+    Exact moved = minus(in_steps(blob, start), from_units(rounded_start, sweep.fraction_bits));
+    const Rational at_start = square(moved);
+    const Exact way = exact(displacement), rounded_way = from_units(sweep.displacement, sweep.fraction_bits);
+    for (std::size_t k = 0; k < 3; ++k) moved[k] += way[k] * Rational::of(1, -blob.step_exponent) - rounded_way[k];
+    return std::max(at_start, square(moved));
+}
+
+/// How much a radius changes when it is rounded.
+Rational growth(const detail::BlobData& blob, float radius, std::int64_t units, int fraction_bits) {
+    const Rational change =
+        Rational::of(radius) * Rational::of(1, -blob.step_exponent) - Rational::of(units, -fraction_bits);
+    return change.sign() < 0 ? -change : change;
+}
 
 }  // namespace
 
@@ -91,22 +115,22 @@ TEST_SUITE("rounding error") {
             for (const TestBlob& test : small_test_blobs()) {
                 if (test.decoded.triangle_count == 0) continue;
                 const Blob& blob = test.opened.blob;
-                const detail::BlobData& data = blob.data();
+                const detail::BlobData& data = detail::data_of(blob);
                 for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
                     const Vec3 a = some_place(blob, random, exponent), b = some_place(blob, random, exponent),
                                c = some_place(blob, random, exponent);
-                    detail::LatticePoint point{};
-                    REQUIRE(detail::round_point(data, a, infinity, point));
+                    detail::RoundedPoint point{};
+                    REQUIRE(detail::round_point(data, a, infinity, point) == QueryStatus::ok);
                     points.check(data, rounding_error(blob, a),
                                  square(minus(in_steps(data, a), from_units(point.origin, point.fraction_bits))));
-                    detail::LatticeSegment segment{};
+                    detail::RoundedSegment segment{};
                     REQUIRE(detail::round_segment(data, {a, b}, segment) == QueryStatus::ok);
                     const auto moved_end =
                         std::max(square(minus(in_steps(data, a), from_units(segment.from, segment.fraction_bits))),
                                  square(minus(in_steps(data, b), from_units(segment.to, segment.fraction_bits))));
                     segments.check(data, rounding_error(blob, Segment{a, b}), moved_end);
-                    detail::LatticeCorners corners;
-                    REQUIRE(detail::round_volume(data, Corners{a, b, c}, corners) == QueryStatus::ok);
+                    detail::RoundedTriangle corners;
+                    REQUIRE(detail::round_volume(data, Triangle{a, b, c}, corners) == QueryStatus::ok);
                     if (!corners.is_empty) {
                         Rational most;
                         for (int k = 0; k < 3; ++k)
@@ -115,13 +139,13 @@ TEST_SUITE("rounding error") {
                                                                   : k == 1 ? b
                                                                            : c),
                                                    from_units(corners.triangle.corner[k], corners.fraction_bits))));
-                        triangles.check(data, rounding_error(blob, Corners{a, b, c}), most);
+                        triangles.check(data, rounding_error(blob, Triangle{a, b, c}), most);
                     }
                     const OrientedBox world = {a,
                                                {{b.x - a.x, b.y - a.y, b.z - a.z},
                                                 {c.x - a.x, c.y - a.y, c.z - a.z},
                                                 {a.x - c.z, b.y - c.x, c.z - a.y}}};
-                    detail::LatticeOrientedBox box;
+                    detail::RoundedOrientedBox box;
                     const QueryStatus status = detail::round_volume(data, world, box);
                     if (status != QueryStatus::ok) REQUIRE(rounding_error(blob, world).status == status);
                     if (box.is_empty) continue;
@@ -148,6 +172,96 @@ TEST_SUITE("rounding error") {
         }
     }
 
+    TEST_CASE("rounding: no sweep moves farther than the error and some move an eighth as far") {
+        for (const int exponent : exponents) {
+            CAPTURE(exponent);
+            Held spheres, capsules, boxes;
+            Random random(2650 + static_cast<std::uint64_t>(exponent));
+            for (const TestBlob& test : small_test_blobs()) {
+                if (test.decoded.triangle_count == 0) continue;
+                const Blob& blob = test.opened.blob;
+                const detail::BlobData& data = detail::data_of(blob);
+                for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
+                    const Vec3 a = some_place(blob, random, exponent), b = some_place(blob, random, exponent);
+                    const Vec3 c = some_place(blob, random, exponent), d = some_place(blob, random, exponent);
+                    const Vec3 way = {c.x - d.x, c.y - d.y, c.z - d.z};
+                    const float radius = std::abs(d.x - b.x);
+                    // Refused are sweeps beyond 2^34 steps, which few of these reach.
+                    const auto is_answered = [&](const auto& shape, auto& sweep) {
+                        const QueryStatus status = detail::round_sweep(data, shape, way, sweep);
+                        REQUIRE(rounding_error(blob, shape, way).status == status);
+                        return status == QueryStatus::ok;
+                    };
+                    const Sphere sphere = {a, radius};
+                    detail::SphereSweep ball;
+                    if (is_answered(sphere, ball))
+                        spheres.check(data, rounding_error(blob, sphere, way),
+                                      squared_move(data, ball, a, way, ball.center),
+                                      growth(data, radius, ball.radius, ball.fraction_bits));
+                    const Capsule capsule = {a, b, radius};
+                    detail::CapsuleSweep pill;
+                    if (is_answered(capsule, pill))
+                        capsules.check(data, rounding_error(blob, capsule, way),
+                                       std::max(squared_move(data, pill, a, way, pill.from),
+                                                squared_move(data, pill, b, way, pill.from + pill.moving.axis)),
+                                       growth(data, radius, pill.moving.sphere.radius, pill.fraction_bits));
+                    detail::BoxSweep box;
+                    if (!is_answered(Box{a, b}, box)) continue;
+                    Rational most;
+                    for (unsigned corner = 0; corner < 8; ++corner) {
+                        const auto either = [corner](unsigned axis, auto low, auto high) {
+                            return (corner >> axis & 1u) != 0 ? high : low;
+                        };
+                        const Vec3 at = {either(0, a.x, b.x), either(1, a.y, b.y), either(2, a.z, b.z)};
+                        const detail::Integer3 units = {either(0, box.low.x, box.high.x),
+                                                        either(1, box.low.y, box.high.y),
+                                                        either(2, box.low.z, box.high.z)};
+                        most = std::max(most, squared_move(data, box, at, way, units));
+                    }
+                    boxes.check(data, rounding_error(blob, Box{a, b}, way), most);
+                }
+            }
+            for (const Held& held : {spheres, capsules, boxes}) {
+                CHECK(held.queries > 0);
+                if (asks_enough()) CHECK(held.above_an_eighth > 0);
+            }
+        }
+    }
+
+    TEST_CASE("rounding: the error of a sweep is refused where the sweep is") {
+        const OpenedBlob opened(make_cube(0.0f, 1.0f));
+        const Blob& blob = opened.blob;
+        const float step = std::ldexp(1.0f, blob.lattice().step_exponent);
+        Random random(2660);
+        std::uint64_t refused = 0;
+        const auto compare = [&](const auto& shape, const Vec3& way) {
+            const Result<float> moved = rounding_error(blob, shape, way);
+            const QueryStatus expected = sweep(blob, shape, way).status;
+            REQUIRE(moved.status == (is_refused(expected) ? expected : QueryStatus::ok));
+            REQUIRE((moved ? moved.value > 0.0f : moved.value == 0.0f));
+            refused += moved ? 0u : 1u;
+        };
+        for (std::uint64_t i = 0; i < scaled(1000); ++i) {
+            const Vec3 a = some_point(blob, random), b = some_point(blob, random), way = some_point(blob, random);
+            compare(Sphere{a, some_length(blob, random)}, way);
+            compare(Capsule{a, b, some_length(blob, random)}, way);
+            compare(Box{a, b}, way);
+        }
+        if (asks_enough()) CHECK(refused > 0);
+        const Sphere ball = {{0.5f, 0.5f, 0.5f}, 0.25f};
+        CHECK(rounding_error(blob, ball, {0x1p34f * step, 0.0f, 0.0f}).status == QueryStatus::out_of_range);
+        CHECK(rounding_error(blob, ball, {0x1p33f * step, 0.0f, 0.0f}).status == QueryStatus::ok);
+        CHECK(rounding_error(Blob(), ball, {}).status == QueryStatus::not_open);
+        const OpenedBlob empty(Mesh{});
+        CHECK(rounding_error(empty.blob, ball, {}).status == QueryStatus::ok);
+        CHECK(rounding_error(empty.blob, ball, {}).value == 0.0f);
+        CHECK(rounding_error(empty.blob, Sphere{{}, -1.0f}, {}).status == QueryStatus::invalid_argument);
+        // Place, displacement and radius by half of 2^-6 steps each, in a cube of one unit at the origin.
+        const float moved = rounding_error(blob, ball, {}).value;
+        CHECK(moved >= (2.0f * 1.7320508f + 1.0f) * step / 128.0f);
+        CHECK(moved <= (3.0f * 1.7320508f + 1.0f) * step / 128.0f);
+    }
+
     TEST_CASE("rounding: no ray moves farther than the error and some move an eighth as far") {
         for (const int exponent : {0, 4, 12, 20}) {
             CAPTURE(exponent);
@@ -156,7 +270,7 @@ TEST_SUITE("rounding error") {
             for (const TestBlob& test : small_test_blobs()) {
                 if (test.decoded.triangle_count == 0) continue;
                 const Blob& blob = test.opened.blob;
-                const detail::BlobData& data = blob.data();
+                const detail::BlobData& data = detail::data_of(blob);
                 for (std::uint64_t i = 0; i < scaled_share(100); ++i) {
                     const Vec3 from = some_place(blob, random, exponent), to = some_place(blob, random, 0);
                     const Ray world = {.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}};
@@ -196,8 +310,8 @@ TEST_SUITE("rounding error") {
         REQUIRE(blob.max_error() == 0.0f);
         const Result<float> moved = rounding_error(blob, Vec3{0.3f, 0.4f, 0.5f});
         REQUIRE(moved);
-        CHECK(moved.value >= 1.7320508f * blob.step() / 128.0f);
-        CHECK(moved.value <= 1.7320508f * blob.step() / 96.0f);
+        CHECK(moved.value >= 1.7320508f * std::ldexp(1.0f, blob.lattice().step_exponent) / 128.0f);
+        CHECK(moved.value <= 1.7320508f * std::ldexp(1.0f, blob.lattice().step_exponent) / 96.0f);
         const Vec3 a = {0.25f, 0.5f, 1.5f}, b = {7.0f, -3.0f, 0.1f};
         CHECK(rounding_error(blob, Sphere{a, 0.5f}).value == rounding_error(blob, a).value);
         CHECK(rounding_error(blob, Capsule{a, b, 0.5f}).value == rounding_error(blob, Segment{a, b}).value);
@@ -217,8 +331,8 @@ TEST_SUITE("rounding error") {
         CHECK(status_of(Capsule{origin, origin, -1.0f}) == QueryStatus::invalid_argument);
         CHECK(status_of(Box{origin, {infinity, 1.0f, 1.0f}}) == QueryStatus::invalid_argument);
         CHECK(status_of(OrientedBox{origin, {origin, nowhere, origin}}) == QueryStatus::invalid_argument);
-        CHECK(status_of(Corners{origin, origin, nowhere}) == QueryStatus::invalid_argument);
-        CHECK(status_of(Corners{nowhere, origin, origin}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Triangle{origin, origin, nowhere}) == QueryStatus::invalid_argument);
+        CHECK(status_of(Triangle{nowhere, origin, origin}) == QueryStatus::invalid_argument);
         CHECK(status_of(Ray{.origin = nowhere, .direction = {1.0f, 0.0f, 0.0f}}) == QueryStatus::invalid_argument);
         CHECK(status_of(Ray{.origin = origin, .direction = nowhere}) == QueryStatus::invalid_argument);
         CHECK(status_of(Ray{.origin = origin, .direction = origin}) == QueryStatus::invalid_argument);
@@ -227,7 +341,9 @@ TEST_SUITE("rounding error") {
         CHECK(status_of(OrientedBox{origin, {far, far, far}}) == QueryStatus::out_of_range);
         CHECK(status_of(Ray{.origin = far, .direction = {-1.0f, 0.0f, 0.0f}}) == QueryStatus::ok);
         CHECK(status_of(Ray{.origin = {0.0f, -3e38f, 0.0f}, .direction = far}) == QueryStatus::out_of_range);
-        const Result<float> of_nothing = rounding_error(Blob(), Vec3{1.0f, 2.0f, 3.0f});
+        CHECK(rounding_error(Blob(), Vec3{1.0f, 2.0f, 3.0f}).status == QueryStatus::not_open);
+        const OpenedBlob empty(Mesh{});
+        const Result<float> of_nothing = rounding_error(empty.blob, Vec3{1.0f, 2.0f, 3.0f});
         CHECK(of_nothing.status == QueryStatus::ok);
         CHECK(of_nothing.value == 0.0f);
         Random random(2700);
@@ -237,7 +353,7 @@ TEST_SUITE("rounding error") {
             for (const Result<float>& result :
                  {rounding_error(blob, a), rounding_error(blob, Sphere{a, length}),
                   rounding_error(blob, Capsule{a, b, length}), rounding_error(blob, Box{a, b}),
-                  rounding_error(blob, OrientedBox{a, {a, b, c}}), rounding_error(blob, Corners{a, b, c}),
+                  rounding_error(blob, OrientedBox{a, {a, b, c}}), rounding_error(blob, Triangle{a, b, c}),
                   rounding_error(blob, Ray{.origin = a, .direction = b})})
                 REQUIRE((result.status == QueryStatus::ok ? result.value > 0.0f : result.value == 0.0f));
         }

@@ -60,7 +60,7 @@ void require_bound(const Result<float>& moved, const Shape& shape, int grid, int
 TEST_SUITE("rounding formula") {
     TEST_CASE("rounding: the error is the documented bound at every distance") {
         BakeOptions options;
-        options.step_exponent = 0;
+        options.resolution = Resolution::step(0);
         const OpenedBlob opened(make_cube(0.0f, extent), options);
         const Blob& blob = opened.blob;
         Random random(2710);
@@ -81,8 +81,8 @@ TEST_SUITE("rounding formula") {
                     require_bound(rounding_error(blob, far), point, 23, 1);
                     require_bound(rounding_error(blob, Segment{near, far}), segment, 35, 1);
                     require_bound(rounding_error(blob, Segment{far, near}), segment, 35, 1);
-                    require_bound(rounding_error(blob, Corners{near, far, turned}), triangle, 22, 1);
-                    require_bound(rounding_error(blob, Corners{turned, near, far}), triangle, 22, 1);
+                    require_bound(rounding_error(blob, Triangle{near, far, turned}), triangle, 22, 1);
+                    require_bound(rounding_error(blob, Triangle{turned, near, far}), triangle, 22, 1);
                     require_distance(rounding_error(blob, Ray{.origin = far, .direction = {1.0f, 2.0f, 3.0f}}),
                                      point.moves_as_ray());
                     // Two half axes along one axis, another along the next.
@@ -101,7 +101,7 @@ TEST_SUITE("rounding formula") {
 
     TEST_CASE("rounding: a ray from 2^120 steps away is out of range and from just before it is not") {
         BakeOptions options;
-        options.step_exponent = 0;
+        options.resolution = Resolution::step(0);
         const OpenedBlob opened(make_cube(0.0f, extent), options);
         for (const float sign : {-1.0f, 1.0f}) {
             const auto status_from = [&](float x) {

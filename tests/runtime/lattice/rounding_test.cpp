@@ -4,9 +4,9 @@
 
 #include <cfenv>
 
-#include <runtime/lattice_point.hpp>
-#include <runtime/lattice_ray.hpp>
-#include <runtime/outward.hpp>
+#include <runtime/lattice/outward.hpp>
+#include <runtime/lattice/round_point.hpp>
+#include <runtime/lattice/round_ray.hpp>
 
 #include "platform/fingerprint.hpp"
 #include "support/queries/some_ray.hpp"
@@ -74,8 +74,8 @@ TEST_SUITE("rounding") {
             for (int i = 0; i < 200; ++i) {
                 const Vec3 place = some_place(asset, random);
                 const float radius = random.below(4) == 0 ? some_hostile(random) : some_component(random);
-                detail::LatticePoint point;
-                const bool good = detail::round_point(asset, place, radius, point);
+                detail::RoundedPoint point;
+                const bool good = detail::round_point(asset, place, radius, point) == QueryStatus::ok;
                 sum.add(good);
                 if (!good) continue;
                 ++rounded;

@@ -6,9 +6,9 @@
 #include <climits>
 
 #include <espalier/espalier.hpp>
-#include <runtime/lattice_box.hpp>
-#include <runtime/scalar_walk.hpp>
-#include <runtime/whole_segment.hpp>
+#include <runtime/overlap/box.hpp>
+#include <runtime/rays/whole_segment.hpp>
+#include <runtime/traversal/scalar_walk.hpp>
 
 #include "oracle/convex_hull.hpp"
 #include "support/base/calls.hpp"
@@ -28,11 +28,11 @@ using oracle::Rational;
 
 namespace {
 
-Steps steps(const GridPoint& p) { return {p[0], p[1], p[2]}; }
+LatticePoint steps(const GridPoint& p) { return {p[0], p[1], p[2]}; }
 
 /// Towards a corner, a side or a place in the face more often than not, from near or from anywhere.
-SegmentInSteps some_segment(Random& random, unsigned bits, const GridTriangle& triangle) {
-    const auto far = [&] { return random.between(-max_segment_steps, max_segment_steps); };
+LatticeSegment some_segment(Random& random, unsigned bits, const GridTriangle& triangle) {
+    const auto far = [&] { return random.between(-max_lattice_coordinate, max_lattice_coordinate); };
     const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
     GridPoint from = some_grid_point(random, bits), to = some_grid_point(random, bits);
     if (random.below(4) == 0) from = {far(), far(), far()};
@@ -49,7 +49,7 @@ SegmentInSteps some_segment(Random& random, unsigned bits, const GridTriangle& t
         case 2:  // as far behind it as before it
             to = target;
             for (unsigned k = 0; k < 3; ++k)
-                to[k] = std::clamp(2 * target[k] - from[k], -max_segment_steps, max_segment_steps);
+                to[k] = std::clamp(2 * target[k] - from[k], -max_lattice_coordinate, max_lattice_coordinate);
             break;
         default:
             if (random.coin()) {  // along an axis
@@ -58,13 +58,13 @@ SegmentInSteps some_segment(Random& random, unsigned bits, const GridTriangle& t
                 from[axis] = far(), to[axis] = far();
             }
     }
-    return random.coin() ? SegmentInSteps{steps(from), steps(to)} : SegmentInSteps{steps(to), steps(from)};
+    return random.coin() ? LatticeSegment{steps(from), steps(to)} : LatticeSegment{steps(to), steps(from)};
 }
 
-oracle::Point exact(const Steps& p) { return oracle::Point(Rational(p.x), Rational(p.y), Rational(p.z)); }
+oracle::Point exact(const LatticePoint& p) { return oracle::Point(Rational(p.x), Rational(p.y), Rational(p.z)); }
 
 /// Where the segment crosses the triangle, if it does.
-std::optional<oracle::Crossing> crossing_in_truth(const SegmentInSteps& segment, const GridTriangle& triangle) {
+std::optional<oracle::Crossing> crossing_in_truth(const LatticeSegment& segment, const GridTriangle& triangle) {
     if (segment.from == segment.to) return std::nullopt;
     const oracle::Point from = exact(segment.from), to = exact(segment.to);
     auto crossing = oracle::cross({from, to - from}, exact_triangle(triangle));
@@ -88,43 +88,44 @@ struct Tally {
     std::uint64_t overlapping = 0;
 };
 
-void check_segment(const TestBlob& test_blob, const TriangleLoop& loop, const SegmentInSteps& segment, Tally& tally) {
+void check_segment(const TestBlob& test_blob, const TriangleLoop& loop, const LatticeSegment& segment, Tally& tally) {
     CAPTURE(describe(segment));
     const Blob& blob = test_blob.opened.blob;
-    HitInSteps expected;
+    LatticeHit expected;
     detail::WholeSegment whole;
-    if (whole.set(blob.data(), segment)) expected = loop.first_hit(whole);
-    HitInSteps hit = {7, Faces::both, Triangle{7}};
-    bool any = expected.triangle == no_triangle;
-    REQUIRE(first_hit(blob, segment, hit) == QueryStatus::ok);
-    REQUIRE(any_hit(blob, segment, any) == QueryStatus::ok);
+    if (whole.set(detail::data_of(blob), segment)) expected = loop.first_hit(whole);
+    else expected.status = QueryStatus::invalid_argument;
+    const LatticeHit hit = raycast(blob, segment);
+    REQUIRE(hit.status == expected.status);
+    REQUIRE(occluded(blob, segment).status() == expected.status);
     REQUIRE(hit.triangle == expected.triangle);
     REQUIRE(hit.t == expected.t);
     REQUIRE(hit.side == expected.side);
-    REQUIRE(any == (hit.triangle != no_triangle));
     ++tally.segments;
-    tally.hits += any ? 1u : 0u;
+    tally.hits += hit ? 1u : 0u;
 }
 
-void check_box(const TestBlob& test_blob, const TriangleLoop& loop, const BoxInSteps& box, Random& random,
+void check_box(const TestBlob& test_blob, const TriangleLoop& loop, const LatticeBox& box, Random& random,
                Tally& tally) {
     CAPTURE(describe(box));
     const Blob& blob = test_blob.opened.blob;
-    detail::LatticeBox rounded;
-    REQUIRE(detail::round_volume(blob.data(), box, rounded) == QueryStatus::ok);
+    detail::RoundedBox rounded;
+    REQUIRE(detail::round_volume(detail::data_of(blob), box, rounded) == QueryStatus::ok);
     const auto expected = rounded.is_empty ? std::vector<std::uint32_t>() : loop.every_overlap(rounded);
-    REQUIRE(overlaps(blob, box) == !expected.empty());
+    REQUIRE(overlaps(blob, box).yes() == !expected.empty());
     std::vector<std::uint32_t> found;
-    REQUIRE(for_each_overlap(blob, box, [&](Triangle t) { return found.push_back(t.index), keep_going; }));
+    REQUIRE(for_each_overlap(blob, box, [&](TriangleId t) { found.push_back(t.index); }) == QueryStatus::ok);
+    if (blob.duplicate_reference_count() != 0) std::sort(found.begin(), found.end());
     REQUIRE(found == expected);
     found.clear();
-    std::vector<Triangle> room(1 + random.below(50));
-    OverlapPage page;
+    std::vector<TriangleId> room(1 + random.below(50));
+    Filled page;
     do {
         page = collect_overlaps(blob, box, room, page.next);
-        for (std::uint32_t i = 0; i < page.count; ++i) found.push_back(room[i].index);
+        for (const TriangleId triangle : page.in(room)) found.push_back(triangle.index);
     } while (page.status == QueryStatus::output_full);
     REQUIRE(page.status == QueryStatus::ok);
+    if (blob.duplicate_reference_count() != 0) std::sort(found.begin(), found.end());
     REQUIRE(found == expected);
     ++tally.boxes;
     tally.overlapping += expected.empty() ? 0u : 1u;
@@ -157,7 +158,7 @@ TEST_SUITE("step queries") {
         for (std::uint64_t i = 0; i < count; ++i) {
             const unsigned bits = 1 + random.below(24);
             const GridTriangle triangle = some_triangle(random, bits);
-            const SegmentInSteps segment = some_segment(random, bits, triangle);
+            const LatticeSegment segment = some_segment(random, bits, triangle);
             CAPTURE(describe(segment));
             const auto expected = crossing_in_truth(segment, triangle);
             detail::WholeSegment whole;
@@ -220,7 +221,7 @@ TEST_SUITE("step queries") {
     }
 
     TEST_CASE("lattice query: segments and boxes equal the loop on real meshes") {
-        for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
+        for_each_real_mesh([](const Mesh& mesh, Profile profile) {
             OpenedBlob opened(mesh, with_profile(profile));
             DecodedBlob decoded = decode(opened.bytes);
             const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 3 : 112);
@@ -238,7 +239,7 @@ TEST_SUITE("step queries") {
             CAPTURE(blob.name);
             StepsMaker maker(blob.decoded, 6);
             for (std::uint64_t i = 0; i < scaled_share(30); ++i) {
-                const BoxInSteps box = maker.box(true);
+                const LatticeBox box = maker.box(true);
                 CAPTURE(describe(box));
                 std::vector<std::uint32_t> expected, found;
                 const auto inside = [](std::int32_t a) { return std::int64_t{std::clamp(a, -1000, 1000)}; };
@@ -260,8 +261,8 @@ TEST_SUITE("step queries") {
                         corners.push_back({p[0], p[1], p[2]});
                     if (oracle::hulls_meet(box_corners, corners)) expected.push_back(t);
                 }
-                for_each_overlap(blob.opened.blob, box,
-                                 [&](Triangle t) { return found.push_back(t.index), keep_going; });
+                REQUIRE(for_each_overlap(blob.opened.blob, box, [&](TriangleId t) { found.push_back(t.index); }) ==
+                        QueryStatus::ok);
                 REQUIRE(found == expected);
                 met += expected.size();
             }
@@ -270,11 +271,11 @@ TEST_SUITE("step queries") {
     }
 
     TEST_CASE("lattice query: the lowest storage index wins at one place also with copies") {
-        BakeOptions options = with_profile(format::Profile::fast);
-        options.builder = Builder::spatial_splits;
-        options.duplicates = 1.0;
+        BakeOptions options = with_profile(Profile::fast);
+        options.build.builder = Builder::spatial_splits;
+        options.build.duplicate_budget = 1.0;
         OpenedBlob opened(make_soup(300, 1), options);
-        REQUIRE(opened.blob.copy_count() > 0);
+        REQUIRE(opened.blob.duplicate_reference_count() > 0);
         DecodedBlob decoded = decode(opened.bytes);
         const TestBlob blob = {"with copies", std::move(opened), std::move(decoded)};
         const TriangleLoop loop(blob.decoded);
@@ -282,40 +283,38 @@ TEST_SUITE("step queries") {
         Tally tally;
         for (std::uint64_t i = 0; i < scaled(1'000); ++i) check_segment(blob, loop, maker.segment(i % 4 != 0), tally);
         CHECK(tally.hits > tally.segments / 10);
-        Triangle room[1];
-        CHECK(collect_overlaps(blob.opened.blob, maker.box(false), room).status == QueryStatus::has_copies);
-        CHECK_FALSE(for_each_overlap(blob.opened.blob, maker.box(false), [](Triangle) { return keep_going; }));
     }
 
     TEST_CASE("lattice query: an end beyond the range is refused and an end at it is answered") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             const OpenedBlob cube(make_cube(-1.0f, 1.0f), with_profile(profile));
-            const Lattice lattice = lattice_of(cube.blob);
+            const Lattice lattice = cube.blob.lattice();
             const std::int32_t middle = lattice.extent[0] / 2 + 1;
-            constexpr std::int32_t most = max_segment_steps;
-            HitInSteps hit;
-            bool any = false;
-            CHECK(first_hit(cube.blob, {{middle, middle - 2, -most}, {middle, middle - 2, most}}, hit) ==
-                  QueryStatus::ok);
+            constexpr std::int32_t most = max_lattice_coordinate;
+            LatticeHit hit =
+                raycast(cube.blob, LatticeSegment{{middle, middle - 2, -most}, {middle, middle - 2, most}});
+            CHECK(hit);
             CHECK(hit.triangle != no_triangle);
-            CHECK(hit.side == Faces::front);
+            CHECK(hit.side == Side::front);
             CHECK(hit.t == 1u << 30);
-            CHECK(first_hit(cube.blob, {{middle, middle - 2, middle}, {middle, middle - 2, most}}, hit) ==
-                  QueryStatus::ok);
-            CHECK(hit.side == Faces::back);
-            const HitInSteps before = hit;
+            hit = raycast(cube.blob, LatticeSegment{{middle, middle - 2, middle}, {middle, middle - 2, most}});
+            CHECK(hit);
+            CHECK(hit.side == Side::back);
+            const OpenedBlob empty(Mesh{});
             for (const std::int32_t beyond : {most + 1, -most - 1, INT32_MAX, INT32_MIN}) {
                 for (int place = 0; place < 6; ++place) {
                     std::int32_t c[6] = {};
                     c[place] = beyond;
-                    const SegmentInSteps segment = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}};
-                    for (const Blob& blob : {cube.blob, Blob()}) {
-                        CHECK(first_hit(blob, segment, hit) == QueryStatus::out_of_range);
-                        CHECK(any_hit(blob, segment, any) == QueryStatus::out_of_range);
+                    const LatticeSegment segment = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}};
+                    for (const Blob& blob : {cube.blob, empty.blob}) {
+                        hit = raycast(blob, segment);
+                        CHECK(hit.status == QueryStatus::out_of_range);
+                        CHECK(hit.triangle == no_triangle);
+                        CHECK(hit.t == 0xFFFFFFFFu);
+                        CHECK(occluded(blob, segment).status() == QueryStatus::out_of_range);
                     }
-                    CHECK(hit.triangle == before.triangle);
-                    CHECK(hit.t == before.t);
-                    CHECK_FALSE(any);
+                    CHECK(raycast(Blob(), segment).status == QueryStatus::not_open);
+                    CHECK(occluded(Blob(), segment).status() == QueryStatus::not_open);
                 }
             }
         });
@@ -323,7 +322,7 @@ TEST_SUITE("step queries") {
 
     TEST_CASE("lattice query: places in a leaf have no more bits than its grid") {
         for (const TestBlob& test_blob : small_test_blobs()) {
-            const detail::BlobData& blob = test_blob.opened.blob.data();
+            const detail::BlobData& blob = detail::data_of(test_blob.opened.blob);
             detail::scalar_walk::with_leaves_of(blob, [&]<class Leaf>() {
                 for (std::uint32_t index = 0; index < blob.node_count; ++index) {
                     const auto node = detail::node_at<typename Leaf::Node>(blob, index);
@@ -345,24 +344,26 @@ TEST_SUITE("step queries") {
         }
     }
 
-    TEST_CASE("lattice query: empty segments and coplanar ones and empty blobs have no hit") {
+    TEST_CASE("lattice query: coplanar segments and empty blobs have no hit and a segment without length is refused") {
         const OpenedBlob plane(make_plane_grid(4));
-        const Lattice lattice = lattice_of(plane.blob);
-        const Steps corner = {}, opposite = {lattice.extent[0], lattice.extent[1], lattice.extent[2]};
-        bool any = true;
-        CHECK(any_hit(plane.blob, {corner, corner}, any) == QueryStatus::ok);
-        CHECK_FALSE(any);
-        any = true;
-        CHECK(any_hit(plane.blob, {corner, opposite}, any) == QueryStatus::ok);
-        CHECK_FALSE(any);
-        CHECK(overlaps(plane.blob, BoxInSteps{corner, corner}));
-        CHECK_FALSE(overlaps(plane.blob, BoxInSteps{opposite, {-1, -1, -1}}));
-        HitInSteps hit = {1, Faces::back, Triangle{1}};
-        CHECK(first_hit(Blob(), {corner, {1, 1, 1}}, hit) == QueryStatus::ok);
+        const Lattice lattice = plane.blob.lattice();
+        const LatticePoint corner = {}, opposite = {lattice.extent[0], lattice.extent[1], lattice.extent[2]};
+        const OpenedBlob empty(Mesh{});
+        for (const Blob& blob : {plane.blob, empty.blob}) {
+            CHECK(occluded(blob, LatticeSegment{corner, corner}).status() == QueryStatus::invalid_argument);
+            CHECK(raycast(blob, LatticeSegment{corner, corner}).status == QueryStatus::invalid_argument);
+        }
+        CHECK(occluded(plane.blob, LatticeSegment{corner, opposite}).no());
+        CHECK(overlaps(plane.blob, LatticeBox{corner, corner}).yes());
+        CHECK(overlaps(plane.blob, LatticeBox{opposite, {-1, -1, -1}}).no());
+        const LatticeHit hit = raycast(empty.blob, LatticeSegment{corner, {1, 1, 1}});
+        CHECK(hit.status == QueryStatus::not_found);
         CHECK(hit.triangle == no_triangle);
-        CHECK_FALSE(overlaps(Blob(), BoxInSteps{{INT32_MIN, INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX, INT32_MAX}}));
-        Triangle room[1];
-        CHECK(collect_overlaps(Blob(), BoxInSteps{corner, corner}, room).status == QueryStatus::ok);
-        CHECK(lattice_of(Blob()).extent[1] == 0);
+        CHECK(raycast(Blob(), LatticeSegment{corner, {1, 1, 1}}).status == QueryStatus::not_open);
+        CHECK(overlaps(Blob(), LatticeBox{{INT32_MIN, INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX, INT32_MAX}})
+                  .status() == QueryStatus::not_open);
+        TriangleId room[1];
+        CHECK(collect_overlaps(Blob(), LatticeBox{corner, corner}, room).status == QueryStatus::not_open);
+        CHECK(Blob().lattice().extent[1] == 0);
     }
 }

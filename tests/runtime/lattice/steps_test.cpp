@@ -44,7 +44,7 @@ Rational rounded_down(const Rational& a) {
     return {quotient, 1};
 }
 
-bool is_in_range(const Rational& steps) { return oracle::absolute(steps) <= Rational(max_segment_steps); }
+bool is_in_range(const Rational& steps) { return oracle::absolute(steps) <= Rational(max_lattice_coordinate); }
 
 struct Drawn {
     Lattice lattice;
@@ -106,23 +106,20 @@ TEST_SUITE("steps") {
             CAPTURE(lattice.step_exponent);
             CAPTURE(lattice.origin.x);
             CAPTURE(x);
-            Steps steps = {7, 7, 7};
-            const QueryStatus status = to_steps(lattice, {x, x, x}, steps);
+            const auto [steps, status] = to_lattice(lattice, Vec3{x, x, x});
             if (!std::isfinite(x)) {
                 REQUIRE(status == QueryStatus::invalid_argument);
-                REQUIRE(steps == Steps{7, 7, 7});
                 continue;
             }
             const Rational place = exact_steps(lattice.origin.x, x, lattice.step_exponent) + Rational::of(1, -1);
             const Rational expected = rounded_down(place);
             REQUIRE(status == (is_in_range(expected) ? QueryStatus::ok : QueryStatus::out_of_range));
             if (status != QueryStatus::ok) {
-                REQUIRE(steps == Steps{7, 7, 7});
                 ++refused;
                 continue;
             }
             REQUIRE(Rational(std::int64_t{steps.x}) == expected);
-            REQUIRE(steps == Steps{steps.x, steps.x, steps.x});
+            REQUIRE(steps == LatticePoint{steps.x, steps.x, steps.x});
             ++rounded;
             halves += place == expected && place.sign() != 0 ? 1u : 0u;
         }
@@ -143,13 +140,7 @@ TEST_SUITE("steps") {
             CAPTURE(lattice.origin.x);
             CAPTURE(low);
             CAPTURE(high);
-            const BoxInSteps before = {{7, 7, 7}, {7, 7, 7}};
-            BoxInSteps box = before;
-            const QueryStatus status = steps_around(lattice, {{low, low, low}, {high, high, high}}, box);
-            if (status != QueryStatus::ok) {
-                REQUIRE(box.min == before.min);
-                REQUIRE(box.max == before.max);
-            }
+            const auto [box, status] = to_lattice(lattice, Box{{low, low, low}, {high, high, high}});
             if (!std::isfinite(low) || !std::isfinite(high)) {
                 REQUIRE(status == QueryStatus::invalid_argument);
                 continue;
@@ -184,7 +175,7 @@ TEST_SUITE("steps") {
             CAPTURE(lattice.step_exponent);
             CAPTURE(lattice.origin.x);
             CAPTURE(number);
-            const float world = to_world(lattice, {number, number, number}).x;
+            const float world = to_local(lattice, {number, number, number}).x;
             if (!std::isfinite(world)) continue;
             const Rational part = Rational(std::int64_t{number}) * Rational::of(1, lattice.step_exponent);
             const Rational exact = Rational::of(lattice.origin.x) + part;
@@ -200,21 +191,15 @@ TEST_SUITE("steps") {
         for (const std::int32_t exponent : {INT32_MIN, INT32_MIN + 1, -1000, -101, 101, 1000, INT32_MAX})
             for (const float origin : {0.0f, 1.0f, -1e30f, 1e-45f}) {
                 const Lattice lattice = {{origin, origin, origin}, exponent, {1, 1, 1}};
-                Steps steps = {7, 7, 7};
-                BoxInSteps box = {{7, 7, 7}, {7, 7, 7}};
-                CHECK(to_steps(lattice, {1.0f, 2.0f, 3.0f}, steps) == QueryStatus::invalid_argument);
-                CHECK(steps_around(lattice, {{1.0f, 2.0f, 3.0f}, {1.0f, 2.0f, 3.0f}}, box) ==
-                      QueryStatus::invalid_argument);
-                CHECK(steps == Steps{7, 7, 7});
-                CHECK(box.min == Steps{7, 7, 7});
-                (void)to_world(lattice, {INT32_MIN, INT32_MAX, 1});
+                const Vec3 place = {1.0f, 2.0f, 3.0f};
+                CHECK(to_lattice(lattice, place).status == QueryStatus::invalid_argument);
+                CHECK(to_lattice(lattice, Box{place, place}).status == QueryStatus::invalid_argument);
+                (void)to_local(lattice, {INT32_MIN, INT32_MAX, 1});
             }
         for (const float origin : {nan, endless, -endless}) {
             const Lattice lattice = {{0.0f, origin, 0.0f}, 0, {1, 1, 1}};
-            Steps steps;
-            BoxInSteps box;
-            CHECK(to_steps(lattice, {}, steps) == QueryStatus::invalid_argument);
-            CHECK(steps_around(lattice, {}, box) == QueryStatus::invalid_argument);
+            CHECK(to_lattice(lattice, Vec3{}).status == QueryStatus::invalid_argument);
+            CHECK(to_lattice(lattice, Box{}).status == QueryStatus::invalid_argument);
         }
     }
 }

@@ -21,7 +21,7 @@ namespace {
 
 std::uint32_t count_overlaps(const Blob& blob, const Sphere& sphere) {
     std::uint32_t count = 0;
-    CHECK(for_each_overlap(blob, sphere, [&](Triangle) { return ++count, keep_going; }));
+    CHECK(for_each_overlap(blob, sphere, [&](TriangleId) { ++count; }) == QueryStatus::ok);
     return count;
 }
 
@@ -37,9 +37,10 @@ TEST_SUITE("overlap") {
             for (std::uint64_t i = 0; i < count; ++i) {
                 const Sphere sphere = maker.sphere();
                 CAPTURE(describe(sphere));
-                detail::LatticePoint rounded;
-                if (!detail::round_point(blob.opened.blob.data(), sphere.center, sphere.radius, rounded)) {
-                    REQUIRE_FALSE(overlaps(blob.opened.blob, sphere));
+                detail::RoundedPoint rounded;
+                if (detail::round_point(detail::data_of(blob.opened.blob), sphere.center, sphere.radius, rounded) !=
+                    QueryStatus::ok) {
+                    REQUIRE(overlaps(blob.opened.blob, sphere).no());
                     continue;
                 }
                 const oracle::Point center = exact_center(rounded);
@@ -53,10 +54,10 @@ TEST_SUITE("overlap") {
                     if (within) expected.push_back(index);
                 }
                 std::vector<std::uint32_t> actual;
-                for_each_overlap(blob.opened.blob, sphere,
-                                 [&](Triangle t) { return actual.push_back(t.index), keep_going; });
+                REQUIRE(for_each_overlap(blob.opened.blob, sphere, [&](TriangleId t) { actual.push_back(t.index); }) ==
+                        QueryStatus::ok);
                 REQUIRE(actual == expected);
-                REQUIRE(overlaps(blob.opened.blob, sphere) == !expected.empty());
+                REQUIRE(overlaps(blob.opened.blob, sphere).yes() == !expected.empty());
                 overlapping += expected.size();
             }
         }
@@ -67,16 +68,16 @@ TEST_SUITE("overlap") {
 TEST_SUITE("overlap") {
     TEST_CASE("overlap: touching a sphere counts to the last bit") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 3.0f}, 2.0f}));
-        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 3.0f}, std::nextafter(2.0f, 0.0f)}));
+        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 3.0f}, 2.0f}).yes());
+        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 3.0f}, std::nextafter(2.0f, 0.0f)}).no());
         // From a corner: 3, 4, 12 and 13.
-        CHECK(overlaps(cube.blob, Sphere{{4.0f, 5.0f, 13.0f}, 13.0f}));
-        CHECK_FALSE(overlaps(cube.blob, Sphere{{4.0f, 5.0f, 13.0f}, std::nextafter(13.0f, 0.0f)}));
+        CHECK(overlaps(cube.blob, Sphere{{4.0f, 5.0f, 13.0f}, 13.0f}).yes());
+        CHECK(overlaps(cube.blob, Sphere{{4.0f, 5.0f, 13.0f}, std::nextafter(13.0f, 0.0f)}).no());
     }
 
     TEST_CASE("overlap: a sphere inside a closed mesh that touches no triangle overlaps none") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 0.875f}));
+        CHECK(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 0.875f}).no());
         CHECK(count_overlaps(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 1.0f}) == 12);
     }
 
@@ -84,22 +85,23 @@ TEST_SUITE("overlap") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const float infinity = std::numeric_limits<float>::infinity();
         const float nan = std::numeric_limits<float>::quiet_NaN();
-        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.0f}, 0.0f}));
-        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.0f}, -0.0f}));
-        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.5f}, 0.0f}));
+        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.0f}, 0.0f}).yes());
+        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.0f}, -0.0f}).yes());
+        CHECK(overlaps(cube.blob, Sphere{{0.25f, 0.5f, 1.5f}, 0.0f}).no());
         CHECK(count_overlaps(cube.blob, Sphere{{1e30f, 0.0f, 0.0f}, infinity}) == 12);
-        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 1.0f}, -1.0f}));
-        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 1.0f}, nan}));
-        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, nan, 1.0f}, 1.0f}));
-        CHECK_FALSE(overlaps(cube.blob, Sphere{{0.0f, infinity, 1.0f}, infinity}));
-        CHECK_FALSE(overlaps(Blob(), Sphere{{0.0f, 0.0f, 0.0f}, infinity}));
+        CHECK(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 1.0f}, -1.0f}).status() == QueryStatus::invalid_argument);
+        CHECK(overlaps(cube.blob, Sphere{{0.0f, 0.0f, 1.0f}, nan}).status() == QueryStatus::invalid_argument);
+        CHECK(overlaps(cube.blob, Sphere{{0.0f, nan, 1.0f}, 1.0f}).status() == QueryStatus::invalid_argument);
+        CHECK(overlaps(cube.blob, Sphere{{0.0f, infinity, 1.0f}, infinity}).status() == QueryStatus::invalid_argument);
+        CHECK(overlaps(Blob(), Sphere{{0.0f, 0.0f, 0.0f}, infinity}).status() == QueryStatus::not_open);
     }
 
     TEST_CASE("overlap: a visitor that stops is not called again and the status reports it") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         int calls = 0;
         const Sphere all{{0.0f, 0.0f, 0.0f}, 10.0f};
-        CHECK_FALSE(for_each_overlap(cube.blob, all, [&](Triangle) { return ++calls == 5 ? stop : keep_going; }));
+        CHECK(for_each_overlap(cube.blob, all, [&](TriangleId) { return ++calls == 5 ? Visit::stop : Visit::next; }) ==
+              QueryStatus::stopped);
         CHECK(calls == 5);
     }
 }

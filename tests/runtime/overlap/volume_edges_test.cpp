@@ -6,14 +6,16 @@
 #include <limits>
 #include <vector>
 
+#include <espalier/approximate.hpp>
 #include <espalier/overlap.hpp>
-#include <runtime/box_nodes.hpp>
-#include <runtime/lattice_box.hpp>
-#include <runtime/lattice_capsule.hpp>
-#include <runtime/lattice_corners.hpp>
-#include <runtime/lattice_half_spaces.hpp>
-#include <runtime/lattice_oriented_box.hpp>
-#include <runtime/plane_nodes.hpp>
+#include <espalier/walk.hpp>
+#include <runtime/overlap/box.hpp>
+#include <runtime/overlap/capsule.hpp>
+#include <runtime/overlap/triangle.hpp>
+#include <runtime/overlap/convex_volume.hpp>
+#include <runtime/overlap/oriented_box.hpp>
+#include <runtime/traversal/box_nodes.hpp>
+#include <runtime/traversal/plane_nodes.hpp>
 
 #include "support/base/profiles.hpp"
 #include "support/base/random.hpp"
@@ -33,11 +35,17 @@ constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 template <class Shape>
 QueryStatus status_of(const Blob& blob, const Shape& shape) {
-    const OverlapPage page = collect_overlaps(blob, shape, std::span<Triangle>());
+    const Filled page = collect_overlaps(blob, shape, std::span<TriangleId>());
     CHECK(page.count == 0);
-    CHECK(overlaps(blob, shape) == (page.status == QueryStatus::output_full));
+    const YesNo any = overlaps(blob, shape);
+    CHECK(any.yes() == (page.status == QueryStatus::output_full));
+    CHECK(any.no() == (page.status == QueryStatus::ok));
+    if (is_refused(page.status)) CHECK(any.status() == page.status);
     return page.status;
 }
+
+/// For the expression at hand.
+ConvexVolume planes(std::initializer_list<Plane> some) { return {{some.begin(), some.size()}}; }
 
 constexpr QueryStatus no = QueryStatus::ok;
 
@@ -46,55 +54,56 @@ constexpr QueryStatus no = QueryStatus::ok;
 TEST_SUITE("volume edges") {
     TEST_CASE("overlap: touching counts and a step of the grid beside does not") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        const float beside = 1.0f + cube.blob.step();
+        const float beside = 1.0f + std::ldexp(1.0f, cube.blob.lattice().step_exponent);
         for (const float at : {1.0f, beside}) {
             const bool touches = at == 1.0f;
             CAPTURE(at);
-            CHECK(overlaps(cube.blob, Box{{at, -0.5f, -0.5f}, {9.0f, 0.5f, 0.5f}}) == touches);
-            CHECK(overlaps(cube.blob, Box{{at, at, at}, {infinity, infinity, infinity}}) == touches);
-            CHECK(overlaps(cube.blob, Box{{at, 0.25f, 0.5f}, {at, 0.25f, 0.5f}}) == touches);
+            CHECK(overlaps(cube.blob, Box{{at, -0.5f, -0.5f}, {9.0f, 0.5f, 0.5f}}).yes() == touches);
+            CHECK(overlaps(cube.blob, Box{{at, at, at}, {infinity, infinity, infinity}}).yes() == touches);
+            CHECK(overlaps(cube.blob, Box{{at, 0.25f, 0.5f}, {at, 0.25f, 0.5f}}).yes() == touches);
             const Vec3 x = {0.5f, 0.5f, 0.0f}, y = {-0.5f, 0.5f, 0.0f};
-            CHECK(overlaps(cube.blob, OrientedBox{{1.0f + at, 0.0f, 0.0f}, {x, y, {0.0f, 0.0f, 0.25f}}}) == touches);
-            CHECK(overlaps(cube.blob, OrientedBox{{at, 0.0f, 0.0f}, {{}, {}, {}}}) == touches);
-            CHECK(overlaps(cube.blob, OrientedBox{{at, 0.0f, 0.0f}, {{0.0f, 0.125f, 0.0f}, {}, {}}}) == touches);
-            CHECK(overlaps(cube.blob, Corners{{at, 0.0f, 0.0f}, {at, 1.0f, 0.0f}, {at, 0.0f, 0.5f}}) == touches);
-            CHECK(overlaps(cube.blob, Corners{{at, 0.0f, 0.0f}, {2.0f, 1.0f, 0.0f}, {3.0f, 0.0f, 0.5f}}) == touches);
-            CHECK(overlaps(cube.blob, Capsule{{1.0f + at, 0.0f, 0.0f}, {1.0f + at, 9.0f, 0.0f}, 1.0f}) == touches);
-            CHECK(overlaps(cube.blob, Capsule{{at, 0.0f, 0.0f}, {9.0f, 0.0f, 0.0f}, 0.0f}) == touches);
+            CHECK(overlaps(cube.blob, OrientedBox{{1.0f + at, 0.0f, 0.0f}, {x, y, {0.0f, 0.0f, 0.25f}}}).yes() ==
+                  touches);
+            CHECK(overlaps(cube.blob, OrientedBox{{at, 0.0f, 0.0f}, {{}, {}, {}}}).yes() == touches);
+            CHECK(overlaps(cube.blob, OrientedBox{{at, 0.0f, 0.0f}, {{0.0f, 0.125f, 0.0f}, {}, {}}}).yes() == touches);
+            CHECK(overlaps(cube.blob, Triangle{{at, 0.0f, 0.0f}, {at, 1.0f, 0.0f}, {at, 0.0f, 0.5f}}).yes() == touches);
+            CHECK(overlaps(cube.blob, Triangle{{at, 0.0f, 0.0f}, {2.0f, 1.0f, 0.0f}, {3.0f, 0.0f, 0.5f}}).yes() ==
+                  touches);
+            CHECK(overlaps(cube.blob, Capsule{{1.0f + at, 0.0f, 0.0f}, {1.0f + at, 9.0f, 0.0f}, 1.0f}).yes() ==
+                  touches);
+            CHECK(overlaps(cube.blob, Capsule{{at, 0.0f, 0.0f}, {9.0f, 0.0f, 0.0f}, 0.0f}).yes() == touches);
             const std::vector<Plane> corner = {Plane{{-1.0f, -1.0f, -1.0f}, -3.0f * at}};
-            CHECK(overlaps(cube.blob, corner) == touches);
+            CHECK(overlaps(cube.blob, ConvexVolume{corner}).yes() == touches);
             const std::vector<Plane> needle = {Plane{{1.0f, 0.0f, 0.0f}, at}, Plane{{-1.0f, 0.0f, 0.0f}, -at},
                                                Plane{{0.0f, 1.0f, 0.0f}, 0.25f}, Plane{{0.0f, -1.0f, 0.0f}, -0.25f}};
-            CHECK(overlaps(cube.blob, needle) == touches);
+            CHECK(overlaps(cube.blob, ConvexVolume{needle}).yes() == touches);
         }
     }
 
     TEST_CASE("overlap: no shape inside a closed mesh overlaps the surface") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        CHECK_FALSE(overlaps(cube.blob, Box{{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}}));
-        CHECK_FALSE(overlaps(cube.blob, Capsule{{-0.25f, 0.0f, 0.0f}, {0.25f, 0.0f, 0.0f}, 0.5f}));
-        CHECK_FALSE(overlaps(cube.blob, Corners{{-0.5f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.5f}}));
-        CHECK_FALSE(overlaps(cube.blob, OrientedBox{{}, {{0.4f, 0.4f, 0.0f}, {-0.4f, 0.4f, 0.0f}, {0, 0, 0.5f}}}));
+        CHECK(overlaps(cube.blob, Box{{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}}).no());
+        CHECK(overlaps(cube.blob, Capsule{{-0.25f, 0.0f, 0.0f}, {0.25f, 0.0f, 0.0f}, 0.5f}).no());
+        CHECK(overlaps(cube.blob, Triangle{{-0.5f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.5f}}).no());
+        CHECK(overlaps(cube.blob, OrientedBox{{}, {{0.4f, 0.4f, 0.0f}, {-0.4f, 0.4f, 0.0f}, {0, 0, 0.5f}}}).no());
     }
 
     TEST_CASE("overlap: an infinite shape overlaps everything and an empty one nothing") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        std::array<Triangle, 12> all;
+        std::array<TriangleId, 12> all;
         const auto is_all = [&](const auto& shape) {
-            const OverlapPage page = collect_overlaps(cube.blob, shape, all);
-            return page.status == QueryStatus::ok && page.count == 12 && page.next == 12;
+            const Filled page = collect_overlaps(cube.blob, shape, all);
+            return page.status == QueryStatus::ok && page.count == 12;
         };
         CHECK(is_all(Box{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}));
         CHECK(is_all(Box{{-1e30f, -1e38f, -9.0f}, {1e30f, 3e38f, 9.0f}}));
         CHECK(is_all(Capsule{{}, {1.0f, 0.0f, 0.0f}, infinity}));
         CHECK(is_all(OrientedBox{{}, {{1e5f, 0.0f, 0.0f}, {0.0f, 1e5f, 0.0f}, {0.0f, 0.0f, 1e5f}}}));
-        CHECK(is_all(std::span<const Plane>()));
-        CHECK(is_all(std::vector<Plane>{Plane{{1.0f, 2.0f, 3.0f}, infinity}, Plane{{0.0f, 1.0f, 0.0f}, 1e30f}}));
+        CHECK(is_all(ConvexVolume{}));
+        CHECK(is_all(planes({Plane{{1.0f, 2.0f, 3.0f}, infinity}, Plane{{0.0f, 1.0f, 0.0f}, 1e30f}})));
         CHECK(status_of(cube.blob, Box{{0.5f, -9.0f, -9.0f}, {-0.5f, 9.0f, 9.0f}}) == no);
-        CHECK(status_of(cube.blob, std::vector<Plane>{Plane{{1.0f, 2.0f, 3.0f}, -infinity}}) == no);
-        CHECK(status_of(cube.blob, std::vector<Plane>{Plane{{1.0f, 0.0f, 0.0f}, -1e30f}}) == no);
-        CHECK(status_of(Blob(), Box{{-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}}) == no);
-        CHECK(for_each_overlap(Blob(), std::span<const Plane>(), [](Triangle) { return stop; }));
+        CHECK(status_of(cube.blob, planes({Plane{{1.0f, 2.0f, 3.0f}, -infinity}})) == no);
+        CHECK(status_of(cube.blob, planes({Plane{{1.0f, 0.0f, 0.0f}, -1e30f}})) == no);
     }
 
     TEST_CASE("overlap: invalid arguments differ from no overlap") {
@@ -108,75 +117,90 @@ TEST_SUITE("volume edges") {
         CHECK(status_of(blob, Capsule{{}, {0, infinity, 0}, 1.0f}) == invalid);
         CHECK(status_of(blob, Box{{not_a_number, 0, 0}, {9, 9, 9}}) == invalid);
         CHECK(status_of(blob, OrientedBox{{}, {{infinity, 0, 0}, {}, {}}}) == invalid);
-        CHECK(status_of(blob, Corners{{0, 0, 0}, {0, 0, not_a_number}, {0, 0, 0}}) == invalid);
-        CHECK(status_of(blob, std::vector<Plane>{Plane{{0, 0, 0}, 1.0f}}) == invalid);
-        CHECK(status_of(blob, std::vector<Plane>{Plane{{infinity, 0, 0}, 1.0f}}) == invalid);
-        CHECK(status_of(blob, std::vector<Plane>(max_planes + 1, Plane{{1.0f, 0.0f, 0.0f}, 0.0f})) == invalid);
+        CHECK(status_of(blob, Triangle{{0, 0, 0}, {0, 0, not_a_number}, {0, 0, 0}}) == invalid);
+        CHECK(status_of(blob, planes({Plane{{0, 0, 0}, 1.0f}})) == invalid);
+        CHECK(status_of(blob, planes({Plane{{infinity, 0, 0}, 1.0f}})) == invalid);
+        CHECK(status_of(blob, ConvexVolume{std::vector<Plane>(max_planes + 1, Plane{{1.0f, 0.0f, 0.0f}, 0.0f})}) ==
+              invalid);
         // Far away is no overlap, and too large to say is not.
         CHECK(status_of(blob, OrientedBox{{1e20f, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}) == no);
         CHECK(status_of(blob, OrientedBox{{}, {{1e20f, 0, 0}, {0, 1, 0}, {0, 0, 1}}}) == QueryStatus::out_of_range);
-        CHECK(status_of(blob, Corners{{1e20f, 0, 0}, {1e20f, 1, 0}, {1e20f, 0, 1}}) == no);
-        CHECK(status_of(blob, Corners{{-1e20f, 0, 0}, {1e20f, 1, 0}, {1e20f, 0, 1}}) == QueryStatus::out_of_range);
+        CHECK(status_of(blob, Triangle{{1e20f, 0, 0}, {1e20f, 1, 0}, {1e20f, 0, 1}}) == no);
+        CHECK(status_of(blob, Triangle{{-1e20f, 0, 0}, {1e20f, 1, 0}, {1e20f, 0, 1}}) == QueryStatus::out_of_range);
         CHECK(status_of(blob, Capsule{{}, {1e20f, 1, 0}, 0.5f}) == QueryStatus::out_of_range);
+        // Beyond 2^120 steps nothing is rounded, although this radius reaches back.
+        CHECK(status_of(blob, Sphere{{3e38f, 0, 0}, infinity}) == QueryStatus::out_of_range);
+        CHECK(status_of(blob, Sphere{{1e30f, 0, 0}, 1.0f}) == no);
         int visited = 0;
-        const auto count = [&](Triangle) { return ++visited, keep_going; };
-        CHECK_FALSE(for_each_overlap(blob, OrientedBox{{}, {{1e20f, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, count));
-        CHECK(for_each_overlap(blob, Box{{not_a_number, 0, 0}, {9, 9, 9}}, count));
+        const auto count = [&](TriangleId) { return ++visited, Visit::next; };
+        CHECK(for_each_overlap(blob, OrientedBox{{}, {{1e20f, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, count) ==
+              QueryStatus::out_of_range);
+        CHECK(for_each_overlap(blob, Box{{not_a_number, 0, 0}, {9, 9, 9}}, count) == invalid);
         CHECK(visited == 0);
     }
 
     TEST_CASE("overlap: a page without room reports more and where it starts") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Box top = {{-9.0f, -9.0f, 0.5f}, {9.0f, 9.0f, 9.0f}};
-        std::array<Triangle, 4> room;
-        const OverlapPage first = collect_overlaps(cube.blob, top, room);
+        std::array<TriangleId, 4> room;
+        const Filled first = collect_overlaps(cube.blob, top, room);
         REQUIRE(first.status == QueryStatus::output_full);
         CHECK(first.count == 4);
-        const OverlapPage asked = collect_overlaps(cube.blob, top, std::span<Triangle>(), first.next);
+        const Filled asked = collect_overlaps(cube.blob, top, std::span<TriangleId>(), first.next);
         CHECK(asked.status == QueryStatus::output_full);
         CHECK(asked.next == first.next);
-        CHECK(collect_overlaps(cube.blob, top, room, 12).status == QueryStatus::ok);
-        CHECK(collect_overlaps(cube.blob, top, room, 0xFFFFFFFFu).count == 0);
+        CHECK(collect_overlaps(cube.blob, top, room, {{12}}).status == QueryStatus::ok);
+        const Cursor beyond = {{0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu}};
+        CHECK(collect_overlaps(cube.blob, top, room, beyond).count == 0);
     }
 
-    TEST_CASE("overlap: blobs with copies answer yes or no and refuse lists") {
-        BakeOptions options;
-        options.profile = format::Profile::fast;
-        options.builder = Builder::spatial_splits;
-        options.duplicates = 1.0;
-        const OpenedBlob split(make_soup(400, 3), options);
-        REQUIRE(split.blob.copy_count() > 0);
-        const DecodedBlob decoded = decode(split.bytes);
-        const TriangleLoop loop(decoded);
-        ShapeMaker maker(decoded, 90);
-        std::array<int, 2> answers = {};
-        const auto check = [&](const auto& shape, auto& rounded) {
-            if (round_volume(split.blob.data(), shape, rounded) != QueryStatus::ok) return;
-            const bool expected = !rounded.is_empty && !loop.every_overlap(rounded).empty();
-            REQUIRE(overlaps(split.blob, shape) == expected);
-            ++answers[expected ? 1 : 0];
-        };
-        for (std::uint64_t i = 0; i < scaled(200); ++i) {
-            detail::LatticeBox box;
-            check(maker.box(maker.random().coin()), box);
-            detail::LatticeOrientedBox oriented;
-            check(maker.oriented_box(maker.random().coin()), oriented);
-            detail::LatticeCorners corners;
-            check(maker.corners(maker.random().coin()), corners);
-            detail::LatticeHalfSpaces half_spaces;
-            check(maker.planes(maker.random().coin()), half_spaces);
-            detail::LatticeCapsule capsule;
-            check(maker.capsule(maker.random().coin()), capsule);
-        }
-        CHECK(answers[0] > 0);
-        CHECK(answers[1] > 0);
+    TEST_CASE("overlap: a blob that was never opened refuses and an opened one without triangles overlaps nothing") {
         const Box all = {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
-        std::array<Triangle, 4> room;
-        CHECK(overlaps(split.blob, all));
-        CHECK_FALSE(for_each_overlap(split.blob, all, [](Triangle) { return keep_going; }));
-        const OverlapPage page = collect_overlaps(split.blob, all, room, 3);
-        CHECK(page.status == QueryStatus::has_copies);
-        CHECK(page.next == 3);
+        TriangleId room[2];
+        const auto status_of_all = [&](const Blob& blob, const auto& shape) {
+            const QueryStatus status = overlaps(blob, shape).status();
+            const Filled page = collect_overlaps(blob, shape, room, {{7, 8, 9}});
+            CHECK(page.count == 0);
+            CHECK((page.next == Cursor{{7, 8, 9}}) == is_refused(page.status));
+            const QueryStatus visited = for_each_overlap(blob, shape, [](TriangleId) { FAIL("there is a triangle"); });
+            CHECK(visited == page.status);
+            CHECK((status == QueryStatus::not_found ? QueryStatus::ok : status) == page.status);
+            return status;
+        };
+        const Blob never;
+        CHECK(status_of_all(never, all) == QueryStatus::not_open);
+        CHECK(status_of_all(never, Sphere{{}, 1.0f}) == QueryStatus::not_open);
+        CHECK(status_of_all(never, Capsule{{}, {}, -1.0f}) == QueryStatus::not_open);
+        CHECK(status_of_all(never, ConvexVolume{}) == QueryStatus::not_open);
+        CHECK(status_of_all(never, LatticeBox{}) == QueryStatus::not_open);
+        CHECK(overlaps(never, all, Accuracy{1.0f}).status() == QueryStatus::not_open);
+        const OpenedBlob empty(Mesh{});
+        CHECK(status_of_all(empty.blob, all) == QueryStatus::not_found);
+        CHECK(status_of_all(empty.blob, Sphere{{}, 1.0f}) == QueryStatus::not_found);
+        CHECK(status_of_all(empty.blob, Sphere{{}, -1.0f}) == QueryStatus::invalid_argument);
+        CHECK(status_of_all(empty.blob, ConvexVolume{}) == QueryStatus::not_found);
+        CHECK(status_of_all(empty.blob, LatticeBox{{-9, -9, -9}, {9, 9, 9}}) == QueryStatus::not_found);
+        CHECK(overlaps(empty.blob, all, Accuracy{1.0f}).no());
+    }
+
+    TEST_CASE("overlap: a visitor of corners receives those of the triangle and another one costs no corners") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        const Box top = {{-9.0f, -9.0f, 0.5f}, {9.0f, 9.0f, 9.0f}};
+        std::vector<std::uint32_t> with, without;
+        CHECK(for_each_overlap(cube.blob, top, [&](TriangleId triangle, const Triangle& corners) {
+                  with.push_back(triangle.index);
+                  CHECK(corners.b == triangle_at(cube.blob, triangle)->b);
+              }) == QueryStatus::ok);
+        CHECK(for_each_overlap(cube.blob, top, [&](TriangleId triangle) {
+                  without.push_back(triangle.index);
+                  return without.size() == 3 ? Visit::stop : Visit::next;
+              }) == QueryStatus::stopped);
+        CHECK(without.size() == 3);
+        CHECK(with.size() > 3);
+        static_assert(!std::is_constructible_v<TriangleVisitor, bool (*)(TriangleId)>);
+        static_assert(!std::is_constructible_v<TriangleVisitor, bool (*)(TriangleId, const Triangle&)>);
+        static_assert(!std::is_constructible_v<Visitor<TriangleId>, bool (*)(TriangleId)>);
+        static_assert(std::is_constructible_v<TriangleVisitor, void (*)(TriangleId)>);
     }
 
     TEST_CASE("kernel: eight bytes at once compare as one at a time") {
@@ -212,7 +236,7 @@ TEST_SUITE("volume edges") {
     TEST_CASE("kernel: children within bounds and behind a plane and below a size equal a plain loop") {
         Random random(12);
         for (const TestBlob& blob : small_test_blobs()) {
-            const detail::BlobData& data = blob.opened.blob.data();
+            const detail::BlobData& data = detail::data_of(blob.opened.blob);
             for (std::uint64_t i = 0; i < scaled_share(600); ++i) {
                 with_node_kind(data.profile, [&]<class Node>() {
                     const Node node = detail::node_at<Node>(data, random.below(data.node_count));

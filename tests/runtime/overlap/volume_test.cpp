@@ -5,12 +5,12 @@
 #include <limits>
 
 #include <espalier/overlap.hpp>
-#include <runtime/lattice_box.hpp>
-#include <runtime/lattice_capsule.hpp>
-#include <runtime/lattice_corners.hpp>
-#include <runtime/lattice_half_spaces.hpp>
-#include <runtime/lattice_oriented_box.hpp>
-#include <runtime/segment_triangle.hpp>
+#include <runtime/kernels/segment_triangle.hpp>
+#include <runtime/overlap/box.hpp>
+#include <runtime/overlap/capsule.hpp>
+#include <runtime/overlap/triangle.hpp>
+#include <runtime/overlap/convex_volume.hpp>
+#include <runtime/overlap/oriented_box.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/blobs/test_blobs.hpp"
@@ -27,16 +27,16 @@ using detail::round_volume;
 
 namespace {
 
-std::vector<std::uint32_t> indices_of(std::span<const Triangle> triangles) {
+std::vector<std::uint32_t> indices_of(std::span<const TriangleId> triangles) {
     std::vector<std::uint32_t> indices;
-    for (const Triangle triangle : triangles) indices.push_back(triangle.index);
+    for (const TriangleId triangle : triangles) indices.push_back(triangle.index);
     return indices;
 }
 
 template <class Shape>
 std::vector<std::uint32_t> every_overlap(const Blob& blob, const Shape& shape) {
     std::vector<std::uint32_t> found;
-    CHECK(for_each_overlap(blob, shape, [&](Triangle t) { return found.push_back(t.index), keep_going; }));
+    CHECK(for_each_overlap(blob, shape, [&](TriangleId t) { found.push_back(t.index); }) == QueryStatus::ok);
     return found;
 }
 
@@ -44,21 +44,21 @@ std::vector<std::uint32_t> every_overlap(const Blob& blob, const Shape& shape) {
 template <class Shape>
 std::vector<std::uint32_t> all_pages(const Blob& blob, const Shape& shape, std::size_t overlaps, Random& random) {
     std::vector<std::uint32_t> found;
-    std::vector<Triangle> room(1 + random.below(40 + static_cast<std::uint32_t>(overlaps / 8)));
-    for (std::uint32_t first = 0;;) {
-        const std::span<Triangle> part =
+    std::vector<TriangleId> room(1 + random.below(40 + static_cast<std::uint32_t>(overlaps / 8)));
+    for (Cursor from;;) {
+        const std::span<TriangleId> part =
             std::span(room).first(1 + random.below(static_cast<std::uint32_t>(room.size())));
-        const OverlapPage page = collect_overlaps(blob, shape, part, first);
+        const Filled page = collect_overlaps(blob, shape, part, from);
         REQUIRE(page.count <= part.size());
-        for (const std::uint32_t index : indices_of(part.first(page.count))) found.push_back(index);
+        for (const std::uint32_t index : indices_of(page.in(part))) found.push_back(index);
         if (page.status == QueryStatus::ok) {
-            CHECK(page.next == blob.triangle_count());
+            CHECK(collect_overlaps(blob, shape, part, page.next).count == 0);
             return found;
         }
         REQUIRE(page.status == QueryStatus::output_full);
         REQUIRE(page.count == part.size());
-        REQUIRE(page.next > first);
-        first = page.next;
+        REQUIRE(page.next != from);
+        from = page.next;
     }
 }
 
@@ -72,7 +72,7 @@ struct Tally {
 template <class Shape>
 void check_answers(const Blob& blob, const Shape& shape, const std::vector<std::uint32_t>& expected, Random& random,
                    Tally& tally) {
-    REQUIRE(overlaps(blob, shape) == !expected.empty());
+    REQUIRE(overlaps(blob, shape).yes() == !expected.empty());
     REQUIRE(every_overlap(blob, shape) == expected);
     REQUIRE(all_pages(blob, shape, expected.size(), random) == expected);
     tally.overlapping += expected.empty() ? 0u : 1u;
@@ -82,12 +82,13 @@ template <class Rounded, class Shape>
 void check_against_loop(const Blob& blob, const TriangleLoop& loop, const Shape& shape, Random& random, Tally& tally) {
     CAPTURE(describe(shape));
     Rounded rounded;
-    const QueryStatus status = round_volume(blob.data(), shape, rounded);
+    const QueryStatus status = round_volume(detail::data_of(blob), shape, rounded);
     if (status != QueryStatus::ok) {
         ++tally.out_of_range;
-        Triangle room[1];
+        TriangleId room[1];
         REQUIRE(collect_overlaps(blob, shape, room).status == status);
-        REQUIRE_FALSE(overlaps(blob, shape));
+        REQUIRE(overlaps(blob, shape).status() == status);
+        REQUIRE(for_each_overlap(blob, shape, [](TriangleId) { FAIL("a refused shape overlaps"); }) == status);
         return;
     }
     check_answers(blob, shape, rounded.is_empty ? std::vector<std::uint32_t>() : loop.every_overlap(rounded), random,
@@ -96,19 +97,19 @@ void check_against_loop(const Blob& blob, const TriangleLoop& loop, const Shape&
 
 void check_sphere(const Blob& blob, const TriangleLoop& loop, const Sphere& sphere, Random& random, Tally& tally) {
     CAPTURE(describe(sphere));
-    detail::LatticePoint rounded;
-    if (detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) {
+    detail::RoundedPoint rounded;
+    if (detail::round_point(detail::data_of(blob), sphere.center, sphere.radius, rounded) == QueryStatus::ok) {
         check_answers(blob, sphere, loop.every_overlap(rounded), random, tally);
         return;
     }
     // Too far away for its radius, or one that a hair's breadth made negative.
     ++tally.out_of_range;
     const bool is_valid = sphere.radius >= 0.0f;
-    Triangle room[1];
-    const OverlapPage page = collect_overlaps(blob, sphere, room);
+    TriangleId room[1];
+    const Filled page = collect_overlaps(blob, sphere, room);
     REQUIRE(page.status == (is_valid ? QueryStatus::ok : QueryStatus::invalid_argument));
     REQUIRE(page.count == 0);
-    REQUIRE_FALSE(overlaps(blob, sphere));
+    REQUIRE(overlaps(blob, sphere).status() == (is_valid ? QueryStatus::not_found : QueryStatus::invalid_argument));
 }
 
 struct Makers {
@@ -130,27 +131,27 @@ constexpr ShapeKind shape_kinds[] = {
     {"capsules",
      [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
          ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::LatticeCapsule>(blob, loop, maker.capsule(awkward), maker.random(), tally);
+         check_against_loop<detail::RoundedCapsule>(blob, loop, maker.capsule(awkward), maker.random(), tally);
      }},
     {"boxes",
      [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
          ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::LatticeBox>(blob, loop, maker.box(awkward), maker.random(), tally);
+         check_against_loop<detail::RoundedBox>(blob, loop, maker.box(awkward), maker.random(), tally);
      }},
     {"oriented boxes",
      [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
          ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::LatticeOrientedBox>(blob, loop, maker.oriented_box(awkward), maker.random(), tally);
+         check_against_loop<detail::RoundedOrientedBox>(blob, loop, maker.oriented_box(awkward), maker.random(), tally);
      }},
     {"triangles",
      [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
          ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::LatticeCorners>(blob, loop, maker.corners(awkward), maker.random(), tally);
+         check_against_loop<detail::RoundedTriangle>(blob, loop, maker.corners(awkward), maker.random(), tally);
      }},
     {"sets of planes",
      [](const Blob& blob, const TriangleLoop& loop, Makers& makers, bool awkward, Tally& tally) {
          ShapeMaker& maker = makers.shapes;
-         check_against_loop<detail::LatticeHalfSpaces>(blob, loop, maker.planes(awkward), maker.random(), tally);
+         check_against_loop<detail::RoundedConvexVolume>(blob, loop, maker.planes(awkward), maker.random(), tally);
      }},
 };
 
@@ -185,7 +186,7 @@ void check_shapes(const char* name) {
 }
 
 /// Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
-void check_real_mesh(const Mesh& mesh, format::Profile profile) {
+void check_real_mesh(const Mesh& mesh, Profile profile) {
     const OpenedBlob opened(mesh, with_profile(profile));
     const DecodedBlob decoded = decode(opened.bytes);
     const TriangleLoop loop(decoded);
@@ -217,8 +218,8 @@ TEST_SUITE("volume") {
             for (std::uint64_t i = 0; i < scaled_share(150); ++i) {
                 const Capsule capsule = maker.capsule(maker.random().coin());
                 CAPTURE(describe(capsule));
-                detail::LatticeCapsule rounded;
-                if (round_volume(blob.opened.blob.data(), capsule, rounded) != QueryStatus::ok) continue;
+                detail::RoundedCapsule rounded;
+                if (round_volume(detail::data_of(blob.opened.blob), capsule, rounded) != QueryStatus::ok) continue;
                 const auto& all = blob.decoded.triangles;
                 for (int k = 0; k < 40; ++k) {
                     const detail::LatticeTriangle triangle =

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 
+#include <espalier/pair.hpp>
+
 #include "support/base/profiles.hpp"
 #include "support/blobs/baking.hpp"
 #include "support/machine/instruction_paths.hpp"
@@ -36,18 +38,19 @@ Outcome nearest_of(const InstructionPath& path, const detail::PairFrame& frame, 
 
 /// Calls for places of a mesh beside itself.
 template <class Call>
-void for_each_frame_apart(const Mesh& mesh, format::Profile profile, int count, Call call) {
+void for_each_frame_apart(const Mesh& mesh, Profile profile, int count, Call call) {
     const OpenedBlob blob(mesh, with_profile(profile));
     const DecodedBlob decoded = decode(blob.bytes);
     PlacementMaker maker(decoded, decoded, 11);
     while (count > 0) {
-        const Placement placement = maker.apart();
+        const Transform placement = maker.apart();
         CAPTURE(describe(placement));
-        bool answer = true;
-        REQUIRE(collides(blob.blob, blob.blob, placement, answer) == QueryStatus::ok);
-        if (answer) continue;
+        const YesNo answer = overlaps(blob.blob, {blob.blob, placement}, WorkLimit::unlimited());
+        if (answer.yes()) continue;
+        REQUIRE(answer.no());
         TestPairFrame frame;
-        REQUIRE(detail::place_pair(blob.blob.data(), blob.blob.data(), placement, frame) == QueryStatus::ok);
+        REQUIRE(detail::place_pair(detail::data_of(blob.blob), detail::data_of(blob.blob), placement, frame) ==
+                QueryStatus::ok);
         call(frame);
         --count;
     }
@@ -57,7 +60,7 @@ void for_each_frame_apart(const Mesh& mesh, format::Profile profile, int count, 
 
 TEST_SUITE("distance work") {
     TEST_CASE("work: a distance takes the same work on every instruction set") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             for_each_frame_apart(make_terrain(30, 5), profile, 8, [](const detail::PairFrame& frame) {
                 const Outcome whole = nearest_of(instruction_paths().front(), frame, no_limit);
                 REQUIRE(whole.status == QueryStatus::ok);
@@ -83,7 +86,7 @@ TEST_SUITE("distance work") {
 
     TEST_CASE("work: the first look of a distance query saves more than it costs") {
         std::uint64_t work = 0;
-        for_each_frame_apart(make_terrain(120, 5), format::Profile::fast, 20, [&](const detail::PairFrame& frame) {
+        for_each_frame_apart(make_terrain(120, 5), Profile::fast, 20, [&](const detail::PairFrame& frame) {
             work += nearest_of(instruction_paths().back(), frame, no_limit).work;
         });
         // 3,761 with what it takes, without it more than 5,500; of the placements that another compiler draws 4,095.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include <runtime/pair_frame.hpp>
+#include <runtime/pairs/frame.hpp>
 
 #include "support/base/test_scale.hpp"
 #include "support/blobs/test_blobs.hpp"
@@ -20,7 +20,7 @@ namespace {
 using Exact3 = std::array<Rational, 3>;
 
 /// The point of b in a's lattice steps, without any rounding.
-Exact3 placed_exactly(const DecodedBlob& a, const DecodedBlob& b, const Placement& placement, const GridPoint& v) {
+Exact3 placed_exactly(const DecodedBlob& a, const DecodedBlob& b, const Transform& placement, const GridPoint& v) {
     const Rational x = Rational::of(placement.rotation.x), y = Rational::of(placement.rotation.y),
                    z = Rational::of(placement.rotation.z), w = Rational::of(placement.rotation.w);
     const Rational s = Rational(2) / (x * x + y * y + z * z + w * w);
@@ -51,11 +51,11 @@ TEST_SUITE("frame") {
             const TestBlob& b = blobs[(i + 4) % blobs.size()];
             PlacementMaker maker(a.decoded, b.decoded, 40 + i);
             for (std::uint64_t n = 0; n < scaled(6); ++n) {
-                const Placement placement = n % 2 == 0 ? maker.random() : maker.adversarial();
+                const Transform placement = n % 2 == 0 ? maker.random() : maker.adversarial();
                 CAPTURE(describe(placement));
                 detail::PairFrame frame;
-                REQUIRE(detail::place_pair(a.opened.blob.data(), b.opened.blob.data(), placement, frame) ==
-                        QueryStatus::ok);
+                REQUIRE(detail::place_pair(detail::data_of(a.opened.blob), detail::data_of(b.opened.blob), placement,
+                                           frame) == QueryStatus::ok);
                 // 2^-30 of each of three coordinates, and where it is large, of b's origin.
                 Rational origin = 0;
                 for (const float x : b.decoded.origin) origin += oracle::absolute(Rational::of(x));

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include <espalier/collide.hpp>
+#include <espalier/pair.hpp>
 
 #include "support/blobs/test_blobs.hpp"
 #include "support/loops/placed_groups.hpp"
@@ -22,6 +22,7 @@ struct PlacementCounts {
     std::uint64_t asked = 0;
     std::uint64_t touching = 0;
     std::uint64_t pairs = 0;
+    std::uint64_t repeated = 0;   ///< pairs of references that stand for a pair again
     std::uint64_t refused = 0;    ///< out of range
     std::uint64_t too_far = 0;    ///< for a distance only
     std::uint64_t distances = 0;  ///< above 0
@@ -36,7 +37,7 @@ struct Questions {
     AskedPaths paths = AskedPaths::all;
 };
 
-void check_placement(const PairedBlob& a, const PairedBlob& b, const Placement& placement, const Questions& questions,
+void check_placement(const PairedBlob& a, const PairedBlob& b, const Transform& placement, const Questions& questions,
                      PlacementCounts& counts);
 
 /// What was asked of both kinds and not refused, and what came of it.

@@ -6,15 +6,16 @@
 #include <optional>
 #include <string>
 
-#include <espalier/nearest.hpp>
+#include <espalier/distance.hpp>
 #include <espalier/overlap.hpp>
-#include <runtime/closest_pair.hpp>
-#include <runtime/lattice_round.hpp>
+#include <runtime/lattice/rounder.hpp>
+#include <runtime/proximity/closest_pair.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/same_bits.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/blobs/test_blobs.hpp"
+#include "support/exact/as_rationals.hpp"
 #include "support/loops/triangle_loop.hpp"
 #include "support/meshes/makers.hpp"
 #include "support/meshes/real_meshes.hpp"
@@ -36,18 +37,21 @@ double length(Vec3 a) {
 /// What the walk finds and what the loop finds.
 template <class Shape>
 bool equals_loop(const TestBlob& blob, const TriangleLoop& loop, Shape& shape, float max_distance,
-                 const NearestPair& pair) {
+                 const ClosestPoint& pair) {
     prepare(shape);
-    shape.radius = detail::radius_in_steps(blob.opened.blob.data(), max_distance);
+    shape.radius = detail::radius_in_steps(detail::data_of(blob.opened.blob), max_distance);
     const std::optional<detail::FoundPair> expected = loop.closest_pair(shape);
     detail::FoundPair found;
-    if (detail::closest_pair(blob.opened.blob.data(), shape, found) != expected.has_value()) return false;
-    if (!expected) return pair.triangle == no_triangle;
+    detail::Closest<detail::FoundPair> closest(found);
+    detail::find_nearest(detail::data_of(blob.opened.blob), shape, closest);
+    if (closest.found() != expected.has_value()) return false;
+    if (!expected) return pair.status == QueryStatus::not_found && pair.triangle == no_triangle;
     return pair.triangle.index == expected->index && found.index == expected->index &&
            same_bits(found.distance.squared, expected->distance.squared) &&
            same_bits(found.distance.along, expected->distance.along) &&
            same_bits(found.distance.u, expected->distance.u) && same_bits(found.distance.v, expected->distance.v) &&
-           same_bits(pair.u, expected->distance.u) && same_bits(pair.v, expected->distance.v);
+           same_bits(pair.u, expected->distance.u) && same_bits(pair.v, expected->distance.v) &&
+           pair.feature == expected->distance.feature && found.distance.feature == expected->distance.feature;
 }
 
 struct Tally {
@@ -55,7 +59,7 @@ struct Tally {
     std::uint64_t touching = 0;
     std::uint64_t nothing = 0;
 
-    void count(const NearestPair& pair) {
+    void count(const ClosestPoint& pair) {
         if (pair.triangle == no_triangle) ++nothing;
         else if (pair.distance == 0.0f) ++touching;
         else ++found;
@@ -73,13 +77,13 @@ void check_one(const TestBlob& blob, const TriangleLoop& loop, ShapeMaker& maker
     if (maker.random().below(3) == 0) capsule.radius = infinity;
     CAPTURE(describe(capsule));
     const Segment segment = {capsule.from, capsule.to};
-    NearestPair pair;
     detail::DistantSegment distant;
-    const QueryStatus status = closest_to_segment(blob.opened.blob, segment, capsule.radius, pair);
-    REQUIRE(status == detail::round_segment(blob.opened.blob.data(), segment, distant.segment));
+    const ClosestPoint pair = closest_point(blob.opened.blob, segment, capsule.radius);
+    const QueryStatus status = detail::round_segment(detail::data_of(blob.opened.blob), segment, distant.segment);
+    REQUIRE((is_refused(pair.status) ? pair.status : QueryStatus::ok) == status);
     if (status == QueryStatus::ok) {
         REQUIRE(equals_loop(blob, loop, distant, capsule.radius, pair));
-        REQUIRE(overlaps(blob.opened.blob, capsule) == (pair.triangle != no_triangle));
+        REQUIRE(overlaps(blob.opened.blob, capsule).yes() == (pair.triangle != no_triangle));
         tally.count(pair);
     }
 
@@ -89,18 +93,20 @@ void check_one(const TestBlob& blob, const TriangleLoop& loop, ShapeMaker& maker
     CAPTURE(describe(box));
     const float max_distance = maker.random().below(3) == 0 ? 0.0f : capsule.radius;
     detail::DistantBox distant_box;
-    const QueryStatus box_status = closest_to_box(blob.opened.blob, box, max_distance, pair);
-    REQUIRE(box_status == detail::round_segment(blob.opened.blob.data(), {box.min, box.max}, distant_box.diagonal));
+    const ClosestPoint to_box = closest_point(blob.opened.blob, box, max_distance);
+    const QueryStatus box_status =
+        detail::round_segment(detail::data_of(blob.opened.blob), {box.min, box.max}, distant_box.diagonal);
+    REQUIRE((is_refused(to_box.status) ? to_box.status : QueryStatus::ok) == box_status);
     if (box_status != QueryStatus::ok) return;
     const auto is_above = [](float a, float b) { return detail::flush_subnormal(a) > detail::flush_subnormal(b); };
     if (is_above(box.min.x, box.max.x) || is_above(box.min.y, box.max.y) || is_above(box.min.z, box.max.z)) {
-        REQUIRE(pair.triangle == no_triangle);
+        REQUIRE(to_box.status == QueryStatus::not_found);
         return;
     }
-    REQUIRE(equals_loop(blob, loop, distant_box, max_distance, pair));
+    REQUIRE(equals_loop(blob, loop, distant_box, max_distance, to_box));
     if (max_distance == 0.0f && distant_box.diagonal.fraction_bits == 6)
-        REQUIRE(overlaps(blob.opened.blob, box) == (pair.triangle != no_triangle));
-    tally.count(pair);
+        REQUIRE(overlaps(blob.opened.blob, box).yes() == (to_box.triangle != no_triangle));
+    tally.count(to_box);
 }
 
 void tell_calls(const std::string& mesh, std::uint64_t random, std::uint64_t awkward) {
@@ -132,7 +138,7 @@ TEST_SUITE("closest pair") {
     }
 
     TEST_CASE("closest point: segments and boxes equal the loop on real meshes") {
-        for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
+        for_each_real_mesh([](const Mesh& mesh, Profile profile) {
             OpenedBlob opened(mesh, with_profile(profile));
             DecodedBlob decoded = decode(opened.bytes);
             const TestBlob blob = {mesh.name, std::move(opened), std::move(decoded)};
@@ -151,54 +157,70 @@ TEST_SUITE("closest pair") {
 TEST_SUITE("closest pair") {
     TEST_CASE("closest point: a cube and a segment match hand-computed values") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        NearestPair pair;
         // Above a face, across a side, past a corner, through the cube, and one end inside.
-        REQUIRE(closest_to_segment(cube.blob, {{0.25f, 0.5f, 3.0f}, {0.25f, 0.5f, 9.0f}}, infinity, pair) ==
-                QueryStatus::ok);
+        ClosestPoint pair = closest_point(cube.blob, Segment{{0.25f, 0.5f, 3.0f}, {0.25f, 0.5f, 9.0f}});
+        REQUIRE(pair);
         CHECK(pair.on_shape == Vec3{0.25f, 0.5f, 3.0f});
-        CHECK(pair.on_surface == Vec3{0.25f, 0.5f, 1.0f});
+        CHECK(pair.point == Vec3{0.25f, 0.5f, 1.0f});
         CHECK(pair.distance == 2.0f);
-        REQUIRE(closest_to_segment(cube.blob, {{4.0f, 0.0f, 5.0f}, {4.0f, 10.0f, 5.0f}}, infinity, pair) ==
-                QueryStatus::ok);
+        CHECK(pair.face_normal == Vec3{0.0f, 0.0f, 1.0f});
+        CHECK(pair.feature == Feature::face);
+        CHECK(pair.side == Side::front);
+        pair = closest_point(cube.blob, Segment{{4.0f, 0.0f, 5.0f}, {4.0f, 10.0f, 5.0f}});
+        REQUIRE(pair);
         CHECK(pair.distance == 5.0f);
-        CHECK(pair.on_surface.x == 1.0f);
-        CHECK(pair.on_surface.z == 1.0f);
-        CHECK(pair.on_shape.y == pair.on_surface.y);
-        REQUIRE(closest_to_segment(cube.blob, {{4.0f, 4.0f, 1.0f}, {4.0f, 4.0f, 30.0f}}, infinity, pair) ==
-                QueryStatus::ok);
-        CHECK(pair.on_surface == Vec3{1.0f, 1.0f, 1.0f});
+        CHECK(pair.point.x == 1.0f);
+        CHECK(pair.point.z == 1.0f);
+        CHECK(pair.on_shape.y == pair.point.y);
+        CHECK(pair.feature != Feature::face);
+        pair = closest_point(cube.blob, Segment{{4.0f, 4.0f, 1.0f}, {4.0f, 4.0f, 30.0f}});
+        REQUIRE(pair);
+        CHECK(pair.point == Vec3{1.0f, 1.0f, 1.0f});
         CHECK(pair.on_shape == Vec3{4.0f, 4.0f, 1.0f});
-        REQUIRE(closest_to_segment(cube.blob, {{0.25f, 0.5f, -3.0f}, {0.25f, 0.5f, 3.0f}}, infinity, pair) ==
-                QueryStatus::ok);
+        CHECK(pair.feature >= Feature::vertex_a);
+        pair = closest_point(cube.blob, Segment{{0.25f, 0.5f, -3.0f}, {0.25f, 0.5f, 3.0f}});
+        REQUIRE(pair);
         CHECK(pair.distance == 0.0f);
-        CHECK(pair.on_shape == pair.on_surface);
-        REQUIRE(closest_to_segment(cube.blob, {{0.0f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.0f}}, infinity, pair) ==
-                QueryStatus::ok);
+        CHECK(pair.on_shape == pair.point);
+        CHECK(pair.feature == Feature::face);
+        CHECK(pair.side == Side::front);  // a part of it is
+        pair = closest_point(cube.blob, Segment{{0.25f, 0.25f, -3.0f}, {0.25f, 0.25f, 3.0f}});
+        REQUIRE(pair);
+        CHECK(pair.distance == 0.0f);
+        CHECK(pair.feature != Feature::face);  // through a diagonal
+        pair = closest_point(cube.blob, Segment{{0.0f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.0f}});
+        REQUIRE(pair);
         CHECK(pair.distance == 0.5f);
-        REQUIRE(closest_to_segment(cube.blob, {{4.0f, 5.0f, 13.0f}, {4.0f, 5.0f, 13.0f}}, infinity, pair) ==
-                QueryStatus::ok);
+        CHECK(pair.side == Side::back);
+        pair = closest_point(cube.blob, Segment{{4.0f, 5.0f, 13.0f}, {4.0f, 5.0f, 13.0f}});
+        REQUIRE(pair);
         CHECK(pair.distance == 13.0f);
     }
 
     TEST_CASE("closest point: a cube and a box match hand-computed values") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        NearestPair pair;
-        REQUIRE(closest_to_box(cube.blob, {{4.0f, 5.0f, 13.0f}, {5.0f, 6.0f, 14.0f}}, infinity, pair) ==
-                QueryStatus::ok);
+        ClosestPoint pair = closest_point(cube.blob, Box{{4.0f, 5.0f, 13.0f}, {5.0f, 6.0f, 14.0f}});
+        REQUIRE(pair);
         CHECK(pair.on_shape == Vec3{4.0f, 5.0f, 13.0f});
-        CHECK(pair.on_surface == Vec3{1.0f, 1.0f, 1.0f});
+        CHECK(pair.point == Vec3{1.0f, 1.0f, 1.0f});
         CHECK(pair.distance == 13.0f);
-        // Around all of the cube, touching it, and within it: a box is all that is in it, a surface is not.
-        REQUIRE(closest_to_box(cube.blob, {{-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}}, 0.0f, pair) == QueryStatus::ok);
+        CHECK(pair.feature >= Feature::vertex_a);
+        // Around all of the cube, touching it, and within it: a box is solid, a surface is not.
+        pair = closest_point(cube.blob, Box{{-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}}, 0.0f);
+        REQUIRE(pair);
         CHECK(pair.distance == 0.0f);
         CHECK(pair.triangle.index == 0);
-        REQUIRE(closest_to_box(cube.blob, {{1.0f, 0.0f, 0.0f}, {2.0f, 0.5f, 0.5f}}, 0.0f, pair) == QueryStatus::ok);
+        CHECK(pair.side == Side::front);
+        pair = closest_point(cube.blob, Box{{1.0f, 0.0f, 0.0f}, {2.0f, 0.5f, 0.5f}}, 0.0f);
+        REQUIRE(pair);
         CHECK(pair.distance == 0.0f);
-        CHECK(pair.on_shape == pair.on_surface);
-        REQUIRE(closest_to_box(cube.blob, {{-0.25f, -0.5f, -0.5f}, {0.75f, 0.5f, 0.5f}}, infinity, pair) ==
-                QueryStatus::ok);
+        CHECK(pair.on_shape == pair.point);
+        pair = closest_point(cube.blob, Box{{-0.25f, -0.5f, -0.5f}, {0.75f, 0.5f, 0.5f}});
+        REQUIRE(pair);
         CHECK(pair.distance == 0.25f);
-        CHECK(pair.on_surface.x == 1.0f);
+        CHECK(pair.point.x == 1.0f);
+        CHECK(pair.face_normal == Vec3{1.0f, 0.0f, 0.0f});
+        CHECK(pair.side == Side::back);
     }
 
     TEST_CASE("closest point: the two points are as far apart as the distance within some ulp") {
@@ -209,56 +231,110 @@ TEST_SUITE("closest pair") {
             for (std::uint64_t i = 0; i < scaled_share(100); ++i) {
                 const Capsule capsule = maker.capsule(i % 2 == 0);
                 const Box box = maker.box(i % 2 == 0);
-                const auto check_pair = [&](const NearestPair& pair, Vec3 from, Vec3 to) {
+                const auto check_pair = [&](const ClosestPoint& pair, Vec3 from, Vec3 to) {
                     double largest = 0.0;
-                    for (const Vec3& v : {from, to, opened.bounds_min(), opened.bounds_max()})
+                    for (const Vec3& v : {from, to, opened.bounds().min, opened.bounds().max})
                         largest = std::max({largest, std::fabs(static_cast<double>(v.x)),
                                             std::fabs(static_cast<double>(v.y)), std::fabs(static_cast<double>(v.z))});
                     // The shape is rounded to the lattice's grid too.
-                    const double slack = largest * 28.0 * 0x1p-23 + static_cast<double>(opened.step()) * 0x1p-5;
-                    REQUIRE(std::fabs(length(difference(pair.on_shape, pair.on_surface)) -
+                    const double slack = largest * 28.0 * 0x1p-23 + std::ldexp(1.0, opened.lattice().step_exponent - 5);
+                    REQUIRE(std::fabs(length(difference(pair.on_shape, pair.point)) -
                                       static_cast<double>(pair.distance)) <= slack);
                     const double low = std::min(static_cast<double>(from.x), static_cast<double>(to.x)) - slack;
                     const double high = std::max(static_cast<double>(from.x), static_cast<double>(to.x)) + slack;
                     REQUIRE(static_cast<double>(pair.on_shape.x) >= low);
                     REQUIRE(static_cast<double>(pair.on_shape.x) <= high);
                 };
-                NearestPair pair;
                 CAPTURE(describe(capsule));
-                if (closest_to_segment(opened, {capsule.from, capsule.to}, infinity, pair) == QueryStatus::ok)
+                if (const ClosestPoint pair = closest_point(opened, Segment{capsule.from, capsule.to}))
                     check_pair(pair, capsule.from, capsule.to);
                 CAPTURE(describe(box));
-                if (closest_to_box(opened, box, infinity, pair) == QueryStatus::ok && pair.triangle != no_triangle)
-                    check_pair(pair, box.min, box.max);
+                if (const ClosestPoint pair = closest_point(opened, box)) check_pair(pair, box.min, box.max);
             }
         }
     }
 
-    TEST_CASE("closest point: shapes out of range are refused and leave the result untouched") {
+    TEST_CASE("closest point: feature and side of segments and boxes are exact") {
+        std::uint64_t behind = 0, asked = 0, features[7] = {};
+        for (const TestBlob& blob : small_test_blobs()) {
+            CAPTURE(blob.name);
+            ShapeMaker maker(blob.decoded, 1620);
+            const Blob& opened = blob.opened.blob;
+            for (std::uint64_t i = 0; i < scaled_share(60); ++i) {
+                const Capsule capsule = maker.capsule(i % 2 == 0);
+                const Box box = maker.box(i % 2 == 0);
+                const Segment segment = {capsule.from, capsule.to};
+                const auto check_one_shape = [&](const ClosestPoint& pair, const Segment& rounded_from, bool is_box) {
+                    if (!pair) return;
+                    detail::RoundedSegment rounded;
+                    REQUIRE(detail::round_segment(detail::data_of(opened), rounded_from, rounded) == QueryStatus::ok);
+                    const oracle::Triangle t = exact_triangle(blob.decoded.triangles.at(pair.triangle.index));
+                    const oracle::Point normal = oracle::normal_of(t);
+                    bool all_behind = true;
+                    for (unsigned corner = 0; corner < 8; ++corner) {
+                        oracle::Point at;
+                        for (unsigned k = 0; k < 3; ++k) {
+                            const bool is_to = is_box ? (corner >> k & 1u) != 0 : (corner & 1u) != 0;
+                            at[k] =
+                                oracle::Rational::of(is_to ? rounded.to[k] : rounded.from[k], -rounded.fraction_bits);
+                        }
+                        const oracle::Point from_plane = at - t.a;
+                        all_behind = all_behind && normal.dot(from_plane).sign() < 0;
+                    }
+                    REQUIRE(pair.side == (all_behind ? Side::back : Side::front));
+                    behind += all_behind ? 1u : 0u;
+                    ++asked;
+                    ++features[static_cast<unsigned>(pair.feature)];
+                    // Weights are rounded: those of a corner or side are zero, those of the rest may be.
+                    const float w = 1.0f - pair.u - pair.v;
+                    const float weights[3] = {std::fabs(w) < 0x1p-20f ? 0.0f : w, pair.u, pair.v};
+                    const Feature edges[3] = {Feature::edge_bc, Feature::edge_ca, Feature::edge_ab};
+                    const Feature corners[3] = {Feature::vertex_a, Feature::vertex_b, Feature::vertex_c};
+                    for (unsigned k = 0; k < 3; ++k) {
+                        if (pair.feature == edges[k]) REQUIRE(weights[k] == 0.0f);
+                        if (pair.feature != corners[k]) continue;
+                        REQUIRE(weights[(k + 1) % 3] == 0.0f);
+                        REQUIRE(weights[(k + 2) % 3] == 0.0f);
+                    }
+                };
+                CAPTURE(describe(capsule));
+                check_one_shape(closest_point(opened, segment), segment, false);
+                CAPTURE(describe(box));
+                check_one_shape(closest_point(opened, box), {box.min, box.max}, true);
+            }
+        }
+        if (!asks_enough()) return;
+        CHECK(behind > asked / 20);
+        CHECK(behind < asked);
+        for (const std::uint64_t each : features) CHECK(each > 0);
+    }
+
+    TEST_CASE("closest point: shapes that are refused are no misses") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const float nan = std::numeric_limits<float>::quiet_NaN();
-        const NearestPair before{{1.0f, 2.0f, 3.0f}, {4.0f, 5.0f, 6.0f}, 7.0f, 0.5f, 0.25f, Triangle{7}};
-        NearestPair pair = before;
         const Vec3 near{2.0f, 0.0f, 0.0f};
         const Vec3 far{1e30f, 0.0f, 0.0f};
-        CHECK(closest_to_segment(cube.blob, {near, {nan, 0.0f, 0.0f}}, 1.0f, pair) == QueryStatus::invalid_argument);
-        CHECK(closest_to_segment(cube.blob, {near, {0.0f, infinity, 0.0f}}, 1.0f, pair) ==
-              QueryStatus::invalid_argument);
-        CHECK(closest_to_segment(cube.blob, {near, near}, nan, pair) == QueryStatus::invalid_argument);
-        CHECK(closest_to_segment(cube.blob, {near, near}, -1.0f, pair) == QueryStatus::invalid_argument);
-        CHECK(closest_to_segment(cube.blob, {near, far}, infinity, pair) == QueryStatus::out_of_range);
-        CHECK(closest_to_box(cube.blob, {near, {nan, 0.0f, 0.0f}}, 1.0f, pair) == QueryStatus::invalid_argument);
-        CHECK(closest_to_box(cube.blob, {near, near}, -infinity, pair) == QueryStatus::invalid_argument);
-        CHECK(closest_to_box(cube.blob, {near, far}, infinity, pair) == QueryStatus::out_of_range);
-        CHECK(same_bits(pair, before));
-        CHECK(closest_to_segment(cube.blob, {near, near}, 0.5f, pair) == QueryStatus::ok);
-        CHECK(pair.triangle == no_triangle);
-        CHECK(pair.distance == 0.5f);
-        CHECK(closest_to_box(cube.blob, {{1.0f, 1.0f, 1.0f}, {0.0f, 1.0f, 1.0f}}, infinity, pair) == QueryStatus::ok);
-        CHECK(pair.triangle == no_triangle);
-        CHECK(closest_to_box(Blob(), {near, near}, infinity, pair) == QueryStatus::ok);
-        CHECK(pair.triangle == no_triangle);
-        CHECK(closest_to_segment(Blob(), {near, near}, infinity, pair) == QueryStatus::ok);
-        CHECK(pair.triangle == no_triangle);
+        const auto check_status = [](const ClosestPoint& pair, QueryStatus status) {
+            CHECK_FALSE(pair);
+            ClosestPoint expected;
+            expected.status = status;
+            CHECK(same_bits(pair, expected));
+        };
+        check_status(closest_point(cube.blob, Segment{near, {nan, 0.0f, 0.0f}}, 1.0f), QueryStatus::invalid_argument);
+        check_status(closest_point(cube.blob, Segment{near, {0.0f, infinity, 0.0f}}), QueryStatus::invalid_argument);
+        check_status(closest_point(cube.blob, Segment{near, near}, nan), QueryStatus::invalid_argument);
+        check_status(closest_point(cube.blob, Segment{near, near}, -1.0f), QueryStatus::invalid_argument);
+        check_status(closest_point(cube.blob, Segment{near, far}), QueryStatus::out_of_range);
+        check_status(closest_point(cube.blob, Box{near, {nan, 0.0f, 0.0f}}, 1.0f), QueryStatus::invalid_argument);
+        check_status(closest_point(cube.blob, Box{near, near}, -infinity), QueryStatus::invalid_argument);
+        check_status(closest_point(cube.blob, Box{near, far}), QueryStatus::out_of_range);
+        check_status(closest_point(Blob(), Segment{near, near}), QueryStatus::not_open);
+        check_status(closest_point(Blob(), Box{near, {nan, 0.0f, 0.0f}}), QueryStatus::not_open);
+        check_status(closest_point(cube.blob, Segment{near, near}, 0.5f), QueryStatus::not_found);
+        check_status(closest_point(cube.blob, Box{{1.0f, 1.0f, 1.0f}, {0.0f, 1.0f, 1.0f}}), QueryStatus::not_found);
+        const OpenedBlob empty(Mesh{});
+        check_status(closest_point(empty.blob, Segment{near, near}), QueryStatus::not_found);
+        check_status(closest_point(empty.blob, Box{near, near}), QueryStatus::not_found);
+        check_status(closest_point(empty.blob, Segment{near, near}, nan), QueryStatus::invalid_argument);
     }
 }

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include <espalier/inside.hpp>
-#include <runtime/nearest_world.hpp>
-#include <runtime/winding.hpp>
+#include <espalier/distance.hpp>
+#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/proximity/winding.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/checksum.hpp"
@@ -23,7 +23,7 @@
 using namespace espalier;
 using namespace espalier::tests;
 using detail::AxisDirection;
-using detail::LatticePoint;
+using detail::RoundedPoint;
 using detail::Winding;
 using detail::WindingRay;
 
@@ -41,7 +41,7 @@ TestBlob said_to_be_closed(OpenedBlob opened, const std::string& name) {
     opened.bytes.at(format::header::features_at) |= flag;
     repair_checksum(opened.bytes);
     OpenedBlob again(std::move(opened.bytes));
-    REQUIRE(again.blob.closed());
+    REQUIRE(again.blob.is_closed());
     DecodedBlob decoded = decode(again.bytes);
     return {name, std::move(again), std::move(decoded)};
 }
@@ -49,8 +49,9 @@ TestBlob said_to_be_closed(OpenedBlob opened, const std::string& name) {
 /// By the shortest way out, which `contains` takes, and by one of all.
 void check_winding(const TestBlob& blob, const TriangleLoop& loop, Vec3 point, bool is_closed, Random& random) {
     CAPTURE(describe(Sphere{point, 0.0f}));
-    bool inside = false;
-    REQUIRE(contains(blob.opened.blob, point, inside) == QueryStatus::ok);
+    const YesNo answer = contains(blob.opened.blob, point);
+    REQUIRE(!is_refused(answer.status()));
+    const bool inside = answer.yes();
     std::optional<WindingRay> ray = shortest_way_out(blob.opened.blob, point);
     if (!ray) {
         REQUIRE_FALSE(inside);
@@ -58,7 +59,7 @@ void check_winding(const TestBlob& blob, const TriangleLoop& loop, Vec3 point, b
     }
     const auto check_way = [&] {
         const Winding expected = loop.winding(*ray);
-        const Winding winding = detail::winding_number(blob.opened.blob.data(), *ray);
+        const Winding winding = detail::winding_number(detail::data_of(blob.opened.blob), *ray);
         REQUIRE(winding.on_surface == expected.on_surface);
         if (!winding.on_surface) REQUIRE(winding.number == expected.number);
         return expected.is_inside();
@@ -73,28 +74,27 @@ void check_winding(const TestBlob& blob, const TriangleLoop& loop, Vec3 point, b
 bool check_signed_distance(const TestBlob& blob, const TriangleLoop& loop, Vec3 point, float max_distance) {
     CAPTURE(describe(Sphere{point, max_distance}));
     const Blob& opened = blob.opened.blob;
-    Nearest nearest;
-    LatticePoint rounded;
-    if (!detail::round_point(opened.data(), point, infinity, rounded)) {
-        REQUIRE(signed_distance(opened, point, max_distance, nearest) == QueryStatus::out_of_range);
+    const ClosestPoint nearest = signed_distance(opened, point, max_distance);
+    RoundedPoint rounded;
+    if (detail::round_point(detail::data_of(opened), point, infinity, rounded) != QueryStatus::ok) {
+        REQUIRE(nearest.status == QueryStatus::out_of_range);
         return false;
     }
     const std::optional<WindingRay> ray = shortest_way_out(opened, point);
     const Winding winding = ray ? loop.winding(*ray) : Winding{};
     std::vector<detail::FoundNearest> found;
-    if (detail::round_point(opened.data(), point, max_distance, rounded)) found = loop.by_distance(rounded, 1);
-    Nearest expected;
+    if (detail::round_point(detail::data_of(opened), point, max_distance, rounded) == QueryStatus::ok)
+        found = loop.by_distance(rounded, 1);
+    ClosestPoint expected;
     if (found.empty()) {
-        expected.triangle = no_triangle;
+        expected.status = QueryStatus::not_found;
         expected.distance = max_distance;
     } else {
         // The runtime's own translation: what is found, not the translation, is compared here.
-        expected = detail::to_nearest(opened.data(), found[0]);
-        expected.distance =
-            detail::to_world_distance(opened.data(), found[0].distance.squared, rounded.distance_offset, max_distance);
+        expected = detail::unfinished(found[0]);
+        detail::finish(detail::data_of(opened), rounded, point, max_distance, expected);
     }
     if (winding.is_inside() && !winding.on_surface) expected.distance = -expected.distance;
-    REQUIRE(signed_distance(opened, point, max_distance, nearest) == QueryStatus::ok);
     REQUIRE(same_bits(nearest, expected));
     return winding.is_inside();
 }
@@ -102,7 +102,7 @@ bool check_signed_distance(const TestBlob& blob, const TriangleLoop& loop, Vec3 
 /// As far as any, some way off, or nowhere.
 float some_limit(const TestBlob& blob, Random& random) {
     if (random.coin()) return infinity;
-    const Vec3 low = blob.opened.blob.bounds_min(), high = blob.opened.blob.bounds_max();
+    const Vec3 low = blob.opened.blob.bounds().min, high = blob.opened.blob.bounds().max;
     return random.below(8) == 0 ? 0.0f : (high.x - low.x + high.y - low.y) * 0.05f * random.unit();
 }
 
@@ -147,7 +147,7 @@ TEST_SUITE("inside loop") {
     TEST_CASE("inside: crossings of open surfaces equal the loop") {
         Tally tally;
         for (const TestBlob& blob : small_test_blobs()) {
-            if (blob.opened.blob.closed()) continue;
+            if (blob.opened.blob.is_closed()) continue;
             const TestBlob forged = said_to_be_closed(OpenedBlob(blob.opened.bytes), blob.name);
             check_points(forged, 1120, scaled_share(300), 5, false, tally);
         }
@@ -156,9 +156,9 @@ TEST_SUITE("inside loop") {
 
     TEST_CASE("inside: winding numbers and signed distances equal the loop on real meshes") {
         for_each_real_mesh(
-            [](const Mesh& mesh, format::Profile profile) {
+            [](const Mesh& mesh, Profile profile) {
                 OpenedBlob opened(mesh, with_profile(profile));
-                const bool is_closed = opened.blob.closed();
+                const bool is_closed = opened.blob.is_closed();
                 const TestBlob blob = said_to_be_closed(std::move(opened), mesh.name);
                 Tally tally;
                 // Times a scale of 1,000 these are at least the counts that a release must show.

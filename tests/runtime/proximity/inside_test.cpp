@@ -9,15 +9,16 @@
 #include <utility>
 #include <vector>
 
-#include <espalier/inside.hpp>
-#include <runtime/nearest_world.hpp>
-#include <runtime/winding.hpp>
+#include <espalier/distance.hpp>
+#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/proximity/winding.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/profiles.hpp"
 #include "support/base/same_bits.hpp"
 #include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
+#include "support/loops/triangle_loop.hpp"
 #include "support/meshes/makers.hpp"
 #include "support/queries/ray_maker.hpp"
 #include "support/queries/winding_points.hpp"
@@ -25,7 +26,7 @@
 using namespace espalier;
 using namespace espalier::tests;
 using detail::AxisDirection;
-using detail::LatticePoint;
+using detail::RoundedPoint;
 using detail::Winding;
 using detail::WindingRay;
 using oracle::Rational;
@@ -78,18 +79,20 @@ TEST_SUITE("inside") {
             for (std::uint64_t i = 0; i < scaled_share(60); ++i) {
                 const Vec3 point = random.below(4) == 0 ? random_point(blob, random) : awkward_point(blob, random);
                 CAPTURE(describe(Sphere{point, 0.0f}));
-                LatticePoint rounded{};
-                REQUIRE(detail::round_point(blob.opened.blob.data(), point, infinity, rounded));
+                RoundedPoint rounded{};
+                REQUIRE(detail::round_point(detail::data_of(blob.opened.blob), point, infinity, rounded) ==
+                        QueryStatus::ok);
                 const std::optional<int> expected = exact_winding(blob, exact_center(rounded), random);
-                bool inside = false;
-                REQUIRE(contains(blob.opened.blob, point, inside) == QueryStatus::ok);
+                const YesNo answer = contains(blob.opened.blob, point);
+                REQUIRE(!is_refused(answer.status()));
+                const bool inside = answer.yes();
                 ++decided;
                 REQUIRE(inside == (!expected || *expected != 0));
                 std::optional<WindingRay> ray = shortest_way_out(blob.opened.blob, point);
                 if (!ray) continue;
                 for (const AxisDirection& direction : all_directions) {
                     ray->direction = direction;
-                    const Winding winding = detail::winding_number(blob.opened.blob.data(), *ray);
+                    const Winding winding = detail::winding_number(detail::data_of(blob.opened.blob), *ray);
                     REQUIRE(winding.on_surface == !expected);
                     if (expected) REQUIRE(winding.number == *expected);
                 }
@@ -107,9 +110,9 @@ TEST_SUITE("inside") {
     TEST_CASE("inside: a cube contains its interior and its surface") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const auto is_inside = [&](Vec3 point) {
-            bool inside = false;
-            REQUIRE(contains(cube.blob, point, inside) == QueryStatus::ok);
-            return inside;
+            const YesNo inside = contains(cube.blob, point);
+            REQUIRE(inside.yes() != inside.no());
+            return inside.yes();
         };
         CHECK(is_inside({0.0f, 0.0f, 0.0f}));
         CHECK(is_inside({0.25f, -0.5f, 0.75f}));
@@ -124,9 +127,9 @@ TEST_SUITE("inside") {
     TEST_CASE("inside: cavities are outside and nested and reversed shells are inside") {
         const auto is_inside = [](const Mesh& mesh, Vec3 point) {
             const OpenedBlob opened(mesh);
-            bool inside = false;
-            REQUIRE(contains(opened.blob, point, inside) == QueryStatus::ok);
-            return inside;
+            const YesNo inside = contains(opened.blob, point);
+            REQUIRE(inside.yes() != inside.no());
+            return inside.yes();
         };
         const Mesh outer = make_cube(-4.0f, 4.0f);
         const Mesh inner = make_cube(-2.0f, 2.0f);
@@ -149,16 +152,15 @@ TEST_SUITE("inside") {
                 sphere.radius = std::fabs(sphere.radius);  // nudged from 0 it may be below
                 const Vec3 point = maker.random().coin() ? random_point(blob, maker.random()) : sphere.center;
                 CAPTURE(describe(Sphere{point, sphere.radius}));
-                bool inside = false;
-                REQUIRE(contains(blob.opened.blob, point, inside) == QueryStatus::ok);
-                Nearest expected;
-                Nearest nearest;
-                REQUIRE(signed_distance(blob.opened.blob, point, sphere.radius, nearest) == QueryStatus::ok);
-                if (closest_point(blob.opened.blob, point, sphere.radius, expected)) {
+                const bool inside = contains(blob.opened.blob, point).yes();
+                const ClosestPoint expected = closest_point(blob.opened.blob, point, sphere.radius);
+                ClosestPoint nearest = signed_distance(blob.opened.blob, point, sphere.radius);
+                if (expected) {
                     REQUIRE((nearest.distance < 0.0f) == (inside && expected.distance != 0.0f));
                     nearest.distance = std::fabs(nearest.distance);
                     REQUIRE(same_bits(nearest, expected));
                 } else {
+                    REQUIRE(nearest.status == QueryStatus::not_found);
                     REQUIRE(nearest.triangle == no_triangle);
                     REQUIRE(std::fabs(nearest.distance) == sphere.radius);
                     REQUIRE(std::signbit(nearest.distance) == inside);
@@ -170,34 +172,40 @@ TEST_SUITE("inside") {
     TEST_CASE("inside: open surfaces and invalid points are refused") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const OpenedBlob plane(make_plane_grid(2));
-        bool inside = true;
-        const Nearest before{{1.0f, 2.0f, 3.0f}, 4.0f, 0.5f, 0.25f, Triangle{7}, Feature::vertex_b};
-        Nearest nearest = before;
         const Vec3 center{0.0f, 0.0f, 0.0f};
-        CHECK(contains(plane.blob, center, inside) == QueryStatus::not_closed);
-        CHECK(contains(Blob(), center, inside) == QueryStatus::not_closed);
-        CHECK(contains(cube.blob, {0.0f, not_a_number, 0.0f}, inside) == QueryStatus::invalid_argument);
-        CHECK(contains(cube.blob, {0.0f, 0.0f, -infinity}, inside) == QueryStatus::invalid_argument);
-        CHECK(signed_distance(plane.blob, center, infinity, nearest) == QueryStatus::not_closed);
-        CHECK(signed_distance(Blob(), center, infinity, nearest) == QueryStatus::not_closed);
-        CHECK(signed_distance(cube.blob, {not_a_number, 0.0f, 0.0f}, infinity, nearest) ==
-              QueryStatus::invalid_argument);
-        CHECK(signed_distance(cube.blob, center, not_a_number, nearest) == QueryStatus::invalid_argument);
-        CHECK(signed_distance(cube.blob, center, -1.0f, nearest) == QueryStatus::invalid_argument);
-        CHECK(signed_distance(cube.blob, {3e38f, 0.0f, 0.0f}, infinity, nearest) == QueryStatus::out_of_range);
-        CHECK(inside);
-        CHECK(same_bits(nearest, before));
-        CHECK(signed_distance(cube.blob, center, 0.5f, nearest) == QueryStatus::ok);
-        CHECK(nearest.triangle == no_triangle);
-        CHECK(nearest.distance == -0.5f);
-        CHECK(signed_distance(cube.blob, center, infinity, nearest) == QueryStatus::ok);
-        CHECK(nearest.distance == -1.0f);
+        const auto refused = [](YesNo inside, QueryStatus status) {
+            CHECK(inside.status() == status);
+            CHECK_FALSE(inside.yes());
+            CHECK_FALSE(inside.no());
+        };
+        refused(contains(plane.blob, center), QueryStatus::not_closed);
+        refused(contains(Blob(), center), QueryStatus::not_open);
+        refused(contains(cube.blob, {0.0f, not_a_number, 0.0f}), QueryStatus::invalid_argument);
+        refused(contains(cube.blob, {0.0f, 0.0f, -infinity}), QueryStatus::invalid_argument);
+        const auto refused_distance = [](const ClosestPoint& nearest, QueryStatus status) {
+            ClosestPoint expected;
+            expected.status = status;
+            CHECK(same_bits(nearest, expected));
+        };
+        refused_distance(signed_distance(plane.blob, center), QueryStatus::not_closed);
+        refused_distance(signed_distance(Blob(), center), QueryStatus::not_open);
+        refused_distance(signed_distance(cube.blob, {not_a_number, 0.0f, 0.0f}), QueryStatus::invalid_argument);
+        refused_distance(signed_distance(cube.blob, center, not_a_number), QueryStatus::invalid_argument);
+        refused_distance(signed_distance(cube.blob, center, -1.0f), QueryStatus::invalid_argument);
+        refused_distance(signed_distance(cube.blob, {3e38f, 0.0f, 0.0f}), QueryStatus::out_of_range);
+        const ClosestPoint miss = signed_distance(cube.blob, center, 0.5f);
+        CHECK_FALSE(miss);
+        CHECK(miss.status == QueryStatus::not_found);
+        CHECK(miss.triangle == no_triangle);
+        CHECK(miss.distance == -0.5f);
+        CHECK(signed_distance(cube.blob, center).status == QueryStatus::ok);
+        CHECK(signed_distance(cube.blob, center).distance == -1.0f);
     }
 
-    TEST_CASE("inside: a blob with copies is refused") {
-        BakeOptions options = with_profile(format::Profile::fast);
-        options.builder = Builder::spatial_splits;
-        options.duplicates = 1.0;
+    TEST_CASE("inside: a blob with duplicate references counts each triangle once") {
+        BakeOptions options = with_profile(Profile::fast);
+        options.build.builder = Builder::spatial_splits;
+        options.build.duplicate_budget = 1.0;
         Mesh mesh;
         Random random(1300);
         for (std::uint32_t i = 0; i < 200; ++i) {  // tetrahedra of all sizes, which the builder splits
@@ -211,12 +219,48 @@ TEST_SUITE("inside") {
             mesh.triangles.insert(mesh.triangles.end(),
                                   {{a, a + 1, a + 2}, {a, a + 2, a + 3}, {a, a + 3, a + 1}, {a + 3, a + 2, a + 1}});
         }
+        for (int i = 0; i < 80; ++i) {  // shells, so that a way out crosses many triangles
+            const float half = 0.5f + 0.005f * static_cast<float>(i);
+            mesh = joined(mesh, make_cube(-half, half));
+        }
         const OpenedBlob opened(mesh, options);
-        REQUIRE(opened.blob.closed());
-        REQUIRE(opened.blob.copy_count() > 0);
-        bool inside = false;
-        Nearest nearest;
-        CHECK(contains(opened.blob, {0.0f, 0.0f, 0.0f}, inside) == QueryStatus::has_copies);
-        CHECK(signed_distance(opened.blob, {0.0f, 0.0f, 0.0f}, 1.0f, nearest) == QueryStatus::has_copies);
+        REQUIRE(opened.blob.is_closed());
+        REQUIRE(opened.blob.duplicate_reference_count() > 0);
+        const DecodedBlob decoded = decode(opened.bytes);
+        const TriangleLoop loop(decoded);
+        std::uint64_t inside_count = 0, most_crossings = 0;
+        for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
+            Vec3 point = random.in_cube(1.0f);
+            if (i % 4 == 0) point = mesh.positions[random.below(static_cast<std::uint32_t>(mesh.positions.size()))];
+            CAPTURE(describe(Sphere{point, 0.0f}));
+            const YesNo inside = contains(opened.blob, point);
+            std::optional<WindingRay> ray = shortest_way_out(opened.blob, point);
+            if (!ray) {
+                REQUIRE(inside.no());
+                continue;
+            }
+            for (const AxisDirection& direction : all_directions) {
+                ray->direction = direction;
+                const Winding expected = loop.winding(*ray);
+                const Winding winding = detail::winding_number(detail::data_of(opened.blob), *ray);
+                REQUIRE(winding.on_surface == expected.on_surface);
+                if (!winding.on_surface) REQUIRE(winding.number == expected.number);
+                REQUIRE(inside == YesNo::of(expected.is_inside()));
+                std::uint64_t crossings = 0;
+                for (std::size_t k = 0; k < decoded.triangles.size(); ++k) {
+                    const GridTriangle& t = decoded.triangles[k];
+                    const detail::LatticeTriangle triangle = {
+                        {{t.a[0], t.a[1], t.a[2]}, {t.b[0], t.b[1], t.b[2]}, {t.c[0], t.c[1], t.c[2]}}};
+                    if (decoded.owners[k] == k && detail::crossing(*ray, triangle) != 0) ++crossings;
+                }
+                most_crossings = std::max(most_crossings, crossings);
+            }
+            inside_count += inside.yes() ? 1u : 0u;
+            const ClosestPoint nearest = signed_distance(opened.blob, point);
+            REQUIRE(nearest);
+            REQUIRE((nearest.distance < 0.0f) == (inside.yes() && nearest.distance != 0.0f));
+        }
+        CHECK(inside_count > 100);
+        CHECK(most_crossings > 64);  // several times as many as are kept at once
     }
 }

@@ -55,7 +55,7 @@ void add_hostile(std::vector<Ray>& rays, Random& random) {
                     .direction = {value(), value(), value()},
                     .t_min = value(),
                     .t_max = value(),
-                    .faces = static_cast<Faces>(random.below(4))});
+                    .culling = static_cast<FaceCulling>(random.below(4))});
 }
 
 /// A ray that is like its neighbours but for one number.
@@ -95,39 +95,33 @@ std::vector<Ray> mixed_rays(QueryMaker& maker, std::size_t count) {
 
 struct Expected {
     std::vector<RayHit> hits;
-    std::vector<std::uint8_t> occluded;
-    std::size_t count = 0;
+    std::vector<YesNo> occluded;
+    std::size_t count = 0;  ///< of those that hit
 };
 
 Expected one_by_one(const Blob& blob, const std::vector<Ray>& rays) {
     Expected expected;
     for (const Ray& ray : rays) {
-        RayHit hit;
-        const bool found = detail::scalar::closest_hit(blob.data(), ray, hit, nullptr);
-        if (!found) {
-            hit = {};
-            hit.t = std::numeric_limits<float>::infinity();
-            hit.triangle = no_triangle;
-        }
+        const RayHit hit = detail::scalar::closest_hit(detail::data_of(blob), ray, nullptr);
         expected.hits.push_back(hit);
-        expected.occluded.push_back(found ? 1 : 0);
-        expected.count += found ? 1 : 0;
+        expected.occluded.push_back(YesNo(hit.status));
+        expected.count += hit ? 1u : 0u;
     }
     return expected;
 }
 
-/// What tells bytes that nobody wrote.
-constexpr std::uint8_t untouched = 77;
-const RayHit untouched_hit = {-5.0f, 1.0f, 2.0f, {3.0f, 4.0f, 5.0f}, {6}};
+/// What no query writes.
+constexpr YesNo untouched(QueryStatus::work_limit);
+const RayHit untouched_hit = {-5.0f, 1.0f, 2.0f, {3.0f, 4.0f, 5.0f}, {6}, QueryStatus::work_limit, Side::back, {7, 8}};
 
 /// The number of the first ray that is answered differently, or how many there are.
 template <class ClosestHits, class AnyHits>
 std::size_t first_difference(const Expected& expected, ClosestHits closest_hits, AnyHits any_hits) {
     const std::size_t size = expected.hits.size();
     std::vector<RayHit> hits(size, untouched_hit);
-    std::vector<std::uint8_t> occluded(size, untouched);
-    REQUIRE(closest_hits(hits) == expected.count);
-    REQUIRE(any_hits(occluded) == expected.count);
+    std::vector<YesNo> occluded(size, untouched);
+    closest_hits(hits);
+    any_hits(occluded);
     std::size_t i = 0;
     while (i < size && same_bits(hits[i], expected.hits[i]) && occluded[i] == expected.occluded[i]) ++i;
     return i;
@@ -136,7 +130,7 @@ std::size_t first_difference(const Expected& expected, ClosestHits closest_hits,
 /// The same blob as a batch answers it whose nodes and leaves are beyond a cache. Queries of rays use the size of
 /// leaves for nothing else.
 detail::BlobData as_if_large(const Blob& blob) {
-    detail::BlobData large = blob.data();
+    detail::BlobData large = detail::data_of(blob);
     large.leaf_bytes = 1u << 30;
     return large;
 }
@@ -147,22 +141,19 @@ std::size_t check_batch(const Blob& blob, const std::vector<Ray>& rays) {
     for (const InstructionPath& path : instruction_paths()) {
         const std::string name = path.name;
         CAPTURE(name);
-        for (const detail::BlobData& asset : {blob.data(), as_if_large(blob)}) {
+        for (const detail::BlobData& asset : {detail::data_of(blob), as_if_large(blob)}) {
             CAPTURE(asset.leaf_bytes);
             const std::size_t different = first_difference(
                 expected,
-                [&](std::vector<RayHit>& hits) {
-                    return path.closest_hits(asset, rays.data(), hits.data(), rays.size());
-                },
-                [&](std::vector<std::uint8_t>& answers) {
-                    return path.any_hits(asset, rays.data(), answers.data(), rays.size());
-                });
+                [&](std::vector<RayHit>& hits) { path.closest_hits(asset, rays.data(), hits.data(), rays.size()); },
+                [&](std::vector<YesNo>& answers) { path.any_hits(asset, rays.data(), answers.data(), rays.size()); });
             REQUIRE_MESSAGE(different == rays.size(), "ray ", different, ": ", describe(rays[different % rays.size()]));
         }
     }
     REQUIRE(first_difference(
-                expected, [&](std::vector<RayHit>& hits) { return raycast(blob, rays, hits); },
-                [&](std::vector<std::uint8_t>& answers) { return occluded(blob, rays, answers); }) == rays.size());
+                expected, [&](std::vector<RayHit>& hits) { REQUIRE(raycast(blob, rays, hits).count == rays.size()); },
+                [&](std::vector<YesNo>& answers) { REQUIRE(occluded(blob, rays, answers).count == rays.size()); }) ==
+            rays.size());
     return expected.count;
 }
 
@@ -186,21 +177,18 @@ void check_batches(const std::vector<TestBlob>& blobs, std::uint64_t batches) {
 std::uint32_t check_beginnings(const Blob& blob) {
     std::uint32_t at_once = 0;
     for (std::uint32_t index = 0; index < blob.triangle_count(); ++index) {
-        Corners corners;
-        REQUIRE(triangle_corners(blob, {index}, corners));
+        const Triangle corners = *triangle_at(blob, {index});
         for (const Vec3 origin : {corners.a, corners.b, corners.c}) {
             std::vector<Ray> rays(16, Ray{origin, {0.25f, 0.125f, -1.0f}});
             for (std::size_t i = 0; i < rays.size(); ++i) rays[i].direction.x += static_cast<float>(i) * 0x1p-9f;
             std::vector<RayHit> hits(rays.size());
             for (const InstructionPath& path : instruction_paths()) {
-                path.closest_hits(blob.data(), rays.data(), hits.data(), rays.size());
+                path.closest_hits(detail::data_of(blob), rays.data(), hits.data(), rays.size());
                 CAPTURE(path.name);
                 for (std::size_t i = 0; i < rays.size(); ++i) {
-                    RayHit alone;
-                    const bool is_hit = raycast(blob, rays[i], alone);
-                    at_once += is_hit && alone.t == 0.0f && i == 0 ? 1u : 0u;
-                    CHECK(is_hit == (hits[i].triangle.index != no_triangle.index));
-                    if (is_hit) CHECK(hits[i].triangle.index == alone.triangle.index);
+                    const RayHit alone = raycast(blob, rays[i]);
+                    at_once += alone && alone.t == 0.0f && i == 0 ? 1u : 0u;
+                    CHECK(same_bits(alone, hits[i]));
                 }
             }
         }
@@ -227,11 +215,11 @@ TEST_SUITE("batch") {
     }
 
     TEST_CASE("batch: each ray gets the answer of a single call also with copies") {
-        BakeOptions options = with_profile(format::Profile::fast);
-        options.builder = Builder::spatial_splits;
-        options.duplicates = 1.0;
+        BakeOptions options = with_profile(Profile::fast);
+        options.build.builder = Builder::spatial_splits;
+        options.build.duplicate_budget = 1.0;
         const OpenedBlob opened(make_soup(400, 3), options);
-        REQUIRE(opened.blob.copy_count() > 0);
+        REQUIRE(opened.blob.duplicate_reference_count() > 0);
         const DecodedBlob decoded = decode(opened.bytes);
         QueryMaker maker(decoded, 401);
         std::size_t hits = 0;
@@ -256,37 +244,40 @@ TEST_SUITE("batch") {
 
     TEST_CASE("batch: a batch that begins where triangles meet gives the first of them") {
         for (const bool has_copies : {false, true})
-            for_each_profile([&](format::Profile profile) {
-                if (has_copies && profile != format::Profile::fast) return;
+            for_each_profile([&](Profile profile) {
+                if (has_copies && profile != Profile::fast) return;
                 BakeOptions options = with_profile(profile);
-                options.bits = 10;  // then floats hold every vertex
+                options.resolution = Resolution::bits(10);  // then floats hold every vertex
                 if (has_copies) {
-                    options.builder = Builder::spatial_splits;
-                    options.duplicates = 1.0;
+                    options.build.builder = Builder::spatial_splits;
+                    options.build.duplicate_budget = 1.0;
                 }
                 const OpenedBlob opened(has_copies ? make_soup_of_pairs() : make_terrain(20, 3), options);
-                if (has_copies) REQUIRE(opened.blob.copy_count() > 20);
+                if (has_copies) REQUIRE(opened.blob.duplicate_reference_count() > 20);
                 CHECK(check_beginnings(opened.blob) > 300);
             });
     }
 
-    TEST_CASE("batch: the shorter of two spans counts and nothing behind it is written") {
-        const OpenedBlob opened(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f}));
+    TEST_CASE("batch: spans of different sizes and a blob that is not open are refused and nothing is written") {
+        const OpenedBlob opened(make_icosphere(3, 1.0, {0.0f, 0.0f, 0.0f})), empty(Mesh{});
         const Ray ray = {.origin = {0.0f, 0.0f, 5.0f}, .direction = {0.0f, 0.0f, -1.0f}};
-        for (const Blob& blob : {opened.blob, Blob()}) {
-            const std::size_t hit = blob.triangle_count() != 0 ? 1 : 0;
+        for (const Blob& blob : {opened.blob, empty.blob, Blob()}) {
             for (const std::size_t rays_size : {0u, 1u, 15u, 16u, 17u, 40u}) {
                 for (const std::size_t answers_size : {0u, 1u, 15u, 16u, 17u, 40u}) {
                     const std::vector<Ray> rays(rays_size, ray);
                     std::vector<RayHit> hits(answers_size, untouched_hit);
-                    std::vector<std::uint8_t> answers(answers_size, untouched);
-                    const std::size_t asked = std::min(rays_size, answers_size);
-                    CHECK(raycast(blob, rays, hits) == asked * hit);
-                    CHECK(occluded(blob, rays, answers) == asked * hit);
+                    std::vector<YesNo> answers(answers_size, untouched);
+                    const bool is_written = blob && rays_size == answers_size;
+                    const QueryStatus expected = !blob        ? QueryStatus::not_open
+                                                 : is_written ? QueryStatus::ok
+                                                              : QueryStatus::invalid_argument;
+                    for (const Filled& filled : {raycast(blob, rays, hits), occluded(blob, rays, answers)}) {
+                        CHECK(filled.status == expected);
+                        CHECK(filled.count == (is_written ? rays_size : 0));
+                    }
                     for (std::size_t i = 0; i < answers_size; ++i) {
-                        REQUIRE(same_bits(hits[i], untouched_hit) == (i >= asked));
-                        REQUIRE((hits[i].triangle == no_triangle) == (i < asked && hit == 0));
-                        REQUIRE(answers[i] == (i < asked ? hit : untouched));
+                        REQUIRE(same_bits(hits[i], is_written ? raycast(blob, ray) : untouched_hit));
+                        REQUIRE(answers[i] == (is_written ? occluded(blob, ray) : untouched));
                     }
                 }
             }

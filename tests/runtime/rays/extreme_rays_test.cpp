@@ -31,9 +31,8 @@ void require_hit(const Blob& blob, const Ray& ray, unsigned mode) {
         bool closest = false, any = false;
         {
             const FloatMode in_mode(mode);
-            RayHit hit;
-            closest = path.closest_hit(blob.data(), ray, hit, nullptr);
-            any = path.any_hit(blob.data(), ray, nullptr);
+            closest = bool(path.closest_hit(detail::data_of(blob), ray, nullptr));
+            any = path.any_hit(detail::data_of(blob), ray, nullptr).yes();
         }
         if (!closest || !any) FAIL(std::string(path.name), ": a leak, mode ", mode, ": ", describe(ray));
     }
@@ -56,7 +55,7 @@ TEST_SUITE("extreme rays") {
                 Ray ray = rays.ray(static_cast<Aim>(aim));
                 ++asked[aim];
                 detail::LatticeRay rounded;
-                if (!detail::round_ray(blob.data(), ray, rounded)) {
+                if (!detail::round_ray(detail::data_of(blob), ray, rounded)) {
                     if (proof.must_not_pass_by(ray)) FAIL("refused: ", describe(ray));
                     continue;
                 }
@@ -64,7 +63,7 @@ TEST_SUITE("extreme rays") {
                 if (crossing == HitProof::Crossing::unproved) continue;
                 ++proved[aim];
                 const bool leaves = crossing == HitProof::Crossing::leaves;
-                if (i % 4 == 0) ray.faces = leaves ? Faces::back : Faces::front;
+                if (i % 4 == 0) ray.culling = leaves ? FaceCulling::front : FaceCulling::back;
                 require_hit(blob, ray, float_modes[i / kinds_of_aim % float_modes.size()]);
             }
         }

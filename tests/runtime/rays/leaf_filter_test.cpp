@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include <espalier/blob.hpp>
-#include <runtime/simd/lanes_scalar.hpp>
+#include <runtime/lanes/scalar.hpp>
 
 #include "support/answers/differences.hpp"
 #include "support/base/random.hpp"
@@ -17,7 +17,7 @@
 
 namespace espalier::detail::scalar {
 namespace {
-#include <runtime/float_vertices.inl>
+#include <runtime/rays/float_vertices.inl>
 }  // namespace
 }  // namespace espalier::detail::scalar
 
@@ -32,9 +32,9 @@ unsigned vertex_count(Random& random, unsigned most) {
 }
 
 /// Slivers are as frequent as anything else: what is hit of them is all near a side.
-PlainLeaf make_leaf(Random& random, format::Profile profile, const GridPoint& low, std::int32_t reach) {
+PlainLeaf make_leaf(Random& random, Profile profile, const GridPoint& low, std::int32_t reach) {
     PlainLeaf leaf;
-    const unsigned most = profile == format::Profile::fast ? 32 : profile == format::Profile::balanced ? 34 : 56;
+    const unsigned most = profile == Profile::fast ? 32 : profile == Profile::balanced ? 34 : 56;
     const unsigned count = vertex_count(random, most);
     for (unsigned i = 0; i < count; ++i) {
         const bool is_near = i != 0 && random.coin();
@@ -45,7 +45,7 @@ PlainLeaf make_leaf(Random& random, format::Profile profile, const GridPoint& lo
         }
         leaf.vertices.push_back(vertex);
     }
-    if (profile == format::Profile::fast) {
+    if (profile == Profile::fast) {
         const auto corner = [&] { return static_cast<std::uint8_t>(random.below(count)); };
         for (int i = 0; i < 16; ++i) leaf.triangles.push_back({corner(), corner(), corner()});
     } else {
@@ -56,7 +56,7 @@ PlainLeaf make_leaf(Random& random, format::Profile profile, const GridPoint& lo
 }
 
 /// One node and one leaf, whose coordinates have up to `width` bits, in a lattice of `bits`, whose steps are 1.
-PlainBlob make_blob(Random& random, format::Profile profile, unsigned width, unsigned bits) {
+PlainBlob make_blob(Random& random, Profile profile, unsigned width, unsigned bits) {
     PlainBlob blob;
     blob.decoded.profile = profile;
     blob.decoded.bits = bits;
@@ -73,7 +73,7 @@ PlainBlob make_blob(Random& random, format::Profile profile, unsigned width, uns
         low[k] = static_cast<std::int32_t>(node.base[k] << unit);
     }
     const std::int32_t reach = child.high[0] << node.shift[0];
-    for (std::size_t k = 0; k < 3 && profile == format::Profile::fast; ++k) {
+    for (std::size_t k = 0; k < 3 && profile == Profile::fast; ++k) {
         child.low[k] = static_cast<std::uint16_t>(low[k] >> unit);
         child.high[k] = static_cast<std::uint16_t>((low[k] + reach) >> unit);
     }
@@ -111,7 +111,7 @@ TEST_SUITE("leaf filter") {
     TEST_CASE("ray: the filter of no leaf rejects a ray through a side or a corner") {
         std::uint64_t hits = 0, asked = 0;
         for (unsigned width = 1; width <= format::max_bits; ++width) {
-            for (const auto profile : {format::Profile::fast, format::Profile::balanced, format::Profile::small}) {
+            for (const auto profile : {Profile::fast, Profile::balanced, Profile::small}) {
                 for (std::uint64_t i = 0; i < scaled(4); ++i) {
                     Random random(100 * i + 4 * width + static_cast<unsigned>(profile));
                     const unsigned bits = width + random.below(format::max_bits - width + 1);

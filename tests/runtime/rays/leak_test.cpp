@@ -49,7 +49,7 @@ TEST_SUITE("leak") {
         const std::uint64_t count = scaled_share(2'500);
         for (const ClosedShape& shape : make_closed_shapes()) {
             CAPTURE(shape.name);
-            REQUIRE(shape.opened.blob.closed());
+            REQUIRE(shape.opened.blob.is_closed());
             Random random(1);
             std::uint64_t exact_aims = 0;
             for (std::uint64_t i = 0; i < count; ++i) {
@@ -67,23 +67,20 @@ TEST_SUITE("leak") {
                     return std::ldexp(static_cast<float>(p[k] + q[k] - 2 * from[k]), shape.decoded.step_exponent);
                 };
                 ray.direction = {toward(0), toward(1), toward(2)};
-                RayHit hit;
-                const bool found = raycast(shape.opened.blob, ray, hit);
-                REQUIRE_MESSAGE(found, describe(ray));
-                REQUIRE_MESSAGE(occluded(shape.opened.blob, ray), describe(ray));
+                REQUIRE_MESSAGE(raycast(shape.opened.blob, ray), describe(ray));
+                REQUIRE_MESSAGE(occluded(shape.opened.blob, ray).yes(), describe(ray));
                 detail::LatticeRay rounded{};
-                REQUIRE(detail::round_ray(shape.opened.blob.data(), ray, rounded));
+                REQUIRE(detail::round_ray(detail::data_of(shape.opened.blob), ray, rounded));
                 bool exact_aim = true;
                 for (unsigned k = 0; k < 3; ++k) {
                     exact_aim = exact_aim && rounded.origin[k] == from[k] << rounded.fraction_bits;
                 }
                 if (exact_aim) ++exact_aims;
                 for (const InstructionPath& path : instruction_paths()) {
-                    RayHit path_hit;
-                    REQUIRE_MESSAGE(path.closest_hit(shape.opened.blob.data(), ray, path_hit, nullptr),
+                    REQUIRE_MESSAGE(path.closest_hit(detail::data_of(shape.opened.blob), ray, nullptr),
                                     std::string(path.name), ": ", describe(ray));
-                    REQUIRE_MESSAGE(path.any_hit(shape.opened.blob.data(), ray, nullptr), std::string(path.name), ": ",
-                                    describe(ray));
+                    REQUIRE_MESSAGE(path.any_hit(detail::data_of(shape.opened.blob), ray, nullptr).yes(),
+                                    std::string(path.name), ": ", describe(ray));
                 }
             }
             CHECK(exact_aims == count);

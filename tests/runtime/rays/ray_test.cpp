@@ -8,8 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include <espalier/approximate.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/rounded_ray.hpp>
+#include <espalier/statistics.hpp>
 
 #include "support/base/profiles.hpp"
 #include "support/base/same_bits.hpp"
@@ -34,7 +36,7 @@ struct ExactHit {
 };
 
 /// What the rounded ray hits, by the oracle.
-std::vector<ExactHit> exact_hits(const DecodedBlob& decoded, const detail::LatticeRay& rounded, Faces faces) {
+std::vector<ExactHit> exact_hits(const DecodedBlob& decoded, const detail::LatticeRay& rounded, FaceCulling culling) {
     const oracle::Line line = exact_line(rounded);
     const Rational low = Rational::of(rounded.tau_min);
     const std::optional<Rational> high =
@@ -43,7 +45,7 @@ std::vector<ExactHit> exact_hits(const DecodedBlob& decoded, const detail::Latti
     for (std::uint32_t i = 0; i < decoded.triangles.size(); ++i) {
         const auto crossing = oracle::cross(line, exact_triangle(decoded.triangles[i]));
         if (!crossing || crossing->t < low || (high && *high < crossing->t)) continue;
-        if (faces != Faces::both && (faces == Faces::front) != crossing->front) continue;
+        if (culling != FaceCulling::none && (culling == FaceCulling::back) != crossing->front) continue;
         hits.push_back({i, *crossing});
     }
     return hits;
@@ -52,7 +54,7 @@ std::vector<ExactHit> exact_hits(const DecodedBlob& decoded, const detail::Latti
 /// Collected before anything is required of them: no exception may pass through the runtime.
 std::vector<RayHit> every_hit(const Blob& blob, const Ray& ray) {
     std::vector<RayHit> hits;
-    for_each_hit(blob, ray, [&](const RayHit& hit) { return hits.push_back(hit), keep_going; });
+    static_cast<void>(for_each_hit(blob, ray, [&](const RayHit& hit) { hits.push_back(hit); }));
     return hits;
 }
 
@@ -78,21 +80,23 @@ TEST_SUITE("ray") {
                 if (maker.random().below(3) == 0) maker.restrict(ray);
                 CAPTURE(describe(ray));
                 detail::LatticeRay rounded;
-                RayHit closest;
-                const bool found = raycast(blob.opened.blob, ray, closest);
-                if (!detail::round_ray(blob.opened.blob.data(), ray, rounded)) {
+                const RayHit closest = raycast(blob.opened.blob, ray);
+                const bool found = bool(closest);
+                if (!detail::round_ray(detail::data_of(blob.opened.blob), ray, rounded)) {
                     REQUIRE_FALSE(found);
                     continue;
                 }
-                const std::vector<ExactHit> exact = exact_hits(blob.decoded, rounded, ray.faces);
+                const std::vector<ExactHit> exact = exact_hits(blob.decoded, rounded, ray.culling);
                 REQUIRE(found == !exact.empty());
-                REQUIRE(occluded(blob.opened.blob, ray) == found);
+                REQUIRE(occluded(blob.opened.blob, ray).yes() == found);
                 const std::vector<RayHit> every = every_hit(blob.opened.blob, ray);
                 REQUIRE(every.size() == exact.size());
                 for (std::size_t k = 0; k < every.size(); ++k) {
                     const RayHit& hit = every[k];
                     const oracle::Crossing& expected = exact[k].crossing;
                     REQUIRE(hit.triangle.index == exact[k].index);
+                    REQUIRE(hit.status == QueryStatus::ok);
+                    REQUIRE(hit.side == (expected.front ? Side::front : Side::back));
                     const Rational t = exact_t(rounded, expected.t);
                     if (std::isinf(hit.t)) {
                         REQUIRE(t > Rational::of(std::numeric_limits<float>::max()));  // where float32 ends
@@ -116,32 +120,37 @@ TEST_SUITE("ray") {
 TEST_SUITE("ray") {
     TEST_CASE("ray: closest hit on a cube matches hand-computed values") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        RayHit hit;
-        REQUIRE(raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}}, hit));
+        RayHit hit = raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}});
+        REQUIRE(hit);
         CHECK(hit.t == 2.0f);
         CHECK(hit.normal == Vec3{0.0f, 0.0f, 1.0f});
-        REQUIRE(raycast(cube.blob, {{0.25f, 0.5f, 0.0f}, {1.0f, 0.0f, 0.0f}}, hit));
+        CHECK(hit.side == Side::front);
+        hit = raycast(cube.blob, {{0.25f, 0.5f, 0.0f}, {1.0f, 0.0f, 0.0f}});
+        REQUIRE(hit);
         CHECK(hit.t == 0.75f);
         CHECK(hit.normal == Vec3{1.0f, 0.0f, 0.0f});
-        CHECK_FALSE(raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, 1.0f}}, hit));
+        CHECK(hit.side == Side::back);
+        CHECK_FALSE(raycast(cube.blob, {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, 1.0f}}));
     }
 
     TEST_CASE("ray: the front is seen from outside and the back from inside") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
         RayHit hit;
-        ray.faces = Faces::front;
-        REQUIRE(raycast(cube.blob, ray, hit));
+        ray.culling = FaceCulling::back;
+        hit = raycast(cube.blob, ray);
+        REQUIRE(hit);
         CHECK(hit.t == 4.0f);
-        ray.faces = Faces::back;
-        REQUIRE(raycast(cube.blob, ray, hit));
+        ray.culling = FaceCulling::front;
+        hit = raycast(cube.blob, ray);
+        REQUIRE(hit);
         CHECK(hit.t == 6.0f);
         CHECK(hit.normal == Vec3{0.0f, 0.0f, -1.0f});
         ray.origin.z = 0.0f;
-        ray.faces = Faces::front;
-        CHECK_FALSE(raycast(cube.blob, ray, hit));
-        ray.faces = Faces::both;
-        CHECK(raycast(cube.blob, ray, hit));
+        ray.culling = FaceCulling::back;
+        CHECK_FALSE(raycast(cube.blob, ray));
+        ray.culling = FaceCulling::none;
+        CHECK(raycast(cube.blob, ray));
     }
 
     TEST_CASE("ray: the window is closed at both ends and may be infinite") {
@@ -149,21 +158,24 @@ TEST_SUITE("ray") {
         Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
         RayHit hit;
         ray.t_max = 4.0f;
-        CHECK(raycast(cube.blob, ray, hit));
+        CHECK(raycast(cube.blob, ray));
         ray.t_max = std::nextafter(4.0f, 0.0f);
-        CHECK_FALSE(raycast(cube.blob, ray, hit));
+        CHECK_FALSE(raycast(cube.blob, ray));
         ray.t_min = 4.0f;
         ray.t_max = infinity;
-        REQUIRE(raycast(cube.blob, ray, hit));
+        hit = raycast(cube.blob, ray);
+        REQUIRE(hit);
         CHECK(hit.t == 4.0f);
         ray.t_min = std::nextafter(4.0f, 5.0f);
-        REQUIRE(raycast(cube.blob, ray, hit));
+        hit = raycast(cube.blob, ray);
+        REQUIRE(hit);
         CHECK(hit.t == 6.0f);
         ray.t_min = -infinity;
         ray.t_max = 0.0f;
-        CHECK_FALSE(raycast(cube.blob, ray, hit));
+        CHECK_FALSE(raycast(cube.blob, ray));
         ray.origin.z = 1.0f;
-        CHECK(raycast(cube.blob, ray, hit));
+        hit = raycast(cube.blob, ray);
+        CHECK(hit);
         CHECK(hit.t == 0.0f);
     }
 
@@ -173,19 +185,22 @@ TEST_SUITE("ray") {
         for (const float begin : {0.0f, -0.0f}) {
             ray.t_min = begin;
             ray.t_max = -0.0f;
-            const RoundedRay rounded = round_ray(lattice_of(cube.blob), ray);
+            const RoundedRay rounded = round_ray(cube.blob.lattice(), ray);
             for (const InstructionPath& path : instruction_paths()) {
                 CAPTURE(path.name);
-                RayHit hit;
-                REQUIRE(path.closest_hit(cube.blob.data(), ray, hit, nullptr));
+                RayHit hit = path.closest_hit(detail::data_of(cube.blob), ray, nullptr);
+                REQUIRE(hit);
                 CHECK(hit.t == 0.0f);
-                CHECK(path.any_hit(cube.blob.data(), ray, nullptr));
-                std::uint8_t occluded = 0;
-                CHECK(path.any_hits(cube.blob.data(), &ray, &occluded, 1) == 1);
-                CHECK(path.closest_hits(cube.blob.data(), &ray, &hit, 1) == 1);
+                CHECK(path.any_hit(detail::data_of(cube.blob), ray, nullptr).yes());
+                YesNo occluded;
+                path.any_hits(detail::data_of(cube.blob), &ray, &occluded, 1);
+                CHECK(occluded.yes());
+                hit = {};
+                path.closest_hits(detail::data_of(cube.blob), &ray, &hit, 1);
+                CHECK(hit);
             }
-            RayHit hit;
-            REQUIRE(raycast(cube.blob, rounded, hit) == QueryStatus::ok);
+            const RayHit hit = raycast(cube.blob, rounded);
+            REQUIRE(hit);
             CHECK(hit.t == 0.0f);
         }
     }
@@ -197,8 +212,8 @@ TEST_SUITE("ray") {
             QueryMaker maker(blob.decoded, 475);
             for (std::uint64_t i = 0; i < scaled_share(1'000); ++i) {
                 Ray ray = maker.any_ray();
-                RayHit hit;
-                if (!raycast(blob.opened.blob, ray, hit)) continue;
+                RayHit hit = raycast(blob.opened.blob, ray);
+                if (!hit) continue;
                 const float t = hit.t;
                 // The exact t lies between two of these floats: as ends of the window they cut off the rounding.
                 for (const float bound : {std::nextafter(std::nextafter(t, 0.0f), 0.0f), std::nextafter(t, 0.0f), t,
@@ -206,29 +221,94 @@ TEST_SUITE("ray") {
                     CAPTURE(describe(ray));
                     ray.t_min = 0.0f;
                     ray.t_max = bound;
-                    if (raycast(blob.opened.blob, ray, hit)) {
+                    hit = raycast(blob.opened.blob, ray);
+                    if (hit) {
                         REQUIRE(hit.t <= bound);
                         if (hit.t == bound) ++at_the_end;
                     }
                     ray.t_min = bound;
                     ray.t_max = infinity;
-                    if (raycast(blob.opened.blob, ray, hit)) REQUIRE(hit.t >= bound);
+                    hit = raycast(blob.opened.blob, ray);
+                    if (hit) REQUIRE(hit.t >= bound);
                 }
             }
         }
         CHECK(at_the_end > 0);
     }
 
-    TEST_CASE("ray: no hit leaves the result untouched") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        const RayHit before{17.0f, 0.1f, 0.2f, {3.0f, 4.0f, 5.0f}, Triangle{99}};
-        RayHit hit = before;
-        CHECK_FALSE(raycast(cube.blob, {{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f}}, hit));
-        CHECK(same_bits(hit, before));
-        CHECK_FALSE(raycast(cube.blob, {{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}}, hit, [](Triangle) { return false; }));
-        CHECK(same_bits(hit, before));
-        CHECK_FALSE(raycast(Blob(), {{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}}, hit));
-        CHECK(same_bits(hit, before));
+    TEST_CASE("ray: a miss is no triangle at an infinite t and a refusal is neither a hit nor a no") {
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f)), empty(Mesh{});
+        const float nan = std::numeric_limits<float>::quiet_NaN();
+        const Ray down{{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}}, up{{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f}};
+        const auto none = [](TriangleId) { return false; };
+        const auto check = [&](const Blob& blob, const Ray& ray, QueryStatus status) {
+            const YesNo any = occluded(blob, ray);
+            CHECK(any.status() == status);
+            CHECK_FALSE(any.yes());
+            CHECK(any.no() == (status == QueryStatus::not_found));
+            RayHit hits[1];
+            hits[0].t = 7.0f;
+            YesNo answers[1];
+            CHECK(raycast(blob, {&ray, 1}, hits).status == (blob ? QueryStatus::ok : QueryStatus::not_open));
+            CHECK(occluded(blob, {&ray, 1}, answers).count == (blob ? 1 : 0));
+            if (blob) CHECK(answers[0].status() == status);
+            QueryCounters counters;
+            for (const RayHit& hit : {raycast(blob, ray), raycast(blob, ray, none), raycast(blob, ray, counters),
+                                      blob ? hits[0] : raycast(blob, ray)}) {
+                CHECK_FALSE(hit);
+                CHECK(hit.status == status);
+                CHECK(hit.triangle == no_triangle);
+                CHECK(hit.t == infinity);
+                CHECK(hit.normal == Vec3{});
+            }
+            const QueryStatus of_lists = status == QueryStatus::not_found ? QueryStatus::ok : status;
+            CHECK(closest_hits(blob, ray, hits).status == of_lists);
+            CHECK(closest_hits(blob, ray, hits).count == 0);
+            CHECK(for_each_hit(blob, ray, [](const RayHit&) {}) == of_lists);
+            CHECK(occluded(blob, ray, Accuracy{0.5f}).status() == status);
+        };
+        check(cube.blob, up, QueryStatus::not_found);
+        for (const Ray& ray : {up, down}) {
+            check(empty.blob, ray, QueryStatus::not_found);
+            check(Blob(), ray, QueryStatus::not_open);
+            check(open(std::span(cube.bytes).first(100)), ray, QueryStatus::not_open);
+        }
+        CHECK_FALSE(raycast(cube.blob, down, none));
+        CHECK(raycast(cube.blob, down, none).status == QueryStatus::not_found);
+        CHECK(occluded(cube.blob, down, none).no());
+        CHECK(raycast(cube.blob, down, TriangleFilter()));
+        for (const Blob& blob : {cube.blob, empty.blob}) {
+            for (int number = 0; number < 8; ++number) {
+                for (const float bad : {nan, -nan, infinity, -infinity}) {
+                    if (number >= 6 && !std::isnan(bad)) continue;  // windows may be endless
+                    Ray ray = down;
+                    float* numbers[8] = {&ray.origin.x,    &ray.origin.y,    &ray.origin.z, &ray.direction.x,
+                                         &ray.direction.y, &ray.direction.z, &ray.t_min,    &ray.t_max};
+                    *numbers[number] = bad;
+                    check(blob, ray, QueryStatus::invalid_argument);
+                    ray.t_min = std::isnan(ray.t_min) ? nan : 2.0f;  // an empty window is no excuse
+                    ray.t_max = std::isnan(ray.t_max) ? nan : 1.0f;
+                    check(blob, ray, QueryStatus::invalid_argument);
+                }
+            }
+            Ray still = down;
+            still.direction = {0.0f, -0.0f, 0.0f};
+            check(blob, still, QueryStatus::invalid_argument);
+            check(blob, Ray::between(down.origin, down.origin), QueryStatus::invalid_argument);
+            Ray far = down;
+            far.origin.y = std::numeric_limits<float>::max();
+            check(blob, far, QueryStatus::out_of_range);
+            far.direction.x = nan;
+            check(blob, far, QueryStatus::invalid_argument);
+        }
+        for (const float end : {-1.0f, -infinity}) {
+            Ray over = down;
+            over.t_max = end;
+            check(cube.blob, over, QueryStatus::not_found);
+        }
+        Ray never = down;
+        never.t_min = infinity;
+        check(cube.blob, never, QueryStatus::not_found);
     }
 
     TEST_CASE("ray: the lowest storage index wins among hits of equal t") {
@@ -244,11 +324,12 @@ TEST_SUITE("ray") {
         const OpenedBlob stack(mesh);
         REQUIRE(stack.blob.triangle_count() == 100);
         const Ray ray{{0.0f, -0.5f, 3.0f}, {0.0f, 0.0f, -1.0f}};
-        RayHit hit;
-        REQUIRE(raycast(stack.blob, ray, hit));
+        RayHit hit = raycast(stack.blob, ray);
+        REQUIRE(hit);
         CHECK(hit.triangle.index == 0);
         for (std::uint32_t below = 0; below < 100; below += 7) {
-            REQUIRE(raycast(stack.blob, ray, hit, [&](Triangle triangle) { return triangle.index >= below; }));
+            hit = raycast(stack.blob, ray, [&](TriangleId triangle) { return triangle.index >= below; });
+            REQUIRE(hit);
             CHECK(hit.triangle.index == below);
         }
     }
@@ -264,8 +345,8 @@ TEST_SUITE("ray") {
                 for (const RayHit& hit : every_hit(blob.opened.blob, ray)) {
                     if (!first || hit.t < first->t) first = hit;
                 }
-                RayHit hit;
-                REQUIRE(raycast(blob.opened.blob, ray, hit) == first.has_value());
+                const RayHit hit = raycast(blob.opened.blob, ray);
+                REQUIRE(bool(hit) == first.has_value());
                 if (!first) continue;
                 REQUIRE(same_bits(hit.t, first->t));
                 // Where t leaves float32's range the order is that of t before it did.
@@ -278,18 +359,20 @@ TEST_SUITE("ray") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
         int calls = 0;
-        CHECK_FALSE(for_each_hit(cube.blob, ray, [&](const RayHit&) { return ++calls, stop; }));
+        const auto stop = [&](const RayHit&) { return ++calls, Visit::stop; };
+        CHECK(for_each_hit(cube.blob, ray, stop) == QueryStatus::stopped);
         CHECK(calls == 1);
-        CHECK(for_each_hit(cube.blob, ray, [&](const RayHit&) { return ++calls, keep_going; }));
+        CHECK(for_each_hit(cube.blob, ray, [&](const RayHit&) { ++calls; }) == QueryStatus::ok);
         CHECK(calls == 3);
-        CHECK(for_each_hit(Blob(), ray, [&](const RayHit&) { return stop; }));
+        CHECK(for_each_hit(Blob(), ray, stop) == QueryStatus::not_open);
+        CHECK(calls == 3);
     }
 
     TEST_CASE("ray: a ray in the plane of a triangle misses it and hits its neighbours") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        RayHit hit;
         // Within the top face: only the sides at both ends are hit.
-        REQUIRE(raycast(cube.blob, {{-5.0f, 0.25f, 1.0f}, {1.0f, 0.0f, 0.0f}}, hit));
+        const RayHit hit = raycast(cube.blob, {{-5.0f, 0.25f, 1.0f}, {1.0f, 0.0f, 0.0f}});
+        REQUIRE(hit);
         CHECK(hit.t == 4.0f);
         CHECK(std::fabs(hit.normal.x) == 1.0f);
     }
@@ -302,11 +385,10 @@ TEST_SUITE("ray") {
                 const Ray ray = maker.ray(RayKind::incoherent);
                 Ray longer = ray;
                 longer.direction = {ray.direction.x * 8.0f, ray.direction.y * 8.0f, ray.direction.z * 8.0f};
-                RayHit hit;
-                RayHit longer_hit;
-                const bool found = raycast(blob.opened.blob, ray, hit);
-                REQUIRE(raycast(blob.opened.blob, longer, longer_hit) == found);
-                if (!found) continue;
+                const RayHit hit = raycast(blob.opened.blob, ray);
+                RayHit longer_hit = raycast(blob.opened.blob, longer);
+                REQUIRE(longer_hit.status == hit.status);
+                if (!hit) continue;
                 REQUIRE(same_bits(longer_hit.t * 8.0f, hit.t));
                 longer_hit.t = hit.t;
                 REQUIRE(same_bits(longer_hit, hit));
@@ -323,20 +405,17 @@ TEST_SUITE("ray") {
             QueryMaker maker(decoded, 600);
             for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
                 Ray ray = maker.any_ray();
-                RayHit hit;
-                const bool found = raycast(plain.blob, ray, hit);
+                const RayHit hit = raycast(plain.blob, ray);
                 ray.origin = {ray.origin.x * scale, ray.origin.y * scale, ray.origin.z * scale};
                 ray.direction = {ray.direction.x * scale, ray.direction.y * scale, ray.direction.z * scale};
-                RayHit scaled_hit;
-                REQUIRE(raycast(scaled_blob.blob, ray, scaled_hit) == found);
-                if (found) REQUIRE(same_bits(scaled_hit, hit));
+                REQUIRE(same_bits(raycast(scaled_blob.blob, ray), hit));
                 Sphere sphere = maker.sphere();
-                Nearest nearest;
-                const bool any = closest_point(plain.blob, sphere.center, sphere.radius, nearest);
+                const ClosestPoint nearest = closest_point(plain.blob, sphere.center, sphere.radius);
                 sphere.center = {sphere.center.x * scale, sphere.center.y * scale, sphere.center.z * scale};
-                Nearest scaled_nearest;
-                REQUIRE(closest_point(scaled_blob.blob, sphere.center, sphere.radius * scale, scaled_nearest) == any);
-                if (any) {
+                const ClosestPoint scaled_nearest =
+                    closest_point(scaled_blob.blob, sphere.center, sphere.radius * scale);
+                REQUIRE(scaled_nearest.status == nearest.status);
+                if (nearest) {
                     REQUIRE(scaled_nearest.triangle == nearest.triangle);
                     REQUIRE(same_bits(scaled_nearest.distance, nearest.distance * scale));
                 }

@@ -38,7 +38,7 @@ TEST_SUITE("rounded ray borders") {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 26);
             Random& random = maker.random();
-            const Lattice lattice = lattice_of(blob.opened.blob);
+            const Lattice lattice = blob.opened.blob.lattice();
             for (std::uint64_t i = 0; i < count; ++i) {
                 Words words = std::bit_cast<Words>(round_ray(lattice, maker.any_ray()));
                 bool is_on_lattice = true;
@@ -55,16 +55,15 @@ TEST_SUITE("rounded ray borders") {
                 if (random.below(50) == 0)
                     for (std::uint32_t& word : words) word = static_cast<std::uint32_t>(random.next());
                 const auto changed = std::bit_cast<RoundedRay>(words);
-                RayHit hit;
-                bool any = false;
-                const QueryStatus status = raycast(blob.opened.blob, changed, hit);
-                REQUIRE(occluded(blob.opened.blob, changed, any) == status);
-                if (status != QueryStatus::ok) {
+                const RayHit hit = raycast(blob.opened.blob, changed);
+                const QueryStatus status = hit.status;
+                REQUIRE(occluded(blob.opened.blob, changed).status() == status);
+                if (is_refused(status)) {
                     CHECK((status == QueryStatus::invalid_argument || status == QueryStatus::out_of_range));
                     ++refused;
                     continue;
                 }
-                REQUIRE(any == (hit.triangle != no_triangle));
+                REQUIRE(bool(hit) == (hit.triangle != no_triangle));
                 if (!is_on_lattice || changed.data().may_hit == 0 || blob.opened.blob.triangle_count() == 0) continue;
                 ++taken;
                 require_answers_of_the_loop(blob.decoded, blob.opened.blob, changed);
@@ -83,9 +82,9 @@ TEST_SUITE("rounded ray borders") {
         const auto below = [](float number) { return std::nextafter(number, 0.0f); };
         const auto above = [](float number) { return std::nextafter(number, INFINITY); };
         const Mesh mesh = make_cube(-1.0f, 1.0f);
-        const OpenedBlob cube(mesh);
+        const OpenedBlob cube(mesh), empty(Mesh{});
         const DecodedBlob decoded = decode(cube.bytes);
-        const Lattice lattice = lattice_of(cube.blob);
+        const Lattice lattice = cube.blob.lattice();
         for (const Vec3 direction : {Vec3{-2.0f, 0.5f, 0.25f}, Vec3{0.5f, -2.0f, 0.25f}, Vec3{0.25f, 0.5f, -2.0f}}) {
             const Ray ray = {{-2.0f * direction.x, -2.0f * direction.y, -2.0f * direction.z}, direction};
             const Data good = round_ray(lattice, ray).data();
@@ -97,15 +96,14 @@ TEST_SUITE("rounded ray borders") {
                 Data data = good;
                 change(data);
                 const auto changed = std::bit_cast<RoundedRay>(data);
-                RayHit hit;
-                bool any = true;
-                const QueryStatus status = raycast(Blob(), changed, hit);
-                REQUIRE(occluded(Blob(), changed, any) == status);
-                REQUIRE((status == QueryStatus::ok || status == QueryStatus::invalid_argument));
-                if (status == QueryStatus::ok && std::ranges::equal(data.region.extent, lattice.extent))
+                const QueryStatus status = raycast(empty.blob, changed).status;
+                REQUIRE(occluded(empty.blob, changed).status() == status);
+                const bool is_ray = status == QueryStatus::not_found;
+                REQUIRE((is_ray || status == QueryStatus::invalid_argument));
+                if (is_ray && std::ranges::equal(data.region.extent, lattice.extent))
                     require_answers_of_the_loop(decoded, cube.blob, changed);
-                else if (status != QueryStatus::ok) REQUIRE(raycast(cube.blob, changed, hit) == status);
-                return status == QueryStatus::ok;
+                else if (!is_ray) REQUIRE(raycast(cube.blob, changed).status == status);
+                return is_ray;
             };
             REQUIRE(is_taken([](Data&) {}));
 
@@ -201,57 +199,51 @@ TEST_SUITE("rounded ray borders") {
     }
 
     TEST_CASE("seams: a rounded ray with a status that round_ray does not leave is refused") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f)), empty(Mesh{});
         const detail::RoundedRayData good =
-            round_ray(lattice_of(cube.blob), {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}}).data();
+            round_ray(cube.blob.lattice(), {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}}).data();
         for (unsigned status = 0; status < 256; ++status) {
-            for (const Blob& blob : {cube.blob, Blob()}) {
+            for (const Blob& blob : {cube.blob, empty.blob}) {
                 detail::RoundedRayData data = good;
                 data.status = static_cast<QueryStatus>(status);
                 const bool is_returned = data.status == QueryStatus::ok || data.status == QueryStatus::out_of_range;
-                const QueryStatus expected = is_returned ? data.status : QueryStatus::invalid_argument;
-                RayHit hit;
-                bool any = false;
-                CHECK(raycast(blob, std::bit_cast<RoundedRay>(data), hit) == expected);
-                CHECK(occluded(blob, std::bit_cast<RoundedRay>(data), any) == expected);
+                QueryStatus expected = is_returned ? data.status : QueryStatus::invalid_argument;
+                if (expected == QueryStatus::ok && blob.triangle_count() == 0) expected = QueryStatus::not_found;
+                CHECK(raycast(blob, std::bit_cast<RoundedRay>(data)).status == expected);
+                CHECK(occluded(blob, std::bit_cast<RoundedRay>(data)).status() == expected);
             }
         }
     }
 
     TEST_CASE("seams: a ray that may hit nothing is taken whatever else its words are") {
-        const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        const RoundedRay good = round_ray(lattice_of(cube.blob), {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}});
+        const OpenedBlob cube(make_cube(-1.0f, 1.0f)), empty(Mesh{});
+        const RoundedRay good = round_ray(cube.blob.lattice(), {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}});
         detail::RoundedRayData data;
-        data.region = lattice_of(cube.blob);
+        data.region = cube.blob.lattice();
         data.status = QueryStatus::ok;
         data.fraction_bits = std::numeric_limits<std::int32_t>::max();
         data.longest_axis = 255;
         for (std::int32_t& origin : data.origin) origin = std::numeric_limits<std::int32_t>::min();
         const auto nothing = std::bit_cast<RoundedRay>(data);
-        for (const Blob& blob : {cube.blob, Blob()}) {
-            RayHit before = {}, hit = {};
-            bool was_hit = false, any = true;
+        for (const Blob& blob : {cube.blob, empty.blob}) {
             // Right after one that hits, of which nothing must be left.
-            QueryStatus first = raycast(blob, good, before), second = raycast(blob, nothing, hit);
-            CHECK(first == QueryStatus::ok);
-            CHECK((before.triangle != no_triangle) == (blob.triangle_count() != 0));
-            CHECK(second == QueryStatus::ok);
+            const RayHit before = raycast(blob, good), hit = raycast(blob, nothing);
+            CHECK(bool(before) == (blob.triangle_count() != 0));
+            CHECK(hit.status == QueryStatus::not_found);
             CHECK(hit.triangle == no_triangle);
             CHECK(hit.t == INFINITY);
-            first = occluded(blob, good, was_hit), second = occluded(blob, nothing, any);
-            CHECK(first == QueryStatus::ok);
-            CHECK(was_hit == (blob.triangle_count() != 0));
-            CHECK(second == QueryStatus::ok);
-            CHECK_FALSE(any);
+            const YesNo was_hit = occluded(blob, good), any = occluded(blob, nothing);
+            CHECK(was_hit.yes() == (blob.triangle_count() != 0));
+            CHECK(any.no());
         }
     }
 
     TEST_CASE("seams: a ray that is rounded at a border of numbers is taken again") {
         BakeOptions options;
         for (const int exponent : {-100, 100}) {
-            options.step_exponent = exponent;
+            options.resolution = Resolution::step(exponent);
             const OpenedBlob cube(make_cube(0.0f, std::ldexp(1.0f, exponent + 8)), options);
-            const Lattice region = lattice_of(cube.blob);
+            const Lattice region = cube.blob.lattice();
             const float least = std::numeric_limits<float>::denorm_min(), most = std::numeric_limits<float>::max();
             for (const float length : {least, std::numeric_limits<float>::min(), 1.0f, most}) {
                 const Vec3 origin = {std::ldexp(1.0f, exponent + 7), std::ldexp(1.0f, exponent + 7),
@@ -259,18 +251,16 @@ TEST_SUITE("rounded ray borders") {
                 const RoundedRay rounded = round_ray(region, {origin, {0.0f, 0.0f, -length}});
                 REQUIRE(rounded);
                 REQUIRE(rounded.data().may_hit == 1);
-                RayHit hit;
-                REQUIRE(raycast(cube.blob, rounded, hit) == QueryStatus::ok);
-                CHECK(hit.triangle != no_triangle);
+                CHECK(raycast(cube.blob, rounded));
             }
         }
     }
 
     TEST_CASE("seams: a ray from just below 2^120 steps away is rounded and from there on it is out of range") {
         BakeOptions options;
-        options.step_exponent = 0;
+        options.resolution = Resolution::step(0);
         const OpenedBlob cube(make_cube(0.0f, 8.0f), options);
-        const Lattice region = lattice_of(cube.blob);
+        const Lattice region = cube.blob.lattice();
         for (const float sign : {-1.0f, 1.0f}) {
             for (int k = 0; k < 3; ++k) {
                 float origin[3] = {4.5f, 4.25f, 4.125f}, direction[3] = {0.0f, 0.0f, 0.0f};
@@ -283,16 +273,14 @@ TEST_SUITE("rounded ray borders") {
                 CHECK(rounded(0x1p120f).status() == QueryStatus::out_of_range);
                 const RoundedRay far = rounded(std::nextafter(0x1p120f, 0.0f));
                 CHECK(far.status() == QueryStatus::ok);
-                RayHit hit;
-                REQUIRE(raycast(cube.blob, far, hit) == QueryStatus::ok);
-                CHECK(hit.triangle != no_triangle);
+                CHECK(raycast(cube.blob, far));
             }
         }
     }
 
     TEST_CASE("seams: a region is as long as 2^24 - 1 steps and no longer") {
         BakeOptions options;
-        options.step_exponent = 0;
+        options.resolution = Resolution::step(0);
         const auto placed = [&](int axis, float from, float to) {  // flat where both are the same
             Mesh mesh;
             for (const Vec3& p : {Vec3{from, 0, 0}, Vec3{to, 4, 0}, Vec3{from, 0, 4}})
@@ -308,27 +296,23 @@ TEST_SUITE("rounded ray borders") {
             const OpenedBlob farther = placed(axis, 0x1p90f, 0x1p90f);
             for (const OpenedBlob* there : {&flat, &last}) {
                 const Blob both[] = {there->blob, here.blob};
-                Lattice region;
-                REQUIRE(lattice_of(both, region) == QueryStatus::ok);
+                const Result<Lattice> found = lattice_of(both);
+                REQUIRE(found);
+                const Lattice& region = *found;
                 CHECK(region.extent[axis] == most_steps);
                 CHECK(region.extent[(axis + 1) % 3] == 4);
                 float at[3] = {1, 1, 1}, towards[3] = {0, 0, 0};
                 at[axis] = most - 9;
                 towards[axis] = 1;
                 const RoundedRay ray = round_ray(region, {{at[0], at[1], at[2]}, {towards[0], towards[1], towards[2]}});
-                RayHit hit;
-                REQUIRE(raycast(there->blob, ray, hit) == QueryStatus::ok);
-                CHECK(hit.triangle != no_triangle);
-                REQUIRE(raycast(here.blob, ray, hit) == QueryStatus::ok);
-                CHECK(hit.triangle == no_triangle);
+                CHECK(raycast(there->blob, ray));
+                CHECK(raycast(here.blob, ray).status == QueryStatus::not_found);
             }
             for (const OpenedBlob* there : {&beyond, &beyond_and_flat, &far, &farther}) {
                 const Blob both[] = {here.blob, there->blob};
-                Lattice region;
-                CHECK(lattice_of(both, region) == QueryStatus::out_of_range);
-                RayHit hit;
-                const RoundedRay ray = round_ray(lattice_of(here.blob), {{1, 1, 1}, {1, 2, 3}});
-                CHECK(raycast(there->blob, ray, hit) == QueryStatus::out_of_range);
+                CHECK(lattice_of(both).status == QueryStatus::out_of_range);
+                const RoundedRay ray = round_ray(here.blob.lattice(), {{1, 1, 1}, {1, 2, 3}});
+                CHECK(raycast(there->blob, ray).status == QueryStatus::out_of_range);
             }
         }
     }

@@ -8,7 +8,7 @@
 #include <string>
 
 #include <espalier/rounded_ray.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <runtime/kernels/ray_triangle.hpp>
 
 #include "support/base/same_bits.hpp"
 #include "support/format/decoder.hpp"
@@ -20,7 +20,8 @@ namespace espalier::tests {
 inline RayHit loop_over_triangles(const DecodedBlob& decoded, const std::int32_t (&before)[3],
                                   const RoundedRay& rounded) {
     const detail::RoundedRayData& data = rounded.data();
-    RayHit best = {INFINITY, 0.0f, 0.0f, {}, no_triangle};
+    RayHit best;
+    best.status = QueryStatus::not_found;
     if (data.may_hit == 0) return best;
     detail::IntegerRay ray{};
     for (int k = 0; k < 3; ++k) {
@@ -32,7 +33,7 @@ inline RayHit loop_over_triangles(const DecodedBlob& decoded, const std::int32_t
     ray.tau_min = data.tau_min;
     ray.tau_max = data.tau_max;
     ray.tau_offset = data.tau_offset;
-    ray.faces = data.faces;
+    ray.culling = data.culling;
     detail::TriangleHit nearest{};
     nearest.whole_tau = INFINITY;
     for (std::uint32_t i = 0; i < decoded.triangles.size(); ++i) {
@@ -66,7 +67,7 @@ inline detail::RayOnLattice moved(const RoundedRay& rounded, const std::int32_t 
     result.ray.tau_min = data.tau_min;
     result.ray.tau_max = data.tau_max;
     result.ray.tau_offset = data.tau_offset;
-    result.ray.faces = data.faces;
+    result.ray.culling = data.culling;
     detail::set_longest_axis(result.ray, data.longest_axis);
     result.t_min = data.t_min;
     result.t_max = data.t_max;
@@ -76,20 +77,15 @@ inline detail::RayOnLattice moved(const RoundedRay& rounded, const std::int32_t 
 /// Requires the loop's bits of a ray in the blob's own region, from the public calls and on every instruction set.
 inline void require_answers_of_the_loop(const DecodedBlob& decoded, const Blob& blob, const RoundedRay& ray) {
     constexpr std::int32_t nothing_before[3] = {};
-    RayHit hit;
-    bool any = false;
-    REQUIRE(raycast(blob, ray, hit) == QueryStatus::ok);
-    REQUIRE(occluded(blob, ray, any) == QueryStatus::ok);
     const RayHit expected = loop_over_triangles(decoded, nothing_before, ray);
-    REQUIRE(same_bits(hit, expected));
-    REQUIRE(any == (expected.triangle != no_triangle));
+    REQUIRE(same_bits(raycast(blob, ray), expected));
+    REQUIRE(occluded(blob, ray).status() == expected.status);
     if (ray.data().may_hit == 0) return;
     const detail::RayOnLattice on_blob = moved(ray, nothing_before);
     for (const InstructionPath& path : instruction_paths()) {
-        RayHit path_hit;
-        REQUIRE(path.closest_hit_on_lattice(blob.data(), on_blob, path_hit) == any);
-        if (any) REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
-        REQUIRE(path.any_hit_on_lattice(blob.data(), on_blob) == any);
+        const RayHit path_hit = path.closest_hit_on_lattice(detail::data_of(blob), on_blob);
+        REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
+        REQUIRE(path.any_hit_on_lattice(detail::data_of(blob), on_blob).status() == expected.status);
     }
 }
 

@@ -54,7 +54,7 @@ TEST_SUITE("rounded ray") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 24);
-            const Lattice lattice = lattice_of(blob.opened.blob);
+            const Lattice lattice = blob.opened.blob.lattice();
             for (std::uint64_t i = 0; i < count; ++i) {
                 Ray ray = maker.any_ray();
                 if (maker.random().below(3) == 0) maker.restrict(ray);
@@ -63,22 +63,17 @@ TEST_SUITE("rounded ray") {
                 const RoundedRay rounded = round_ray(region_around(lattice, maker.random(), before), ray);
                 REQUIRE(rounded);
                 const RayHit expected = loop_over_triangles(blob.decoded, before, rounded);
-                RayHit hit;
-                REQUIRE(raycast(blob.opened.blob, rounded, hit) == QueryStatus::ok);
-                REQUIRE(same_bits(hit, expected));
-                bool any = false;
-                REQUIRE(occluded(blob.opened.blob, rounded, any) == QueryStatus::ok);
-                REQUIRE(any == (expected.triangle != no_triangle));
+                REQUIRE(same_bits(raycast(blob.opened.blob, rounded), expected));
+                REQUIRE(occluded(blob.opened.blob, rounded).status() == expected.status);
                 ++asked;
-                hits += any ? 1u : 0u;
+                hits += expected ? 1u : 0u;
                 if (rounded.data().may_hit == 0) continue;
                 const detail::RayOnLattice on_blob = moved(rounded, before);
                 for (const InstructionPath& path : instruction_paths()) {
-                    RayHit path_hit;
-                    const bool found = path.closest_hit_on_lattice(blob.opened.blob.data(), on_blob, path_hit);
-                    REQUIRE_MESSAGE(found == any, std::string(path.name));
-                    if (found) REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
-                    REQUIRE_MESSAGE(path.any_hit_on_lattice(blob.opened.blob.data(), on_blob) == any,
+                    const detail::BlobData& data = detail::data_of(blob.opened.blob);
+                    const RayHit path_hit = path.closest_hit_on_lattice(data, on_blob);
+                    REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
+                    REQUIRE_MESSAGE(path.any_hit_on_lattice(data, on_blob).status() == expected.status,
                                     std::string(path.name));
                 }
             }
@@ -91,25 +86,20 @@ TEST_SUITE("rounded ray") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             QueryMaker maker(blob.decoded, 25);
-            const Lattice lattice = lattice_of(blob.opened.blob);
+            const Lattice lattice = blob.opened.blob.lattice();
             for (std::uint64_t i = 0; i < count; ++i) {
                 const Ray ray = maker.any_ray();
                 CAPTURE(describe(ray));
-                RayHit plain = {INFINITY, 0.0f, 0.0f, {}, no_triangle}, hit;
-                (void)raycast(blob.opened.blob, ray, plain);
-                REQUIRE(raycast(blob.opened.blob, round_ray(lattice, ray), hit) == QueryStatus::ok);
-                REQUIRE(same_bits(hit, plain));
+                REQUIRE(same_bits(raycast(blob.opened.blob, round_ray(lattice, ray)), raycast(blob.opened.blob, ray)));
             }
         }
     }
 
-    TEST_CASE("seams: what is no ray or no region is refused and leaves the result alone") {
+    TEST_CASE("seams: what is no ray or no region is refused") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
-        const Lattice good = lattice_of(cube.blob);
+        const Lattice good = cube.blob.lattice();
         const Ray ray = {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}};
-        RayHit hit;
-        REQUIRE(raycast(cube.blob, round_ray(good, ray), hit) == QueryStatus::ok);
-        CHECK(hit.t == 2.0f);
+        CHECK(raycast(cube.blob, round_ray(good, ray)).t == 2.0f);
         const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::max();
         for (int number = 0; number < 8; ++number) {
             for (const float bad : {nan, INFINITY, -INFINITY}) {
@@ -131,7 +121,8 @@ TEST_SUITE("rounded ray") {
             Ray empty = ray;
             (window < 0.0f ? empty.t_max : empty.t_min) = window;
             CHECK(status_of(good, empty) == QueryStatus::ok);
-            REQUIRE(raycast(cube.blob, round_ray(good, empty), hit) == QueryStatus::ok);
+            const RayHit hit = raycast(cube.blob, round_ray(good, empty));
+            CHECK(hit.status == QueryStatus::not_found);
             CHECK(hit.triangle == no_triangle);
             CHECK(hit.t == INFINITY);
         }
@@ -155,73 +146,68 @@ TEST_SUITE("rounded ray") {
         CHECK(with([](Lattice& r) { r.origin.y += std::ldexp(0.5f, r.step_exponent); }) ==
               QueryStatus::invalid_argument);
 
-        hit.t = 17.0f;
-        bool any = true;
-        CHECK(raycast(cube.blob, RoundedRay(), hit) == QueryStatus::invalid_argument);
-        CHECK(occluded(cube.blob, RoundedRay(), any) == QueryStatus::invalid_argument);
-        CHECK(raycast(cube.blob, round_ray(good, far), hit) == QueryStatus::out_of_range);
-        CHECK(hit.t == 17.0f);
-        CHECK(any);
+        CHECK(raycast(cube.blob, RoundedRay()).status == QueryStatus::invalid_argument);
+        CHECK(occluded(cube.blob, RoundedRay()).status() == QueryStatus::invalid_argument);
+        const RayHit refused = raycast(cube.blob, round_ray(good, far));
+        CHECK(refused.status == QueryStatus::out_of_range);
+        CHECK(refused.triangle == no_triangle);
+        CHECK(refused.t == INFINITY);
     }
 
     TEST_CASE("seams: a blob with another step or outside of the region is refused and an empty one is not hit") {
         BakeOptions options;
-        options.step_exponent = -8;
+        options.resolution = Resolution::step(-8);
         const OpenedBlob here(make_cube(-1.0f, 1.0f), options), there(make_cube(2.0f, 3.0f), options);
-        options.step_exponent = -9;
+        options.resolution = Resolution::step(-9);
         const OpenedBlob finer(make_cube(-1.0f, 1.0f), options), nothing(Mesh{}, options);
         const Ray ray = {{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -2.0f}};
-        const RoundedRay rounded = round_ray(lattice_of(here.blob), ray);
-        RayHit hit;
-        bool any = false;
-        CHECK(raycast(here.blob, rounded, hit) == QueryStatus::ok);
-        CHECK(raycast(there.blob, rounded, hit) == QueryStatus::out_of_range);
-        CHECK(occluded(there.blob, rounded, any) == QueryStatus::out_of_range);
-        CHECK(raycast(finer.blob, rounded, hit) == QueryStatus::invalid_argument);
-        CHECK(occluded(finer.blob, rounded, any) == QueryStatus::invalid_argument);
-        CHECK_FALSE(any);
-        for (const Blob& empty : {nothing.blob, Blob()}) {
-            REQUIRE(raycast(empty, rounded, hit) == QueryStatus::ok);
-            CHECK(hit.triangle == no_triangle);
-            REQUIRE(occluded(empty, rounded, any) == QueryStatus::ok);
-            CHECK_FALSE(any);
-        }
+        const RoundedRay rounded = round_ray(here.blob.lattice(), ray);
+        const auto check = [&](const Blob& blob, QueryStatus status) {
+            CHECK(raycast(blob, rounded).status == status);
+            CHECK(occluded(blob, rounded).status() == status);
+        };
+        check(here.blob, QueryStatus::ok);
+        check(there.blob, QueryStatus::out_of_range);
+        check(finer.blob, QueryStatus::invalid_argument);
+        check(nothing.blob, QueryStatus::not_found);
+        check(Blob(), QueryStatus::not_open);
         // By one step on either side.
         for (int k = 0; k < 3; ++k) {
-            Lattice region = lattice_of(here.blob);
+            Lattice region = here.blob.lattice();
             region.extent[k] -= 1;
-            CHECK(raycast(here.blob, round_ray(region, ray), hit) == QueryStatus::out_of_range);
+            CHECK(raycast(here.blob, round_ray(region, ray)).status == QueryStatus::out_of_range);
             region.extent[k] += 1;
             (k == 0 ? region.origin.x : k == 1 ? region.origin.y : region.origin.z) += 0x1p-8f;
-            CHECK(raycast(here.blob, round_ray(region, ray), hit) == QueryStatus::out_of_range);
+            CHECK(raycast(here.blob, round_ray(region, ray)).status == QueryStatus::out_of_range);
         }
     }
 
     TEST_CASE("seams: the region of several blobs holds each of them and no more") {
         BakeOptions options;
-        options.step_exponent = -8;
+        options.resolution = Resolution::step(-8);
         const OpenedBlob a(make_cube(-1.0f, 1.0f), options), b(make_cube(2.0f, 3.0f), options);
         const OpenedBlob far(make_cube(65536.0f, 65537.0f), options), nothing(Mesh{}, options);
-        options.step_exponent = -9;
+        options.resolution = Resolution::step(-9);
         const OpenedBlob finer(make_cube(-1.0f, 1.0f), options);
-        const Blob both[] = {nothing.blob, b.blob, Blob(), a.blob};
-        Lattice region;
-        REQUIRE(lattice_of(both, region) == QueryStatus::ok);
-        CHECK(region.origin == Vec3{-1.0f, -1.0f, -1.0f});
-        CHECK(region.step_exponent == -8);
-        for (const std::int32_t extent : region.extent) CHECK(extent == 4 * 256);
+        const Blob both[] = {nothing.blob, b.blob, a.blob}, never_opened[] = {b.blob, Blob()};
+        Result<Lattice> region = lattice_of(both);
+        REQUIRE(region);
+        CHECK(region->origin == Vec3{-1.0f, -1.0f, -1.0f});
+        CHECK(region->step_exponent == -8);
+        for (const std::int32_t extent : region->extent) CHECK(extent == 4 * 256);
         const Blob above_zero[] = {nothing.blob, b.blob};  // where the empty blob has its origin does not count
-        REQUIRE(lattice_of(above_zero, region) == QueryStatus::ok);
-        CHECK(region.origin == Vec3{2.0f, 2.0f, 2.0f});
-        CHECK(region.extent[0] == 256);
-        REQUIRE(lattice_of(both, region) == QueryStatus::ok);
+        region = lattice_of(above_zero);
+        REQUIRE(region);
+        CHECK(region->origin == Vec3{2.0f, 2.0f, 2.0f});
+        CHECK(region->extent[0] == 256);
         const Blob differ[] = {a.blob, finer.blob}, apart[] = {a.blob, far.blob};
-        CHECK(lattice_of(differ, region) == QueryStatus::invalid_argument);
-        CHECK(lattice_of(apart, region) == QueryStatus::out_of_range);
-        CHECK(region.extent[0] == 4 * 256);
-        REQUIRE(lattice_of(std::span<const Blob>(), region) == QueryStatus::ok);
-        CHECK(region.extent[0] == 0);
-        CHECK(region.origin == Vec3{});
+        CHECK(lattice_of(differ).status == QueryStatus::invalid_argument);
+        CHECK(lattice_of(apart).status == QueryStatus::out_of_range);
+        CHECK(lattice_of(never_opened).status == QueryStatus::not_open);
+        region = lattice_of(std::span<const Blob>());
+        REQUIRE(region);
+        CHECK(region->extent[0] == 0);
+        CHECK(region->origin == Vec3{});
     }
 
     TEST_CASE("seams: any bits are safe as arguments") {
@@ -233,20 +219,21 @@ TEST_SUITE("rounded ray") {
         };
         std::uint64_t taken = 0;
         for (std::uint64_t i = 0; i < scaled(50'000); ++i) {
-            Lattice region = lattice_of(cube.blob);
+            Lattice region = cube.blob.lattice();
             for (std::uint32_t changes = random.below(3); changes > 0; --changes) {
                 const auto number = static_cast<std::int32_t>(random.next()) >> random.below(32);
                 if (random.coin()) region.origin.x = any();
                 if (random.coin()) region.extent[random.below(3)] = number;
                 if (random.below(4) == 0) region.step_exponent = number;
             }
-            const Ray ray = {
-                {any(), any(), any()}, {any(), any(), any()}, any(), any(), static_cast<Faces>(random.below(256))};
+            const Ray ray = {{any(), any(), any()},
+                             {any(), any(), any()},
+                             any(),
+                             any(),
+                             static_cast<FaceCulling>(random.below(256))};
             const RoundedRay rounded = round_ray(region, ray);
-            RayHit hit;
-            bool hits = false;
-            const QueryStatus status = raycast(cube.blob, rounded, hit);
-            CHECK(occluded(cube.blob, rounded, hits) == status);
+            const QueryStatus status = raycast(cube.blob, rounded).status;
+            CHECK(occluded(cube.blob, rounded).status() == status);
             if (!rounded) CHECK(status == rounded.status());
             taken += rounded ? 1u : 0u;
         }

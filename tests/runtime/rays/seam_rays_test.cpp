@@ -91,7 +91,7 @@ public:
 private:
     [[nodiscard]] std::array<double, 3> snapped(std::uint32_t vertex) const {
         const Vec3& p = split_.whole.positions[vertex];
-        const int exponent = *split_.options.step_exponent;
+        const int exponent = static_cast<int>(split_.options.resolution.value());
         const auto snap = [&](float x) {
             return std::ldexp(std::nearbyint(std::ldexp(double(x), -exponent)), exponent);
         };
@@ -127,7 +127,9 @@ struct Tiles {
             opened.emplace_back(part.mesh, split.options);
             blobs.push_back(opened.back().blob);
         }
-        REQUIRE(lattice_of(blobs, region) == QueryStatus::ok);
+        const Result<Lattice> found = lattice_of(blobs);
+        REQUIRE(found);
+        region = *found;
     }
 };
 
@@ -156,22 +158,20 @@ TEST_SUITE("seam rays") {
                 float nearest = INFINITY;
                 bool any = false, any_plain = false;
                 for (const Blob& blob : tiles.blobs) {
-                    RayHit hit;
-                    REQUIRE(raycast(blob, rounded, hit) == QueryStatus::ok);
-                    REQUIRE((hit.triangle == no_triangle) == (hit.t == INFINITY));
+                    const RayHit hit = raycast(blob, rounded);
+                    REQUIRE(!is_refused(hit.status));
+                    REQUIRE(bool(hit) == (hit.t < INFINITY));
                     nearest = std::min(nearest, hit.t);
-                    bool hits = false;
-                    REQUIRE(occluded(blob, rounded, hits) == QueryStatus::ok);
-                    REQUIRE(hits == (hit.triangle != no_triangle));
-                    any = any || hits;
-                    any_plain = any_plain || occluded(blob, ray);
+                    REQUIRE(occluded(blob, rounded).status() == hit.status);
+                    any = any || hit;
+                    any_plain = any_plain || occluded(blob, ray).yes();
                 }
                 ++asked;
                 leaks += any ? 0u : 1u;
                 leaks_of_plain_rays += any_plain ? 0u : 1u;
                 // The whole, baked as one blob, is the same surface.
-                RayHit of_whole;
-                REQUIRE(raycast(whole.blob, rounded, of_whole) == QueryStatus::ok);
+                const RayHit of_whole = raycast(whole.blob, rounded);
+                REQUIRE(!is_refused(of_whole.status));
                 REQUIRE(same_bits(nearest, of_whole.t));
             }
         }

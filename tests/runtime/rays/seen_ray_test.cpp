@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/seen_boxes.hpp>
-#include <runtime/seen_planes.hpp>
-#include <runtime/seen_triangles.hpp>
+#include <runtime/rays/small_code/seen_boxes.hpp>
+#include <runtime/rays/small_code/seen_planes.hpp>
+#include <runtime/rays/small_code/seen_triangles.hpp>
 
 #include "platform/fingerprint.hpp"
 #include "support/exact/boxes_on_ray.hpp"

@@ -10,7 +10,7 @@
 
 #include <espalier/overlap.hpp>
 #include <espalier/sweep.hpp>
-#include <runtime/sweep_queries.hpp>
+#include <runtime/sweeps/queries.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/same_bits.hpp"
@@ -28,10 +28,11 @@ namespace {
 
 bool same_bits(const SweepHit& a, const SweepHit& b) {
     return tests::same_bits(a.t, b.t) && tests::same_bits(a.point, b.point) && tests::same_bits(a.normal, b.normal) &&
-           a.triangle == b.triangle && a.starts_overlapping == b.starts_overlapping;
+           tests::same_bits(a.face_normal, b.face_normal) && a.triangle == b.triangle && a.status == b.status &&
+           a.starts_overlapping == b.starts_overlapping;
 }
 
-bool third_is_left_out(Triangle triangle) { return triangle.index % 3 != 2; }
+bool third_is_left_out(TriangleId triangle) { return triangle.index % 3 != 2; }
 
 detail::SphereSweep rounded_of(const Sphere&) { return {}; }
 detail::CapsuleSweep rounded_of(const Capsule&) { return {}; }
@@ -39,14 +40,17 @@ detail::BoxSweep rounded_of(const Box&) { return {}; }
 
 /// What the loop says, of all triangles and of those that the filter leaves.
 template <class Shape>
-std::array<std::optional<SweepHit>, 2> ask(const TriangleLoop& loop, const Blob& blob, const Moving<Shape>& moving) {
+std::array<SweepHit, 2> ask(const TriangleLoop& loop, const Blob& blob, const Moving<Shape>& moving) {
     auto sweep = rounded_of(moving.shape);
-    if (round_sweep(blob.data(), moving.shape, moving.displacement, sweep) != QueryStatus::ok) return {};
-    const detail::FoundContact found[2] = {loop.first_contact(sweep, [](Triangle) { return true; }),
+    std::array<SweepHit, 2> hits;
+    hits[0].status = hits[1].status = round_sweep(detail::data_of(blob), moving.shape, moving.displacement, sweep);
+    if (hits[0].status != QueryStatus::ok) return hits;
+    hits[0].status = hits[1].status = QueryStatus::not_found;
+    hits[0].t = hits[1].t = 1.0f;
+    const detail::FoundContact found[2] = {loop.first_contact(sweep, [](TriangleId) { return true; }),
                                            loop.first_contact(sweep, third_is_left_out)};
-    std::array<std::optional<SweepHit>, 2> hits;
     for (unsigned i = 0; i < 2; ++i)
-        if (found[i].step != detail::no_contact) hits[i] = to_sweep_hit(blob.data(), sweep, found[i]);
+        if (found[i].step != detail::no_contact) hits[i] = to_sweep_hit(detail::data_of(blob), sweep, found[i]);
     return hits;
 }
 
@@ -60,14 +64,10 @@ template <class Shape>
 void require_equal(const Blob& blob, const TriangleLoop& loop, const Moving<Shape>& moving, Seen& seen) {
     const auto expected = ask(loop, blob, moving);
     for (unsigned i = 0; i < 2; ++i) {
-        SweepHit hit;
-        const bool found = i == 0 ? sweep(blob, moving.shape, moving.displacement, hit)
-                                  : sweep(blob, moving.shape, moving.displacement, hit, third_is_left_out);
-        REQUIRE_MESSAGE(found == expected[i].has_value(), describe(moving));
-        if (found) REQUIRE_MESSAGE(same_bits(hit, *expected[i]), describe(moving));
-        REQUIRE_MESSAGE((check_sweep(blob, moving.shape, moving.displacement) == QueryStatus::ok || !found),
-                        describe(moving));
-        if (i != 0 || !found) continue;
+        const SweepHit hit = i == 0 ? sweep(blob, moving.shape, moving.displacement)
+                                    : sweep(blob, moving.shape, moving.displacement, third_is_left_out);
+        REQUIRE_MESSAGE(same_bits(hit, expected[i]), describe(moving));
+        if (i != 0 || !hit) continue;
         ++seen.hits;
         seen.starts += hit.starts_overlapping ? 1 : 0;
         const Vec3& n = hit.normal;
@@ -110,7 +110,7 @@ void check_blobs(const std::vector<TestBlob>& blobs, std::uint64_t count) {
 }
 
 struct Cube {
-    explicit Cube(format::Profile profile) : opened(make_cube(-1.0f, 1.0f), with_profile(profile)) {}
+    explicit Cube(Profile profile) : opened(make_cube(-1.0f, 1.0f), with_profile(profile)) {}
     OpenedBlob opened;
     [[nodiscard]] const Blob& blob() const { return opened.blob; }
 };
@@ -128,17 +128,17 @@ TEST_SUITE("sweep") {
         check_blobs(medium_test_blobs(), scaled_share(6));
     }
     TEST_CASE("sweep: blobs with copies equal the loop") {
-        BakeOptions options = with_profile(format::Profile::fast);
-        options.builder = Builder::spatial_splits;
-        options.duplicates = 1.0;
+        BakeOptions options = with_profile(Profile::fast);
+        options.build.builder = Builder::spatial_splits;
+        options.build.duplicate_budget = 1.0;
         const OpenedBlob opened(make_soup(400, 3), options);
-        REQUIRE(opened.blob.copy_count() > 0);
+        REQUIRE(opened.blob.duplicate_reference_count() > 0);
         Seen seen[3];
         check_sweeps(opened.blob, decode(opened.bytes), 500, scaled(150), seen);
         for (const Seen& each : seen) CHECK(each.hits > each.asked / 5);
     }
     TEST_CASE("sweep: spheres and capsules and boxes equal the loop on real meshes") {
-        for_each_real_mesh([](const Mesh& mesh, format::Profile profile) {
+        for_each_real_mesh([](const Mesh& mesh, Profile profile) {
             const OpenedBlob opened(mesh, with_profile(profile));
             const DecodedBlob decoded = decode(opened.bytes);
             Seen seen[3];
@@ -154,10 +154,11 @@ TEST_SUITE("sweep") {
 
 TEST_SUITE("sweep") {
     TEST_CASE("sweep: a first contact has time and point and normal") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             const Cube cube(profile);
-            SweepHit hit;
-            REQUIRE(sweep(cube.blob(), Sphere{{0.25f, 0.5f, 5.0f}, 1.0f}, {0.0f, 0.0f, -6.0f}, hit));
+            SweepHit hit = sweep(cube.blob(), Sphere{{0.25f, 0.5f, 5.0f}, 1.0f}, {0.0f, 0.0f, -6.0f});
+            REQUIRE(hit);
+            CHECK(hit.face_normal == Vec3{0.0f, 0.0f, 1.0f});
             CHECK(hit.t == doctest::Approx(0.5));
             CHECK(hit.t <= 0.5f);
             CHECK(hit.point.z == doctest::Approx(1.0));
@@ -166,17 +167,19 @@ TEST_SUITE("sweep") {
             CHECK_FALSE(hit.starts_overlapping);
 
             // A corner.
-            REQUIRE(sweep(cube.blob(), Sphere{{5.0f, 5.0f, 5.0f}, 1.0f}, {-8.0f, -8.0f, -8.0f}, hit));
+            hit = sweep(cube.blob(), Sphere{{5.0f, 5.0f, 5.0f}, 1.0f}, {-8.0f, -8.0f, -8.0f});
+            REQUIRE(hit);
             CHECK(hit.t == doctest::Approx((4.0 - std::sqrt(1.0 / 3.0)) / 8.0).epsilon(0.0001));
             CHECK(hit.normal.x == doctest::Approx(std::sqrt(1.0 / 3.0)).epsilon(0.001));
             CHECK(hit.point.x == doctest::Approx(1.0));
 
-            REQUIRE(
-                sweep(cube.blob(), Capsule{{0.0f, 0.0f, 3.0f}, {0.0f, 0.0f, 9.0f}, 0.5f}, {0.0f, 0.0f, -3.0f}, hit));
+            hit = sweep(cube.blob(), Capsule{{0.0f, 0.0f, 3.0f}, {0.0f, 0.0f, 9.0f}, 0.5f}, {0.0f, 0.0f, -3.0f});
+            REQUIRE(hit);
             CHECK(hit.t == doctest::Approx(0.5));
             CHECK(hit.normal.z == doctest::Approx(1.0));
 
-            REQUIRE(sweep(cube.blob(), Box{{-0.5f, -0.5f, 2.0f}, {0.5f, 0.5f, 3.0f}}, {0.0f, 0.0f, -2.0f}, hit));
+            hit = sweep(cube.blob(), Box{{-0.5f, -0.5f, 2.0f}, {0.5f, 0.5f, 3.0f}}, {0.0f, 0.0f, -2.0f});
+            REQUIRE(hit);
             CHECK(hit.t == doctest::Approx(0.5));
             CHECK(tests::same_bits(hit.normal.z, 1.0f));
             CHECK(hit.point.z == doctest::Approx(1.0));
@@ -191,13 +194,13 @@ TEST_SUITE("sweep") {
         for (const TestBlob& blob : small_test_blobs()) {
             CAPTURE(blob.name);
             SweepMaker maker(blob.decoded, 502);
-            const float step = blob.opened.blob.step();
+            const float step = std::ldexp(1.0f, blob.opened.blob.lattice().step_exponent);
             // Whole steps from the lattice's origin: both queries round nothing.
             const auto snap = [&](Vec3 at, Vec3 from) {
                 const auto axis = [&](float a, float b) { return b + std::nearbyint((a - b) / step) * step; };
                 return Vec3{axis(at.x, from.x), axis(at.y, from.y), axis(at.z, from.z)};
             };
-            const Vec3 origin = blob.opened.blob.bounds_min();
+            const Vec3 origin = blob.opened.blob.bounds().min;
             for (std::uint64_t i = 0; i < scaled_share(300); ++i) {
                 Moving<Sphere> moving = i % 3 == 0 ? maker.awkward_sphere() : maker.random_sphere();
                 moving.shape.center = snap(moving.shape.center, origin);
@@ -209,8 +212,8 @@ TEST_SUITE("sweep") {
                 moving.displacement = {end.x - moving.shape.center.x, end.y - moving.shape.center.y,
                                        end.z - moving.shape.center.z};
                 detail::SphereSweep rounded;
-                detail::LatticeSegment segment;
-                const auto& data = blob.opened.blob.data();
+                detail::RoundedSegment segment;
+                const auto& data = detail::data_of(blob.opened.blob);
                 if (round_sweep(data, moving.shape, moving.displacement, rounded) != QueryStatus::ok ||
                     round_segment(data, {moving.shape.center, end}, segment) != QueryStatus::ok)
                     continue;
@@ -220,16 +223,15 @@ TEST_SUITE("sweep") {
                     segment.from[1] != rounded.center.y << shift || segment.from[2] != rounded.center.z << shift ||
                     segment.to[0] != to.x << shift || segment.to[1] != to.y << shift || segment.to[2] != to.z << shift)
                     continue;
-                SweepHit hit;
-                const bool found = sweep(blob.opened.blob, moving.shape, moving.displacement, hit);
+                const SweepHit hit = sweep(blob.opened.blob, moving.shape, moving.displacement);
+                const bool found{hit};
                 REQUIRE_MESSAGE(
-                    found == overlaps(blob.opened.blob, Capsule{moving.shape.center, end, moving.shape.radius}),
+                    found == overlaps(blob.opened.blob, Capsule{moving.shape.center, end, moving.shape.radius}).yes(),
                     describe(moving));
                 ++asked;
                 touched += found ? 1 : 0;
-                SweepHit at_start;
-                const bool starts = sweep(blob.opened.blob, moving.shape, {0.0f, 0.0f, 0.0f}, at_start);
-                REQUIRE(starts == overlaps(blob.opened.blob, moving.shape));
+                const bool starts{sweep(blob.opened.blob, moving.shape, {0.0f, 0.0f, 0.0f})};
+                REQUIRE(starts == overlaps(blob.opened.blob, moving.shape).yes());
                 REQUIRE((!found || hit.starts_overlapping == starts));
             }
         }
@@ -238,73 +240,77 @@ TEST_SUITE("sweep") {
     }
 
     TEST_CASE("sweep: contact at the start gives t 0 and the lowest triangle and a normal to the middle") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             const Cube cube(profile);
             const auto lowest = [&](const auto& shape) {
                 std::uint32_t first = no_triangle.index;
-                for_each_overlap(cube.blob(), shape, [&](Triangle triangle) { return first = triangle.index, stop; });
+                (void)for_each_overlap(cube.blob(), shape,
+                                       [&](TriangleId triangle) { return first = triangle.index, Visit::stop; });
                 return first;
             };
             const Vec3 anywhere = {1.0f, 2.0f, 3.0f};
-            SweepHit hit;
             const Sphere sphere = {{0.25f, 0.5f, 1.5f}, 1.0f};
-            REQUIRE(sweep(cube.blob(), sphere, anywhere, hit));
+            SweepHit hit = sweep(cube.blob(), sphere, anywhere);
+            REQUIRE(hit);
             CHECK(hit.starts_overlapping);
             CHECK(hit.t == 0.0f);
             CHECK(hit.triangle.index == lowest(sphere));
             const Capsule capsule = {{0.0f, 0.0f, 0.5f}, {0.0f, 0.0f, 2.5f}, 0.125f};
-            REQUIRE(sweep(cube.blob(), capsule, anywhere, hit));
+            hit = sweep(cube.blob(), capsule, anywhere);
+            REQUIRE(hit);
             CHECK(hit.starts_overlapping);
             CHECK(hit.triangle.index == lowest(capsule));
             CHECK(hit.normal.z == doctest::Approx(1.0));
             const Box box = {{-0.5f, -0.5f, 0.0f}, {0.5f, 0.5f, 3.0f}};
-            REQUIRE(sweep(cube.blob(), box, anywhere, hit));
+            hit = sweep(cube.blob(), box, anywhere);
+            REQUIRE(hit);
             CHECK(hit.starts_overlapping);
             CHECK(hit.triangle.index == lowest(box));
             // Touching from outside, and moving away.
-            REQUIRE(sweep(cube.blob(), Sphere{{0.25f, 0.5f, 2.0f}, 1.0f}, {0.0f, 0.0f, 1.0f}, hit));
+            hit = sweep(cube.blob(), Sphere{{0.25f, 0.5f, 2.0f}, 1.0f}, {0.0f, 0.0f, 1.0f});
+            REQUIRE(hit);
             CHECK(hit.starts_overlapping);
             // Inside, touching nothing.
-            CHECK_FALSE(sweep(cube.blob(), Sphere{{0.0f, 0.0f, 0.0f}, 0.5f}, {0.0f, 0.0f, 0.25f}, hit));
+            CHECK_FALSE(sweep(cube.blob(), Sphere{{0.0f, 0.0f, 0.0f}, 0.5f}, {0.0f, 0.0f, 0.25f}));
         });
     }
 
     TEST_CASE("sweep: shapes without size and ways without length are valid") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             const Cube cube(profile);
             const Vec3 down = {0.0f, 0.0f, -2.0f};
             const Vec3 nowhere = {0.0f, -0.0f, 0.0f};
-            SweepHit of_sphere;
-            SweepHit of_capsule;
-            SweepHit of_box;
             const Vec3 at = {0.25f, 0.5f, 2.0f};
-            REQUIRE(sweep(cube.blob(), Sphere{at, 0.0f}, down, of_sphere));
-            REQUIRE(sweep(cube.blob(), Capsule{at, at, 0.0f}, down, of_capsule));
-            REQUIRE(sweep(cube.blob(), Box{at, at}, down, of_box));
+            const SweepHit of_sphere = sweep(cube.blob(), Sphere{at, 0.0f}, down);
+            const SweepHit of_capsule = sweep(cube.blob(), Capsule{at, at, 0.0f}, down);
+            const SweepHit of_box = sweep(cube.blob(), Box{at, at}, down);
+            REQUIRE(of_sphere);
+            REQUIRE(of_capsule);
+            REQUIRE(of_box);
             CHECK(of_sphere.t == doctest::Approx(0.5));
             CHECK(same_bits(of_sphere, of_capsule));
             CHECK(of_sphere.t == of_box.t);
             CHECK(of_sphere.triangle == of_box.triangle);
             CHECK(of_sphere.normal == of_box.normal);
             CHECK(of_box.point.z == doctest::Approx(1.0));
-            CHECK_FALSE(sweep(cube.blob(), Sphere{at, 0.5f}, nowhere, of_sphere));
-            CHECK(sweep(cube.blob(), Sphere{at, 1.0f}, nowhere, of_sphere));
-            CHECK(of_sphere.starts_overlapping);
-            CHECK_FALSE(sweep(cube.blob(), Box{{2.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, down, of_box));
-            CHECK(check_sweep(cube.blob(), Box{{2.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, down) == QueryStatus::ok);
+            CHECK(sweep(cube.blob(), Sphere{at, 0.5f}, nowhere).status == QueryStatus::not_found);
+            CHECK(sweep(cube.blob(), Sphere{at, 1.0f}, nowhere).starts_overlapping);
+            const SweepHit of_nothing = sweep(cube.blob(), Box{{2.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, down);
+            CHECK(of_nothing.status == QueryStatus::not_found);
+            CHECK(of_nothing.t == 1.0f);
         });
     }
 
-    TEST_CASE("sweep: a refused sweep reports it and leaves the hit untouched") {
-        const Cube cube(format::Profile::balanced);
+    TEST_CASE("sweep: a refused sweep has t 0 and a missed one t 1") {
+        const Cube cube(Profile::balanced);
         const Blob& blob = cube.blob();
         const Vec3 zero = {0.0f, 0.0f, 0.0f};
-        SweepHit hit;
-        hit.t = 7.0f;
         const auto refused = [&](const auto& shape, Vec3 way, QueryStatus status) {
-            CHECK(check_sweep(blob, shape, way) == status);
-            CHECK_FALSE(sweep(blob, shape, way, hit));
-            CHECK(hit.t == 7.0f);
+            SweepHit expected;
+            CHECK(expected.t == 0.0f);
+            CHECK(same_bits(sweep(Blob(), shape, way), expected));
+            expected.status = status;
+            CHECK(same_bits(sweep(blob, shape, way), expected));
         };
         for (const float bad : {not_a_number, infinity, -infinity}) {
             refused(Sphere{{bad, 0.0f, 0.0f}, 1.0f}, zero, QueryStatus::invalid_argument);
@@ -316,44 +322,53 @@ TEST_SUITE("sweep") {
         }
         refused(Sphere{zero, -1.0f}, zero, QueryStatus::invalid_argument);
         refused(Capsule{zero, zero, -1.0f}, zero, QueryStatus::invalid_argument);
-        CHECK(check_sweep(blob, Sphere{zero, -0.0f}, zero) == QueryStatus::ok);
-        const float far = 0x1p35f * blob.step();
+        CHECK(sweep(blob, Sphere{zero, -0.0f}, zero).status == QueryStatus::not_found);
+        const float far = 0x1p35f * std::ldexp(1.0f, blob.lattice().step_exponent);
         refused(Sphere{{far, 0.0f, 0.0f}, 1.0f}, zero, QueryStatus::out_of_range);
         refused(Sphere{zero, far}, zero, QueryStatus::out_of_range);
         refused(Sphere{zero, 1.0f}, {0.0f, far, 0.0f}, QueryStatus::out_of_range);
-        refused(Capsule{zero, {0.0f, 0.0f, 0x1p26f * blob.step()}, 1.0f}, zero, QueryStatus::out_of_range);
+        refused(Capsule{zero, {0.0f, 0.0f, 0x1p26f * std::ldexp(1.0f, blob.lattice().step_exponent)}, 1.0f}, zero,
+                QueryStatus::out_of_range);
         refused(Box{{-far, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, zero, QueryStatus::out_of_range);
         const float most = std::numeric_limits<float>::max();
         refused(Box{{-most, -most, -most}, {most, most, most}}, {most, most, most}, QueryStatus::out_of_range);
 
-        CHECK_FALSE(sweep(Blob(), Sphere{zero, 1.0f}, zero, hit));
-        CHECK_FALSE(sweep(Blob(), Capsule{zero, zero, 1.0f}, zero, hit));
-        CHECK_FALSE(sweep(Blob(), Box{zero, zero}, zero, hit));
+        const OpenedBlob empty(Mesh{});
+        SweepHit miss;
+        miss.status = QueryStatus::not_found;
+        miss.t = 1.0f;
+        CHECK(same_bits(sweep(empty.blob, Sphere{zero, 1.0f}, zero), miss));
+        CHECK(same_bits(sweep(empty.blob, Capsule{zero, zero, 1.0f}, zero), miss));
+        CHECK(same_bits(sweep(empty.blob, Box{zero, zero}, zero), miss));
+        CHECK(same_bits(sweep(blob, Sphere{{9.0f, 9.0f, 9.0f}, 1.0f}, zero), miss));
+        CHECK(sweep(empty.blob, Sphere{zero, -1.0f}, zero).status == QueryStatus::invalid_argument);
 
         // Just within range: a sphere larger than the asset from far away.
-        REQUIRE(sweep(blob, Sphere{{0.0f, 0.0f, far / 4.0f}, far / 8.0f}, {0.0f, 0.0f, -far / 4.0f}, hit));
+        const SweepHit hit = sweep(blob, Sphere{{0.0f, 0.0f, far / 4.0f}, far / 8.0f}, {0.0f, 0.0f, -far / 4.0f});
+        REQUIRE(hit);
         CHECK(hit.t == doctest::Approx(0.5));
     }
 
     TEST_CASE("sweep: a filter leaves out triangles and the ones behind them are hit") {
-        for_each_profile([](format::Profile profile) {
+        for_each_profile([](Profile profile) {
             const Cube cube(profile);
-            SweepHit hit;
             const Sphere sphere = {{0.25f, 0.5f, 5.0f}, 0.25f};
             const Vec3 down = {0.0f, 0.0f, -8.0f};
-            REQUIRE(sweep(cube.blob(), sphere, down, hit));
+            SweepHit hit = sweep(cube.blob(), sphere, down);
+            REQUIRE(hit);
             const float first = hit.point.z;
-            std::vector<Triangle> top;
-            for_each_overlap(cube.blob(), Box{{-2.0f, -2.0f, 0.999f}, {2.0f, 2.0f, 2.0f}},
-                             [&](Triangle triangle) { return top.push_back(triangle), keep_going; });
-            REQUIRE(sweep(cube.blob(), sphere, down, hit, [&](Triangle triangle) {
-                for (const Triangle each : top)
+            std::vector<TriangleId> top;
+            (void)for_each_overlap(cube.blob(), Box{{-2.0f, -2.0f, 0.999f}, {2.0f, 2.0f, 2.0f}},
+                                   [&](TriangleId triangle) { return top.push_back(triangle), Visit::next; });
+            hit = sweep(cube.blob(), sphere, down, [&](TriangleId triangle) {
+                for (const TriangleId each : top)
                     if (each == triangle) return false;
                 return true;
-            }));
+            });
+            REQUIRE(hit);
             CHECK(first == doctest::Approx(1.0));
             CHECK(hit.point.z == doctest::Approx(-1.0));
-            CHECK_FALSE(sweep(cube.blob(), sphere, down, hit, [](Triangle) { return false; }));
+            CHECK(sweep(cube.blob(), sphere, down, [](TriangleId) { return false; }).status == QueryStatus::not_found);
         });
     }
 }

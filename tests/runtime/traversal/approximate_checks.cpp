@@ -8,12 +8,12 @@
 #include <limits>
 
 #include <espalier/approximate.hpp>
-#include <runtime/closest_pair.hpp>
-#include <runtime/lattice_box.hpp>
-#include <runtime/lattice_point.hpp>
-#include <runtime/lattice_ray.hpp>
-#include <runtime/nearest_world.hpp>
-#include <runtime/small_boxes.hpp>
+#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/lattice/round_point.hpp>
+#include <runtime/lattice/round_ray.hpp>
+#include <runtime/overlap/box.hpp>
+#include <runtime/proximity/closest_pair.hpp>
+#include <runtime/traversal/small_boxes.hpp>
 
 #include "support/machine/instruction_paths.hpp"
 #include "support/queries/ray_maker.hpp"
@@ -72,13 +72,13 @@ void check_sphere(Asked& asked, bool awkward, Tally& tally) {
     const float accuracy = some_accuracy(asked.maker);
     CAPTURE(describe(sphere));
     CAPTURE(accuracy);
-    detail::LatticePoint rounded;
-    if (!detail::round_point(asked.blob.data(), sphere.center, sphere.radius, rounded)) {
-        REQUIRE_FALSE(may_overlap(asked.blob, sphere, accuracy));
+    detail::RoundedPoint rounded;
+    if (detail::round_point(detail::data_of(asked.blob), sphere.center, sphere.radius, rounded) != QueryStatus::ok) {
+        REQUIRE(overlaps(asked.blob, sphere, Accuracy{accuracy}).no());
         return;
     }
     const bool exact = asked.loop.closest_within(rounded).has_value();
-    const bool maybe = may_overlap(asked.blob, sphere, accuracy);
+    const bool maybe = overlaps(asked.blob, sphere, Accuracy{accuracy}).yes();
     if (exact) REQUIRE(maybe);
     if (maybe && !exact) {
         const double more = asked.steps(accuracy) * root_of_3;
@@ -86,7 +86,7 @@ void check_sphere(Asked& asked, bool awkward, Tally& tally) {
             static_cast<float>(static_cast<double>(rounded.radius) * (1.0 + 0x1p-18) + more * (1.0 + 0x1p-22));
         REQUIRE(asked.loop.closest_within(rounded).has_value());
     }
-    REQUIRE(may_overlap(asked.blob, sphere, 0.0f) == exact);
+    REQUIRE(overlaps(asked.blob, sphere, Accuracy{0.0f}).yes() == exact);
     tally.add(maybe, exact);
 }
 
@@ -95,40 +95,40 @@ void check_box(Asked& asked, bool awkward, Tally& tally) {
     const float accuracy = some_accuracy(asked.maker);
     CAPTURE(describe(box));
     CAPTURE(accuracy);
-    detail::LatticeBox rounded;
-    if (detail::round_volume(asked.blob.data(), box, rounded) != QueryStatus::ok || rounded.is_empty) {
-        REQUIRE_FALSE(may_overlap(asked.blob, box, accuracy));
+    detail::RoundedBox rounded;
+    if (detail::round_volume(detail::data_of(asked.blob), box, rounded) != QueryStatus::ok || rounded.is_empty) {
+        REQUIRE(overlaps(asked.blob, box, Accuracy{accuracy}).no());
         return;
     }
     const bool exact = !asked.loop.every_overlap(rounded).empty();
-    const bool maybe = may_overlap(asked.blob, box, accuracy);
+    const bool maybe = overlaps(asked.blob, box, Accuracy{accuracy}).yes();
     if (exact) REQUIRE(maybe);
     if (maybe && !exact) {
         for (std::int64_t& half : rounded.half)
-            half += static_cast<std::int64_t>(asked.steps(accuracy)) << detail::LatticeBox::fraction_bits;
+            half += static_cast<std::int64_t>(asked.steps(accuracy)) << detail::RoundedBox::fraction_bits;
         REQUIRE_FALSE(asked.loop.every_overlap(rounded).empty());
     }
-    REQUIRE(may_overlap(asked.blob, box, 0.0f) == exact);
+    REQUIRE(overlaps(asked.blob, box, Accuracy{0.0f}).yes() == exact);
     tally.add(maybe, exact);
 }
 
 void check_ray(Asked& asked, bool awkward, Tally& tally) {
     Ray ray = awkward ? asked.queries.any_ray() : asked.queries.ray(RayKind::incoherent);
     if (asked.maker.random().coin()) asked.queries.restrict(ray);
-    ray.faces = Faces::both;
+    ray.culling = FaceCulling::none;
     const float accuracy = some_accuracy(asked.maker);
     CAPTURE(describe(ray));
     CAPTURE(accuracy);
     detail::LatticeRay rounded;
-    if (!detail::round_ray(asked.blob.data(), ray, rounded)) {
-        REQUIRE_FALSE(may_be_occluded(asked.blob, ray, accuracy));
+    if (!detail::round_ray(detail::data_of(asked.blob), ray, rounded)) {
+        REQUIRE_FALSE(occluded(asked.blob, ray, Accuracy{accuracy}).yes());
         return;
     }
     const bool exact = !asked.loop.every_hit(rounded).empty();
-    const bool maybe = may_be_occluded(asked.blob, ray, accuracy);
+    const bool maybe = occluded(asked.blob, ray, Accuracy{accuracy}).yes();
     if (exact) REQUIRE(maybe);
     if (maybe && !exact) REQUIRE(passes_within(asked, rounded, asked.steps(accuracy) * root_of_3));
-    REQUIRE(may_be_occluded(asked.blob, ray, 0.0f) == exact);
+    REQUIRE(occluded(asked.blob, ray, Accuracy{0.0f}).yes() == exact);
     tally.add(maybe, exact);
 }
 
@@ -137,10 +137,17 @@ void check_bounds(Asked& asked, bool awkward, Tally& tally) {
     const float accuracy = asked.maker.random().below(4) == 0 ? 0.0f : some_accuracy(asked.maker);
     CAPTURE(describe(sphere));
     CAPTURE(accuracy);
-    DistanceBounds bounds;
-    const bool has_bounds = distance_bounds(asked.blob, sphere.center, sphere.radius, accuracy, bounds);
-    detail::LatticePoint rounded;
-    const bool is_near = detail::round_point(asked.blob.data(), sphere.center, sphere.radius, rounded);
+    const Result<DistanceBounds> result = distance_bounds(asked.blob, sphere.center, sphere.radius, Accuracy{accuracy});
+    const DistanceBounds& bounds = *result;
+    const bool has_bounds{result};
+    detail::RoundedPoint rounded;
+    const QueryStatus status = detail::round_point(detail::data_of(asked.blob), sphere.center, sphere.radius, rounded);
+    const bool is_near = status == QueryStatus::ok;
+    if (!is_near) REQUIRE(result.status == status);
+    if (!has_bounds) {
+        REQUIRE(bounds.lower == 0.0f);
+        REQUIRE(bounds.upper == infinity);
+    }
     const bool found = is_near && asked.loop.closest_within(rounded).has_value();
     if (found) REQUIRE(has_bounds);
     if (accuracy == 0.0f) REQUIRE(has_bounds == found);
@@ -150,11 +157,11 @@ void check_bounds(Asked& asked, bool awkward, Tally& tally) {
     const auto lower = static_cast<double>(bounds.lower), upper = static_cast<double>(bounds.upper);
     REQUIRE(upper <= lower + static_cast<double>(accuracy) * root_of_3 + upper * 0x1p-16);
     // However far it may be.
-    REQUIRE(detail::round_point(asked.blob.data(), sphere.center, infinity, rounded));
+    REQUIRE(detail::round_point(detail::data_of(asked.blob), sphere.center, infinity, rounded) == QueryStatus::ok);
     const auto closest = asked.loop.closest_within(rounded);
     REQUIRE(closest.has_value());
-    const float distance =
-        detail::to_world_distance(asked.blob.data(), closest->distance.squared, rounded.distance_offset, infinity);
+    const float distance = detail::to_world_distance(detail::data_of(asked.blob), closest->distance.squared,
+                                                     rounded.distance_offset, infinity);
     if (bounds.lower < sphere.radius) REQUIRE(bounds.lower <= distance);
     REQUIRE(distance <= bounds.upper);
     tally.add(true, bounds.upper <= bounds.lower * 1.01f);
@@ -164,21 +171,21 @@ void check_instruction_sets(Asked& asked, bool awkward, Tally&) {
     auto& [blob, decoded, extent, loop, maker, queries] = asked;
     const Sphere sphere = awkward ? queries.sphere() : queries.random_sphere();
     const Ray ray = awkward ? queries.any_ray() : queries.ray(RayKind::incoherent);
-    const std::int32_t steps = detail::steps_in(blob.data(), some_accuracy(maker));
-    detail::LatticePoint rounded;
-    if (!detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) return;
+    const std::int32_t steps = detail::steps_in(detail::data_of(blob), some_accuracy(maker));
+    detail::RoundedPoint rounded;
+    if (detail::round_point(detail::data_of(blob), sphere.center, sphere.radius, rounded) != QueryStatus::ok) return;
     QueryCounters first;
     const InstructionPath& scalar = instruction_paths().front();
-    const bool overlap = scalar.may_overlap(blob.data(), rounded, steps, first);
-    const detail::SquaredBounds bounds = scalar.closest_bounds(blob.data(), rounded, steps, first);
-    const bool hit = scalar.may_hit(blob.data(), ray, steps, first);
+    const bool overlap = scalar.may_overlap(detail::data_of(blob), rounded, steps, first);
+    const detail::SquaredBounds bounds = scalar.closest_bounds(detail::data_of(blob), rounded, steps, first);
+    const bool hit = scalar.may_hit(detail::data_of(blob), ray, {steps, &first}).yes();
     for (const InstructionPath& path : instruction_paths()) {
         QueryCounters counters;
-        REQUIRE(path.may_overlap(blob.data(), rounded, steps, counters) == overlap);
-        const detail::SquaredBounds again = path.closest_bounds(blob.data(), rounded, steps, counters);
+        REQUIRE(path.may_overlap(detail::data_of(blob), rounded, steps, counters) == overlap);
+        const detail::SquaredBounds again = path.closest_bounds(detail::data_of(blob), rounded, steps, counters);
         REQUIRE(again.lower == bounds.lower);
         REQUIRE(again.upper == bounds.upper);
-        REQUIRE(path.may_hit(blob.data(), ray, steps, counters) == hit);
+        REQUIRE(path.may_hit(detail::data_of(blob), ray, {steps, &counters}).yes() == hit);
     }
 }
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include <runtime/small_boxes.hpp>
+#include <runtime/traversal/small_boxes.hpp>
 
 #include "support/base/test_scale.hpp"
 #include "support/format/decoder.hpp"
@@ -47,7 +47,9 @@ struct Asked {
     ShapeMaker maker;
     QueryMaker queries;
 
-    [[nodiscard]] double steps(float accuracy) const { return std::max(0, detail::steps_in(blob.data(), accuracy)); }
+    [[nodiscard]] double steps(float accuracy) const {
+        return std::max(0, detail::steps_in(detail::data_of(blob), accuracy));
+    }
 };
 
 /// Asks for one query, exactly and approximately. An awkward one touches, lies in a plane or has no size.

@@ -12,8 +12,8 @@
 
 #include <espalier/approximate.hpp>
 #include <espalier/overlap.hpp>
-#include <runtime/codec_node.hpp>
-#include <runtime/lattice_ray.hpp>
+#include <runtime/blob/node.hpp>
+#include <runtime/lattice/round_ray.hpp>
 
 #include "approximate_checks.hpp"
 #include "support/base/calls.hpp"
@@ -101,19 +101,19 @@ Ray ray_beside_a_box(const detail::BlobData& blob, Random& random, std::int32_t&
 
 /// Boxes may stick out of those above them, and of the asset's.
 void check_rays_beside_boxes(Asked& asked, bool, Tally& tally) {
-    const detail::BlobData& blob = asked.blob.data();
+    const detail::BlobData& blob = detail::data_of(asked.blob);
     std::int32_t steps = 0;
     const Ray ray = ray_beside_a_box(blob, asked.maker.random(), steps);
     CAPTURE(describe(ray));
     CAPTURE(steps);
     QueryCounters counters;
     const InstructionPath& scalar = instruction_paths().front();
-    const bool maybe = scalar.may_hit(blob, ray, steps, counters);
+    const bool maybe = scalar.may_hit(blob, ray, {steps, &counters}).yes();
     for (const InstructionPath& path : instruction_paths()) {
         CAPTURE(path.name);
-        REQUIRE(path.may_hit(blob, ray, steps, counters) == maybe);
+        REQUIRE(path.may_hit(blob, ray, {steps, &counters}).yes() == maybe);
     }
-    tally.add(maybe, scalar.any_hit(blob, ray, nullptr));
+    tally.add(maybe, scalar.any_hit(blob, ray, nullptr).yes());
 }
 
 struct Kind {
@@ -155,7 +155,7 @@ Tally check_test_blobs(const Kind& kind, std::uint64_t seed) {
 }
 
 /// Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
-void check_real_mesh(const Mesh& mesh, format::Profile profile) {
+void check_real_mesh(const Mesh& mesh, Profile profile) {
     const OpenedBlob opened(mesh, with_profile(profile));
     Asked asked(opened.blob, decode(opened.bytes), 86 + static_cast<std::uint64_t>(profile));
     const std::uint64_t count = scaled_share(112);
@@ -197,9 +197,9 @@ TEST_SUITE("approximate") {
     }
 
     TEST_CASE("approximate: a sphere is near where it touches a triangle or a small box and nowhere else") {
-        for_each_node_kind([]<class Node>(format::Profile profile) {
-            const OpenedBlob opened(make_terrain(40, 5), {.bits = 10, .profile = profile});
-            const detail::BlobData& data = opened.blob.data();
+        for_each_node_kind([]<class Node>(Profile profile) {
+            const OpenedBlob opened(make_terrain(40, 5), {.resolution = Resolution::bits(10), .profile = profile});
+            const detail::BlobData& data = detail::data_of(opened.blob);
             const float step = std::ldexp(1.0f, data.step_exponent);
             Random random(9);
             std::uint32_t by_box = 0, by_triangle = 0, far = 0;
@@ -235,9 +235,10 @@ TEST_SUITE("approximate") {
                 const Sphere sphere = {{data.origin[0] + center[0] * step, data.origin[1] + center[1] * step,
                                         data.origin[2] + center[2] * step},
                                        radius * step};
-                const bool touches = overlaps(opened.blob, sphere);
+                const bool touches = overlaps(opened.blob, sphere).yes();
                 (touches ? by_triangle : is_small ? by_box : far) += 1;
-                CHECK(may_overlap(opened.blob, sphere, static_cast<float>(accuracy) * step) == (touches || is_small));
+                CHECK(overlaps(opened.blob, sphere, Accuracy{static_cast<float>(accuracy) * step}).yes() ==
+                      (touches || is_small));
             }
             CHECK(by_box > 100);
             CHECK(by_triangle > 1'000);
@@ -255,11 +256,10 @@ TEST_SUITE("approximate") {
         std::uint64_t before = ~std::uint64_t{0};
         for (const float accuracy : {0.0f, 0.5f, 1.0f, 4.0f}) {
             QueryCounters counters;
-            DistanceBounds bounds;
             for (int i = 0; i < 100; ++i) {
                 const auto angle = static_cast<float>(i);
                 REQUIRE(distance_bounds(sphere.blob, {1.5f * std::sin(angle), 1.5f * std::cos(angle), 0.1f}, infinity,
-                                        accuracy, bounds, &counters));
+                                        Accuracy{accuracy}, &counters));
             }
             CHECK(counters.nodes < before);
             if (accuracy == 0.0f) {  // every point comes to some leaf, which has a triangle at least
@@ -270,12 +270,13 @@ TEST_SUITE("approximate") {
         }
         CHECK(before == 100);  // the root, once each
         const Sphere inside{{0.0f, 0.0f, 0.0f}, 0.5f};
-        CHECK_FALSE(overlaps(sphere.blob, inside));
-        CHECK_FALSE(may_overlap(sphere.blob, inside, nan));
-        CHECK_FALSE(may_overlap(sphere.blob, inside, -1.0f));
-        CHECK(may_overlap(sphere.blob, inside, infinity));
-        CHECK_FALSE(may_overlap(sphere.blob, Sphere{{nan, 0.0f, 0.0f}, 1.0f}, 1.0f));
-        CHECK_FALSE(may_overlap(sphere.blob, Sphere{{9.0f, 0.0f, 0.0f}, 1.0f}, infinity));
-        CHECK_FALSE(may_overlap(Blob(), inside, infinity));
+        CHECK(overlaps(sphere.blob, inside).no());
+        CHECK(overlaps(sphere.blob, inside, Accuracy{nan}).no());
+        CHECK(overlaps(sphere.blob, inside, Accuracy{-1.0f}).no());
+        CHECK(overlaps(sphere.blob, inside, Accuracy{infinity}).yes());
+        CHECK(overlaps(sphere.blob, Sphere{{nan, 0.0f, 0.0f}, 1.0f}, Accuracy{1.0f}).status() ==
+              QueryStatus::invalid_argument);
+        CHECK(overlaps(sphere.blob, Sphere{{9.0f, 0.0f, 0.0f}, 1.0f}, Accuracy{infinity}).no());
+        CHECK(overlaps(Blob(), inside, Accuracy{infinity}).status() == QueryStatus::not_open);
     }
 }

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/box_nodes.hpp>
-#include <runtime/plane_nodes.hpp>
+#include <runtime/traversal/box_nodes.hpp>
+#include <runtime/traversal/plane_nodes.hpp>
 
 using namespace espalier;
 

@@ -4,15 +4,14 @@
 #include <bit>
 
 #include <espalier/espalier.hpp>
-#include <runtime/pair_queries.hpp>
-#include <runtime/simd/lanes_scalar.hpp>
+#include <runtime/lanes/scalar.hpp>
+#include <runtime/pairs/queries.hpp>
 
 namespace espalier::detail::scalar {
 namespace {
-#include <runtime/traverse.inl>
-#include <runtime/pair_nodes.inl>
-#include <runtime/pair_trees.inl>
-#include <runtime/traverse_pair.inl>
+#include <runtime/traversal/traverse.inl>
+#include <runtime/pairs/trees.inl>
+#include <runtime/pairs/walk.inl>
 }  // namespace
 }  // namespace espalier::detail::scalar
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <runtime/small_boxes.hpp>
+#include <runtime/traversal/small_boxes.hpp>
 
 #include "support/blobs/baking.hpp"
 #include "support/blobs/node_kinds.hpp"
@@ -70,9 +70,10 @@ TEST_SUITE("small boxes") {
 
     TEST_CASE("approximate: a ray reaches a node exactly when it passes every box above it") {
         std::uint32_t passed = 0, missed = 0;
-        for_each_node_kind([&]<class Node>(format::Profile profile) {
-            const OpenedBlob opened(make_torus(120, 60, 3.0, 1.0), {.bits = 11, .profile = profile});
-            const detail::BlobData& data = opened.blob.data();
+        for_each_node_kind([&]<class Node>(Profile profile) {
+            const OpenedBlob opened(make_torus(120, 60, 3.0, 1.0),
+                                    {.resolution = Resolution::bits(11), .profile = profile});
+            const detail::BlobData& data = detail::data_of(opened.blob);
             struct Step {
                 std::uint32_t parent = 0;
                 unsigned child = 0;
@@ -143,7 +144,7 @@ TEST_SUITE("small boxes") {
             for_each_ray<Boxes>(
                 50, true,
                 [](const detail::BlobData& asset, const Boxes& boxes, const detail::IntegerRay&, Random& random) {
-                    detail::LatticePoint point{};
+                    detail::RoundedPoint point{};
                     for (int k = 0; k < 3; ++k)
                         point.steps[k] = static_cast<float>(random.between(-100, asset.extent[k] + 100));
                     const unsigned child = random.below(Boxes::children);

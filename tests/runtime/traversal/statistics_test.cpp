@@ -17,16 +17,16 @@ using namespace espalier::tests;
 
 namespace {
 
-bool is_even(Triangle triangle) { return triangle.index % 2 == 0; }
+bool is_even(TriangleId triangle) { return triangle.index % 2 == 0; }
 
-Visit stop_at_once(Triangle) { return stop; }
+Visit stop_at_once(TriangleId) { return Visit::stop; }
 
 /// A chain of nodes as long as the format allows. The boxes of a node's leaves begin before that of its node child, so
 /// that a ray from below takes all leaves first. The leaves are out of the way of a ray in the middle.
-std::vector<std::byte> chain_behind_leaves(format::Profile profile) {
+std::vector<std::byte> chain_behind_leaves(Profile profile) {
     PlainLeaf leaf;
     leaf.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    if (profile == format::Profile::fast) leaf.triangles = {{0, 1, 2}};
+    if (profile == Profile::fast) leaf.triangles = {{0, 1, 2}};
     else leaf.entries = {{0, true, true}, {1, false, false}, {2, false, false}};
     PlainBlob blob;
     blob.decoded.profile = profile;
@@ -54,22 +54,17 @@ TEST_SUITE("statistics") {
             const std::uint64_t count = scaled_share(300);
             for (std::uint64_t i = 0; i < count; ++i) {
                 const Ray ray = maker.ray(RayKind::incoherent);
-                RayHit hit;
-                RayHit counted_hit;
-                const bool found = raycast(blob.opened.blob, ray, hit);
-                REQUIRE(raycast_counted(blob.opened.blob, ray, counted_hit, counters) == found);
-                if (found) REQUIRE(same_bits(hit, counted_hit));
+                REQUIRE(same_bits(raycast(blob.opened.blob, ray), raycast(blob.opened.blob, ray, counters)));
             }
             CHECK(counters.nodes >= count / 2);
             CHECK(counters.candidates <= counters.triangles);
             CHECK(counters.triangles <= counters.leaves * format::max_leaf_triangles);
             CHECK(counters.triangles <= counters.groups * 8);
-            const format::Profile profile = blob.opened.blob.profile();
-            const unsigned most_slots = profile == format::Profile::fast ? format::plain_leaf::max_triangles
-                                        : profile == format::Profile::balanced
-                                            ? format::strip_leaf::max_balanced_entries - 2
-                                        : profile == format::Profile::small ? format::strip_leaf::max_small_entries - 2
-                                                                            : format::predicted_strip::max_entries - 2;
+            const Profile profile = blob.opened.blob.profile();
+            const unsigned most_slots = profile == Profile::fast       ? format::plain_leaf::max_triangles
+                                        : profile == Profile::balanced ? format::strip_leaf::max_balanced_entries - 2
+                                        : profile == Profile::small    ? format::strip_leaf::max_small_entries - 2
+                                                                       : format::predicted_strip::max_entries - 2;
             CHECK(counters.groups <= counters.leaves * ((most_slots + 7) / 8));
             CHECK(counters.groups >= counters.leaves);
             // A traversal that culls nothing would pass every other test.
@@ -80,14 +75,13 @@ TEST_SUITE("statistics") {
     }
 
     TEST_CASE("work: a ray tests a node once for every two of its children at most") {
-        for (const format::Profile profile : every_profile) {
+        for (const Profile profile : every_profile) {
             CAPTURE(static_cast<int>(profile));
             const ExactBuffer buffer(chain_behind_leaves(profile), 0);
-            Blob blob;
-            REQUIRE(open(buffer.bytes(), blob) == Status::ok);
+            const Blob blob = open(buffer.bytes());
+            REQUIRE(blob);
             QueryCounters counters;
-            RayHit hit;
-            REQUIRE_FALSE(raycast_counted(blob, {{-20.0f, 8.0f, 8.0f}, {1.0f, 0.0f, 0.0f}}, hit, counters));
+            REQUIRE_FALSE(raycast(blob, {{-20.0f, 8.0f, 8.0f}, {1.0f, 0.0f, 0.0f}}, counters));
             // The last node has leaves alone, which are taken as they lie.
             CHECK(counters.nodes == format::max_node_children(profile) / 2 * (format::max_depth - 1) + 1);
         }
@@ -96,11 +90,8 @@ TEST_SUITE("statistics") {
     TEST_CASE("walk: a plain function serves as a filter and as a visitor") {
         const OpenedBlob cube(make_cube(-1.0f, 1.0f));
         const Ray ray{{0.25f, 0.5f, 5.0f}, {0.0f, 0.0f, -1.0f}};
-        RayHit by_function;
-        RayHit by_lambda;
-        const bool found = raycast(cube.blob, ray, by_function, is_even);
-        REQUIRE(raycast(cube.blob, ray, by_lambda, [](Triangle t) { return t.index % 2 == 0; }) == found);
-        if (found) CHECK(same_bits(by_function, by_lambda));
-        CHECK_FALSE(for_each_overlap(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 9.0f}, stop_at_once));
+        const RayHit by_function = raycast(cube.blob, ray, is_even);
+        CHECK(same_bits(by_function, raycast(cube.blob, ray, [](TriangleId t) { return t.index % 2 == 0; })));
+        CHECK(for_each_overlap(cube.blob, Sphere{{0.0f, 0.0f, 0.0f}, 9.0f}, stop_at_once) == QueryStatus::stopped);
     }
 }

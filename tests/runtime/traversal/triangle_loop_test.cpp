@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <runtime/lattice_round.hpp>
+#include <runtime/lattice/rounder.hpp>
 
 #include "support/base/profiles.hpp"
 #include "support/base/same_bits.hpp"
@@ -25,7 +25,7 @@ namespace {
 /// Both loops over one blob.
 struct Loops {
     explicit Loops(const TestBlob& test)
-        : data(test.opened.blob.data()), quick(test.decoded), whole(test.decoded, LeftOut::nothing) {}
+        : data(detail::data_of(test.opened.blob)), quick(test.decoded), whole(test.decoded, LeftOut::nothing) {}
 
     /// The number of answers, once they are equal.
     std::size_t check(const Ray& ray) const {
@@ -42,8 +42,8 @@ struct Loops {
     }
     std::size_t check(const Sphere& sphere) const {
         CAPTURE(describe(sphere));
-        detail::LatticePoint rounded;
-        if (!detail::round_point(data, sphere.center, sphere.radius, rounded)) return 0;
+        detail::RoundedPoint rounded;
+        if (detail::round_point(data, sphere.center, sphere.radius, rounded) != QueryStatus::ok) return 0;
         const auto overlaps = quick.every_overlap(rounded);
         REQUIRE(overlaps == whole.every_overlap(rounded));
         const auto sorted = whole.by_distance(rounded);
@@ -100,7 +100,7 @@ struct Loops {
         CAPTURE(describe(moving));
         Sweep rounded{};
         if (round_sweep(data, moving.shape, moving.displacement, rounded) != QueryStatus::ok) return 0;
-        const auto all = [](Triangle) { return true; };
+        const auto all = [](TriangleId) { return true; };
         const detail::FoundContact found = quick.first_contact(rounded, all);
         const detail::FoundContact expected = whole.first_contact(rounded, all);
         REQUIRE(found.step == expected.step);
@@ -128,13 +128,15 @@ void check_pair_loops(const TestBlob& a, const TestBlob& b, std::uint64_t seed, 
     for (std::uint64_t n = 0; n < count; ++n) {
         const std::uint64_t kind = (seed + n) % 4;
         const double proportion = std::exp2(static_cast<double>(maker.numbers().between(-8, 8)));
-        const Placement placement = kind == 0   ? maker.random()
+        const Transform placement = kind == 0   ? maker.random()
                                     : kind == 1 ? maker.adversarial()
                                     : kind == 2 ? maker.beside(proportion)
                                                 : maker.face_on_face(proportion);
         CAPTURE(describe(placement));
         detail::PairFrame frame;
-        if (place_pair(a.opened.blob.data(), b.opened.blob.data(), placement, frame) != QueryStatus::ok) continue;
+        if (place_pair(detail::data_of(a.opened.blob), detail::data_of(b.opened.blob), placement, frame) !=
+            QueryStatus::ok)
+            continue;
         const PairLoop quick(frame, a_groups, b_groups);
         const PairLoop whole(frame, a_groups, b_groups, LeftOut::nothing);
         const auto pairs = quick.every_contact();
@@ -174,11 +176,11 @@ TEST_SUITE("triangle loop") {
                 spheres += loops.check(awkward ? queries.sphere() : queries.random_sphere());
                 const Capsule capsule = shapes.capsule(awkward);
                 const Box box = shapes.box(awkward);
-                volumes += loops.check_volume<detail::LatticeCapsule>(capsule);
-                volumes += loops.check_volume<detail::LatticeBox>(box);
-                volumes += loops.check_volume<detail::LatticeOrientedBox>(shapes.oriented_box(awkward));
-                volumes += loops.check_volume<detail::LatticeCorners>(shapes.corners(awkward));
-                volumes += loops.check_volume<detail::LatticeHalfSpaces>(shapes.planes(awkward));
+                volumes += loops.check_volume<detail::RoundedCapsule>(capsule);
+                volumes += loops.check_volume<detail::RoundedBox>(box);
+                volumes += loops.check_volume<detail::RoundedOrientedBox>(shapes.oriented_box(awkward));
+                volumes += loops.check_volume<detail::RoundedTriangle>(shapes.corners(awkward));
+                volumes += loops.check_volume<detail::RoundedConvexVolume>(shapes.planes(awkward));
                 const float max_distance =
                     i % 3 == 0 ? std::numeric_limits<float>::infinity() : std::fabs(capsule.radius);
                 distances += loops.check_distances(capsule, box, max_distance);

@@ -53,7 +53,7 @@ TEST_SUITE("walk") {
             CAPTURE(blob->name);
             const auto& nodes = blob->decoded.nodes;
             std::vector<unsigned> seen(nodes.size(), 0);
-            const bool saw_all = for_each_node(blob->opened.blob, [&](const TreeNode& node) {
+            const QueryStatus status = for_each_node(blob->opened.blob, [&](const TreeNode& node) {
                 REQUIRE(node.number < nodes.size());
                 const DecodedNode& expected = nodes[node.number];
                 ++seen[node.number];
@@ -74,7 +74,7 @@ TEST_SUITE("walk") {
                 }
                 return NodeVisit::descend;
             });
-            CHECK(saw_all);
+            CHECK(status == QueryStatus::ok);
             for (const unsigned times : seen) REQUIRE(times == 1);
         }
     }
@@ -83,15 +83,15 @@ TEST_SUITE("walk") {
         for (const TestBlob* blob : all_test_blobs()) {
             CAPTURE(blob->name);
             std::vector<unsigned> seen(blob->opened.blob.triangle_count(), 0);
-            for_each_node(blob->opened.blob, [&](const TreeNode& node) {
+            (void)for_each_node(blob->opened.blob, [&](const TreeNode& node) {
                 for (unsigned i = 0; i < node.child_count; ++i) {
                     const TreeChild& child = node.children[i];
                     for (std::uint32_t k = 0; child.is_leaf && k < child.count; ++k) {
-                        Corners corners;
-                        REQUIRE(triangle_corners(blob->opened.blob, {child.first.index + k}, corners));
-                        REQUIRE(holds(child.box, corners.a));
-                        REQUIRE(holds(child.box, corners.b));
-                        REQUIRE(holds(child.box, corners.c));
+                        const Result<Triangle> corners = triangle_at(blob->opened.blob, {child.first.index + k});
+                        REQUIRE(corners);
+                        REQUIRE(holds(child.box, corners->a));
+                        REQUIRE(holds(child.box, corners->b));
+                        REQUIRE(holds(child.box, corners->c));
                         ++seen[child.first.index + k];
                     }
                 }
@@ -115,54 +115,59 @@ TEST_SUITE("walk") {
                     if (child.is_node && !is_skipped(static_cast<std::uint32_t>(i))) expected[child.node] = true;
             }
             std::size_t visited = 0;
-            const bool saw_all = for_each_node(blob->opened.blob, [&](const TreeNode& node) {
+            const QueryStatus status = for_each_node(blob->opened.blob, [&](const TreeNode& node) {
                 REQUIRE(expected[node.number]);
                 REQUIRE(node.depth == nodes[node.number].depth);
                 ++visited;
                 return is_skipped(node.number) ? NodeVisit::skip : NodeVisit::descend;
             });
-            CHECK(saw_all);
+            CHECK(status == QueryStatus::ok);
             CHECK(visited == count);
             for (const std::size_t until : {std::size_t{1}, (nodes.size() + 1) / 2}) {
                 visited = 0;
-                CHECK(!for_each_node(blob->opened.blob, [&](const TreeNode&) {
-                    return ++visited == until ? NodeVisit::end : NodeVisit::descend;
-                }));
+                CHECK(for_each_node(blob->opened.blob, [&](const TreeNode&) {
+                          return ++visited == until ? NodeVisit::stop : NodeVisit::descend;
+                      }) == QueryStatus::stopped);
                 CHECK(visited == until);
             }
         }
-        CHECK(for_each_node(Blob(), [](const TreeNode&) { return NodeVisit::end; }));
+        const auto stop = [](const TreeNode&) { return NodeVisit::stop; };
+        CHECK(for_each_node(Blob(), stop) == QueryStatus::not_open);
+        CHECK(for_each_node(OpenedBlob(Mesh{}).blob, stop) == QueryStatus::ok);
     }
 
-    TEST_CASE("walk: the corners of one triangle equal those of the walk also for copies") {
-        BakeOptions options = with_profile(format::Profile::fast);
-        options.builder = Builder::spatial_splits;
-        options.duplicates = 1.0;
-        const OpenedBlob with_copies(make_soup(500, 4), options);
-        REQUIRE(with_copies.blob.copy_count() > 0);
-        std::vector<const Blob*> blobs = {&with_copies.blob};
+    TEST_CASE("walk: the corners of one triangle equal those of the walk also for duplicate references") {
+        BakeOptions options = with_profile(Profile::fast);
+        options.build.builder = Builder::spatial_splits;
+        options.build.duplicate_budget = 1.0;
+        const OpenedBlob split(make_soup(500, 4), options);
+        REQUIRE(split.blob.duplicate_reference_count() > 0);
+        std::vector<const Blob*> blobs = {&split.blob};
         for (const TestBlob* blob : all_test_blobs()) blobs.push_back(&blob->opened.blob);
         for (const Blob* blob : blobs) {
-            for_each_triangle(*blob, [&](Triangle triangle, const Corners& expected) {
-                Corners corners;
-                REQUIRE(triangle_corners(*blob, triangle, corners));
-                REQUIRE(same_bits(corners.a, expected.a));
-                REQUIRE(same_bits(corners.b, expected.b));
-                REQUIRE(same_bits(corners.c, expected.c));
-                return keep_going;
+            std::uint32_t visited = 0;
+            const QueryStatus status = for_each_triangle(*blob, [&](TriangleId triangle, const Triangle& expected) {
+                const Result<Triangle> corners = triangle_at(*blob, triangle);
+                REQUIRE(corners);
+                REQUIRE(same_bits(corners->a, expected.a));
+                REQUIRE(same_bits(corners->b, expected.b));
+                REQUIRE(same_bits(corners->c, expected.c));
+                ++visited;
             });
+            REQUIRE(status == QueryStatus::ok);
+            REQUIRE(visited == blob->triangle_count() - blob->duplicate_reference_count());
         }
-        const DecodedBlob decoded = decode(with_copies.bytes);
+        const DecodedBlob decoded = decode(split.bytes);
         for (std::uint32_t i = 0; i < decoded.owners.size(); ++i) {
-            Corners corners;
-            Corners owner;
-            REQUIRE(triangle_corners(with_copies.blob, {i}, corners));
-            REQUIRE(triangle_corners(with_copies.blob, {decoded.owners[i]}, owner));
-            REQUIRE(same_bits(corners.c, owner.c));
+            const Result<Triangle> corners = triangle_at(split.blob, {i});
+            const Result<Triangle> owner = triangle_at(split.blob, {decoded.owners[i]});
+            REQUIRE((corners && owner));
+            REQUIRE(same_bits(corners->c, owner->c));
         }
-        Corners untouched = {{1, 2, 3}, {}, {}};
-        CHECK(!triangle_corners(with_copies.blob, {with_copies.blob.triangle_count()}, untouched));
-        CHECK(!triangle_corners(Blob(), {0}, untouched));
-        CHECK(untouched.a == Vec3{1, 2, 3});
+        CHECK(triangle_at(split.blob, {split.blob.triangle_count()}).status == QueryStatus::invalid_argument);
+        CHECK(triangle_at(split.blob, no_triangle).status == QueryStatus::invalid_argument);
+        CHECK(triangle_at(Blob(), {0}).status == QueryStatus::not_open);
+        CHECK(for_each_triangle(Blob(), [](TriangleId) { return Visit::stop; }) == QueryStatus::not_open);
+        CHECK(for_each_triangle(split.blob, [](TriangleId) { return Visit::stop; }) == QueryStatus::stopped);
     }
 }

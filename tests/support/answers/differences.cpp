@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include <espalier/nearest.hpp>
-#include <runtime/nearest_world.hpp>
-#include <runtime/ray_triangle.hpp>
+#include <espalier/distance.hpp>
+#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/kernels/ray_triangle.hpp>
 
 #include "support/base/same_bits.hpp"
 #include "support/machine/float_mode.hpp"
@@ -49,50 +49,53 @@ struct RayAnswers {
 template <class Ask>
 void ask_first(const Ray& ray, std::vector<RayHit>& first, QueryStatus& status, Ask ask_for) {
     first.resize(places_for(ray));
-    const HitCount count = ask_for(std::span<RayHit>(first));
+    const Filled count = ask_for(std::span<RayHit>(first));
     first.resize(count.count);
-    status = count.status;
+    status = is_refused(count.status) ? QueryStatus::ok : count.status;
+}
+
+void keep_hit(const RayHit& found, std::optional<RayHit>& hit) {
+    if (found) hit = found;
+}
+
+/// Hits of triangles with duplicate references come in another order than the loop's.
+void sort_duplicates(const detail::BlobData& data, std::vector<RayHit>& hits) {
+    if (data.copy_count == 0) return;
+    std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) { return a.triangle < b.triangle; });
 }
 
 /// What an instruction set says, in full.
 RayAnswers ask(const InstructionPath& path, const detail::BlobData& data, const Ray& ray) {
-    const auto keep = [](Triangle triangle) { return third_is_left_out(triangle.index); };
+    const auto keep = [](TriangleId triangle) { return third_is_left_out(triangle.index); };
     const TriangleFilter filter = keep;
     RayAnswers answers;
-    RayHit hit;
-    if (path.closest_hit(data, ray, hit, nullptr)) answers.closest = hit;
-    if (path.closest_hit(data, ray, hit, &filter)) answers.closest_filtered = hit;
+    keep_hit(path.closest_hit(data, ray, nullptr), answers.closest);
+    keep_hit(path.closest_hit(data, ray, &filter), answers.closest_filtered);
     ask_first(ray, answers.first, answers.first_status,
               [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, nullptr); });
     ask_first(ray, answers.first_filtered, answers.first_status_filtered,
               [&](std::span<RayHit> hits) { return path.first_hits(data, ray, hits, &filter); });
-    answers.any = path.any_hit(data, ray, nullptr);
-    answers.any_filtered = path.any_hit(data, ray, &filter);
-    if (data.copy_count == 0)
-        path.every_hit(data, ray, [&](const RayHit& each) {
-            answers.every.push_back(each);
-            return keep_going;
-        });
+    answers.any = path.any_hit(data, ray, nullptr).yes();
+    answers.any_filtered = path.any_hit(data, ray, &filter).yes();
+    static_cast<void>(path.every_hit(data, ray, [&](const RayHit& each) { answers.every.push_back(each); }));
+    sort_duplicates(data, answers.every);
     return answers;
 }
 
 /// What the public functions say.
 RayAnswers ask(const Blob& blob, const Ray& ray) {
-    const auto keep = [](Triangle triangle) { return third_is_left_out(triangle.index); };
+    const auto keep = [](TriangleId triangle) { return third_is_left_out(triangle.index); };
     RayAnswers answers;
-    RayHit hit;
-    if (raycast(blob, ray, hit)) answers.closest = hit;
-    if (raycast(blob, ray, hit, keep)) answers.closest_filtered = hit;
+    keep_hit(raycast(blob, ray), answers.closest);
+    keep_hit(raycast(blob, ray, keep), answers.closest_filtered);
     ask_first(ray, answers.first, answers.first_status,
               [&](std::span<RayHit> hits) { return closest_hits(blob, ray, hits); });
     ask_first(ray, answers.first_filtered, answers.first_status_filtered,
               [&](std::span<RayHit> hits) { return closest_hits(blob, ray, hits, keep); });
-    answers.any = occluded(blob, ray);
-    answers.any_filtered = occluded(blob, ray, keep);
-    for_each_hit(blob, ray, [&](const RayHit& each) {
-        answers.every.push_back(each);
-        return keep_going;
-    });
+    answers.any = occluded(blob, ray).yes();
+    answers.any_filtered = occluded(blob, ray, keep).yes();
+    static_cast<void>(for_each_hit(blob, ray, [&](const RayHit& each) { answers.every.push_back(each); }));
+    sort_duplicates(detail::data_of(blob), answers.every);
     return answers;
 }
 
@@ -110,7 +113,7 @@ RayAnswers ask(const TriangleLoop& loop, const detail::BlobData& data, const Ray
         return detail::to_ray_hit(rounded, ray, found.hit, found.index);
     };
     for (const detail::FoundHit& found : loop.every_hit(rounded)) {
-        if (data.copy_count == 0) answers.every.push_back(translate(found));
+        answers.every.push_back(translate(found));
         ++hits;
         first.push_back(found);
         if (!closest || found.hit.whole_tau < closest->hit.whole_tau) closest = found;
@@ -159,10 +162,10 @@ const char* first_difference(const RayAnswers& a, const RayAnswers& b) {
 
 std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& loop, const Ray& ray,
                                           std::uint64_t& hits, unsigned float_mode) {
-    const RayAnswers expected = ask(loop, blob.data(), ray, hits);
+    const RayAnswers expected = ask(loop, detail::data_of(blob), ray, hits);
     const FloatMode in_mode(float_mode);
     for (const InstructionPath& path : instruction_paths()) {
-        const char* what = first_difference(ask(path, blob.data(), ray), expected);
+        const char* what = first_difference(ask(path, detail::data_of(blob), ray), expected);
         if (what != nullptr) return difference(path.name, what, ray);
     }
     const char* what = first_difference(ask(blob, ray), expected);
@@ -171,14 +174,14 @@ std::optional<std::string> ray_difference(const Blob& blob, const TriangleLoop& 
 }
 
 std::optional<std::string> segment_difference(const Blob& blob, const TriangleLoop& loop, const Segment& segment) {
-    const Ray ray = along(segment);
+    const Ray ray = Ray::between(segment.from, segment.to);
     std::uint64_t hits = 0;
-    const RayAnswers expected = ask(loop, blob.data(), ray, hits);
-    RayHit hit;
-    if (raycast(blob, segment, hit) != expected.any) return difference("raycast", "whether a segment hits", ray);
+    const RayAnswers expected = ask(loop, detail::data_of(blob), ray, hits);
+    const RayHit hit = raycast(blob, ray);
+    if (bool(hit) != expected.any) return difference("raycast", "whether a segment hits", ray);
     if (expected.closest && !same_bits(hit, *expected.closest))
         return difference("raycast", "the closest hit of a segment", ray);
-    if (occluded(blob, segment) != expected.any) return difference("occluded", "whether a segment hits", ray);
+    if (occluded(blob, ray).yes() != expected.any) return difference("occluded", "whether a segment hits", ray);
     return std::nullopt;
 }
 
@@ -187,10 +190,11 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
     const auto difference_at = [&](const char* path, const char* what) {
         return std::string(path) + ": " + what + " differs: " + describe(sphere);
     };
-    detail::LatticePoint rounded;
-    Nearest nearest;
-    if (!detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) {
-        if (overlaps(blob, sphere) || closest_point(blob, sphere.center, sphere.radius, nearest)) {
+    detail::RoundedPoint rounded;
+    const ClosestPoint nearest = closest_point(blob, sphere.center, sphere.radius);
+    const QueryStatus status = detail::round_point(detail::data_of(blob), sphere.center, sphere.radius, rounded);
+    if (status != QueryStatus::ok) {
+        if (overlaps(blob, sphere).yes() || nearest.status != status) {
             return difference_at("overlaps", "a refused sphere's answer");
         }
         return std::nullopt;
@@ -200,90 +204,95 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
     const std::vector<detail::FoundNearest> by_distance = loop.by_distance(rounded, std::max<std::size_t>(places, 1));
     const bool any_closest = !by_distance.empty();
     hits += expected.size();
-    std::vector<Nearest> row;
-    for (std::size_t i = 0; i < std::min(places, by_distance.size()); ++i) {
-        // The runtime's own translation: the traversal, not the translation, is compared here.
-        row.push_back(detail::to_nearest(blob.data(), by_distance[i]));
-        row.back().distance = detail::to_world_distance(blob.data(), by_distance[i].distance.squared,
-                                                        rounded.distance_offset, sphere.radius);
-    }
+    std::vector<ClosestPoint> row;
+    // The runtime's own translation: the traversal, not the translation, is compared here.
+    const auto finish = [&](ClosestPoint& each) {
+        detail::finish(detail::data_of(blob), rounded, sphere.center, sphere.radius, each);
+    };
+    for (std::size_t i = 0; i < std::min(places, by_distance.size()); ++i)
+        finish(row.emplace_back(detail::unfinished(by_distance[i])));
     const auto is_row = [&](auto&& fill) {
-        std::vector<Nearest> filled(places);
-        filled.resize(fill(std::span<Nearest>(filled)));
+        std::vector<ClosestPoint> filled(places);
+        filled.resize(fill(std::span<ClosestPoint>(filled)));
         return std::equal(filled.begin(), filled.end(), row.begin(), row.end(),
-                          [](const Nearest& a, const Nearest& b) { return same_bits(a, b); });
+                          [](const ClosestPoint& a, const ClosestPoint& b) { return same_bits(a, b); });
     };
     const auto matches = [&](auto&& enumerate) {
-        if (blob.copy_count() != 0) return true;  // refused, which has a claim of its own
-        std::size_t seen = 0;
-        const bool all = enumerate([&](Triangle triangle) {
-            if (seen >= expected.size() || triangle.index != expected[seen]) return stop;
-            ++seen;
-            return keep_going;
+        std::vector<std::uint32_t> seen;
+        const bool all = enumerate([&](TriangleId triangle) {
+            seen.push_back(triangle.index);
+            return seen.size() > expected.size() ? Visit::stop : Visit::next;
         });
-        return all && seen == expected.size();
+        // Where triangles have duplicate references they come in another order.
+        if (blob.duplicate_reference_count() != 0) std::sort(seen.begin(), seen.end());
+        return all && std::equal(seen.begin(), seen.end(), expected.begin(), expected.end(),
+                                 [](std::uint32_t a, const auto& b) { return a == b; });
     };
     for (const InstructionPath& path : instruction_paths()) {
-        if (path.any_overlap(blob.data(), rounded) == expected.empty()) return difference_at(path.name, "any overlap");
-        if (!matches([&](auto visit) { return path.every_overlap(blob.data(), rounded, 0, visit); })) {
+        if (path.any_overlap(detail::data_of(blob), rounded) == expected.empty())
+            return difference_at(path.name, "any overlap");
+        if (!matches([&](auto visit) { return path.every_overlap(detail::data_of(blob), rounded, 0, visit); })) {
             return difference_at(path.name, "the row of all overlaps");
         }
         detail::FoundNearest found{};
-        if (path.closest_triangle(blob.data(), rounded, found) != any_closest) {
+        if (path.closest_triangle(detail::data_of(blob), rounded, found) != any_closest) {
             return difference_at(path.name, "whether there is a closest triangle");
         }
         if (any_closest && !same_bits(found, by_distance[0])) return difference_at(path.name, "the closest triangle");
-        const bool same_row = places == 0 || is_row([&](std::span<Nearest> filled) {
-                                  detail::ClosestFew few(filled);
-                                  path.closest_triangles(blob.data(), rounded, few);
-                                  return finish(blob.data(), few, rounded.distance_offset, sphere.radius);
+        const bool same_row = places == 0 || is_row([&](std::span<ClosestPoint> filled) {
+                                  const std::size_t count =
+                                      path.closest_triangles(detail::data_of(blob), rounded, filled);
+                                  for (ClosestPoint& each : filled.first(count)) finish(each);
+                                  return count;
                               });
         if (!same_row) return difference_at(path.name, "the row of the closest triangles");
     }
-    if (overlaps(blob, sphere) == expected.empty()) return difference_at("overlaps", "the answer");
-    if (!matches([&](auto visit) { return for_each_overlap(blob, sphere, visit); })) {
+    if (overlaps(blob, sphere).yes() == expected.empty()) return difference_at("overlaps", "the answer");
+    if (!matches([&](auto visit) { return for_each_overlap(blob, sphere, visit) == QueryStatus::ok; })) {
         return difference_at("for_each_overlap", "the row of all overlaps");
     }
-    if (closest_point(blob, sphere.center, sphere.radius, nearest) != any_closest) {
+    if (nearest.status != (any_closest ? QueryStatus::ok : QueryStatus::not_found)) {
         return difference_at("closest_point", "whether there is one");
     }
     if (any_closest && nearest.triangle.index != by_distance[0].index)
         return difference_at("closest_point", "the triangle");
     if (!row.empty() && !same_bits(nearest, row[0])) return difference_at("closest_point", "the answer");
-    if (!is_row(
-            [&](std::span<Nearest> filled) { return closest_triangles(blob, sphere.center, sphere.radius, filled); }))
+    if (!is_row([&](std::span<ClosestPoint> filled) {
+            return closest_triangles(blob, sphere.center, filled, sphere.radius).count;
+        }))
         return difference_at("closest_triangles", "the row");
     return std::nullopt;
 }
 
 std::optional<std::string> path_difference(const Blob& blob, const Ray& ray) {
     if (blob.triangle_count() == 0) return std::nullopt;
-    const RayAnswers expected = ask(instruction_paths().front(), blob.data(), ray);
+    const RayAnswers expected = ask(instruction_paths().front(), detail::data_of(blob), ray);
     for (const InstructionPath& path : instruction_paths()) {
-        const char* what = first_difference(ask(path, blob.data(), ray), expected);
+        const char* what = first_difference(ask(path, detail::data_of(blob), ray), expected);
         if (what != nullptr) return difference(path.name, what, ray);
     }
     return std::nullopt;
 }
 
 std::optional<std::string> path_difference(const Blob& blob, const Sphere& sphere) {
-    detail::LatticePoint rounded;
-    if (blob.triangle_count() == 0 || !detail::round_point(blob.data(), sphere.center, sphere.radius, rounded)) {
+    detail::RoundedPoint rounded;
+    if (blob.triangle_count() == 0 ||
+        detail::round_point(detail::data_of(blob), sphere.center, sphere.radius, rounded) != QueryStatus::ok) {
         return std::nullopt;
     }
     struct Answers {
         bool closest = false;
         bool any = false;
         detail::FoundNearest nearest{};
-        std::vector<Triangle> every;
+        std::vector<TriangleId> every;
     };
     const auto ask = [&](const InstructionPath& path) {
         Answers answers;
-        answers.closest = path.closest_triangle(blob.data(), rounded, answers.nearest);
-        answers.any = path.any_overlap(blob.data(), rounded);
-        path.every_overlap(blob.data(), rounded, 0, [&](Triangle triangle) {
+        answers.closest = path.closest_triangle(detail::data_of(blob), rounded, answers.nearest);
+        answers.any = path.any_overlap(detail::data_of(blob), rounded);
+        path.every_overlap(detail::data_of(blob), rounded, 0, [&](TriangleId triangle) {
             answers.every.push_back(triangle);
-            return keep_going;
+            return Visit::next;
         });
         return answers;
     };

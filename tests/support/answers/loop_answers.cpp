@@ -1,15 +1,15 @@
 #include "loop_answers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <espalier/inside.hpp>
+#include <espalier/distance.hpp>
 #include <espalier/lattice.hpp>
-#include <espalier/nearest.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/sweep.hpp>
-#include <runtime/lattice_point.hpp>
-#include <runtime/lattice_segment.hpp>
+#include <runtime/lattice/round_point.hpp>
+#include <runtime/lattice/round_segment.hpp>
 
 #include "support/base/same_bits.hpp"
 #include "support/queries/ray_maker.hpp"
@@ -24,47 +24,44 @@ using Difference = std::optional<std::string>;
 template <class Rounded, class Shape>
 Difference volume(const Blob& blob, const TriangleLoop& loop, const Shape& shape) {
     Rounded rounded;
-    const bool answered = round_volume(blob.data(), shape, rounded) == QueryStatus::ok;
+    const bool answered = round_volume(detail::data_of(blob), shape, rounded) == QueryStatus::ok;
     const auto expected = answered && !rounded.is_empty ? loop.every_overlap(rounded) : std::vector<std::uint32_t>();
     std::vector<std::uint32_t> found;
-    for_each_overlap(blob, shape, [&](Triangle triangle) {
-        found.push_back(triangle.index);
-        return keep_going;
-    });
-    if (found == expected && overlaps(blob, shape) == !expected.empty()) return std::nullopt;
+    (void)for_each_overlap(blob, shape, [&](TriangleId triangle) { found.push_back(triangle.index); });
+    if (blob.duplicate_reference_count() != 0) std::sort(found.begin(), found.end());
+    if (found == expected && overlaps(blob, shape).yes() == !expected.empty()) return std::nullopt;
     return "overlaps of " + describe(shape);
 }
 
 template <class Distant>
 bool is_closest(const Blob& blob, const TriangleLoop& loop, Distant& shape, float max_distance,
-                const NearestPair& pair) {
+                const ClosestPoint& pair) {
     prepare(shape);
-    shape.radius = detail::radius_in_steps(blob.data(), max_distance);
+    shape.radius = detail::radius_in_steps(detail::data_of(blob), max_distance);
     const auto expected = loop.closest_pair(shape);
-    if (!expected) return pair.triangle == no_triangle;
-    return pair.triangle.index == expected->index && same_bits(pair.u, expected->distance.u) &&
-           same_bits(pair.v, expected->distance.v);
+    if (!expected) return pair.status == QueryStatus::not_found && pair.triangle == no_triangle;
+    return pair && pair.triangle.index == expected->index && same_bits(pair.u, expected->distance.u) &&
+           same_bits(pair.v, expected->distance.v) && pair.feature == expected->distance.feature;
 }
 
 Difference segment_distance(const Blob& blob, const TriangleLoop& loop, const Capsule& capsule) {
     const float max_distance = std::fabs(capsule.radius);
     detail::DistantSegment shape;
-    NearestPair pair;
     const Segment segment = {capsule.from, capsule.to};
-    const QueryStatus status = closest_to_segment(blob, segment, max_distance, pair);
-    const bool good =
-        status != QueryStatus::ok || (detail::round_segment(blob.data(), segment, shape.segment) == QueryStatus::ok &&
-                                      is_closest(blob, loop, shape, max_distance, pair));
+    const ClosestPoint pair = closest_point(blob, segment, max_distance);
+    const bool good = is_refused(pair.status) ||
+                      (detail::round_segment(detail::data_of(blob), segment, shape.segment) == QueryStatus::ok &&
+                       is_closest(blob, loop, shape, max_distance, pair));
     return good ? Difference() : "the distance of a segment, " + describe(capsule);
 }
 
 Difference box_distance(const Blob& blob, const TriangleLoop& loop, const Box& box, float max_distance) {
     detail::DistantBox shape;
-    NearestPair pair;
     if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) return std::nullopt;
-    const bool good = closest_to_box(blob, box, max_distance, pair) != QueryStatus::ok ||
-                      (detail::round_segment(blob.data(), {box.min, box.max}, shape.diagonal) == QueryStatus::ok &&
-                       is_closest(blob, loop, shape, max_distance, pair));
+    const ClosestPoint pair = closest_point(blob, box, max_distance);
+    const bool good = is_refused(pair.status) || (detail::round_segment(detail::data_of(blob), {box.min, box.max},
+                                                                        shape.diagonal) == QueryStatus::ok &&
+                                                  is_closest(blob, loop, shape, max_distance, pair));
     return good ? Difference() : "the distance of " + describe(box);
 }
 
@@ -72,13 +69,12 @@ template <class Rounded, class Shape>
 Difference moving(const Blob& blob, const TriangleLoop& loop, const Moving<Shape>& moving) {
     Rounded rounded;
     detail::FoundContact expected;
-    if (round_sweep(blob.data(), moving.shape, moving.displacement, rounded) == QueryStatus::ok)
-        expected = loop.first_contact(rounded, [](Triangle) { return true; });
-    SweepHit hit;
-    const bool found = sweep(blob, moving.shape, moving.displacement, hit);
-    bool same = found == (expected.step != detail::no_contact);
-    if (found && same) {
-        const SweepHit other = to_sweep_hit(blob.data(), rounded, expected);
+    if (round_sweep(detail::data_of(blob), moving.shape, moving.displacement, rounded) == QueryStatus::ok)
+        expected = loop.first_contact(rounded, [](TriangleId) { return true; });
+    const SweepHit hit = sweep(blob, moving.shape, moving.displacement);
+    bool same = bool(hit) == (expected.step != detail::no_contact);
+    if (hit && same) {
+        const SweepHit other = to_sweep_hit(detail::data_of(blob), rounded, expected);
         same = hit.triangle == other.triangle && same_bits(hit.t, other.t) && same_bits(hit.point, other.point) &&
                same_bits(hit.normal, other.normal);
     }
@@ -86,31 +82,31 @@ Difference moving(const Blob& blob, const TriangleLoop& loop, const Moving<Shape
 }
 
 Difference inside(const Blob& blob, const TriangleLoop& loop, Vec3 point) {
-    bool is_inside = false;
-    detail::LatticePoint rounded;
+    detail::RoundedPoint rounded;
     detail::WindingRay ray;
-    if (contains(blob, point, is_inside) != QueryStatus::ok) return std::nullopt;
-    const bool expected = detail::round_point(blob.data(), point, __builtin_inff(), rounded) &&
-                          detail::shortest_way_out(blob.data(), rounded, ray) && loop.winding(ray).is_inside();
-    return is_inside == expected ? Difference() : "whether a point is inside, " + describe(Sphere{point, 0.0f});
+    const YesNo is_inside = contains(blob, point);
+    if (is_refused(is_inside.status())) return std::nullopt;
+    const bool expected =
+        detail::round_point(detail::data_of(blob), point, __builtin_inff(), rounded) == QueryStatus::ok &&
+        detail::shortest_way_out(detail::data_of(blob), rounded, ray) && loop.winding(ray).is_inside();
+    return is_inside == YesNo::of(expected) ? Difference()
+                                            : "whether a point is inside, " + describe(Sphere{point, 0.0f});
 }
 
 /// A box and a segment in lattice steps, of places in the world.
 Difference in_steps(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shapes) {
-    const Lattice lattice = lattice_of(blob);
-    SegmentInSteps segment;
+    const Lattice lattice = blob.lattice();
     const Vec3 from = shapes.point_around(), to = shapes.random().coin() ? shapes.vertex() : shapes.point_around();
-    if (to_steps(lattice, from, segment.from) != QueryStatus::ok ||
-        to_steps(lattice, to, segment.to) != QueryStatus::ok)
-        return std::nullopt;
-    HitInSteps hit, expected;
-    bool any = false;
+    const Result<LatticePoint> begin = to_lattice(lattice, from), end = to_lattice(lattice, to);
+    if (!begin || !end) return std::nullopt;
+    LatticeSegment segment = {*begin, *end};
+    LatticeHit expected;
     detail::WholeSegment whole;
-    if (whole.set(blob.data(), segment)) expected = loop.first_hit(whole);
-    const bool answered =
-        first_hit(blob, segment, hit) == QueryStatus::ok && any_hit(blob, segment, any) == QueryStatus::ok;
-    if (!answered || hit.triangle != expected.triangle || hit.t != expected.t || hit.side != expected.side ||
-        any != (hit.triangle != no_triangle))
+    if (whole.set(detail::data_of(blob), segment)) expected = loop.first_hit(whole);
+    else expected.status = QueryStatus::invalid_argument;
+    const LatticeHit hit = raycast(blob, segment);
+    if (hit.status != expected.status || hit.triangle != expected.triangle || hit.t != expected.t ||
+        hit.side != expected.side || occluded(blob, segment).status() != hit.status)
         return describe(segment);
     const auto ordered = [](std::int32_t& low, std::int32_t& high) {
         if (low > high) std::swap(low, high);
@@ -118,7 +114,7 @@ Difference in_steps(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shap
     ordered(segment.from.x, segment.to.x);
     ordered(segment.from.y, segment.to.y);
     ordered(segment.from.z, segment.to.z);
-    return volume<detail::LatticeBox>(blob, loop, BoxInSteps{segment.from, segment.to});
+    return volume<detail::RoundedBox>(blob, loop, LatticeBox{segment.from, segment.to});
 }
 
 }  // namespace
@@ -128,11 +124,11 @@ std::optional<std::string> loop_difference(const Blob& blob, const TriangleLoop&
     const bool awkward = shapes.random().coin();
     const Capsule capsule = shapes.capsule(awkward);
     const Box box = shapes.box(awkward);
-    if (auto d = volume<detail::LatticeCapsule>(blob, loop, capsule)) return d;
-    if (auto d = volume<detail::LatticeBox>(blob, loop, box)) return d;
-    if (auto d = volume<detail::LatticeOrientedBox>(blob, loop, shapes.oriented_box(awkward))) return d;
-    if (auto d = volume<detail::LatticeCorners>(blob, loop, shapes.corners(awkward))) return d;
-    if (auto d = volume<detail::LatticeHalfSpaces>(blob, loop, shapes.planes(awkward))) return d;
+    if (auto d = volume<detail::RoundedCapsule>(blob, loop, capsule)) return d;
+    if (auto d = volume<detail::RoundedBox>(blob, loop, box)) return d;
+    if (auto d = volume<detail::RoundedOrientedBox>(blob, loop, shapes.oriented_box(awkward))) return d;
+    if (auto d = volume<detail::RoundedTriangle>(blob, loop, shapes.corners(awkward))) return d;
+    if (auto d = volume<detail::RoundedConvexVolume>(blob, loop, shapes.planes(awkward))) return d;
     if (auto d = segment_distance(blob, loop, capsule)) return d;
     if (auto d = box_distance(blob, loop, box, std::fabs(capsule.radius))) return d;
     if (auto d = moving<detail::SphereSweep>(blob, loop, awkward ? sweeps.awkward_sphere() : sweeps.random_sphere()))

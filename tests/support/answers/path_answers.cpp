@@ -5,10 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include <espalier/collide.hpp>
+#include <espalier/pair.hpp>
+#include <runtime/transforms/rotation.hpp>
 #include <espalier/walk.hpp>
-#include <runtime/nearest_world.hpp>
-#include <runtime/pair_frame.hpp>
+#include <runtime/answers/nearest_to_world.hpp>
+#include <runtime/pairs/frame.hpp>
 
 #include "support/base/answer_hash.hpp"
 #include "support/machine/instruction_paths.hpp"
@@ -24,7 +25,7 @@ constexpr std::uint64_t most_work = 60;  ///< pairs of boxes; where it is reache
 struct Questions {
     bool sound = true;
     std::vector<Ray> rays;  ///< the first 17 alike, so that a batch has a group
-    detail::LatticePoint point;
+    detail::RoundedPoint point;
     bool has_point = false;
     TestPairFrame frame;
     bool has_frame = false;
@@ -47,25 +48,27 @@ Questions draw_questions(const Blob& blob, Random& random) {
         if (random.below(4) == 0) ray.direction = to;
         if (random.below(4) == 0) ray.t_min = random.unit();
         if (random.below(4) == 0) ray.t_max = 2.0f * random.unit();
-        ray.faces = static_cast<Faces>(random.below(3));
+        ray.culling = static_cast<FaceCulling>(random.below(3));
         questions.rays.push_back(ray);
     }
     const Vec3 center = some_point(blob, random);
-    questions.has_point = detail::round_point(blob.data(), center, some_length(blob, random), questions.point);
-    Placement placement;
+    questions.has_point = detail::round_point(detail::data_of(blob), center, some_length(blob, random),
+                                              questions.point) == QueryStatus::ok;
+    Transform placement;
     const Vec3 axis = random.in_cube(1.0f);
     placement.rotation = {axis.x, axis.y, axis.z, random.signed_unit()};
     placement.translation = random.in_cube(some_length(blob, random));
     questions.has_frame = random.below(3) == 0 &&  // which takes as long as everything else
                           detail::is_valid(placement) &&
-                          detail::place_pair(blob.data(), blob.data(), placement, questions.frame) == QueryStatus::ok &&
+                          detail::place_pair(detail::data_of(blob), detail::data_of(blob), placement,
+                                             questions.frame) == QueryStatus::ok &&
                           questions.frame.gap <= 1024.0f * questions.frame.span;
     if (questions.has_frame) {
         std::uint64_t work = most_work;
         bool touches = false;
-        const auto touch = [&](const TrianglePair&) {
+        const auto touch = [&](const detail::TrianglePair&) {
             touches = true;
-            return stop;
+            return Visit::stop;
         };
         const InstructionPath& scalar = instruction_paths().front();
         questions.is_apart = scalar.touching_pairs(questions.frame, touch, work) == QueryStatus::ok && !touches;
@@ -100,52 +103,54 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
     std::size_t next = 0;
     const auto about = [&](auto question) { question(hashes[next++]); };
     const Ray& ray = questions.rays.back();
-    const auto keep = [](Triangle triangle) { return triangle.index % 3 != 0; };
+    const auto keep = [](TriangleId triangle) { return triangle.index % 3 != 0; };
     const TriangleFilter filter = keep;
-    // How often a triangle that has copies is met depends on the boxes that are entered: lists are refused to callers.
-    const bool lists_copies = data.copies != nullptr;
+    // Where a triangle has references outside of its box, which ones are met depends on the boxes that are entered.
+    const bool has_lists = data.copies == nullptr || questions.sound;
 
     about([&](AnswerHash& hash) {
         for (const TriangleFilter* each : {static_cast<const TriangleFilter*>(nullptr), &filter}) {
-            RayHit hit;
-            hash.add(std::uint32_t{path.closest_hit(data, ray, hit, each)});
+            const RayHit hit = path.closest_hit(data, ray, each);
+            hash.add(static_cast<std::uint32_t>(hit.status));
+            hash.add(static_cast<std::uint32_t>(hit.side));
             add(hash, hit);
         }
     });
     about([&](AnswerHash& hash) {
         std::array<RayHit, 3> hits;
-        const HitCount count = path.first_hits(data, ray, hits, nullptr);
+        const Filled count = path.first_hits(data, ray, hits, nullptr);
         for (std::size_t i = 0; i < count.count; ++i) add(hash, hits[i]);
         hash.add(static_cast<std::uint32_t>(count.status));
     });
-    about([&](AnswerHash& hash) { hash.add(std::uint32_t{path.any_hit(data, ray, &filter)}); });
+    about([&](AnswerHash& hash) { hash.add(static_cast<std::uint32_t>(path.any_hit(data, ray, &filter).status())); });
     about([&](AnswerHash& hash) {
-        if (lists_copies) return;
+        if (!has_lists) return;
         unsigned seen = 0;
-        path.every_hit(data, ray, [&](const RayHit& hit) {
+        const QueryStatus status = path.every_hit(data, ray, [&](const RayHit& hit) {
             add(hash, hit);
-            return ++seen == 64 ? stop : keep_going;
+            return ++seen == 64 ? Visit::stop : Visit::next;
         });
+        hash.add(static_cast<std::uint32_t>(status));
     });
     about([&](AnswerHash& hash) {
         if (!questions.sound) return;
         std::vector<RayHit> hits(questions.rays.size());
-        std::vector<std::uint8_t> occluded(questions.rays.size());
+        std::vector<YesNo> occluded(questions.rays.size());
         path.closest_hits(data, questions.rays.data(), hits.data(), hits.size());
         path.any_hits(data, questions.rays.data(), occluded.data(), hits.size());
         for (const RayHit& hit : hits) add(hash, hit);
-        for (const std::uint8_t each : occluded) hash.add(std::uint32_t{each});
+        for (const YesNo each : occluded) hash.add(static_cast<std::uint32_t>(each.status()));
     });
     QueryCounters counters;
     if (questions.has_point) {
-        const detail::LatticePoint& point = questions.point;
+        const detail::RoundedPoint& point = questions.point;
         about([&](AnswerHash& hash) {
             hash.add(std::uint32_t{path.any_overlap(data, point)});
-            if (lists_copies) return;
+            if (!has_lists) return;
             unsigned seen = 0;
-            path.every_overlap(data, point, 0, [&](Triangle triangle) {
+            path.every_overlap(data, point, 0, [&](TriangleId triangle) {
                 hash.add(triangle.index);
-                return ++seen == 64 ? stop : keep_going;
+                return ++seen == 64 ? Visit::stop : Visit::next;
             });
         });
         about([&](AnswerHash& hash) {
@@ -159,11 +164,10 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
         });
         about([&](AnswerHash& hash) {
             if (!questions.sound) return;
-            std::array<Nearest, 5> nearest;
-            detail::ClosestFew few(nearest);
-            path.closest_triangles(data, point, few);
-            const std::size_t count = finish(data, few, 0.0f, __builtin_inff());
+            std::array<ClosestPoint, 5> nearest;
+            const std::size_t count = path.closest_triangles(data, point, nearest);
             for (std::size_t i = 0; i < count; ++i) {
+                detail::finish(data, point, {}, __builtin_inff(), nearest[i]);
                 hash.add(nearest[i].triangle.index);
                 hash.add(nearest[i].distance);
                 hash.add(nearest[i].point);
@@ -180,14 +184,16 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
     } else {
         next += 5;
     }
-    about([&](AnswerHash& hash) { hash.add(std::uint32_t{path.may_hit(data, ray, questions.steps, counters)}); });
+    about([&](AnswerHash& hash) {
+        hash.add(static_cast<std::uint32_t>(path.may_hit(data, ray, {questions.steps, &counters}).status()));
+    });
     if (questions.has_frame) {
         about([&](AnswerHash& hash) {
             std::uint64_t work = most_work;
-            const auto touch = [&](const TrianglePair& pair) {
+            const auto touch = [&](const detail::TrianglePair& pair) {
                 hash.add(pair.a.index);
                 hash.add(pair.b.index);
-                return keep_going;
+                return Visit::next;
             };
             hash.add(static_cast<std::uint32_t>(path.touching_pairs(questions.frame, touch, work)));
             hash.add(static_cast<std::uint32_t>(work));
@@ -222,12 +228,12 @@ namespace {
 
 /// Whether a box lies so far beyond the asset that rays may miss what it holds (docs/format.md, 5.1).
 bool has_boxes_far_beyond(const Blob& blob) {
-    const Vec3 low = blob.bounds_min(), high = blob.bounds_max();
+    const Vec3 low = blob.bounds().min, high = blob.bounds().max;
     const auto is_beyond = [](float max, float from, float to) {
         return max > to + 0x1p-6f * (to - from) + 0x1p-20f * std::fabs(to);
     };
     bool is_any = false;
-    for_each_node(blob, [&](const TreeNode& node) {
+    (void)for_each_node(blob, [&](const TreeNode& node) {
         for (unsigned child = 0; child < node.child_count; ++child) {
             const Vec3& max = node.children[child].box.max;
             is_any |=
@@ -245,10 +251,10 @@ std::optional<std::string> path_difference(const Blob& blob, Random& random, boo
     Questions questions = draw_questions(blob, random);
     questions.sound = sound;
     questions.is_apart = questions.is_apart && sound;
-    const Answers expected = ask(instruction_paths().front(), blob.data(), questions);
+    const Answers expected = ask(instruction_paths().front(), detail::data_of(blob), questions);
     for (const InstructionPath& path : instruction_paths()) {
         if (&path == &instruction_paths().front()) continue;
-        const Answers answers = ask(path, blob.data(), questions);
+        const Answers answers = ask(path, detail::data_of(blob), questions);
         const bool sees_other_boxes = !sound && (std::string_view(path.name) == "small" || has_boxes_far_beyond(blob));
         for (std::size_t i = 0; i < answers.size(); ++i)
             if (answers[i] != expected[i] && !(sees_other_boxes && kinds[i].of_rays))

@@ -12,34 +12,34 @@
 
 namespace espalier::tests {
 
-inline constexpr std::array every_profile = {format::Profile::fast, format::Profile::balanced, format::Profile::small,
-                                             format::Profile::tiny};
+inline constexpr std::array every_profile = {Profile::fast, Profile::balanced, Profile::small, Profile::tiny};
 
-inline std::string name_of(format::Profile profile) {
+inline std::string name_of(Profile profile) {
     switch (profile) {
-        case format::Profile::fast:
+        case Profile::fast:
             return "fast";
-        case format::Profile::balanced:
+        case Profile::balanced:
             return "balanced";
-        case format::Profile::small:
+        case Profile::small:
             return "small";
-        case format::Profile::tiny:
+        case Profile::tiny:
             return "tiny";
     }
     return "unknown";
 }
 
-inline BakeOptions with_profile(format::Profile profile, BakeOptions options = {}) {
+inline constexpr std::array every_effort = {Effort::fast, Effort::normal, Effort::best};
+
+inline BakeOptions with_profile(Profile profile, BakeOptions options = {}) {
     options.profile = profile;
     return options;
 }
 
-/// Asks for all that a blob may carry besides; the mesh has to have materials.
-inline BakeOptions with_every_section(format::Profile profile) {
+/// Returns options that store every optional section but materials, which a blob has if its mesh has them.
+inline BakeOptions with_every_section(Profile profile) {
     BakeOptions options = with_profile(profile);
     options.original_ids = true;
-    options.materials = Materials::bits_16;
-    options.edge_flags = 5.0;
+    options.flat_angle = 5.0;
     options.bounds = {true, true, true};
     return options;
 }
@@ -47,7 +47,7 @@ inline BakeOptions with_every_section(format::Profile profile) {
 /// What a failure says besides is which profile it was.
 template <class Call>
 void for_each_profile(Call call) {
-    for (const format::Profile profile : every_profile) {
+    for (const Profile profile : every_profile) {
         const std::string name = name_of(profile);
         CAPTURE(name);
         call(profile);

@@ -4,9 +4,9 @@
 #include <bit>
 #include <cstdint>
 
-#include <espalier/nearest.hpp>
+#include <espalier/distance.hpp>
 #include <espalier/ray.hpp>
-#include <runtime/found.hpp>
+#include <runtime/answers/found.hpp>
 
 namespace espalier::tests {
 
@@ -16,17 +16,15 @@ inline bool same_bits(Vec3 a, Vec3 b) { return same_bits(a.x, b.x) && same_bits(
 
 inline bool same_bits(const RayHit& a, const RayHit& b) {
     return same_bits(a.t, b.t) && same_bits(a.u, b.u) && same_bits(a.v, b.v) && same_bits(a.normal, b.normal) &&
-           a.triangle == b.triangle;
+           a.triangle == b.triangle && a.status == b.status && a.side == b.side && a.reserved[0] == b.reserved[0] &&
+           a.reserved[1] == b.reserved[1];
 }
 
-inline bool same_bits(const Nearest& a, const Nearest& b) {
-    return same_bits(a.point, b.point) && same_bits(a.distance, b.distance) && same_bits(a.u, b.u) &&
-           same_bits(a.v, b.v) && a.triangle == b.triangle && a.feature == b.feature;
-}
-
-inline bool same_bits(const NearestPair& a, const NearestPair& b) {
-    return same_bits(a.on_shape, b.on_shape) && same_bits(a.on_surface, b.on_surface) &&
-           same_bits(a.distance, b.distance) && same_bits(a.u, b.u) && same_bits(a.v, b.v) && a.triangle == b.triangle;
+inline bool same_bits(const ClosestPoint& a, const ClosestPoint& b) {
+    return same_bits(a.point, b.point) && same_bits(a.on_shape, b.on_shape) &&
+           same_bits(a.face_normal, b.face_normal) && same_bits(a.distance, b.distance) && same_bits(a.u, b.u) &&
+           same_bits(a.v, b.v) && a.triangle == b.triangle && a.status == b.status && a.feature == b.feature &&
+           a.side == b.side;
 }
 
 inline bool same_corners(const detail::LatticeTriangle& a, const detail::LatticeTriangle& b) {

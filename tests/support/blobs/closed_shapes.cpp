@@ -38,9 +38,9 @@ GridPoint in_tube(const DecodedBlob& decoded, Random& random) {
 
 void add(std::vector<ClosedShape>& shapes, const Mesh& mesh, unsigned bits,
          GridPoint (*inside)(const DecodedBlob&, Random&)) {
-    for (const format::Profile profile : every_profile) {
+    for (const Profile profile : every_profile) {
         BakeOptions options = with_profile(profile);
-        options.bits = bits;
+        options.resolution = Resolution::bits(bits);
         OpenedBlob opened(mesh, options);
         DecodedBlob decoded = decode(opened.bytes);
         shapes.push_back({mesh.name + ", profile " + name_of(profile), std::move(opened), std::move(decoded), inside});

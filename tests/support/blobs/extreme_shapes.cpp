@@ -57,9 +57,9 @@ constexpr Box everywhere = {{-largest, -largest, -largest}, {largest, largest, l
 
 std::vector<ExtremeShape> in_every_profile(const Mesh& mesh, unsigned bits) {
     std::vector<ExtremeShape> shapes;
-    for (const format::Profile profile : every_profile) {
+    for (const Profile profile : every_profile) {
         BakeOptions options = with_profile(profile);
-        options.bits = bits;
+        options.resolution = Resolution::bits(bits);
         OpenedBlob opened(mesh, options);
         DecodedBlob decoded = decode(opened.bytes);
         if (decoded.triangles.empty()) throw std::runtime_error(mesh.name + ": nothing was left of it");
@@ -71,7 +71,7 @@ std::vector<ExtremeShape> in_every_profile(const Mesh& mesh, unsigned bits) {
 
 void add(std::vector<ExtremeSolid>& solids, const Mesh& mesh, unsigned bits, const Box& part = everywhere) {
     for (ExtremeShape& shape : in_every_profile(mesh, bits)) {
-        if (!shape.opened.blob.closed()) throw std::runtime_error(shape.name + ": not closed");
+        if (!shape.opened.blob.is_closed()) throw std::runtime_error(shape.name + ": not closed");
         std::vector<GridTriangle> surface = within(shape.decoded, part);
         std::array<double, 3> middle{};
         for (const GridTriangle& t : surface)

@@ -5,34 +5,42 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <runtime/codec_node.hpp>
-#include <runtime/small_code.hpp>
-#include <runtime/step_counter.hpp>
+#include <runtime/base/small_code.hpp>
+#include <runtime/base/step_counter.hpp>
+#include <runtime/blob/node.hpp>
 
 namespace espalier::tests {
 
 class MeasuredBlob {
 public:
     explicit MeasuredBlob(const Blob& blob) : blob_(blob) {
-        for (std::uint32_t i = 0; i < blob.data().node_count; ++i)
+        for (std::uint32_t i = 0; i < detail::data_of(blob).node_count; ++i)
             leaves_ += format::has_plain_nodes(blob.profile())
-                           ? detail::node_at<detail::PlainNode>(blob.data(), i).leaf_children()
-                           : detail::node_at<detail::PackedNode>(blob.data(), i).leaf_children();
+                           ? detail::node_at<detail::PlainNode>(detail::data_of(blob), i).leaf_children()
+                           : detail::node_at<detail::PackedNode>(detail::data_of(blob), i).leaf_children();
     }
 
     /// For a query that walks the tree once, as nearly all do. The one before is measured then.
     operator const Blob&() const { return for_walks(1); }  // NOLINT(google-explicit-constructor)
     /// For one that may walk so many times: a batch, once for each ray.
-    [[nodiscard]] const Blob& for_walks(std::uint64_t walks) const {
+    [[nodiscard]] const Blob& for_walks(std::uint64_t walks, std::uint64_t look_ups = 0) const {
         // How often a node's children are asked about at most; a leaf is visited at most once. Small code asks again.
         const std::uint64_t children = format::max_node_children(blob_.profile());
         const std::uint64_t times = detail::small_code ? children : children / 2;
-        return allow(times * walks * blob_.data().node_count, walks * leaves_);
+        return allow(times * walks * detail::data_of(blob_).node_count + look_ups * format::max_depth,
+                     walks * leaves_ + look_ups * format::max_children);
+    }
+    /// For a list, and for what counts triangles, besides other walks: each duplicate reference may take one more, and
+    /// its triangle is looked up.
+    [[nodiscard]] const Blob& for_lists(std::uint64_t other_walks = 0) const {
+        const std::uint64_t duplicates = blob_.duplicate_reference_count();
+        return for_walks(1 + other_walks + duplicates, duplicates);
     }
     /// For two blobs under a limit of work; a pair that touches may be looked up once more, each of its triangles by
-    /// one way down.
+    /// one way down. With duplicate references many pairs may be, each before a walk that counts.
     [[nodiscard]] const Blob& for_pairs(std::uint64_t pairs) const {
-        return allow(pairs + 2 * format::max_depth, pairs + 2 * format::max_children);
+        const std::uint64_t lookups = duplicate_reference_count() != 0 ? pairs + 1 : 1;
+        return allow(pairs + lookups * 2 * format::max_depth, pairs + lookups * 2 * format::max_children);
     }
     /// What else a query is given.
     [[nodiscard]] const Blob& unmeasured() const { return blob_; }
@@ -44,11 +52,10 @@ public:
     }
 
     [[nodiscard]] std::uint32_t triangle_count() const { return blob_.triangle_count(); }
-    [[nodiscard]] std::uint32_t copy_count() const { return blob_.copy_count(); }
+    [[nodiscard]] std::uint32_t duplicate_reference_count() const { return blob_.duplicate_reference_count(); }
     [[nodiscard]] unsigned depth() const { return blob_.depth(); }
-    [[nodiscard]] float step() const { return blob_.step(); }
-    [[nodiscard]] Vec3 bounds_min() const { return blob_.bounds_min(); }
-    [[nodiscard]] Vec3 bounds_max() const { return blob_.bounds_max(); }
+    [[nodiscard]] Lattice lattice() const { return blob_.lattice(); }
+    [[nodiscard]] Box bounds() const { return blob_.bounds(); }
 
 private:
     const Blob& allow(std::uint64_t nodes, std::uint64_t leaves) const {

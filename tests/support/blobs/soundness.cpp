@@ -37,7 +37,7 @@ bool boxes_end_near_asset(const DecodedBlob& decoded) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::int64_t extent = decoded.extent[k];
         std::int64_t end = 0;
-        if (decoded.profile == format::Profile::fast) {
+        if (decoded.profile == Profile::fast) {
             const std::int64_t unit = decoded.bits > 16 ? std::int64_t{1} << (decoded.bits - 16) : 1;
             end = (extent / unit + 1) * unit;
         } else {

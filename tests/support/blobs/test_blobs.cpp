@@ -12,11 +12,11 @@ namespace {
 enum class Extras { none, edge_flags_and_bounds };
 
 void add(std::vector<TestBlob>& blobs, const Mesh& mesh, unsigned bits, Extras extras = Extras::none) {
-    for (const format::Profile profile : every_profile) {
+    for (const Profile profile : every_profile) {
         BakeOptions options = with_profile(profile);
-        options.bits = bits;
+        options.resolution = Resolution::bits(bits);
         if (extras == Extras::edge_flags_and_bounds) {
-            options.edge_flags = 5.0;
+            options.flat_angle = 5.0;
             options.bounds = {true, true, true};
         }
         OpenedBlob opened(mesh, options);
@@ -64,7 +64,7 @@ const std::vector<TestBlob>& medium_test_blobs() {
     return blobs;
 }
 
-std::vector<std::byte> make_blob_with_every_section(format::Profile profile) {
+std::vector<std::byte> make_blob_with_every_section(Profile profile) {
     Mesh mesh = make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f});
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) mesh.materials.push_back(i);
     return bake_or_throw(mesh, with_every_section(profile));

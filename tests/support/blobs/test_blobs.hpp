@@ -21,6 +21,6 @@ const std::vector<TestBlob>& small_test_blobs();
 const std::vector<TestBlob>& medium_test_blobs();
 
 /// A sphere of 320 triangles with every optional section; the material of each is its number.
-std::vector<std::byte> make_blob_with_every_section(format::Profile profile);
+std::vector<std::byte> make_blob_with_every_section(Profile profile);
 
 }  // namespace espalier::tests

@@ -47,7 +47,7 @@ private:
     Size some_size() { return static_cast<Size>(random_.below(3)); }
 
     void make_header() {
-        head_.profile = static_cast<format::Profile>(random_.below(4));
+        head_.profile = static_cast<Profile>(random_.below(4));
         head_.bits = 1 + random_.below(24);
         const bool tame = random_.below(4) != 0;
         head_.step_exponent = tame ? random_.between(-30, 30) : random_.between(-100, 100);
@@ -70,11 +70,11 @@ private:
         leaf_size_ = some_size();
         children_ = some_size();
         // Predicted strips leave out triangles in pairs only, whatever their area.
-        flat_triangles_ = random_.below(8) == 0 || head_.profile == format::Profile::tiny;
+        flat_triangles_ = random_.below(8) == 0 || head_.profile == Profile::tiny;
         const std::uint32_t any = random_.below(512);  // features; all that exclude each other are taken out below
         head_.features = any & ~(1u << 4);
         if ((any & 2u) != 0) head_.features &= ~4u;
-        if (head_.profile == format::Profile::fast && random_.below(4) == 0) head_.features |= 1u << 4;
+        if (head_.profile == Profile::fast && random_.below(4) == 0) head_.features |= 1u << 4;
     }
 
     [[nodiscard]] bool has(unsigned feature) const { return (head_.features >> feature & 1u) != 0; }
@@ -107,7 +107,7 @@ private:
         return part;
     }
 
-    [[nodiscard]] bool has_plain_nodes() const { return head_.profile == format::Profile::fast; }
+    [[nodiscard]] bool has_plain_nodes() const { return head_.profile == Profile::fast; }
     /// Of bases and of the planes of plain nodes, as a power of two.
     [[nodiscard]] unsigned unit() const { return head_.bits > 16 ? head_.bits - 16 : 0; }
 
@@ -177,7 +177,7 @@ private:
     }
 
     PlainLeaf make_leaf(const GridBox& part, const GridBox& box) {
-        return head_.profile == format::Profile::fast ? make_triangles(part) : make_strip(part, box);
+        return head_.profile == Profile::fast ? make_triangles(part) : make_strip(part, box);
     }
 
     PlainLeaf make_triangles(const GridBox& part) {
@@ -196,8 +196,8 @@ private:
 
     PlainLeaf make_strip(const GridBox& part, const GridBox& box) {
         PlainLeaf leaf;
-        const bool is_tiny = head_.profile == format::Profile::tiny;
-        const std::uint32_t most = head_.profile == format::Profile::balanced ? 34 : is_tiny ? 64 : 56;
+        const bool is_tiny = head_.profile == Profile::tiny;
+        const std::uint32_t most = head_.profile == Profile::balanced ? 34 : is_tiny ? 64 : 56;
         // Three entries on one point have no data at all, which the format forbids.
         const std::uint32_t least = box.low == box.high ? 4 : 3;
         const std::uint32_t count = choose(leaf_size_, least, most);
@@ -265,7 +265,7 @@ private:
     void make_sections() {
         if (triangles_ == 0) head_.features &= 7u;
         if (has(0)) {
-            const std::uint32_t factor = head_.profile == format::Profile::fast ? 1 : 3;
+            const std::uint32_t factor = head_.profile == Profile::fast ? 1 : 3;
             head_.source_triangles = (1 + random_.below(0xFFFFFFFFu / factor)) >> random_.below(32);
             if (head_.source_triangles == 0) head_.source_triangles = triangles_ == 0 ? random_.below(2) : 1;
             const std::uint32_t numbers = factor * head_.source_triangles;

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 
-#include <runtime/lattice_point.hpp>
-#include <runtime/lattice_ray.hpp>
-#include <runtime/lattice_triangle.hpp>
+#include <runtime/lattice/round_point.hpp>
+#include <runtime/lattice/round_ray.hpp>
+#include <runtime/lattice/triangle.hpp>
 
 #include "oracle/exact_geometry.hpp"
 #include "support/format/decoder.hpp"
@@ -32,7 +32,7 @@ inline oracle::Line exact_line(const detail::LatticeRay& ray) {
     return line;
 }
 
-inline oracle::Point exact_center(const detail::LatticePoint& point) {
+inline oracle::Point exact_center(const detail::RoundedPoint& point) {
     oracle::Point center;
     for (int k = 0; k < 3; ++k) center[k] = oracle::Rational::of(point.origin[k], -point.fraction_bits);
     return center;

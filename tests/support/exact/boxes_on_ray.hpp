@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <runtime/codec_node.hpp>
-#include <runtime/lattice_ray.hpp>
+#include <runtime/blob/node.hpp>
+#include <runtime/lattice/round_ray.hpp>
 
 #include "oracle/rational.hpp"
 #include "support/queries/some_ray.hpp"

@@ -1,6 +1,8 @@
 #include "run.hpp"
 
+#include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include <espalier/espalier.hpp>
 
@@ -14,24 +16,18 @@ namespace espalier::tests::exercises {
 
 void exercise_bounds(Exercise& run) {
     AnswerHash& hash = run.hash;
-    Sphere sphere;
-    if (bounding_sphere(run.blob, sphere)) {
-        hash.add(sphere.center);
-        hash.add(sphere.radius);
+    if (const Result<Sphere> sphere = bounding_sphere(run.blob)) {
+        hash.add(sphere->center);
+        hash.add(sphere->radius);
     }
-    const Sphere asked = {some_point(run.blob, run.random), some_length(run.blob, run.random)};
-    hash.add(std::uint32_t{is_outside_bounds(run.blob, asked)});
-    hash.add(std::uint32_t{is_outside_bounds(run.blob, Box{some_point(run.blob, run.random), asked.center})});
-    OrientedBox box;
-    if (oriented_bounds(run.blob, box)) {
-        hash.add(box.center);
-        for (const Vec3& axis : box.half_axes) hash.add(axis);
+    if (const Result<OrientedBox> box = oriented_bounds(run.blob)) {
+        hash.add(box->center);
+        for (const Vec3& axis : box->half_axes) hash.add(axis);
     }
-    KDop k_dop;
-    if (k_dop_bounds(run.blob, k_dop)) {
+    if (const Result<KDop> k_dop = k_dop_bounds(run.blob)) {
         for (unsigned k = 0; k < KDop::count; ++k) {
-            hash.add(k_dop.lo[k]);
-            hash.add(k_dop.hi[k]);
+            hash.add(k_dop->lo[k]);
+            hash.add(k_dop->hi[k]);
         }
     }
 }
@@ -40,7 +36,7 @@ void exercise_nodes(Exercise& run) {
     const MeasuredBlob& blob = run.blob;
     std::uint32_t visited = 0;
     const std::uint32_t until = 1 + run.random.below(300);
-    const bool saw_all = for_each_node(blob, [&](const TreeNode& node) {
+    const QueryStatus status = for_each_node(blob, [&](const TreeNode& node) {
         run.verdict.require(node.depth >= 1 && node.depth <= blob.depth(), "a node is deeper than the tree");
         run.hash.add(node.number);
         for (unsigned i = 0; i < node.child_count; ++i) {
@@ -50,10 +46,11 @@ void exercise_nodes(Exercise& run) {
             run.hash.add(child.box.min);
             run.hash.add(child.box.max);
         }
-        if (++visited == until) return NodeVisit::end;
+        if (++visited == until) return NodeVisit::stop;
         return node.number % 5 == 4 ? NodeVisit::skip : NodeVisit::descend;
     });
-    run.verdict.require(saw_all == (visited < until), "for_each_node says wrongly whether it saw all");
+    run.verdict.require(status == (visited < until ? QueryStatus::ok : QueryStatus::stopped),
+                        "the status of for_each_node is wrong");
 }
 
 void exercise_lookups(Exercise& run) {
@@ -64,48 +61,46 @@ void exercise_lookups(Exercise& run) {
     const std::uint32_t indices[] = {0, random.below(blob.triangle_count() + 1), blob.triangle_count(), 0x80000000u,
                                      0xFFFFFFFFu};
     for (const std::uint32_t index : indices) {
-        OriginalTriangle original;
-        if (original_triangle(blob, {index}, original)) {
+        if (const Result<OriginalTriangle> original = original_triangle(blob, {index})) {
             verdict.require(index < blob.triangle_count(), "a triangle that does not exist has an original");
-            hash.add(original.file);
-            hash.add(original.mesh);
-            hash.add(original.triangle);
-            hash.add(original.first_corner);
-            verdict.require(original.first_corner < 3, "a triangle begins with a corner that it does not have");
+            hash.add(original->file);
+            hash.add(original->mesh);
+            hash.add(original->triangle);
+            hash.add(original->first_corner);
+            verdict.require(original->first_corner < 3, "a triangle begins with a corner that it does not have");
         }
         const RayHit hit = {0.0f, hostile_values[random.below(hostile_values.size())], 0.5f, {}, {index}};
         const OriginalHit turned = original_hit(blob, hit);
         verdict.require(!turned || index < blob.triangle_count(), "a hit of no triangle leads back");
         hash.add(static_cast<std::uint32_t>(turned.status));
         hash.add(std::uint32_t{material(blob, {index})});
-        EdgeKinds kinds;
-        if (edge_kinds(blob, {index}, kinds))
-            for (const EdgeKind kind : {kinds.ab, kinds.bc, kinds.ca}) hash.add(static_cast<std::uint32_t>(kind));
-        Corners corners;
-        const bool exists = triangle_corners(blob, {index}, corners);
+        if (const Result<EdgeKinds> kinds = edge_kinds(blob, {index}))
+            for (const EdgeKind kind : {kinds->ab, kinds->bc, kinds->ca}) hash.add(static_cast<std::uint32_t>(kind));
+        const auto [corners, status] = triangle_at(blob, {index});
+        const bool exists = status == QueryStatus::ok;
         verdict.require(exists == (index < blob.triangle_count()), "corners of a triangle that does not exist");
         hash.add(corners.c);
-        Vec3 normal;
-        const Contact contact = {{index}, static_cast<Feature>(random.below(8)), some_point(blob, random)};
-        if (is_on_inner_edge(blob, contact, normal)) {
-            verdict.require(exists, "a triangle that does not exist has an inner edge");
-            hash.add(normal);
-        }
+        const auto feature = static_cast<Feature>(random.below(8));
+        const Vec3 given = some_point(blob, random);
+        const Vec3 normal = fix_internal_edge_normal(blob, {index}, feature, given);
+        if (std::memcmp(&normal, &given, sizeof normal) != 0)
+            verdict.require(exists, "a triangle that does not exist has an internal edge");
+        hash.add(normal);
     }
-    hash.add(blob.step());
-    hash.add(blob.bounds_min());
-    hash.add(blob.bounds_max());
+    hash.add(std::ldexp(1.0f, blob.lattice().step_exponent));
+    hash.add(blob.bounds().min);
+    hash.add(blob.bounds().max);
     std::uint32_t visited = 0;
     std::uint32_t next = 0;
-    for_each_triangle(blob, [&](Triangle triangle, const Corners& corners) {
-        const bool follows = blob.copy_count() == 0 ? triangle.index == next : triangle.index >= next;
+    (void)for_each_triangle(blob, [&](TriangleId triangle, const Triangle& corners) {
+        const bool follows = blob.duplicate_reference_count() == 0 ? triangle.index == next : triangle.index >= next;
         verdict.require(follows, "triangles are not walked in storage order");
         next = triangle.index + 1;
         ++visited;
         hash.add(corners.a);
         hash.add(corners.b);
         hash.add(corners.c);
-        return visited == 4096 ? stop : keep_going;
+        return visited == 4096 ? Visit::stop : Visit::next;
     });
 }
 

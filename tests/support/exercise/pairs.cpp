@@ -15,8 +15,8 @@ namespace espalier::tests::exercises {
 
 namespace {
 
-Placement some_placement(const Blob& blob, Random& random) {
-    Placement placement;
+Transform some_placement(const Blob& blob, Random& random) {
+    Transform placement;
     if (random.coin()) {
         const Vec3 axis = random.below(4) == 0 ? some_point(blob, random) : random.in_cube(1.0f);
         placement.rotation = {axis.x, axis.y, axis.z, random.signed_unit()};
@@ -37,61 +37,64 @@ Placement some_placement(const Blob& blob, Random& random) {
 void exercise_pairs(Exercise& run) {
     const MeasuredBlob& blob = run.blob;
     Verdict& verdict = run.verdict;
-    const Placement placement = some_placement(blob, run.random);
+    const Transform placement = some_placement(blob, run.random);
+    // By turns a stands at the origin.
+    const Transform own_placement = run.random.coin() ? Transform{} : some_placement(blob, run.random);
     // Less for large leaves: each pair of them takes as many tests as they have pairs of triangles.
     const std::uint64_t most = std::min<std::uint64_t>(2'000, 20'000 / (blob.triangle_count() + 1) + 20);
-    const WorkLimit limit = {run.random.below(4) == 0 ? run.random.below(50) : most};
-    const auto check_pair = [&](const TrianglePair& pair) {
-        verdict.require(pair.a.index < blob.triangle_count() && pair.b.index < blob.triangle_count(),
+    const WorkLimit limit(run.random.below(4) == 0 ? run.random.below(50) : most);
+    const auto placed = [&] { return PlacedBlob(blob.for_pairs(limit.visits()), own_placement); };
+    const PlacedBlob other(blob.unmeasured(), placement);
+    const auto check_pair = [&](TriangleId a, TriangleId b) {
+        verdict.require(a.index < blob.triangle_count() && b.index < blob.triangle_count(),
                         "a triangle of a pair does not exist");
-        run.hash.add(pair.a.index);
-        run.hash.add(pair.b.index);
+        run.hash.add(a.index);
+        run.hash.add(b.index);
     };
-    bool touching = false, found = false;
-    const Blob& other = blob.unmeasured();
-    const QueryStatus status = collides(blob.for_pairs(limit.pairs), other, placement, touching, limit);
-    run.hash.add(static_cast<std::uint32_t>(status));
-    TrianglePair first;
-    verdict.require(first_contact(blob.for_pairs(limit.pairs), other, placement, first, found, limit) == status &&
-                        found == touching,
-                    "collides and first_contact disagree");
-    if (found) check_pair(first);
-    std::array<TrianglePair, 9> pairs;
-    std::size_t count = 0;
-    const QueryStatus listed = all_contacts(blob.for_pairs(limit.pairs), other, placement, pairs, count, limit);
-    if (blob.copy_count() != 0) {
-        verdict.require(listed == QueryStatus::has_copies, "pairs of copies are listed");
-    } else {
-        verdict.require(count <= pairs.size(), "more pairs than there is room for");
-        verdict.require((count > 0) == found && (count == 0 || pairs[0] == first), "the first pair is not the first");
-        for (std::size_t i = 0; i < count; ++i) check_pair(pairs[i]);
-    }
-    std::uint32_t visited = 0;
-    const QueryStatus enumerated = for_each_contact(
-        blob.for_pairs(limit.pairs), other, placement,
-        [&](const TrianglePair& pair) {
-            verdict.require(visited >= count || pairs[visited] == pair, "a list and a visitor disagree");
-            return ++visited == 64 ? stop : keep_going;
-        },
-        limit);
-    verdict.require(
-        visited >= count && (enumerated == QueryStatus::ok || enumerated == QueryStatus::work_limit || visited == 0),
-        "a refused query visits pairs");
-    PairDistance nearest;
+    const YesNo touching = overlaps(placed(), other, limit);
+    run.hash.add(static_cast<std::uint32_t>(touching.status()));
+    const PairContact first = first_contact(placed(), other, limit);
+    verdict.require(first.status == touching.status(), "overlaps and first_contact disagree");
+    if (first) check_pair(first.a, first.b);
+    std::array<PairContact, 9> pairs;
+    const Filled listed = collect_contacts(placed(), other, pairs, limit);
+    verdict.require(listed.count <= pairs.size(), "more pairs than there is room for");
+    // With duplicate references the first pair may come later.
+    const bool is_in_order = blob.duplicate_reference_count() == 0;
+    verdict.require(listed.count == 0 || bool(first), "a list has pairs without a first one");
+    verdict.require(!is_in_order || ((listed.count > 0) == bool(first) && (listed.count == 0 || pairs[0] == first)),
+                    "the first pair is not the first");
+    for (const PairContact& pair : listed.in(pairs)) check_pair(pair.a, pair.b);
+    std::size_t visited = 0;
+    const auto visit = [&](const PairContact& pair) {
+        verdict.require(visited >= listed.count || pairs[visited] == pair, "a list and a visitor disagree");
+        return ++visited == 64 ? Visit::stop : Visit::next;
+    };
+    const QueryStatus enumerated = for_each_contact(placed(), other, visit, limit);
+    verdict.require(visited >= listed.count && (visited == 0 || !is_refused(enumerated)),
+                    "a refused query visits pairs");
+    // A page resumes within its limit, also from a cursor that no query returned.
+    const Cursor from = run.random.below(4) != 0
+                            ? listed.next
+                            : Cursor{{run.random.below(blob.triangle_count() + 2),
+                                      run.random.below(blob.triangle_count() + 2), run.random.below(3)}};
+    const PlacedBlob resumed(blob.for_pairs(2 * limit.visits()), own_placement);
+    const Filled page = collect_contacts(resumed, other, pairs, limit, from);
+    run.hash.add(static_cast<std::uint32_t>(page.status));
+    verdict.require(page.count <= pairs.size(), "more pairs than there is room for");
+    for (const PairContact& pair : page.in(pairs)) check_pair(pair.a, pair.b);
     const float max_distance = some_length(blob, run.random);
-    const QueryStatus answered =
-        minimum_distance(blob.for_pairs(limit.pairs), other, placement, max_distance, nearest, found, limit);
-    run.hash.add(static_cast<std::uint32_t>(answered));
-    bool within = false;
-    const QueryStatus decided =
-        within_distance(blob.for_pairs(limit.pairs), other, placement, max_distance, within, limit);
-    if (answered == QueryStatus::ok && decided == QueryStatus::ok)
-        verdict.require(found == within, "minimum_distance and within_distance disagree");
-    if ((answered == QueryStatus::ok || answered == QueryStatus::work_limit) && found) {
-        check_pair(nearest.pair);
+    const BlobDistance nearest = distance(placed(), other, limit, max_distance);
+    run.hash.add(static_cast<std::uint32_t>(nearest.status));
+    const YesNo within = within_distance(placed(), other, max_distance, limit);
+    if (nearest.status != QueryStatus::work_limit && within.status() != QueryStatus::work_limit)
+        verdict.require(nearest.status == within.status(), "distance and within_distance disagree");
+    if (nearest.a != no_triangle) {
+        verdict.require(nearest || nearest.status == QueryStatus::work_limit, "a refused query finds a distance");
+        check_pair(nearest.a, nearest.b);
         verdict.require(nearest.distance >= 0.0f && nearest.distance <= max_distance,
                         "a distance of two blobs is NaN or out of range");
-        verdict.require(!touching || !run.sound || nearest.distance == 0.0f, "blobs that touch are apart");
+        verdict.require(!touching.yes() || !run.sound || nearest.distance == 0.0f, "blobs that touch are apart");
         run.hash.add(nearest.distance);
         run.hash.add(nearest.on_a);
         run.hash.add(nearest.on_b);

@@ -23,6 +23,8 @@ void check_hit(Exercise& run, const RayHit& hit) {
     verdict.require(hit.triangle.index < blob.triangle_count(), "a ray hit a triangle that does not exist");
     verdict.require(is_number(hit.t) && hit.t >= 0.0f, "a hit's t is negative or NaN");
     verdict.require(is_number(hit.u) && is_number(hit.v), "a hit's barycentrics are NaN");
+    verdict.require(hit.status == QueryStatus::ok && (hit.side == Side::front || hit.side == Side::back),
+                    "a hit has no side");
     verdict.require(is_number(hit.normal.x) && is_number(hit.normal.y) && is_number(hit.normal.z),
                     "a hit's normal is NaN");
     hash.add(hit.triangle.index);
@@ -35,6 +37,13 @@ void check_hit(Exercise& run, const RayHit& hit) {
     hash.add(original.triangle);
     hash.add(original.u);
     hash.add(original.v);
+}
+
+/// A hit, a miss or a refusal.
+void check_result(Exercise& run, const RayHit& hit) {
+    if (hit) return check_hit(run, hit);
+    run.verdict.require(hit.status == QueryStatus::not_found || is_refused(hit.status), "a query without a hit is ok");
+    run.verdict.require(hit.triangle == no_triangle && hit.t == __builtin_inff(), "what is no hit looks like one");
 }
 
 }  // namespace
@@ -53,75 +62,80 @@ void exercise_rays(Exercise& run) {
     }
     if (random.below(3) == 0) ray.t_min = hostile_values[random.below(hostile_values.size())];
     if (random.below(3) == 0) ray.t_max = hostile_values[random.below(hostile_values.size())];
-    ray.faces = static_cast<Faces>(random.below(4));  // one value more than the type names
+    ray.culling = static_cast<FaceCulling>(random.below(4));  // one value more than the type names
     const std::uint32_t parity = random.below(2);
-    const auto filter = [&](Triangle triangle) {
+    const auto filter = [&](TriangleId triangle) {
         verdict.require(triangle.index < blob.triangle_count(),
                         "a filter was asked about a triangle that does not exist");
         return triangle.index % 2 == parity;
     };
 
-    RayHit hit;
-    const bool found = raycast(blob, ray, hit);
-    if (found) check_hit(run, hit);
-    verdict.require(occluded(blob, ray) == found, "occluded and raycast disagree");
+    const RayHit hit = raycast(blob, ray);
+    check_result(run, hit);
+    const QueryStatus status = hit.status;
+    const bool found = bool(hit);
+    verdict.require(occluded(blob, ray).status() == status, "occluded and raycast disagree");
     QueryCounters counters;
-    RayHit counted;
-    verdict.require(raycast_counted(blob, ray, counted, counters) == found || !run.sound,
-                    "the counted query and raycast disagree");
-    verdict.require(!found || !run.sound || counted.triangle == hit.triangle, "the counted query hit something else");
-    RayHit rounded_hit;
-    bool rounded_any = false;
-    const RoundedRay rounded = round_ray(lattice_of(blob.for_walks(2)), ray);
-    const QueryStatus refused = raycast(blob, rounded, rounded_hit);
-    verdict.require(occluded(blob, rounded, rounded_any) == refused, "occluded and raycast refuse differently");
-    verdict.require(refused != QueryStatus::ok || rounded_any == found || !run.sound,
+    const RayHit counted = raycast(blob, ray, counters);
+    verdict.require(counted.status == status || !run.sound, "the counted query and raycast disagree");
+    verdict.require(!run.sound || counted.triangle == hit.triangle, "the counted query hit something else");
+    const RoundedRay rounded = round_ray(blob.for_walks(2).lattice(), ray);
+    const RayHit rounded_hit = raycast(blob, rounded);
+    check_result(run, rounded_hit);
+    verdict.require(occluded(blob, rounded).status() == rounded_hit.status, "occluded and raycast refuse differently");
+    verdict.require(is_refused(rounded_hit.status) || rounded_hit.status == status || !run.sound,
                     "a ray and the same one rounded before disagree");
-    if (refused == QueryStatus::ok && rounded_any) check_hit(run, rounded_hit);
     if (parity != 0) {
         std::array<Ray, 20> rays;  // a group, and strangers
         rays.fill(ray);
         rays.back().direction = ray.origin;
         std::array<RayHit, 20> hits;
-        std::array<std::uint8_t, 20> answers;
-        const Blob& twenty = blob.for_walks(rays.size());
-        const std::size_t count = raycast(twenty, rays, hits);
-        verdict.require(occluded(blob.for_walks(rays.size()), rays, answers) == count,
-                        "occluded and raycast disagree about a batch");
+        std::array<YesNo, 20> answers;
+        verdict.require(raycast(blob.for_walks(rays.size()), rays, hits).count == rays.size() &&
+                            occluded(blob.for_walks(rays.size()), rays, answers).count == rays.size(),
+                        "a batch is not complete");
         for (std::size_t i = 0; i < rays.size(); ++i)
-            verdict.require((hits[i].triangle != no_triangle) == (answers[i] != 0), "answers of a batch disagree");
-        verdict.require(!found || !run.sound || hits[0].triangle == hit.triangle, "a ray alone and a batch disagree");
+            verdict.require(hits[i].status == answers[i].status(), "answers of a batch disagree");
+        verdict.require(!run.sound || (hits[0].triangle == hit.triangle && hits[0].status == status),
+                        "a ray alone and a batch disagree");
     }
     std::array<RayHit, 4> first;
-    const HitCount count = closest_hits(blob, ray, first);
+    const Filled count = closest_hits(blob, ray, first);
     verdict.require((count.count > 0) == found && count.count <= first.size(), "closest_hits and raycast disagree");
-    verdict.require(count.status == QueryStatus::ok || count.count == first.size(),
+    verdict.require(count.status != QueryStatus::output_full || count.count == first.size(),
                     "an array that is not full is reported as full");
+    verdict.require(is_refused(count.status) == is_refused(status), "closest_hits and raycast refuse differently");
     for (std::size_t i = 0; i < count.count; ++i) {
         check_hit(run, first[i]);
         verdict.require(i == 0 || first[i - 1].t <= first[i].t, "closest_hits are not sorted");
     }
-    const Segment segment = {ray.origin, ray.direction};
-    RayHit on_segment;
-    const bool segment_hits = raycast(blob, segment, on_segment);
-    if (segment_hits) check_hit(run, on_segment);
-    verdict.require(!segment_hits || on_segment.t <= 1.0f, "a segment is hit beyond its end");
-    verdict.require(occluded(blob, segment) == segment_hits, "occluded and raycast disagree about a segment");
-    RayHit filtered;
-    const bool found_filtered = raycast(blob, ray, filtered, filter);
-    if (found_filtered) check_hit(run, filtered);
-    verdict.require(occluded(blob, ray, filter) == found_filtered, "occluded and raycast disagree under a filter");
-    std::uint32_t visited = 0;
-    std::uint32_t last = 0;
-    const bool saw_all = for_each_hit(blob, ray, [&](const RayHit& each) {
-        check_hit(run, each);
-        verdict.require(visited == 0 || each.triangle.index > last, "hits are not in storage order");
-        last = each.triangle.index;
-        return ++visited == 64 ? stop : keep_going;
+    const Ray segment = Ray::between(ray.origin, ray.direction);
+    const RayHit on_segment = raycast(blob, segment);
+    check_result(run, on_segment);
+    verdict.require(!on_segment || on_segment.t <= 1.0f, "a segment is hit beyond its end");
+    verdict.require(occluded(blob, segment).status() == on_segment.status,
+                    "occluded and raycast disagree about a segment");
+    const RayHit filtered = raycast(blob, ray, filter);
+    check_result(run, filtered);
+    verdict.require(occluded(blob, ray, filter).status() == filtered.status,
+                    "occluded and raycast disagree under a filter");
+    std::array<RayHit, 64> each;  // checked later: what a check looks up is measured too
+    std::size_t visited = 0;
+    const bool ascends = blob.duplicate_reference_count() == 0;
+    const QueryStatus all = for_each_hit(blob.for_lists(), ray, [&](const RayHit& hit_in_order) {
+        each[visited] = hit_in_order;
+        return ++visited == each.size() ? Visit::stop : Visit::next;
     });
-    const bool enumerates = blob.copy_count() == 0;  // copies are refused
-    verdict.require((visited > 0) == (found && enumerates), "for_each_hit and raycast disagree");
-    verdict.require(saw_all == (visited < 64 && enumerates), "for_each_hit says wrongly whether it saw all");
+    for (std::size_t i = 0; i < visited; ++i) {
+        check_hit(run, each[i]);
+        verdict.require(i == 0 || !ascends || each[i].triangle.index > each[i - 1].triangle.index,
+                        "hits are not in ascending order");
+    }
+    // Bytes of a stranger may have references outside of their boxes: those report nothing.
+    verdict.require((visited > 0) == found || !ascends, "for_each_hit and raycast disagree");
+    verdict.require((all == QueryStatus::stopped) == (visited == each.size()),
+                    "for_each_hit reports wrongly that it was stopped");
+    verdict.require(is_refused(all) == is_refused(status), "for_each_hit and raycast refuse differently");
 }
 
 }  // namespace espalier::tests::exercises

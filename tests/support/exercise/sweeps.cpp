@@ -17,20 +17,19 @@ void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
     const MeasuredBlob& blob = run.blob;
     Verdict& verdict = run.verdict;
     const std::uint32_t parity = run.random.below(2);
-    const auto filter = [&](Triangle triangle) {
+    const auto filter = [&](TriangleId triangle) {
         verdict.require(triangle.index < blob.triangle_count(),
                         "a filter was asked about a triangle that does not exist");
         return triangle.index % 2 == parity;
     };
-    SweepHit hits[2];
-    hits[0].t = hits[1].t = -1.0f;
-    const bool found = sweep(blob, shape, displacement, hits[0]);
-    const bool found_filtered = sweep(blob, shape, displacement, hits[1], filter);
-    verdict.require(!found || check_sweep(blob, shape, displacement) == QueryStatus::ok, "a refused sweep hit");
-    verdict.require(found || !found_filtered, "a sweep under a filter hits more than without");
+    const SweepHit hits[2] = {sweep(blob, shape, displacement), sweep(blob, shape, displacement, filter)};
+    verdict.require(hits[0] || !hits[1], "a sweep under a filter hits more than without");
+    verdict.require(is_refused(hits[0].status) == is_refused(hits[1].status), "a filter changes what is refused");
     for (const SweepHit& hit : hits) {
-        if (!(&hit == hits ? found : found_filtered)) {
-            verdict.require(hit.t == -1.0f, "a sweep that hit nothing changed the hit");
+        run.hash.add(static_cast<std::uint32_t>(hit.status));
+        if (!hit) {
+            verdict.require(hit.triangle == no_triangle && hit.t == (is_refused(hit.status) ? 0.0f : 1.0f),
+                            "a sweep that hit nothing has a hit");
             continue;
         }
         verdict.require(hit.triangle.index < blob.triangle_count(), "a sweep hit a triangle that does not exist");
@@ -43,6 +42,7 @@ void exercise_sweep(Exercise& run, const Shape& shape, Vec3 displacement) {
         run.hash.add(hit.t);
         run.hash.add(hit.point);
         run.hash.add(hit.normal);
+        run.hash.add(hit.face_normal);
     }
 }
 

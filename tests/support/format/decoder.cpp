@@ -35,8 +35,8 @@ private:
     void read_header() {
         namespace at = format::header;
         decoded_.features = bytes_.u32(at::features_at);
-        decoded_.profile = static_cast<format::Profile>(bytes_.u8(at::profile_at));
-        has_strips_ = decoded_.profile != format::Profile::fast;
+        decoded_.profile = static_cast<Profile>(bytes_.u8(at::profile_at));
+        has_strips_ = decoded_.profile != Profile::fast;
         decoded_.bits = bytes_.u8(at::bits_at);
         decoded_.step_exponent = static_cast<std::int16_t>(bytes_.u16(at::step_exponent_at));
         decoded_.triangle_count = bytes_.u32(at::triangle_count_at);
@@ -149,7 +149,7 @@ private:
         }
         namespace layout = format::strip_leaf;
         const std::size_t descriptors = node.block + layout::descriptors_at;
-        if (decoded_.profile == format::Profile::tiny) {
+        if (decoded_.profile == Profile::tiny) {
             std::size_t at = descriptors + 2 * std::size_t{node.leaves};
             std::uint32_t first = bytes_.u32(node.block);
             for (std::uint32_t i = 0;; ++i) {

@@ -50,7 +50,7 @@ struct DecodedSource {
 
 struct DecodedBlob {
     std::uint32_t features = 0;
-    format::Profile profile = format::Profile::fast;
+    Profile profile = Profile::fast;
     unsigned bits = 0;
     int step_exponent = 0;
     std::array<float, 3> origin{};

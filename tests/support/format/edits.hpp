@@ -22,20 +22,17 @@ inline std::uint64_t get(const std::vector<std::byte>& bytes, std::size_t at, un
     return value;
 }
 
-inline Status status_of(const std::vector<std::byte>& bytes) {
-    Blob blob;
-    return open(bytes, blob);
-}
+inline OpenStatus status_of(const std::vector<std::byte>& bytes) { return open(bytes).status(); }
 
 /// The status after a change, with the checksum repaired.
-inline Status status_with(std::vector<std::byte> bytes, std::size_t at, std::uint64_t value, unsigned size) {
+inline OpenStatus status_with(std::vector<std::byte> bytes, std::size_t at, std::uint64_t value, unsigned size) {
     put(bytes, at, value, size);
     repair_checksum(bytes);
     return status_of(bytes);
 }
 
 /// The status after bytes were put in or taken out: the size that the header states is right again.
-inline Status status_resized(std::vector<std::byte> bytes) {
+inline OpenStatus status_resized(std::vector<std::byte> bytes) {
     put(bytes, format::header::total_bytes_at, bytes.size(), 4);
     repair_checksum(bytes);
     return status_of(bytes);

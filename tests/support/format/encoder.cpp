@@ -75,7 +75,7 @@ private:
             if (!child.leaf) visit(child.node, next++, depth + 1);
     }
 
-    [[nodiscard]] bool has_strips() const { return head_.profile != format::Profile::fast; }
+    [[nodiscard]] bool has_strips() const { return head_.profile != Profile::fast; }
 
     static void put_planes(Writer& out, const PlainNode& node, std::size_t places, unsigned size) {
         for (const bool high : {false, true})
@@ -94,7 +94,7 @@ private:
             if (!child.leaf) continue;
             const PlainLeaf& leaf = *child.leaf;
             const GridBox box = node.box_of(child, head_.profile, head_.bits);
-            if (head_.profile == format::Profile::tiny) put_predicted_strip(descriptors, data, leaf, box);
+            if (head_.profile == Profile::tiny) put_predicted_strip(descriptors, data, leaf, box);
             else if (has_strips()) put_strip(descriptors, data, leaf, box, triangles_ - first);
             else put_triangles(descriptors, data, leaf);
             triangles_ += static_cast<std::uint32_t>(leaf.corners().size());
@@ -261,7 +261,7 @@ private:
     }
 
     void put_ids(Writer& out) {
-        const std::uint64_t factor = head_.profile == format::Profile::fast ? 1 : 3;
+        const std::uint64_t factor = head_.profile == Profile::fast ? 1 : 3;
         const std::uint64_t limit = factor * head_.source_triangles;
         const unsigned number_bits = limit == 0 ? 0 : bits_for(static_cast<std::uint32_t>(limit - 1));
         const std::uint64_t modulus = std::uint64_t{1} << number_bits;
@@ -376,11 +376,11 @@ std::vector<GridTriangle> PlainLeaf::corners() const {
     return result;
 }
 
-GridBox PlainNode::box_of(const PlainChild& child, format::Profile profile, unsigned bits) const {
+GridBox PlainNode::box_of(const PlainChild& child, Profile profile, unsigned bits) const {
     GridBox box{};
     const unsigned unit = bits > 16 ? bits - 16 : 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (profile == format::Profile::fast) {
+        if (profile == Profile::fast) {
             box.low[axis] = child.low[axis] << unit;
             box.high[axis] = ((child.high[axis] + 1) << unit) - 1;
             continue;

@@ -42,7 +42,7 @@ struct PlainNode {
     std::array<unsigned, 3> shift{};      ///< not in profile `fast`
     std::vector<PlainChild> children;     ///< nodes first
 
-    [[nodiscard]] GridBox box_of(const PlainChild& child, format::Profile profile, unsigned bits) const;
+    [[nodiscard]] GridBox box_of(const PlainChild& child, Profile profile, unsigned bits) const;
 };
 
 /// How a step from id to id may be written.

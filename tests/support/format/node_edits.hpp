@@ -11,8 +11,8 @@
 
 namespace espalier::tests {
 
-inline format::Profile profile_of(const std::vector<std::byte>& bytes) {
-    return static_cast<format::Profile>(get(bytes, format::header::profile_at, 1));
+inline Profile profile_of(const std::vector<std::byte>& bytes) {
+    return static_cast<Profile>(get(bytes, format::header::profile_at, 1));
 }
 
 /// Where node `number` begins.
@@ -33,7 +33,7 @@ struct NodeLayout {
     std::size_t bytes;
 };
 
-inline NodeLayout layout_of(format::Profile profile) {
+inline NodeLayout layout_of(Profile profile) {
     using namespace format;
     if (profile == Profile::fast)
         return {plain_node::children_at,  plain_node::leaf_block_at, plain_node::lo_at,
@@ -53,13 +53,13 @@ struct NodeCounts {
 /// Of the node that begins at `at`.
 inline NodeCounts counts_of(const std::vector<std::byte>& bytes, std::size_t at) {
     const std::uint64_t children = get(bytes, at + layout_of(profile_of(bytes)).children_at, 4);
-    if (profile_of(bytes) != format::Profile::fast) return {children & 0xFFFFFFu, children >> 24 & 15u, children >> 28};
+    if (profile_of(bytes) != Profile::fast) return {children & 0xFFFFFFu, children >> 24 & 15u, children >> 28};
     return {children & 0xFFFFFFu, children >> 24, get(bytes, at + format::plain_node::leaf_children_at, 1)};
 }
 
 inline void put_counts(std::vector<std::byte>& bytes, std::size_t at, const NodeCounts& counts) {
     const std::size_t children_at = at + layout_of(profile_of(bytes)).children_at;
-    if (profile_of(bytes) != format::Profile::fast) {
+    if (profile_of(bytes) != Profile::fast) {
         put(bytes, children_at, counts.first_child | counts.nodes << 24 | counts.leaves << 28, 4);
     } else {
         put(bytes, children_at, counts.first_child | counts.nodes << 24, 4);
@@ -74,10 +74,10 @@ inline std::size_t leaf_block_of(const std::vector<std::byte>& bytes, std::size_
 
 /// Where the descriptor of leaf `number` of the node is, and its bytes.
 inline std::size_t descriptor_of(const std::vector<std::byte>& bytes, std::size_t at, std::size_t number) {
-    if (profile_of(bytes) == format::Profile::fast)
+    if (profile_of(bytes) == Profile::fast)
         return at + format::plain_node::leaves_at + format::plain_leaf::descriptor_bytes * number;
-    const std::size_t each = profile_of(bytes) == format::Profile::tiny ? format::predicted_strip::descriptor_bytes
-                                                                        : format::strip_leaf::descriptor_bytes;
+    const std::size_t each = profile_of(bytes) == Profile::tiny ? format::predicted_strip::descriptor_bytes
+                                                                : format::strip_leaf::descriptor_bytes;
     return leaf_block_of(bytes, at) + format::strip_leaf::descriptors_at + each * number;
 }
 inline unsigned descriptor_bytes_of(const std::vector<std::byte>& bytes) {
@@ -87,10 +87,10 @@ inline unsigned descriptor_bytes_of(const std::vector<std::byte>& bytes) {
 /// Where the data of leaf `number` of the node begins.
 inline std::size_t leaf_data_of(const std::vector<std::byte>& bytes, std::size_t at, std::size_t number) {
     const std::uint64_t descriptor = get(bytes, descriptor_of(bytes, at, number), descriptor_bytes_of(bytes));
-    if (profile_of(bytes) == format::Profile::fast)
+    if (profile_of(bytes) == Profile::fast)
         return leaf_block_of(bytes, at) + 4 * (descriptor & ((1u << format::plain_leaf::offset_bits) - 1u));
     const std::size_t data = descriptor_of(bytes, at, counts_of(bytes, at).leaves);
-    if (profile_of(bytes) == format::Profile::tiny) {
+    if (profile_of(bytes) == Profile::tiny) {
         std::size_t before = 0;
         for (std::size_t i = 0; i < number; ++i) before += get(bytes, descriptor_of(bytes, at, i), 2) & 1023;
         return data + before;

@@ -78,8 +78,8 @@ double PairLoop::squared_between_corners(const Near& groups) const {
     return squared;
 }
 
-std::vector<TrianglePair> PairLoop::every_contact() const {
-    std::vector<TrianglePair> found;
+std::vector<detail::TrianglePair> PairLoop::every_contact() const {
+    std::vector<detail::TrianglePair> found;
     const auto add = [&](const PlacedTriangle& a, const PlacedTriangle& b) {
         if (detail::triangles_meet(detail::integer_triangle(a.at), detail::integer_triangle(b.at)))
             found.push_back({{a.index}, {b.index}});

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <runtime/pair_queries.hpp>
+#include <runtime/pairs/queries.hpp>
 
 #include "placed_groups.hpp"
 #include "triangle_bounds.hpp"
@@ -24,7 +24,7 @@ public:
              LeftOut left_out = LeftOut::what_is_clear);
 
     /// Sorted. Triangles that are copies are left out.
-    [[nodiscard]] std::vector<TrianglePair> every_contact() const;
+    [[nodiscard]] std::vector<detail::TrianglePair> every_contact() const;
     /// The pair at the least distance, of equal ones the lowest, and then, sorted too, those so little farther away
     /// that an exact look at them may say otherwise. None in empty blobs.
     [[nodiscard]] std::vector<detail::FoundTriangles> nearest_pairs() const;

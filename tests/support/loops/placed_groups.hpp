@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include <runtime/pair_frame.hpp>
+#include <runtime/pairs/frame.hpp>
 
 #include "support/format/decoder.hpp"
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include <runtime/plane_nodes.hpp>
-#include <runtime/lattice_triangle.hpp>
+#include <runtime/lattice/triangle.hpp>
+#include <runtime/traversal/plane_nodes.hpp>
 
 namespace espalier::tests {
 

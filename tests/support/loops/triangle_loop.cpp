@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <runtime/ray_triangle.hpp>
+#include <runtime/kernels/ray_triangle.hpp>
 
 namespace espalier::tests {
 
@@ -62,7 +62,7 @@ std::vector<detail::FoundHit> TriangleLoop::every_hit(const detail::LatticeRay& 
     return hits;
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticePoint& point) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedPoint& point) const {
     const Place center = place(point.origin, point.fraction_bits);
     Indices found;
     for (const std::uint32_t i : bounds_.closest_to_segment(center, center, static_cast<double>(point.radius))) {
@@ -80,9 +80,9 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Volume& volume,
     return found;
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeCapsule& capsule) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedCapsule& capsule) const {
     // Not by the capsule's own `meets`, which spares itself distances by the bounds that the walk culls with.
-    const detail::LatticeSegment& segment = capsule.segment;
+    const detail::RoundedSegment& segment = capsule.segment;
     Indices found;
     for (const std::uint32_t i :
          bounds_.closest_to_segment(place(segment.from, segment.fraction_bits),
@@ -93,20 +93,22 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeCapsule& 
     return found;
 }
 
-HitInSteps TriangleLoop::first_hit(const detail::WholeSegment& segment) const {
-    HitInSteps hit;
+LatticeHit TriangleLoop::first_hit(const detail::WholeSegment& segment) const {
+    LatticeHit hit;
+    hit.status = QueryStatus::not_found;
     detail::Crossing first;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         detail::Crossing crossing;
         if (!detail::crosses(segment, triangles_[i], crossing)) continue;
         if (hit.triangle != no_triangle && !detail::is_before(crossing, first)) continue;
         first = crossing;
-        hit = {detail::fixed_point(crossing), crossing.front ? Faces::front : Faces::back, Triangle{indices_[i]}};
+        hit = {detail::fixed_point(crossing), TriangleId{indices_[i]}, QueryStatus::ok,
+               crossing.front ? Side::front : Side::back};
     }
     return hit;
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeBox& box) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedBox& box) const {
     Range range = {place(box.center, box.fraction_bits), place(box.center, box.fraction_bits)};
     const Place half = place(box.half, box.fraction_bits);
     range.low = {range.low.x - half.x, range.low.y - half.y, range.low.z - half.z};
@@ -114,7 +116,7 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeBox& box)
     return every_overlap(box, bounds_.near(range));
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeOrientedBox& box) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedOrientedBox& box) const {
     detail::Integer3 half = {0, 0, 0};
     for (const detail::Integer3& axis : box.half)
         half = {half.x + std::abs(axis.x), half.y + std::abs(axis.y), half.z + std::abs(axis.z)};
@@ -122,24 +124,24 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeOrientedB
         box, bounds_.near({place(box.center - half, box.fraction_bits), place(box.center + half, box.fraction_bits)}));
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeCorners& corners) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedTriangle& corners) const {
     const auto& [a, b, c] = corners.triangle.corner;
     return every_overlap(corners, bounds_.near({place(lower(lower(a, b), c), corners.fraction_bits),
                                                 place(higher(higher(a, b), c), corners.fraction_bits)}));
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::LatticeHalfSpaces& set) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedConvexVolume& set) const {
     return every_overlap(set, bounds_.behind(std::span(set.half_space).first(set.plane_count)));
 }
 
-std::vector<detail::FoundNearest> TriangleLoop::by_distance(const detail::LatticePoint& point,
+std::vector<detail::FoundNearest> TriangleLoop::by_distance(const detail::RoundedPoint& point,
                                                             std::size_t count) const {
     const Place center = place(point.origin, point.fraction_bits);
     std::vector<detail::FoundNearest> found;
     for (const std::uint32_t i : bounds_.closest_to_segment(center, center, static_cast<double>(point.radius), count)) {
         const detail::PointDistance distance = detail::distance_to(point, triangles_[i]);
         if (detail::is_within_radius(point, distance, point.radius))
-            found.push_back({distance, indices_[i], triangles_[i]});
+            found.push_back({{indices_[i]}, distance, triangles_[i]});
     }
     std::stable_sort(found.begin(), found.end(), [](const detail::FoundNearest& a, const detail::FoundNearest& b) {
         return a.distance.squared < b.distance.squared;
@@ -148,7 +150,7 @@ std::vector<detail::FoundNearest> TriangleLoop::by_distance(const detail::Lattic
     return found;
 }
 
-std::optional<detail::FoundNearest> TriangleLoop::closest_within(const detail::LatticePoint& point) const {
+std::optional<detail::FoundNearest> TriangleLoop::closest_within(const detail::RoundedPoint& point) const {
     const std::vector<detail::FoundNearest> found = by_distance(point, 1);
     return found.empty() ? std::nullopt : std::optional(found[0]);
 }
@@ -159,20 +161,20 @@ std::optional<detail::FoundPair> TriangleLoop::closest_pair(const detail::Distan
     for (const std::uint32_t i : numbers) {
         const detail::SegmentDistance distance = shape.distance_to(shape, triangles_[i]);
         if (!shape.is_within_radius(shape, triangles_[i], distance, shape.radius)) continue;
-        if (!best || distance.squared < best->distance.squared) best = {distance, indices_[i], triangles_[i]};
+        if (!best || distance.squared < best->distance.squared) best = {{indices_[i]}, distance, triangles_[i]};
     }
     return best;
 }
 
 std::optional<detail::FoundPair> TriangleLoop::closest_pair(const detail::DistantSegment& shape) const {
-    const detail::LatticeSegment& segment = shape.segment;
+    const detail::RoundedSegment& segment = shape.segment;
     return closest_pair(shape, bounds_.closest_to_segment(place(segment.from, segment.fraction_bits),
                                                           place(segment.to, segment.fraction_bits),
                                                           static_cast<double>(shape.radius), 1));
 }
 
 std::optional<detail::FoundPair> TriangleLoop::closest_pair(const detail::DistantBox& shape) const {
-    const detail::LatticeSegment& diagonal = shape.diagonal;
+    const detail::RoundedSegment& diagonal = shape.diagonal;
     return closest_pair(shape, bounds_.closest_to_box({place(diagonal.from, diagonal.fraction_bits),
                                                        place(diagonal.to, diagonal.fraction_bits)},
                                                       static_cast<double>(shape.radius), 1));
@@ -209,7 +211,7 @@ detail::FoundContact TriangleLoop::first_contact_of(const Sweep& sweep, const de
         if (!filter({indices_[i]})) continue;
         const detail::SweepStep step = detail::first_contact(sweep, triangles_[i], detail::whole_way);
         if (step < best.step || (step == best.step && step != detail::no_contact && indices_[i] < best.index))
-            best = {step, indices_[i], triangles_[i]};
+            best = {{indices_[i]}, step, triangles_[i]};
     }
     return best;
 }

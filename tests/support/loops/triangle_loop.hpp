@@ -8,16 +8,16 @@
 #include <vector>
 
 #include <espalier/blob.hpp>
-#include <runtime/closest_pair.hpp>
-#include <runtime/found.hpp>
-#include <runtime/lattice_box.hpp>
-#include <runtime/lattice_capsule.hpp>
-#include <runtime/lattice_corners.hpp>
-#include <runtime/lattice_half_spaces.hpp>
-#include <runtime/lattice_oriented_box.hpp>
-#include <runtime/sweep_queries.hpp>
-#include <runtime/whole_segment.hpp>
-#include <runtime/winding.hpp>
+#include <runtime/answers/found.hpp>
+#include <runtime/overlap/box.hpp>
+#include <runtime/overlap/capsule.hpp>
+#include <runtime/overlap/triangle.hpp>
+#include <runtime/overlap/convex_volume.hpp>
+#include <runtime/overlap/oriented_box.hpp>
+#include <runtime/proximity/closest_pair.hpp>
+#include <runtime/proximity/winding.hpp>
+#include <runtime/rays/whole_segment.hpp>
+#include <runtime/sweeps/queries.hpp>
 
 #include "support/format/decoder.hpp"
 #include "triangle_bounds.hpp"
@@ -32,29 +32,29 @@ public:
     [[nodiscard]] std::vector<detail::FoundHit> every_hit(const detail::LatticeRay& ray) const;
 
     /// Of no triangle where there is none.
-    [[nodiscard]] HitInSteps first_hit(const detail::WholeSegment& segment) const;
+    [[nodiscard]] LatticeHit first_hit(const detail::WholeSegment& segment) const;
 
     using Indices = std::vector<std::uint32_t>;
-    [[nodiscard]] Indices every_overlap(const detail::LatticePoint& point) const;
+    [[nodiscard]] Indices every_overlap(const detail::RoundedPoint& point) const;
     // Of volumes that were rounded and are not empty.
-    [[nodiscard]] Indices every_overlap(const detail::LatticeCapsule& capsule) const;
-    [[nodiscard]] Indices every_overlap(const detail::LatticeBox& box) const;
-    [[nodiscard]] Indices every_overlap(const detail::LatticeOrientedBox& box) const;
-    [[nodiscard]] Indices every_overlap(const detail::LatticeCorners& corners) const;
-    [[nodiscard]] Indices every_overlap(const detail::LatticeHalfSpaces& set) const;
+    [[nodiscard]] Indices every_overlap(const detail::RoundedCapsule& capsule) const;
+    [[nodiscard]] Indices every_overlap(const detail::RoundedBox& box) const;
+    [[nodiscard]] Indices every_overlap(const detail::RoundedOrientedBox& box) const;
+    [[nodiscard]] Indices every_overlap(const detail::RoundedTriangle& corners) const;
+    [[nodiscard]] Indices every_overlap(const detail::RoundedConvexVolume& set) const;
 
     /// The first `count` of those within the radius, sorted by distance and index.
-    [[nodiscard]] std::vector<detail::FoundNearest> by_distance(const detail::LatticePoint& point,
+    [[nodiscard]] std::vector<detail::FoundNearest> by_distance(const detail::RoundedPoint& point,
                                                                 std::size_t count = TriangleBounds::all) const;
     /// The first of them.
-    [[nodiscard]] std::optional<detail::FoundNearest> closest_within(const detail::LatticePoint& point) const;
+    [[nodiscard]] std::optional<detail::FoundNearest> closest_within(const detail::RoundedPoint& point) const;
     [[nodiscard]] std::optional<detail::FoundPair> closest_pair(const detail::DistantSegment& segment) const;
     [[nodiscard]] std::optional<detail::FoundPair> closest_pair(const detail::DistantBox& box) const;
     /// Along the ray's direction.
     [[nodiscard]] detail::Winding winding(const detail::WindingRay& ray) const;
 
     /// The first of those that the filter leaves.
-    using Filter = bool (*)(Triangle);
+    using Filter = bool (*)(TriangleId);
     [[nodiscard]] detail::FoundContact first_contact(const detail::SphereSweep& sweep, Filter filter) const;
     [[nodiscard]] detail::FoundContact first_contact(const detail::CapsuleSweep& sweep, Filter filter) const;
     [[nodiscard]] detail::FoundContact first_contact(const detail::BoxSweep& sweep, Filter filter) const;

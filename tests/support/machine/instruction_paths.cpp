@@ -1,15 +1,14 @@
 #include "instruction_paths.hpp"
 
-#include <runtime/simd/select.hpp>
+#include <runtime/lanes/select.hpp>
 
 /// By the name of the one that single rays take, and of the one for everything else.
-#define ESPALIER_PATH_OF(rays, set)                                                                                 \
-    InstructionPath {                                                                                               \
-#rays, detail::rays::closest_hit, detail::rays::first_hits, detail::rays::any_hit, detail::rays::every_hit, \
-            detail::set::closest_hits, detail::set::any_hits, detail::set::any_overlap, detail::set::every_overlap, \
-            detail::set::closest_triangle, detail::set::closest_triangles, detail::set::may_overlap,                \
-            detail::set::closest_bounds, detail::rays::may_hit, detail::rays::closest_hit_on_lattice,               \
-            detail::rays::any_hit_on_lattice, detail::set::touching_pairs, detail::set::nearest_pair                \
+#define ESPALIER_PATH_OF(rays, set)                                                                                  \
+    InstructionPath {                                                                                                \
+#rays, detail::rays::closest_hit, detail::rays::first_hits, detail::rays::any_hit, detail::rays::every_hit,  \
+            detail::set::closest_hits, detail::set::any_hits, detail::set::find_overlaps, detail::set::find_nearest, \
+            detail::rays::may_hit, detail::rays::closest_hit_on_lattice, detail::rays::any_hit_on_lattice,           \
+            detail::set::search_pairs                                                                                \
     }
 #define ESPALIER_PATH(set) ESPALIER_PATH_OF(set, set)
 
@@ -34,6 +33,60 @@ const std::vector<InstructionPath>& instruction_paths() {
         return found;
     }();
     return paths;
+}
+
+QueryStatus InstructionPath::touching_pairs(const detail::PairFrame& frame, detail::OnTouching visit,
+                                            std::uint64_t& work) const {
+    return search_pairs(frame, {.on_touching = visit}, work);
+}
+
+QueryStatus InstructionPath::nearest_pair(const detail::PairFrame& frame, float radius, bool any,
+                                          detail::FoundTriangles& best, bool& found, std::uint64_t& work) const {
+    detail::LeastDistance least = {frame, radius, any};
+    const QueryStatus status = search_pairs(frame, {.least = &least}, work);
+    best = least.best;
+    found = least.found;
+    return status;
+}
+
+bool InstructionPath::any_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere) const {
+    return !every_overlap(blob, sphere, 0, [](TriangleId) { return Visit::stop; });
+}
+
+bool InstructionPath::every_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere,
+                                    std::uint32_t first, FunctionRef<Visit(TriangleId)> visit) const {
+    const auto with_each = [&](TriangleId triangle, std::uint32_t) { return visit(triangle); };
+    detail::Each each(blob, with_each, first);
+    return !find_overlaps(blob, sphere, each, detail::exactly);
+}
+
+bool InstructionPath::closest_triangle(const detail::BlobData& blob, const detail::RoundedPoint& point,
+                                       detail::FoundNearest& best) const {
+    detail::Closest<detail::FoundNearest> closest(best);
+    find_nearest(blob, point, closest, detail::exactly);
+    return closest.found();
+}
+
+std::size_t InstructionPath::closest_triangles(const detail::BlobData& blob, const detail::RoundedPoint& point,
+                                               std::span<ClosestPoint> nearest) const {
+    detail::ClosestFew few(nearest);
+    detail::NearestFew answer(blob, few);
+    find_nearest(blob, point, answer, detail::exactly);
+    return few.sorted().size();
+}
+
+bool InstructionPath::may_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere, std::int32_t steps,
+                                  QueryCounters& counters) const {
+    const auto stop = [](TriangleId, std::uint32_t) { return Visit::stop; };
+    detail::Each any(blob, stop);
+    return find_overlaps(blob, sphere, any, {steps, &counters});
+}
+
+detail::SquaredBounds InstructionPath::closest_bounds(const detail::BlobData& blob, const detail::RoundedPoint& point,
+                                                      std::int32_t steps, QueryCounters& counters) const {
+    detail::Bounds answer;
+    find_nearest(blob, point, answer, {steps, &counters});
+    return answer.squared;
 }
 
 }  // namespace espalier::tests

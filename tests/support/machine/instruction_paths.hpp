@@ -1,12 +1,14 @@
 // The inner queries of every instruction set that this machine has, by name: the scalar ones first.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
-#include <runtime/pair_queries.hpp>
-#include <runtime/point_queries.hpp>
-#include <runtime/ray_batch.hpp>
-#include <runtime/ray_queries.hpp>
+#include <runtime/pairs/queries.hpp>
+#include <runtime/proximity/point_queries.hpp>
+#include <runtime/rays/batch/batch.hpp>
+#include <runtime/rays/queries.hpp>
 
 namespace espalier::tests {
 
@@ -18,17 +20,32 @@ struct InstructionPath {
     decltype(&detail::scalar::every_hit) every_hit;
     decltype(&detail::scalar::closest_hits) closest_hits;
     decltype(&detail::scalar::any_hits) any_hits;
-    decltype(&detail::scalar::any_overlap) any_overlap;
-    decltype(&detail::scalar::every_overlap) every_overlap;
-    decltype(&detail::scalar::closest_triangle) closest_triangle;
-    decltype(&detail::scalar::closest_triangles) closest_triangles;
-    decltype(&detail::scalar::may_overlap) may_overlap;
-    decltype(&detail::scalar::closest_bounds) closest_bounds;
+    decltype(&detail::scalar::find_overlaps) find_overlaps;
+    decltype(&detail::scalar::find_nearest) find_nearest;
     decltype(&detail::scalar::may_hit) may_hit;
     decltype(&detail::scalar::closest_hit_on_lattice) closest_hit_on_lattice;
     decltype(&detail::scalar::any_hit_on_lattice) any_hit_on_lattice;
-    decltype(&detail::scalar::touching_pairs) touching_pairs;
-    decltype(&detail::scalar::nearest_pair) nearest_pair;
+    decltype(&detail::scalar::search_pairs) search_pairs;
+
+    // The searches through two blobs; `work` is what is left of it.
+    QueryStatus touching_pairs(const detail::PairFrame& frame, detail::OnTouching visit, std::uint64_t& work) const;
+    QueryStatus nearest_pair(const detail::PairFrame& frame, float radius, bool any, detail::FoundTriangles& best,
+                             bool& found, std::uint64_t& work) const;
+
+    // What callers get of the queries by distance.
+    bool any_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere) const;
+    /// False when the visitor stopped it.
+    bool every_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere, std::uint32_t first,
+                       FunctionRef<Visit(TriangleId)> visit) const;
+    bool closest_triangle(const detail::BlobData& blob, const detail::RoundedPoint& point,
+                          detail::FoundNearest& best) const;
+    /// How many there are; they are not finished (nearest_to_world.hpp).
+    std::size_t closest_triangles(const detail::BlobData& blob, const detail::RoundedPoint& point,
+                                  std::span<ClosestPoint> nearest) const;
+    bool may_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere, std::int32_t steps,
+                     QueryCounters& counters) const;
+    detail::SquaredBounds closest_bounds(const detail::BlobData& blob, const detail::RoundedPoint& point,
+                                         std::int32_t steps, QueryCounters& counters) const;
 };
 
 const std::vector<InstructionPath>& instruction_paths();

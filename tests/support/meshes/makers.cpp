@@ -254,6 +254,28 @@ Mesh make_soup(unsigned count, std::uint64_t seed) {
     return mesh;
 }
 
+Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed) {
+    Mesh mesh;
+    mesh.name = "beams";
+    Random random(seed);
+    const auto unit = [&] { return static_cast<float>(random.below(1'000'000)) * 1e-6f; };
+    const auto add = [&](Vec3 a, Vec3 b, Vec3 c) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), {a, b, c});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    };
+    for (unsigned i = 0; i < beams; ++i) {
+        const Vec3 a = {unit(), 0.0f, unit()};
+        const Vec3 b = {unit(), 1.0f, unit()};
+        add(a, b, {b.x + 0.01f * unit(), b.y, b.z + 0.01f * unit()});
+    }
+    for (unsigned i = 0; i < small; ++i) {
+        const Vec3 a = {unit(), unit(), unit()};
+        add(a, {a.x + 0.02f * unit(), a.y, a.z + 0.01f}, {a.x, a.y + 0.02f * unit(), a.z});
+    }
+    return mesh;
+}
+
 Mesh scaled_by(Mesh mesh, float factor) {
     for (Vec3& p : mesh.positions) p = {p.x * factor, p.y * factor, p.z * factor};
     return mesh;

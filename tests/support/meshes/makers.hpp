@@ -29,6 +29,8 @@ Mesh make_slivers(unsigned count, std::uint64_t seed);
 Mesh make_coplanar_stacks(unsigned count, std::uint64_t seed);
 /// Open: unconnected triangles of all sizes.
 Mesh make_soup(unsigned count, std::uint64_t seed);
+/// Long slanted triangles through a crowd of small ones: what spatial splits are for.
+Mesh crossed_by_beams(unsigned beams, unsigned small, std::uint64_t seed);
 
 /// The same mesh with every coordinate multiplied.
 Mesh scaled_by(Mesh mesh, float factor);

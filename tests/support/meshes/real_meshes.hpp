@@ -33,9 +33,8 @@ void for_each_mesh_read(Check check, std::size_t most_triangles = ~std::size_t{0
 /// Calls `check(mesh, profile)`.
 template <class Check>
 void for_each_real_mesh(Check check, std::size_t most_triangles = ~std::size_t{0}) {
-    for_each_mesh_read(
-        [&](const Mesh& mesh) { for_each_profile([&](format::Profile profile) { check(mesh, profile); }); },
-        most_triangles);
+    for_each_mesh_read([&](const Mesh& mesh) { for_each_profile([&](Profile profile) { check(mesh, profile); }); },
+                       most_triangles);
 }
 
 }  // namespace espalier::tests

@@ -133,7 +133,7 @@ Split make_split(std::uint32_t number) {
     split.options.profile = every_profile[number % every_profile.size()];
     split.options.original_ids = true;
     const int bits = random.between(10, 22);
-    split.options.step_exponent = std::ilogb(largest_side(split.whole)) + 1 - bits;
+    split.options.resolution = Resolution::step(std::ilogb(largest_side(split.whole)) + 1 - bits);
     return split;
 }
 

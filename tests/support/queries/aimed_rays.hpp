@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <espalier/ray.hpp>
-#include <runtime/lattice_ray.hpp>
+#include <runtime/lattice/round_ray.hpp>
 
 #include "support/base/random.hpp"
 #include "support/blobs/extreme_shapes.hpp"

@@ -12,8 +12,8 @@ namespace espalier::tests {
 
 /// A point near the asset more often than not, so that queries reach the leaves.
 inline Vec3 some_point(const Blob& blob, Random& random) {
-    const Vec3 low = blob.bounds_min();
-    const Vec3 high = blob.bounds_max();
+    const Vec3 low = blob.bounds().min;
+    const Vec3 high = blob.bounds().max;
     const auto coordinate = [&](float from, float to) {
         switch (random.below(8)) {
             case 0:
@@ -37,7 +37,7 @@ inline Vec3 some_point(const Blob& blob, Random& random) {
 /// Of the asset's own size, or anything.
 inline float some_length(const Blob& blob, Random& random) {
     if (random.below(3) == 0) return hostile_values[random.below(hostile_values.size())];
-    return (blob.bounds_max().x - blob.bounds_min().x) * random.unit();
+    return (blob.bounds().max.x - blob.bounds().min.x) * random.unit();
 }
 
 }  // namespace espalier::tests

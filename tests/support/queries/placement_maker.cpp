@@ -120,7 +120,7 @@ Vec3 PlacementMaker::some_place(const DecodedBlob& blob) {
     return to_world(blob, x, y, z);
 }
 
-void PlacementMaker::move(Placement& placement, Vec3 p, Vec3 q) {
+void PlacementMaker::move(Transform& placement, Vec3 p, Vec3 q) {
     const double x = static_cast<double>(placement.rotation.x), y = static_cast<double>(placement.rotation.y),
                  z = static_cast<double>(placement.rotation.z), w = static_cast<double>(placement.rotation.w);
     const double s = 2.0 / (x * x + y * y + z * z + w * w);
@@ -134,16 +134,16 @@ void PlacementMaker::move(Placement& placement, Vec3 p, Vec3 q) {
                              static_cast<float>(static_cast<double>(q.z) - scale * turned[2])};
 }
 
-Placement PlacementMaker::random() {
-    Placement placement;
+Transform PlacementMaker::random() {
+    Transform placement;
     placement.rotation = any_rotation();
     placement.scale = static_cast<float>(ratio_ * (0.25 + 1.75 * static_cast<double>(random_.unit())));
     move(placement, some_place(b_), some_place(a_));
     return placement;
 }
 
-Placement PlacementMaker::apart() {
-    Placement placement = random();
+Transform PlacementMaker::apart() {
+    Transform placement = random();
     const Vec3 off =
         random_.in_cube(static_cast<float>(std::max(1.0, static_cast<double>(placement.scale) / ratio_) * size_a_));
     Vec3& place = placement.translation;
@@ -151,8 +151,8 @@ Placement PlacementMaker::apart() {
     return placement;
 }
 
-Placement PlacementMaker::beside(double proportion) {
-    Placement placement;
+Transform PlacementMaker::beside(double proportion) {
+    Transform placement;
     placement.rotation = any_rotation();
     placement.scale = static_cast<float>(ratio_ * proportion);
     const Vec3 from = place_on(b_, some_triangle(b_));
@@ -163,8 +163,8 @@ Placement PlacementMaker::beside(double proportion) {
     return placement;
 }
 
-Placement PlacementMaker::face_on_face(double proportion) {
-    Placement placement;
+Transform PlacementMaker::face_on_face(double proportion) {
+    Transform placement;
     placement.scale = static_cast<float>(std::exp2(std::round(std::log2(ratio_))) * proportion);
     const GridTriangle &face_a = some_triangle(a_), &face_b = some_triangle(b_);
     const bool opposite = random_.coin();
@@ -183,8 +183,8 @@ Placement PlacementMaker::face_on_face(double proportion) {
     return placement;
 }
 
-Placement PlacementMaker::adversarial() {
-    Placement placement;
+Transform PlacementMaker::adversarial() {
+    Transform placement;
     // A power of two keeps lattice points on lattice points.
     placement.scale = static_cast<float>(std::exp2(std::round(std::log2(ratio_))));
     placement.rotation = axis_rotation();
@@ -238,7 +238,7 @@ Placement PlacementMaker::adversarial() {
     return placement;
 }
 
-std::string describe(const Placement& placement) {
+std::string describe(const Transform& placement) {
     char text[256];
     const auto d = [](float x) { return static_cast<double>(x); };
     std::snprintf(text, sizeof text, "rotation %a %a %a %a translation %a %a %a scale %a", d(placement.rotation.x),

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <espalier/collide.hpp>
+#include <espalier/transform.hpp>
 
 #include "support/base/random.hpp"
 #include "support/format/decoder.hpp"
@@ -16,18 +16,18 @@ public:
     PlacementMaker(const DecodedBlob& a, const DecodedBlob& b, std::uint64_t seed);
 
     /// Any rotation, sizes within a factor of 4, so near that the boxes overlap: the kind that is not adversarial.
-    Placement random();
+    Transform random();
     /// The same, but farther away by up to the larger one's size: most do not touch.
-    Placement apart();
-    Placement adversarial();
+    Transform apart();
+    Transform adversarial();
 
     // b's size is `proportion` times a's: a small mesh goes around on the surface of a large one.
 
     /// Any rotation; two places on the surfaces are up to some sizes of the smaller one apart, or much less.
-    Placement beside(double proportion);
+    Transform beside(double proportion);
     /// A face of b in the plane of a face of a, as nearly as floats say, with a place in common: a corner, the middle
     /// of a side or inside. `proportion` is a power of two.
-    Placement face_on_face(double proportion);
+    Transform face_on_face(double proportion);
     [[nodiscard]] Random& numbers() { return random_; }
 
 private:
@@ -35,7 +35,7 @@ private:
     /// Which takes axes to axes, or nothing anywhere.
     Quaternion axis_rotation();
     /// Such that point p of b lands on point q of a.
-    static void move(Placement& placement, Vec3 p, Vec3 q);
+    static void move(Transform& placement, Vec3 p, Vec3 q);
     Vec3 some_corner(const DecodedBlob& blob);
     Vec3 some_place(const DecodedBlob& blob);
     const GridTriangle& some_triangle(const DecodedBlob& blob);
@@ -49,6 +49,6 @@ private:
     double ratio_;  ///< of a's size to b's
 };
 
-std::string describe(const Placement& placement);
+std::string describe(const Transform& placement);
 
 }  // namespace espalier::tests

@@ -167,7 +167,7 @@ void QueryMaker::restrict(Ray& ray) {
         default:
             ray.t_min = -1.0f;
     }
-    ray.faces = static_cast<Faces>(random_.below(3));
+    ray.culling = static_cast<FaceCulling>(random_.below(3));
 }
 
 Sphere QueryMaker::sphere() {
@@ -231,7 +231,7 @@ std::string describe(const Ray& ray) {
     const auto d = [](float x) { return static_cast<double>(x); };
     std::snprintf(text, sizeof text, "origin %a %a %a direction %a %a %a t %a..%a faces %d", d(ray.origin.x),
                   d(ray.origin.y), d(ray.origin.z), d(ray.direction.x), d(ray.direction.y), d(ray.direction.z),
-                  d(ray.t_min), d(ray.t_max), static_cast<int>(ray.faces));
+                  d(ray.t_min), d(ray.t_max), static_cast<int>(ray.culling));
     return text;
 }
 

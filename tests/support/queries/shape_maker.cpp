@@ -214,13 +214,13 @@ OrientedBox ShapeMaker::oriented_box(bool awkward) {
     return box;
 }
 
-Corners ShapeMaker::corners(bool awkward) {
+Triangle ShapeMaker::corners(bool awkward) {
     const Vec3 near = point_around();
     const float far = length();
     const Vec3 p = times(direction(), far), q = times(direction(), far);
     if (!awkward) return {near, sum(near, p), sum(near, q)};
     const GridTriangle& t = triangle();
-    Corners corners = {to_world(t.a), to_world(t.b), to_world(t.c)};
+    Triangle corners = {to_world(t.a), to_world(t.b), to_world(t.c)};
     switch (random_.below(8)) {
         case 0:
             break;
@@ -253,8 +253,9 @@ Corners ShapeMaker::corners(bool awkward) {
     return {nudged(corners.a), nudged(corners.b), nudged(corners.c)};
 }
 
-std::vector<Plane> ShapeMaker::planes(bool awkward) {
-    std::vector<Plane> planes;
+ConvexVolume ShapeMaker::planes(bool awkward) {
+    std::vector<Plane>& planes = planes_;
+    planes.clear();
     const auto add = [&](Vec3 normal, Vec3 on, float beyond) {
         if (is_zero(normal)) normal.z = 1.0f;
         planes.push_back({normal, inner(normal, on) + beyond});
@@ -267,7 +268,7 @@ std::vector<Plane> ShapeMaker::planes(bool awkward) {
             add(difference(side, times(x, width)), center, 0.0f);
         add(times(x, -1.0f), center, -0.01f * size_);
         add(x, center, length());
-        return planes;
+        return {planes};
     }
     const std::uint32_t kind = awkward ? random_.below(6) : 6;
     switch (kind) {
@@ -321,7 +322,7 @@ std::vector<Plane> ShapeMaker::planes(bool awkward) {
         }
     }
     for (Plane& plane : planes) plane.offset = awkward ? nudged(plane.offset) : plane.offset;
-    return planes;
+    return {planes};
 }
 
 namespace {
@@ -353,13 +354,13 @@ std::string describe(const OrientedBox& box) {
     for (const Vec3& half : box.half_axes) text.append(hex(half)).append(", ");
     return text;
 }
-std::string describe(const Corners& corners) {
+std::string describe(const Triangle& corners) {
     std::string text = "corners ";
     return text.append(hex(corners.a)).append(", ").append(hex(corners.b)).append(", ").append(hex(corners.c));
 }
-std::string describe(const std::vector<Plane>& planes) {
+std::string describe(const ConvexVolume& volume) {
     std::string text = "planes ";
-    for (const Plane& plane : planes)
+    for (const Plane& plane : volume.planes)
         text.append(hex(plane.normal)).append("<= ").append(hex(plane.offset)).append(", ");
     return text;
 }

@@ -22,8 +22,8 @@ public:
     Capsule capsule(bool awkward);
     Box box(bool awkward);
     OrientedBox oriented_box(bool awkward);
-    Corners corners(bool awkward);
-    std::vector<Plane> planes(bool awkward);
+    Triangle corners(bool awkward);
+    ConvexVolume planes(bool awkward);  ///< until the next call
 
     [[nodiscard]] Random& random() { return random_; }
     /// Near the surface, or anywhere in a box half again as large as the asset's.
@@ -47,13 +47,14 @@ private:
     const DecodedBlob& decoded_;
     Random random_;
     float size_;
+    std::vector<Plane> planes_;
 };
 
 /// The bits of a shape in hexadecimal, to repeat a failure.
 std::string describe(const Capsule& capsule);
 std::string describe(const Box& box);
 std::string describe(const OrientedBox& box);
-std::string describe(const Corners& corners);
-std::string describe(const std::vector<Plane>& planes);
+std::string describe(const Triangle& corners);
+std::string describe(const ConvexVolume& volume);
 
 }  // namespace espalier::tests

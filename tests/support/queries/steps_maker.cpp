@@ -6,16 +6,19 @@ namespace espalier::tests {
 
 namespace {
 
-Steps steps(const GridPoint& p) { return {p[0], p[1], p[2]}; }
+LatticePoint steps(const GridPoint& p) { return {p[0], p[1], p[2]}; }
 
-std::string text(const Steps& p) { return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z); }
+std::string text(const LatticePoint& p) {
+    return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z);
+}
 
 /// From one point through another, until an axis ends.
 GridPoint beyond(const GridPoint& from, const GridPoint& through) {
     std::int64_t times = 1 << 30;
     for (unsigned k = 0; k < 3; ++k) {
         const std::int64_t way = std::int64_t{through[k]} - from[k];
-        const std::int64_t room = way > 0 ? std::int64_t{max_segment_steps} - from[k] : max_segment_steps + from[k];
+        const std::int64_t room =
+            way > 0 ? std::int64_t{max_lattice_coordinate} - from[k] : max_lattice_coordinate + from[k];
         if (way != 0) times = std::min(times, room / (way < 0 ? -way : way));
     }
     GridPoint result;
@@ -49,7 +52,7 @@ GridPoint StepsMaker::side_middle() {
     return middle;
 }
 
-BoxInSteps StepsMaker::box(bool awkward) {
+LatticeBox StepsMaker::box(bool awkward) {
     GridPoint low = awkward ? vertex() : anywhere();
     GridPoint high = low;
     const std::int32_t part = 1 << random_.below(10);
@@ -78,7 +81,7 @@ BoxInSteps StepsMaker::box(bool awkward) {
     return {steps(low), steps(high)};
 }
 
-SegmentInSteps StepsMaker::segment(bool awkward) {
+LatticeSegment StepsMaker::segment(bool awkward) {
     GridPoint from = anywhere(), to = anywhere();
     if (!awkward) return {steps(from), steps(to)};
     const std::uint32_t axis = random_.below(3);
@@ -101,7 +104,7 @@ SegmentInSteps StepsMaker::segment(bool awkward) {
             to = beyond(from, side_middle());
             break;
         case 5:  // from as far as may be
-            for (std::int32_t& c : from) c = random_.between(-max_segment_steps, max_segment_steps);
+            for (std::int32_t& c : from) c = random_.between(-max_lattice_coordinate, max_lattice_coordinate);
             to = random_.coin() ? vertex() : beyond(from, vertex());
             break;
         case 6:  // short
@@ -120,8 +123,8 @@ SegmentInSteps StepsMaker::segment(bool awkward) {
     return {steps(from), steps(to)};
 }
 
-std::string describe(const BoxInSteps& box) { return "box " + text(box.min) + " to " + text(box.max); }
-std::string describe(const SegmentInSteps& segment) {
+std::string describe(const LatticeBox& box) { return "box " + text(box.min) + " to " + text(box.max); }
+std::string describe(const LatticeSegment& segment) {
     return "segment " + text(segment.from) + " to " + text(segment.to);
 }
 

@@ -16,8 +16,8 @@ class StepsMaker {
 public:
     StepsMaker(const DecodedBlob& decoded, std::uint64_t seed) : decoded_(decoded), random_(seed) {}
 
-    BoxInSteps box(bool awkward);
-    SegmentInSteps segment(bool awkward);
+    LatticeBox box(bool awkward);
+    LatticeSegment segment(bool awkward);
     [[nodiscard]] Random& random() { return random_; }
 
 private:
@@ -33,7 +33,7 @@ private:
     Random random_;
 };
 
-std::string describe(const BoxInSteps& box);
-std::string describe(const SegmentInSteps& segment);
+std::string describe(const LatticeBox& box);
+std::string describe(const LatticeSegment& segment);
 
 }  // namespace espalier::tests

@@ -1,8 +1,8 @@
 // Two blobs on their common grid, for tests that call the queries of an instruction set.
 #pragma once
 
-#include <runtime/leaf_kinds.hpp>
-#include <runtime/pair_frame.hpp>
+#include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/pairs/frame.hpp>
 
 namespace espalier::tests {
 

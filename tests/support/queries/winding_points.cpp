@@ -15,11 +15,11 @@ const std::vector<TestBlob>& closed_blobs() {
     static const std::vector<TestBlob> blobs = [] {
         std::vector<TestBlob> made;
         const auto add = [&](const Mesh& mesh, unsigned bits) {
-            for (const format::Profile profile : every_profile) {
+            for (const Profile profile : every_profile) {
                 BakeOptions options = with_profile(profile);
-                options.bits = bits;
+                options.resolution = Resolution::bits(bits);
                 OpenedBlob opened(mesh, options);
-                if (!opened.blob.closed()) throw std::runtime_error(mesh.name + " is not closed");
+                if (!opened.blob.is_closed()) throw std::runtime_error(mesh.name + " is not closed");
                 DecodedBlob decoded = decode(opened.bytes);
                 made.push_back({mesh.name + ", profile " + name_of(profile), std::move(opened), std::move(decoded)});
             }
@@ -81,8 +81,8 @@ Vec3 awkward_point(const TestBlob& blob, Random& random) {
 }
 
 Vec3 random_point(const TestBlob& blob, Random& random) {
-    const Vec3 low = blob.opened.blob.bounds_min();
-    const Vec3 high = blob.opened.blob.bounds_max();
+    const Vec3 low = blob.opened.blob.bounds().min;
+    const Vec3 high = blob.opened.blob.bounds().max;
     const auto between = [&](float from, float to) { return from + (to - from) * (random.unit() * 1.1f - 0.05f); };
     const float x = between(low.x, high.x);
     const float y = between(low.y, high.y);
@@ -90,10 +90,12 @@ Vec3 random_point(const TestBlob& blob, Random& random) {
 }
 
 std::optional<detail::WindingRay> shortest_way_out(const Blob& blob, Vec3 point) {
-    detail::LatticePoint rounded;
+    detail::RoundedPoint rounded;
     detail::WindingRay ray;
-    if (!detail::round_point(blob.data(), point, std::numeric_limits<float>::infinity(), rounded)) return std::nullopt;
-    if (!detail::shortest_way_out(blob.data(), rounded, ray)) return std::nullopt;
+    if (detail::round_point(detail::data_of(blob), point, std::numeric_limits<float>::infinity(), rounded) !=
+        QueryStatus::ok)
+        return std::nullopt;
+    if (!detail::shortest_way_out(detail::data_of(blob), rounded, ray)) return std::nullopt;
     return ray;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include <runtime/winding.hpp>
+#include <runtime/proximity/winding.hpp>
 
 #include "support/base/random.hpp"
 #include "support/blobs/test_blobs.hpp"

@@ -59,18 +59,18 @@ def topology():
                               "indices": gltf.accessor([[i] for face in FACES for i in face], UNSIGNED_BYTE)}))
     if json.loads(bakes(gltf, solid()).stdout)["bounds"]["max"] != [2.0, 1.5, 3.0]:
         fail("the bounds are those of all vertices")
-    claim("an index beyond the vertices is refused with its triangle, and --repair drops the triangle")
+    claim("an index beyond the vertices is refused with its triangle, and --drop-bad-triangles drops the triangle")
     gltf = Gltf()
     gltf.node(mesh=gltf.mesh({"attributes": {"POSITION": gltf.accessor(POINTS)},
                               "indices": gltf.accessor([[i] for face in FACES for i in face] + [[0], [1], [77]], UNSIGNED_BYTE)}))
     refused(gltf, 3, "triangle 4", "vertex 77")
-    bakes(gltf, solid(), options=("--repair", "--max-dropped", "20%"))
+    bakes(gltf, solid(), options=("--drop-bad-triangles", "--max-dropped", "20%"))
     claim("materials are numbered as in the file, and a primitive without one comes after the last")
     gltf = Gltf()
     gltf.json["materials"] = [{}, {}, {}]
     gltf.node(mesh=gltf.mesh(solid_primitive(gltf, material=1)))
     gltf.node(mesh=gltf.mesh(solid_primitive(gltf)), translation=[8, 0, 0])
-    bakes(gltf, solid() + solid(moved(8, 0, 0)), options=("--materials", "8"))
+    bakes(gltf, solid() + solid(moved(8, 0, 0)), options=("--materials",))
     listed = json.loads(run("query", "case.espl", "triangles", "--json").stdout)["triangles"]
     if sorted((t["a"][0] >= 7, t["material"]) for t in listed) != [(False, 1)] * 4 + [(True, 3)] * 4:
         fail("the numbers are %s" % [t["material"] for t in listed])

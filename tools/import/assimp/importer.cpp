@@ -87,7 +87,7 @@ void import_with_assimp(const std::string& path, const ImportOptions& options, I
     importer.SetIOHandler(list_opened_files(file.opened, missing).release());
     const std::string ending = ending_of(path);
     const bool is_known_ending = !ending.empty() && importer.IsExtensionSupported(ending);
-    // Nothing but triangles is asked for: welding and dropping is the baker's work, which counts what it does.
+    // Requests triangles only: welding and dropping is the baker's work, which counts what it does.
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
     if (scene == nullptr && !is_known_ending) {
         throw CommandError(ExitCode::unsupported,

@@ -103,7 +103,7 @@ private:
         meshes_.add(std::move(mesh), source.mMaterialIndex);
     }
 
-    // Indices are not checked against the vertices here: the baker does that, and knows whether to repair.
+    // Indices are not checked against the vertices here: the baker does that, as its options choose.
     void add_triangles(const aiMesh& source, bool mirrored, ImportedMesh& mesh) {
         if (source.mFaces == nullptr) return;
         const bool is_x = file_.format.find("XFile") != std::string::npos;

@@ -22,12 +22,12 @@ struct ImportLimits {
 };
 
 struct ImportOptions {
-    /// What one unit of the files is in metres. Without it: what a file says of itself, else a metre.
+    /// One unit of the files in metres. Without it: the unit that a file states, else a metre.
     std::optional<double> metres_per_unit;
     double scale = 1.0;
     /// The axis that points up in the files; it is turned to +Y. Without it the axes stay as they are.
     std::optional<Axis> up;
-    bool materials = false;  ///< the numbers of materials are baked, so that it is warned of what changes them
+    bool materials = false;  ///< keep the numbers of materials, and warn of what changes them
     /// Called now and then with what is read and how much of it is done, 0..1.
     std::function<void(const char* stage, double done)> progress;
     /// Called with each warning about a file when the file is read; not called when empty.
@@ -43,7 +43,7 @@ struct ImportOptions {
 struct ImportedMesh {
     std::vector<Vec3> positions;
     std::vector<TriangleVertices> triangles;
-    std::vector<std::uint32_t> materials;  ///< one for each triangle; numbers of one file never meet those of another
+    std::vector<std::uint32_t> materials;  ///< one per triangle if the options keep them; no two files share a number
     std::uint32_t file = 0;
     std::uint32_t mesh = 0;
     std::string name;  ///< "level.obj, mesh 3 (walls)"
@@ -55,11 +55,12 @@ struct ImportedFile {
     std::vector<std::string> opened;  ///< the file itself and what it refers to that was there: .mtl, .bin
     std::string format;
     std::uint32_t meshes = 0;
+    std::vector<std::string> mesh_names;  ///< in the order of their numbers; empty where the file has none
     std::uint64_t triangles = 0;
     std::uint64_t materials = 0;
     std::uint64_t points_and_lines = 0;  ///< skipped: they have no surface
     double metres_per_unit = 1.0;
-    std::string unit_origin;        ///< who says so: "--unit", "FBX unit scale factor 1", "not stated"
+    std::string unit_origin;        ///< where it is stated: "--unit", "FBX unit scale factor 1", "not stated"
     std::optional<Axis> stated_up;  ///< stated by the file and not carried out by its importer
     std::vector<Warning> warnings;  ///< where the triangles may differ from what the file contains
 };

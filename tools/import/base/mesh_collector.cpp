@@ -33,6 +33,7 @@ ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles
     ImportedMesh mesh;
     mesh.file = static_cast<std::uint32_t>(imported_.files.size());
     mesh.mesh = file_.meshes++;
+    file_.mesh_names.emplace_back(name);
     mesh.name = text(printable(file_.path), ", mesh ", mesh.mesh);
     if (!name.empty()) mesh.name += text(" (", printable(name), ")");
     require_room(triangles, mesh.name);

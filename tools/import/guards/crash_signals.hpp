@@ -1,4 +1,4 @@
-// What a process is told when it crashes, handled on a stack of its own: the usual one may be what ran out.
+// Handles the signals of a crash on a separate stack, since the usual one may have run out.
 #pragma once
 
 #include <signal.h>

@@ -1,0 +1,38 @@
+/* The version and the structure sizes of the library, for callers that load it at run time. */
+#ifndef ESPALIER_C_ABI_H
+#define ESPALIER_C_ABI_H
+
+#include <stdint.h>
+
+#include <espalier/c/attributes.h>
+#include <espalier/c/shapes.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The version of the library and the sizes of its structures in bytes, each under its name. A later version may add
+ * sizes: compare the version first. */
+#define ESPALIER_SIZE_(name, Cpp) uint16_t name;
+typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
+    uint16_t version_major, version_minor, version_patch;
+    uint16_t yes_no, cursor, filled, vec3, triangle, segment;
+    ESPALIER_SHAPES_(ESPALIER_SIZE_) /* sphere, capsule, box, oriented_box, cone */
+    uint16_t plane, blob;
+    uint16_t lattice, edge_kinds, edge_kinds_result, k_dop, sphere_result, oriented_box_result, k_dop_result, ray;
+    uint16_t ray_hit, original_triangle, original_triangle_result, original_hit, convex_volume, triangle_result;
+    uint16_t closest_point_result, float_result, sweep_hit, quaternion, transform, transform_result;
+    uint16_t placed_blob, pair_contact, blob_distance;
+    uint16_t query_counters, distance_bounds_result, tree_child, tree_node, lattice_point, lattice_box, lattice_segment;
+    uint16_t lattice_point_result, lattice_box_result, lattice_hit, lattice_result, rounded_ray;
+} espalier_abi_sizes;
+#undef ESPALIER_SIZE_
+
+/* Returns the version and the sizes that the library was built with. */
+espalier_abi_sizes espalier_abi(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

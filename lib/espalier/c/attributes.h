@@ -1,0 +1,15 @@
+/* Attributes of the structures that C and C++ share. For the library itself. */
+#ifndef ESPALIER_C_ATTRIBUTES_H
+#define ESPALIER_C_ATTRIBUTES_H
+
+/* The library is C++ and accesses these structures as its own. The attribute lets them alias, also where a compiler
+ * optimises C and C++ together. */
+#if defined(__GNUC__)
+#define ESPALIER_SHARED_ __attribute__((__may_alias__))
+#define ESPALIER_BLOB_ __attribute__((__may_alias__, __aligned__(16)))
+#else
+#define ESPALIER_SHARED_
+#define ESPALIER_BLOB_ __declspec(align(16))
+#endif
+
+#endif

@@ -1,0 +1,82 @@
+/* Opening a blob, and its properties. Counterpart of blob.hpp. */
+#ifndef ESPALIER_C_BLOB_H
+#define ESPALIER_C_BLOB_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <espalier/c/attributes.h>
+#include <espalier/c/shapes.h>
+#include <espalier/c/status.h>
+#include <espalier/c/types.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A view of a baked mesh: copied freely, owning nothing. The bytes must outlive it and stay unchanged. Filled with
+ * zeros it was never opened: it has no triangles, and queries refuse it. Its content may change. */
+typedef struct ESPALIER_BLOB_ espalier_blob {
+    unsigned char opaque_[sizeof(void*) == 8 ? 192 : 160];
+} espalier_blob;
+
+/* Proves that every query on the bytes is safe, writes a view of them to `blob` and returns its status, which the blob
+ * holds as well. Any bytes, any alignment; `bytes` may be null if `size` is 0. `blob` need not be initialised. At an
+ * address that is no multiple of 16 it is refused with ESPALIER_OPEN_MISALIGNED and not written; no other function may
+ * be given such an address. */
+espalier_open_status espalier_open(const void* bytes, size_t size, espalier_blob* blob);
+/* Opens bytes that are linked into your own program in O(1): it checks the header only. If the bytes are not exactly
+ * what the baker wrote, queries may read anywhere. */
+espalier_open_status espalier_open_unchecked(const void* bytes, size_t size, espalier_blob* blob);
+
+/* The lattice of a blob. A coordinate in the blob's units is origin + steps * 2^step_exponent. */
+typedef struct ESPALIER_SHARED_ espalier_lattice {
+    espalier_vec3 origin;
+    int32_t step_exponent;
+    int32_t extent[3];
+} espalier_lattice;
+
+/* The encoding of the nodes and leaves of a blob. */
+typedef uint8_t espalier_profile;
+enum {
+    ESPALIER_PROFILE_FAST = 0,
+    ESPALIER_PROFILE_BALANCED = 1,
+    ESPALIER_PROFILE_SMALL = 2,
+    ESPALIER_PROFILE_TINY = 3
+};
+
+/* Returns ESPALIER_OPEN_OK, or why the blob is not open. */
+espalier_open_status espalier_blob_status(const espalier_blob* blob);
+/* Returns the number of triangles, duplicate references included. Every triangle id is lower. */
+uint32_t espalier_blob_triangle_count(const espalier_blob* blob);
+/* Returns how many triangles are duplicate references to another one: above 0 only with spatial splits. */
+uint32_t espalier_blob_duplicate_reference_count(const espalier_blob* blob);
+uint32_t espalier_blob_vertex_count(const espalier_blob* blob);
+/* Returns the size in bytes. */
+uint32_t espalier_blob_size(const espalier_blob* blob);
+uint32_t espalier_blob_checksum(const espalier_blob* blob);
+/* Returns the number of nodes on the longest path from the root. */
+unsigned espalier_blob_depth(const espalier_blob* blob);
+espalier_profile espalier_blob_profile(const espalier_blob* blob);
+/* Returns the lattice on which the corners lie. */
+espalier_lattice espalier_blob_lattice(const espalier_blob* blob);
+/* Returns the largest distance between the baked surface and its source, in the blob's units. */
+float espalier_blob_max_error(const espalier_blob* blob);
+/* Returns the box around all triangles. */
+espalier_box espalier_blob_bounds(const espalier_blob* blob);
+/* Returns whether the surface has an inside, which espalier_contains() and espalier_signed_distance() need. */
+bool espalier_blob_is_closed(const espalier_blob* blob);
+/* Returns whether the blob stores what original.h, espalier_material() and contact.h read. */
+bool espalier_blob_has_original_ids(const espalier_blob* blob);
+bool espalier_blob_has_materials(const espalier_blob* blob);
+bool espalier_blob_has_edge_flags(const espalier_blob* blob);
+
+/* Returns the material number given at bake, or 0 if the blob stores none or has no such triangle. */
+uint16_t espalier_material(const espalier_blob* blob, espalier_triangle_id triangle);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

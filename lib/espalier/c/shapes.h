@@ -1,0 +1,62 @@
+/* The shapes that queries take. Counterpart of shapes.hpp. */
+#ifndef ESPALIER_C_SHAPES_H
+#define ESPALIER_C_SHAPES_H
+
+#include <stddef.h>
+
+#include <espalier/c/attributes.h>
+#include <espalier/c/types.h>
+
+typedef struct ESPALIER_SHARED_ espalier_segment {
+    espalier_vec3 from, to;
+} espalier_segment;
+
+typedef struct ESPALIER_SHARED_ espalier_sphere {
+    espalier_vec3 center;
+    float radius;
+} espalier_sphere;
+
+/* All points within `radius` of the segment. */
+typedef struct ESPALIER_SHARED_ espalier_capsule {
+    espalier_vec3 from, to;
+    float radius;
+} espalier_capsule;
+
+/* An axis-aligned box. Empty where a coordinate of `min` is above that of `max`. */
+typedef struct ESPALIER_SHARED_ espalier_box {
+    espalier_vec3 min, max;
+} espalier_box;
+
+/* A box of any orientation: each half axis leads from the center to the middle of a face. */
+typedef struct ESPALIER_SHARED_ espalier_oriented_box {
+    espalier_vec3 center;
+    espalier_vec3 half_axes[3];
+} espalier_oriented_box;
+
+/* The convex hull of `apex` and a disc of this radius around apex + axis, perpendicular to the axis. */
+typedef struct ESPALIER_SHARED_ espalier_cone {
+    espalier_vec3 apex, axis;
+    float radius;
+} espalier_cone;
+
+/* The half-space dot(normal, x) <= offset. The normal may have any length but zero. */
+typedef struct ESPALIER_SHARED_ espalier_plane {
+    espalier_vec3 normal;
+    float offset;
+} espalier_plane;
+
+/* The largest number of planes of an espalier_convex_volume. */
+#define ESPALIER_MAX_PLANES 32
+
+/* All points behind each of the planes, at most ESPALIER_MAX_PLANES. The planes must outlive it. */
+typedef struct ESPALIER_SHARED_ espalier_convex_volume {
+    const espalier_plane* planes;
+    size_t plane_count;
+} espalier_convex_volume;
+
+/* Applies a macro to the names in C and in C++ of each shape that both languages lay out alike and that
+ * espalier_overlaps_<name>() takes. For the library itself. */
+#define ESPALIER_SHAPES_(apply) \
+    apply(sphere, Sphere) apply(capsule, Capsule) apply(box, Box) apply(oriented_box, OrientedBox) apply(cone, Cone)
+
+#endif

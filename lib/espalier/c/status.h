@@ -1,0 +1,89 @@
+/* The results of opening a blob and of queries: found or not, yes or no, how much was written, or why it was refused.
+ * Counterpart of status.hpp. */
+#ifndef ESPALIER_C_STATUS_H
+#define ESPALIER_C_STATUS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <espalier/c/attributes.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The result of opening a blob. */
+typedef uint8_t espalier_open_status;
+enum {
+    ESPALIER_OPEN_OK = 0,
+    ESPALIER_OPEN_TOO_SHORT = 1,
+    ESPALIER_OPEN_TRAILING_BYTES = 2,
+    ESPALIER_OPEN_NOT_A_BLOB = 3,
+    ESPALIER_OPEN_UNSUPPORTED_VERSION = 4,
+    ESPALIER_OPEN_UNSUPPORTED_PROFILE = 5,
+    ESPALIER_OPEN_UNSUPPORTED_FEATURE = 6,
+    ESPALIER_OPEN_BAD_HEADER = 7,
+    ESPALIER_OPEN_BAD_CHECKSUM = 8,
+    ESPALIER_OPEN_BAD_NODE = 9,
+    ESPALIER_OPEN_BAD_LEAF = 10,
+    ESPALIER_OPEN_BAD_SECTION = 11,
+    ESPALIER_OPEN_NOT_OPENED = 12,
+    ESPALIER_OPEN_MISALIGNED = 13,
+    ESPALIER_OPEN_NOT_A_REMAP = 15,
+    ESPALIER_OPEN_OTHER_BLOB = 16
+};
+
+/* The result of a query. Below 16 it was answered, at least in part; from 16 on it was refused and computed nothing.
+ * Structures such as espalier_ray_hit have OK for a hit and NOT_FOUND for a miss. A miss and a refusal look alike in
+ * all other fields (infinite t or distance, ESPALIER_NO_TRIANGLE): test the status to distinguish them. */
+typedef uint8_t espalier_query_status;
+enum {
+    ESPALIER_QUERY_OK = 0,
+    ESPALIER_QUERY_NOT_FOUND = 1,
+    ESPALIER_QUERY_STOPPED = 2,
+    ESPALIER_QUERY_OUTPUT_FULL = 3,
+    ESPALIER_QUERY_WORK_LIMIT = 4,
+    ESPALIER_QUERY_NOT_OPEN = 16,
+    ESPALIER_QUERY_INVALID_ARGUMENT = 17,
+    ESPALIER_QUERY_OUT_OF_RANGE = 18,
+    ESPALIER_QUERY_NOT_CLOSED = 19,
+    ESPALIER_QUERY_NO_DATA = 20
+};
+
+/* A yes, a no, or neither: refused, or undecided because the work limit was reached (ESPALIER_QUERY_WORK_LIMIT, which
+ * is no refusal). Where a mistake is dangerous, test espalier_no(answer), not !espalier_yes(answer). It is a structure,
+ * so that `if (answer)`, which would take a refusal for a no, does not compile. */
+typedef struct ESPALIER_SHARED_ espalier_yes_no {
+    espalier_query_status status;
+} espalier_yes_no;
+/* Returns whether the answer is yes. */
+static inline bool espalier_yes(espalier_yes_no answer) { return answer.status == ESPALIER_QUERY_OK; }
+/* Returns whether the answer is no. A refusal and an undecided answer are neither yes nor no. */
+static inline bool espalier_no(espalier_yes_no answer) { return answer.status == ESPALIER_QUERY_NOT_FOUND; }
+/* Returns whether a query was refused: it computed nothing. Takes the status of a query; compare an
+ * espalier_open_status with ESPALIER_OPEN_OK instead. */
+static inline bool espalier_is_refused(espalier_query_status status) { return status >= 16; }
+
+/* A place in a list of results from which a query resumes. Filled with zeros it is the beginning. */
+typedef struct ESPALIER_SHARED_ espalier_cursor {
+    uint32_t place[3];
+} espalier_cursor;
+
+/* The result of a query that writes to an array: the number of elements written, and where to resume after
+ * ESPALIER_QUERY_OUTPUT_FULL or ESPALIER_QUERY_WORK_LIMIT, when elements are missing. */
+typedef struct ESPALIER_SHARED_ espalier_filled {
+    size_t count;
+    espalier_cursor next;
+    espalier_query_status status;
+} espalier_filled;
+
+/* Returns one English sentence without a full stop: static, never null, also for values that are not listed. */
+const char* espalier_describe_open_status(espalier_open_status status);
+const char* espalier_describe_query_status(espalier_query_status status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

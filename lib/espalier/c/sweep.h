@@ -1,0 +1,51 @@
+/* Sweep queries: the first contact of a shape that moves along a straight line. Counterpart of sweep.hpp. */
+#ifndef ESPALIER_C_SWEEP_H
+#define ESPALIER_C_SWEEP_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include <espalier/c/attributes.h>
+#include <espalier/c/blob.h>
+#include <espalier/c/shapes.h>
+#include <espalier/c/status.h>
+#include <espalier/c/types.h>
+#include <espalier/c/visitor.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The first contact, if the status is ESPALIER_QUERY_OK. Unlike in other results, t is 1 for a miss and 0 for a
+ * refusal, so that moving the shape by t * displacement is safe in any case. */
+typedef struct ESPALIER_SHARED_ espalier_sweep_hit {
+    float t;
+    espalier_vec3 point, normal, face_normal;
+    espalier_triangle_id triangle;
+    espalier_query_status status;
+    uint8_t reserved[2];
+    bool starts_overlapping;
+} espalier_sweep_hit;
+
+/* Returns the first contact of the shape as it moves from its place by `displacement`. */
+espalier_sweep_hit espalier_sweep_sphere(const espalier_blob* blob, const espalier_sphere* sphere,
+                                         espalier_vec3 displacement);
+espalier_sweep_hit espalier_sweep_capsule(const espalier_blob* blob, const espalier_capsule* capsule,
+                                          espalier_vec3 displacement);
+espalier_sweep_hit espalier_sweep_box(const espalier_blob* blob, const espalier_box* box, espalier_vec3 displacement);
+
+/* Returns the first contact with a triangle that the filter keeps. */
+espalier_sweep_hit espalier_sweep_sphere_filtered(const espalier_blob* blob, const espalier_sphere* sphere,
+                                                  espalier_vec3 displacement, espalier_triangle_filter filter,
+                                                  void* user);
+espalier_sweep_hit espalier_sweep_capsule_filtered(const espalier_blob* blob, const espalier_capsule* capsule,
+                                                   espalier_vec3 displacement, espalier_triangle_filter filter,
+                                                   void* user);
+espalier_sweep_hit espalier_sweep_box_filtered(const espalier_blob* blob, const espalier_box* box,
+                                               espalier_vec3 displacement, espalier_triangle_filter filter, void* user);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

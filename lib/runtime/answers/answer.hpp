@@ -1,0 +1,133 @@
+// What becomes of the triangles that a shape finds: each answer is written once, for all shapes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <espalier/function_ref.hpp>
+#include <espalier/distance.hpp>
+#include <espalier/statistics.hpp>
+#include <espalier/types.hpp>
+#include <runtime/answers/best_k.hpp>
+#include <runtime/answers/found.hpp>
+#include <runtime/base/float_bits.hpp>
+#include <runtime/answers/first_reference.hpp>
+
+namespace espalier::detail {
+
+/// How far an answer may be off, and who counts the work for it: parameters of every walk.
+struct WalkAccuracy {
+    std::int32_t steps = -1;  ///< a box no longer than this along every axis stands for what is in it; below 0: none
+    QueryCounters* counters = nullptr;
+
+    [[nodiscard]] bool is_exact() const { return steps < 0 && counters == nullptr; }
+};
+inline constexpr WalkAccuracy exactly;
+
+/// What shapes and walks read of an answer, and how they call one of unknown type.
+struct Answer {
+    static constexpr std::uint32_t no_index = ~std::uint32_t{0};
+    using OnFound = Visit (*)(Answer& self, const Found& found);
+    using OnBox = void (*)(Answer& self, float lower, float upper);
+
+    OnFound on_found;
+    OnBox on_box;            ///< takes the keys between which a small box lies; without it the first one ends the walk
+    float limit = infinity;  ///< boxes with larger keys do not matter
+    float worst = infinity;  ///< triangles with larger keys do not matter
+    std::uint32_t last = no_index;  ///< nor do those with that key from this index on
+    std::uint32_t first = 0;        ///< triangles with smaller storage indices are passed over undecided
+
+    explicit Answer(OnFound take_found = nullptr, OnBox take_box = nullptr) : on_found(take_found), on_box(take_box) {}
+
+    [[nodiscard]] bool rules_out(float key, std::uint32_t index) const {
+        // mutant(> -> >=) work: decides triangles that are as near as the best and come behind it
+        return key > worst || (key == worst && index >= last);
+    }
+    Visit take(const Found& found) { return on_found(*this, found); }
+    void lower_limit(float squared) { limit = minimum(squared * distance_slack, limit); }
+};
+
+/// Calls a visitor with each triangle, which may stop the walk.
+struct Each : Answer {
+    const BlobData& blob;
+    bool once = true;  ///< a triangle with duplicate references comes at the first of them, and not at each
+    Visitor<TriangleId, std::uint32_t> visit;  ///< takes the triangle and the storage index of the reference to it
+    ReachedChildren reached;                   ///< the walk, for triangles with duplicate references
+
+    Each(const BlobData& from, Visitor<TriangleId, std::uint32_t> with_each, std::uint32_t first_index = 0)
+        : Answer([](Answer& self, const Found& found) { return static_cast<Each&>(self).take(found); }),
+          blob(from),
+          visit(with_each) {
+        first = first_index;
+    }
+    Visit take(const Found& found) {
+        if (once && found.reference != found.index && !is_first_reference(blob, found.reference, reached))
+            return Visit::next;
+        return visit(TriangleId{found.index}, found.reference);
+    }
+};
+
+/// The one that comes first: the nearest, of equally near ones the lowest index.
+template <class Kind>
+struct Closest : Answer {
+    Kind& best;
+    const TriangleFilter* filter;  ///< leaves triangles out; may be null
+
+    explicit Closest(Kind& place, const TriangleFilter* leave_out = nullptr)
+        : Answer([](Answer& self, const Found& found) {
+              return static_cast<Closest&>(self).take(static_cast<const Kind&>(found));
+          }),
+          best(place),
+          filter(leave_out) {}
+    [[nodiscard]] bool found() const { return last != no_index; }
+    Visit take(const Kind& candidate) {
+        if (found() && !comes_before(candidate, best)) return Visit::next;
+        if (filter != nullptr && !(*filter)(TriangleId{candidate.index})) return Visit::next;
+        best = candidate;
+        worst = candidate.key();
+        last = candidate.index;
+        limit = candidate.limit(limit);
+        return Visit::next;
+    }
+};
+
+/// The few nearest.
+struct NearestFew : Answer {
+    const BlobData& blob;
+    ClosestFew& few;
+
+    NearestFew(const BlobData& from, ClosestFew& places) : Answer(take_found), blob(from), few(places) {}
+
+private:
+    static Visit take_found(Answer& self, const Found& found);
+};
+
+/// Of squared distances, in lattice steps, as floats that may be off by 2^-18; infinite when there is nothing.
+struct SquaredBounds {
+    float lower = infinity;
+    float upper = infinity;
+};
+
+/// The least distance of any triangle or small box, and the least of which one can say that something is as near. Both
+/// are the same in whatever order they are found: what has one of them is never farther than any upper bound.
+struct Bounds : Answer {
+    SquaredBounds squared;
+
+    Bounds()
+        : Answer(
+              [](Answer& self, const Found& found) {
+                  const float distance = static_cast<const FoundNearest&>(found).key();
+                  static_cast<Bounds&>(self).add(distance, distance);
+                  return Visit::next;
+              },
+              [](Answer& self, float lower, float upper) { static_cast<Bounds&>(self).add(lower, upper); }) {}
+
+private:
+    void add(float lower, float upper) {
+        squared.lower = minimum(lower, squared.lower);
+        squared.upper = minimum(upper, squared.upper);
+        lower_limit(upper);
+    }
+};
+
+}  // namespace espalier::detail

@@ -1,0 +1,23 @@
+// The bounds of a blob and the materials of its triangles.
+#include <espalier/blob.hpp>
+#include <runtime/base/bytes.hpp>
+#include <runtime/lattice/to_world.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+Box Blob::bounds() const noexcept {
+    if (data_.triangle_count == 0) return {};
+    return {{data_.origin[0], data_.origin[1], data_.origin[2]}, to_world(data_, data_.extent)};
+}
+
+std::uint16_t material(const Blob& blob, TriangleId triangle) noexcept {
+    const BlobData& data = data_of(blob);
+    if (data.materials == nullptr || triangle.index >= data.triangle_count) return 0;
+    return static_cast<std::uint16_t>((data.features & format::feature::materials_16) != 0
+                                          ? load_u16(data.materials + 2 * std::size_t{triangle.index})
+                                          : load_u8(data.materials + triangle.index));
+}
+
+}  // namespace espalier

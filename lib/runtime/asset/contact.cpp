@@ -1,0 +1,52 @@
+// Edge flags, and the normals of contacts on internal edges.
+#include <espalier/contact.hpp>
+#include <runtime/asset/lookups.hpp>
+#include <runtime/base/bytes.hpp>
+#include <runtime/base/float_bits.hpp>
+#include <runtime/traversal/find_triangle.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+Result<EdgeKinds> edge_kinds(const Blob& blob, TriangleId triangle) noexcept {
+    using namespace format::edge_flags;
+    const BlobData& data = data_of(blob);
+    const QueryStatus status = status_of_lookup(data, data.edge_flags, triangle);
+    if (status != QueryStatus::ok) return {{}, status};
+    const auto kind = [&](unsigned edge) {
+        // A field of 2 bits never lies in two bytes.
+        const std::uint64_t bit = std::uint64_t{triangle.index} * triangle_bits + std::uint64_t{edge} * edge_bits;
+        return static_cast<EdgeKind>(load_u8(data.edge_flags + fields_at + bit / 8) >> (bit % 8) & 3u);
+    };
+    return {{kind(0), kind(1), kind(2)}, status};
+}
+
+Vec3 fix_internal_edge_normal(const Blob& blob, TriangleId touched, Feature feature, Vec3 normal) noexcept {
+    const Result<EdgeKinds> kinds = edge_kinds(blob, touched);
+    if (!kinds) return normal;
+    // Edges ab, bc, ca are bits 0, 1, 2; on a corner meet the edge that leads from it and the one before.
+    constexpr std::uint8_t edges_of[] = {0b000, 0b001, 0b010, 0b100, 0b101, 0b011, 0b110};
+    static_assert(Feature::edge_ab == Feature{1} && Feature::vertex_a == Feature{4} && Feature::vertex_c == Feature{6});
+    const auto part = static_cast<unsigned>(feature);
+    const unsigned edges = part < sizeof edges_of ? edges_of[part] : 0u;
+    const auto outer = [](EdgeKind kind) { return kind == EdgeKind::convex || kind == EdgeKind::boundary ? 1u : 0u; };
+    const unsigned outer_edges = outer(kinds->ab) | outer(kinds->bc) << 1 | outer(kinds->ca) << 2;
+    if (edges == 0 || (edges & outer_edges) != 0) return normal;
+
+    const LatticeTriangle triangle = find_triangle(data_of(blob), touched.index);
+    const auto& c = triangle.corner;
+    const auto edge = [&](int to, int axis) { return std::int64_t{c[to][axis]} - c[0][axis]; };
+    const Integer3 exact = cross({edge(1, 0), edge(1, 1), edge(1, 2)}, {edge(2, 0), edge(2, 1), edge(2, 2)});
+    const float x = to_float(exact.x);
+    const float y = to_float(exact.y);
+    const float z = to_float(exact.z);
+    const float squared = x * x + y * y + z * z;
+    if (squared == 0.0f) return normal;  // a triangle without area, which no baker wrote
+    const float length = square_root(squared);
+    const bool behind = normal.x * x + normal.y * y + normal.z * z < 0.0f;
+    const float scale = behind ? -length : length;
+    return {x / scale, y / scale, z / scale};
+}
+
+}  // namespace espalier

@@ -1,0 +1,156 @@
+// Floats taken apart and put together in integers, so that the result does not depend on flush-to-zero modes or a libm;
+// and their square roots.
+#pragma once
+
+#include <bit>
+#include <cfloat>
+#include <cstdint>
+
+#include <runtime/base/small_code.hpp>
+
+namespace espalier::detail {
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "Espalier is exact: compile it without -ffast-math and -ffinite-math-only"
+#endif
+static_assert(FLT_EVAL_METHOD == 0, "float arithmetic must be done in float: use SSE on 32-bit x86");
+
+inline constexpr float infinity = __builtin_inff();
+inline constexpr std::uint32_t magnitude_mask = 0x7FFFFFFFu;
+inline constexpr std::uint32_t infinity_bits = 0x7F800000u;
+
+constexpr std::uint32_t magnitude_bits(float x) { return std::bit_cast<std::uint32_t>(x) & magnitude_mask; }
+constexpr bool is_nan(float x) { return magnitude_bits(x) > infinity_bits; }
+constexpr bool is_finite(float x) { return magnitude_bits(x) < infinity_bits; }
+constexpr bool is_negative(float x) { return std::bit_cast<std::uint32_t>(x) >> 31 != 0; }
+
+/// 2^exponent, for exponents of normal numbers: -126 .. 127.
+constexpr float power_of_two(int exponent) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);
+}
+
+/// A whole number below 2^24, exactly, without a float operation.
+constexpr float whole_float(std::uint32_t number) {
+    const int length = 32 - std::countl_zero(number);
+    return number == 0
+               ? 0.0f
+               : std::bit_cast<float>((static_cast<std::uint32_t>(length + 125) << 23) + (number << (24 - length)));
+}
+
+/// Exponent of a normal number: |x| is in [2^e, 2^(e+1)).
+constexpr int exponent_of(float x) { return static_cast<int>(magnitude_bits(x) >> 23) - 127; }
+
+/// Whether a finite number is a whole multiple of 2^exponent, which is at least 2^-100: of the numbers that are not 0,
+/// no subnormal one is.
+constexpr bool is_multiple_of_power(float x, int exponent) {
+    const std::uint32_t magnitude = magnitude_bits(x);
+    // The implicit bit stands above the others: no more than 23 of them are zeros.
+    return magnitude == 0 || exponent_of(x) - 23 + std::countr_zero(magnitude | 0x00800000u) >= exponent;
+}
+/// Subnormal numbers count as zero.
+constexpr float flush_subnormal(float x) { return magnitude_bits(x) < 0x00800000u ? 0.0f : x; }
+
+/// x * 2^exponent, rounded once to nearest even, for every x and every exponent within 2^30.
+ESPALIER_SHARED_CODE constexpr float scale_by_power_of_two(float x, int exponent) {
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(x);
+    const std::uint32_t sign = bits & 0x80000000u;
+    const std::uint32_t magnitude = bits & magnitude_mask;
+    if (magnitude == 0 || magnitude >= infinity_bits) return x;
+    std::uint32_t mantissa = magnitude & 0x007FFFFFu;
+    int biased = static_cast<int>(magnitude >> 23);
+    if (biased == 0) {
+        const int shift = std::countl_zero(mantissa) - 8;
+        mantissa <<= shift;
+        biased = 1 - shift;
+    } else {
+        mantissa |= 0x00800000u;
+    }
+    biased += exponent;
+    if (biased >= 255) return std::bit_cast<float>(sign | infinity_bits);
+    if (biased < 1) {  // without a digit before the point, and fewer behind it
+        const int shift = biased < -24 ? 25 : 1 - biased;
+        mantissa = (mantissa + (1u << (shift - 1)) - 1u + (mantissa >> shift & 1u)) >> shift;
+        biased = 1;
+    }
+    return std::bit_cast<float>(sign | ((static_cast<std::uint32_t>(biased - 1) << 23) + mantissa));
+}
+
+/// The nearest integer, ties to even, for |x| < 2^24. Relies on round-to-nearest: adding 2^23 leaves no fraction bits.
+/// Without a branch on the sign, which no processor could foresee.
+ESPALIER_SHARED_CODE inline float round_to_integer(float x) {
+    const float big =
+        std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) & 0x80000000u) | 0x4B000000u);  // 2^23, x's sign
+    const float rounded = (x + big) - big;
+    return magnitude_bits(x) < 0x4B000000u ? rounded : x;
+}
+
+/// x cut off towards zero; |x| < 2^63. Small cores have no instruction for it, and compilers bring all of double
+/// arithmetic along.
+ESPALIER_SHARED_CODE inline std::int64_t to_integer(float x) {
+    if (takes_shortcut()) return static_cast<std::int64_t>(x);
+    const std::uint64_t mantissa = (magnitude_bits(x) & 0x007FFFFFu) | 0x00800000u;
+    const int shift = exponent_of(x) - 23;
+    const std::uint64_t magnitude = shift >= 0 ? mantissa << shift : shift > -24 ? mantissa >> -shift : 0;
+    return static_cast<std::int64_t>(is_negative(x) ? 0 - magnitude : magnitude);
+}
+
+/// Where either order is right: the second operand when one is not a number, as x86's instructions do.
+inline float minimum(float a, float b) { return a < b ? a : b; }
+inline float maximum(float a, float b) { return a > b ? a : b; }
+inline float absolute(float x) { return __builtin_fabsf(x); }  // one instruction, and no call anywhere
+
+// Correctly rounded square roots without a libm: the core's instruction where it has one.
+
+/// For cores without the instruction: one result bit a step, exact. x is zero, or positive, normal and finite.
+inline float square_root_in_integers(float x) {
+    if (magnitude_bits(x) == 0) return x;
+    int exponent = exponent_of(x);
+    std::uint64_t radicand = (magnitude_bits(x) & 0x007FFFFFu) | 0x00800000u;
+    if ((exponent & 1) != 0) {
+        radicand <<= 1;
+        --exponent;
+    }
+    // radicand * 2^25 lies in [2^48, 2^50): its root has 25 bits, one more than float keeps, and is never a tie.
+    radicand <<= 25;
+    std::uint64_t root = 0;
+    for (std::uint64_t bit = std::uint64_t{1} << 24; bit != 0; bit >>= 1)
+        if ((root | bit) * (root | bit) <= radicand) root |= bit;
+    const std::uint32_t rounded = static_cast<std::uint32_t>((root >> 1) + (root & 1));
+    return std::bit_cast<float>((static_cast<std::uint32_t>(exponent / 2 + 127 - 1) << 23) + rounded);
+}
+
+#if defined(__SSE2__) || defined(__aarch64__) || (defined(__ARM_FP) && (__ARM_FP & 4)) || defined(__riscv_flen) || \
+    defined(__s390x__) || defined(__wasm__)
+inline constexpr bool has_square_root = true;
+#else
+inline constexpr bool has_square_root = false;
+#endif
+
+/// The core's instruction. Where the compiler has to care for errno, its own way would also call libm's sqrtf.
+inline float square_root_by_instruction(float x) {
+    float root = x;
+#if defined(__NO_MATH_ERRNO__)
+    root = __builtin_sqrtf(x);
+#elif defined(__SSE2__)
+    asm("sqrtss %1, %0" : "=x"(root) : "x"(x));
+#elif defined(__aarch64__)
+    asm("fsqrt %s0, %s1" : "=w"(root) : "w"(x));
+#elif defined(__ARM_FP) && (__ARM_FP & 4)
+    asm("vsqrt.f32 %0, %1" : "=t"(root) : "t"(x));
+#elif defined(__riscv_flen)
+    asm("fsqrt.s %0, %1" : "=f"(root) : "f"(x));
+#elif defined(__s390x__)
+    asm("sqebr %0, %1" : "=f"(root) : "f"(x));
+#elif defined(__wasm__)
+    asm("local.get %1\n\tf32.sqrt\n\tlocal.set %0" : "=r"(root) : "r"(x));
+#endif
+    return root;
+}
+
+/// The square root of zero or of a positive, normal and finite number.
+inline float square_root(float x) {
+    if constexpr (has_square_root) return square_root_by_instruction(x);
+    else return square_root_in_integers(x);
+}
+
+}  // namespace espalier::detail

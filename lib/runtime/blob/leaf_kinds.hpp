@@ -1,0 +1,11 @@
+// The kinds of leaves that this build of the runtime reads.
+#pragma once
+
+#include <runtime/blob/plain_leaf.hpp>
+#include <runtime/blob/predicted_strip_leaf.hpp>
+#include <runtime/blob/read_profiles.hpp>
+#include <runtime/blob/strip_leaf.hpp>
+
+/// Every file that includes fragments (.inl) has included this header: where the macro is undefined, a fragment is
+/// parsed alone.
+#define ESPALIER_IN_INSTRUCTION_SET

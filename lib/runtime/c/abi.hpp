@@ -1,0 +1,126 @@
+// Conversions between espalier.h and C++.
+//
+// Most structures have one layout in both languages, so that one passes for the other without a copy:
+// tests/c/layouts_test.cpp proves it field by field. The attribute may_alias of the C structures announces it to
+// optimisers. A function of C is `return c(query(cpp(blob), cpp(shape)))`.
+//
+// espalier.h declares the functions extern "C", and the definitions in this folder inherit that. The option
+// -Wmissing-declarations reports one whose parameters differ from its declaration.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include <espalier/espalier.h>
+#include <espalier/espalier.hpp>
+
+namespace espalier::detail {
+
+/// Applies a macro to each structure of espalier_abi_sizes, in its order: `twin` if C and C++ have one layout for it,
+/// else `other`.
+// clang-format off
+#define ESPALIER_C_STRUCTURES(twin, other)                                                                    \
+    twin(yes_no, YesNo) twin(cursor, Cursor) twin(filled, Filled)                                             \
+    twin(vec3, Vec3) twin(triangle, Triangle) twin(segment, Segment) ESPALIER_SHAPES_(twin)                   \
+    twin(plane, Plane)                                                                                        \
+    twin(blob, Blob) twin(lattice, Lattice)                                                                   \
+    twin(edge_kinds, EdgeKinds) twin(edge_kinds_result, Result<EdgeKinds>)                                    \
+    twin(k_dop, KDop) twin(sphere_result, Result<Sphere>)                                                     \
+    twin(oriented_box_result, Result<OrientedBox>) twin(k_dop_result, Result<KDop>)                           \
+    twin(ray, Ray) twin(ray_hit, RayHit)                                                                      \
+    twin(original_triangle, OriginalTriangle) twin(original_triangle_result, Result<OriginalTriangle>)        \
+    twin(original_hit, OriginalHit)                                                                           \
+    other(convex_volume, ConvexVolume) twin(triangle_result, Result<Triangle>)                                \
+    twin(closest_point_result, ClosestPoint) twin(float_result, Result<float>) twin(sweep_hit, SweepHit)      \
+    twin(quaternion, Quaternion) twin(transform, Transform) twin(transform_result, Result<Transform>)         \
+    other(placed_blob, PlacedBlob) twin(pair_contact, PairContact) twin(blob_distance, BlobDistance)          \
+    twin(query_counters, QueryCounters) twin(distance_bounds_result, Result<DistanceBounds>)                  \
+    twin(tree_child, TreeChild) twin(tree_node, TreeNode)                                                     \
+    twin(lattice_point, LatticePoint) twin(lattice_box, LatticeBox) twin(lattice_segment, LatticeSegment)     \
+    twin(lattice_point_result, Result<LatticePoint>) twin(lattice_box_result, Result<LatticeBox>)             \
+    twin(lattice_hit, LatticeHit) twin(lattice_result, Result<Lattice>) twin(rounded_ray, RoundedRay)
+// clang-format on
+
+// Overloads without a body: what they return is the twin of what they take.
+#define ESPALIER_C_TWIN(name, Cpp) \
+    Cpp twin_of(espalier_##name);  \
+    espalier_##name twin_of(Cpp);
+#define ESPALIER_C_OTHER(name, Cpp)
+ESPALIER_C_STRUCTURES(ESPALIER_C_TWIN, ESPALIER_C_OTHER)
+ESPALIER_C_TWIN(triangle_id, TriangleId)
+#undef ESPALIER_C_OTHER
+#undef ESPALIER_C_TWIN
+
+/// The structure of the other language that has the layout of T.
+template <class T>
+using Twin = decltype(twin_of(std::declval<T>()));
+
+/// Returns the same object as its twin. Null stays null.
+template <class T>
+Twin<T>* twin(T* value) {
+    static_assert(sizeof(T) == sizeof(Twin<T>) && alignof(T) == alignof(Twin<T>));
+    return reinterpret_cast<Twin<T>*>(value);
+}
+template <class T>
+const Twin<T>* twin(const T* value) {
+    return twin(const_cast<T*>(value));
+}
+
+/// Returns an argument of C as C++ takes it: a pointer as a reference to the same object, a value as a copy, an array
+/// as a span.
+template <class T>
+auto cpp(T* value) -> decltype(*twin(value)) {
+    return *twin(value);
+}
+template <class T>
+constexpr Twin<T> cpp(const T& value) {
+    return std::bit_cast<Twin<T>>(value);
+}
+template <class T>
+auto cpp(T* values, std::size_t count) -> std::span<std::remove_pointer_t<decltype(twin(values))>> {
+    return {twin(values), count};
+}
+inline std::span<const std::byte> cpp(const void* bytes, std::size_t size) {
+    return {static_cast<const std::byte*>(bytes), size};
+}
+inline ConvexVolume cpp(const espalier_convex_volume* volume) { return {cpp(volume->planes, volume->plane_count)}; }
+inline PlacedBlob cpp(const espalier_placed_blob* placed) { return {cpp(placed->blob), cpp(&placed->transform)}; }
+
+/// Returns a result of C++ as C has it.
+template <class T>
+constexpr Twin<T> c(const T& value) {
+    return std::bit_cast<Twin<T>>(value);
+}
+template <class Enumeration>
+constexpr std::uint8_t c(Enumeration value) requires(std::is_enum_v<Enumeration>) {
+    return static_cast<std::uint8_t>(value);
+}
+
+/// Returns what C++ passes to a visitor as C takes it: an id as a number, other objects by their address.
+constexpr espalier_triangle_id passed(TriangleId triangle) { return triangle.index; }
+template <class T>
+const Twin<T>* passed(const T& value) {
+    return twin(&value);
+}
+
+/// Returns a visitor of C as the C++ queries take it. It stops at any result that Answer does not list.
+template <class Answer = Visit, class Function>
+auto visitor(Function* visit, void* user) {
+    return [=](const auto&... found) {
+        const int answer = visit(passed(found)..., user);
+        return answer >= 0 && answer < static_cast<int>(Answer::stop) ? static_cast<Answer>(answer) : Answer::stop;
+    };
+}
+
+/// A filter as the C++ queries take it; a null one keeps all triangles. It must outlive the call.
+struct Filter {
+    espalier_triangle_filter function;
+    void* user;
+    bool operator()(TriangleId triangle) const { return function == nullptr || function(triangle.index, user); }
+};
+
+}  // namespace espalier::detail

@@ -1,0 +1,36 @@
+// AVX-512: leaves and plain nodes sixteen lanes at a time, packed nodes, the ray itself and pairs as with AVX2.
+#include <runtime/instruction_sets/queries.hpp>
+#if ESPALIER_X86 && defined(__x86_64__)
+#include <runtime/lanes/avx512.hpp>
+
+ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
+namespace espalier::detail::avx2 {
+#include <runtime/rays/prepare_ray.inl>
+#include <runtime/rays/slab_test_avx2.inl>
+#include <runtime/proximity/squared_distance.inl>
+#include <runtime/proximity/point_nodes.inl>
+}  // namespace espalier::detail::avx2
+ESPALIER_END_TARGET
+
+ESPALIER_BEGIN_TARGET(ESPALIER_AVX512)
+namespace espalier::detail::avx512 {
+using avx2::distance_test;
+using avx2::overlap_test;
+using avx2::prepare;
+/// Not a using-declaration: where all sets are one file, avx2 has a test of plain nodes too.
+[[gnu::always_inline]] inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& ray, float limit,
+                                                 float* near) {
+    return avx2::slab_test(node, ray, limit, near);
+}
+#include <runtime/traversal/traverse.inl>
+#include <runtime/traversal/find.inl>
+#include <runtime/rays/float_vertices.inl>
+/// Registers hold all of a leaf.
+template <unsigned groups>
+using SeenVertices = FloatVertices<groups>;
+#include <runtime/proximity/squared_distance.inl>
+#include <runtime/instruction_sets/one_blob.inl>
+#include <runtime/rays/batch/batch.inl>
+}  // namespace espalier::detail::avx512
+ESPALIER_END_TARGET
+#endif

@@ -1,0 +1,7 @@
+// What each instruction set defines: the queries of rays, batches of rays, distances and two blobs.
+#pragma once
+
+#include <runtime/pairs/queries.hpp>
+#include <runtime/proximity/point_queries.hpp>
+#include <runtime/rays/batch/batch.hpp>
+#include <runtime/rays/queries.hpp>

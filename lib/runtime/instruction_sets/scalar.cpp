@@ -1,0 +1,32 @@
+// One lane, for every machine.
+#include <runtime/instruction_sets/queries.hpp>
+#include <runtime/lanes/scalar.hpp>
+#include <runtime/traversal/scalar_walk.hpp>
+
+namespace espalier::detail::scalar {
+using scalar_walk::find_each;
+using scalar_walk::find_nearest_first;
+#include <runtime/rays/prepare_ray_portable.inl>
+#include <runtime/rays/slab_test.inl>
+#include <runtime/traversal/traverse.inl>
+#include <runtime/traversal/query.inl>
+#include <runtime/rays/pair_vertices.inl>
+#include <runtime/proximity/squared_distance.inl>
+#include <runtime/proximity/point_nodes.inl>
+#include <runtime/instruction_sets/one_blob.inl>
+#include <runtime/pairs/all.inl>
+
+RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters& counters) {
+    return find_closest_hit(blob, world, nullptr, WalkAccuracy{-1, &counters});
+}
+
+// One ray after the other: a core without lanes has little to gain from company, and no stack for it.
+void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
+    closest_hits_one_by_one<single_rays::closest_hit>(blob, rays, hits, count);
+}
+
+void any_hits(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {
+    any_hits_one_by_one<single_rays::any_hit>(blob, rays, occluded, count);
+}
+
+}  // namespace espalier::detail::scalar

@@ -1,0 +1,145 @@
+// Boxes and triangles are closest at a side of the triangle, or where a corner of the box is nearest to the face; they
+// cross at a side of the triangle, or where a diagonal of the box crosses the face. Widths: docs/numerics.md.
+#include <runtime/kernels/triangle_distance.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// A place on a side: its direction times numerator / denominator, in units of 2^-fraction_bits, from its start on.
+struct Place {
+    std::int64_t numerator;
+    std::int64_t denominator;  ///< > 0
+
+    [[nodiscard]] bool is_before(const Place& other) const {
+        return numerator * other.denominator < other.numerator * denominator;
+    }
+};
+
+/// A side of the triangle, against a box.
+class SideAndBox {
+public:
+    /// `number`: 0 from corner a to b.
+    SideAndBox(const UnitSegment& diagonal, const LatticeTriangle& triangle, int number)
+        : box_(diagonal), bits_(diagonal.fraction_bits), side_(number) {
+        const std::int32_t* from = triangle.corner[number];
+        const std::int32_t* to = triangle.corner[number == 2 ? 0 : number + 1];
+        for (int k = 0; k < 3; ++k) {
+            start_[k] = std::int64_t{from[k]} << bits_;
+            edge_[k] = std::int64_t{to[k]} - from[k];
+        }
+    }
+
+    /// The squared distance along the side is convex and smooth, and a parabola between the places where a coordinate
+    /// enters or leaves the box: the signs of its slope there lead to the parabola with the minimum.
+    PointDistance closest(float& along) const {
+        Place low = {0, 1};
+        Place high = {std::int64_t{1} << bits_, 1};
+        along = 0.0f;
+        if (!slope(low).is_negative()) return at_end(low, vertex_of(side_));
+        along = 1.0f;
+        if (!(Int128(0) < slope(high))) return at_end(high, vertex_of(side_ == 2 ? 0 : side_ + 1));
+        for (int plane = 0; plane < 6; ++plane) {
+            const int k = plane / 2;
+            if (edge_[k] == 0) continue;
+            const std::int64_t to_plane = (plane % 2 == 0 ? box_.from[k] : box_.to[k]) - start_[k];
+            const bool backward = edge_[k] < 0;
+            const Place place = {negate_if(to_plane, backward), negate_if(edge_[k], backward)};
+            if (low.is_before(place) && place.is_before(high)) (slope(place).is_negative() ? low : high) = place;
+        }
+        // Coordinates that are in the box on all of the way from low to high do not count.
+        std::int64_t from_low[3], from_high[3];
+        gaps(low, from_low);
+        gaps(high, from_high);
+        std::int64_t offset[3], edge[3];
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t gap = from_low[k] != 0 ? from_low[k] : from_high[k];
+            offset[k] = gap == 0 ? 0 : start_[k] - (gap < 0 ? box_.from[k] : box_.to[k]);
+            edge[k] = gap == 0 ? 0 : edge_[k];
+        }
+        const Integer3 w = {offset[0], offset[1], offset[2]};
+        const Integer3 e = {edge[0], edge[1], edge[2]};
+        const std::int64_t length = dot<std::int64_t>(e, e);  // not 0: the slope changes its sign
+        along = minimum(-to_float(dot<std::int64_t>(w, e)) / to_float(length) * power_of_two(-bits_), 1.0f);
+        return point_triangle::squared_quotient(point_triangle::squared_length(cross(w, e)), length, edge_of(side_),
+                                                bits_);
+    }
+
+private:
+    [[nodiscard]] PointDistance at_end(const Place& end, Feature feature) const {
+        std::int64_t gap[3];
+        gaps(end, gap);
+        return point_triangle::squared_quotient(point_triangle::squared_length({gap[0], gap[1], gap[2]}), 1, feature,
+                                                bits_);
+    }
+    /// How far the side's coordinates are beyond the box at a place, times the denominator: below 0 where too low.
+    void gaps(const Place& place, std::int64_t* gap) const {
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t at = start_[k] * place.denominator + edge_[k] * place.numerator;
+            const std::int64_t below = at - box_.from[k] * place.denominator;
+            const std::int64_t above = at - box_.to[k] * place.denominator;
+            gap[k] = below < 0 ? below : above > 0 ? above : 0;
+        }
+    }
+    /// Half the slope of the squared distance, times the denominator.
+    [[nodiscard]] Int128 slope(const Place& place) const {
+        std::int64_t gap[3];
+        gaps(place, gap);
+        return multiply(gap[0], edge_[0]) + multiply(gap[1], edge_[1]) + multiply(gap[2], edge_[2]);
+    }
+
+    const UnitSegment& box_;
+    int bits_;
+    int side_;
+    std::int64_t start_[3];
+    std::int64_t edge_[3];
+};
+
+/// Of side `number`, 0 from a to b.
+ESPALIER_SHARED_CODE PointDistance distance_of_side(const UnitSegment& diagonal, const LatticeTriangle& triangle,
+                                                    int number, float& along) {
+    return SideAndBox(diagonal, triangle, number).closest(along);
+}
+
+}  // namespace
+
+UnitSegment diagonal_across(const UnitSegment& diagonal, const LatticeTriangle& triangle) noexcept {
+    const auto& c = triangle.corner;
+    const auto edge = [&](int to, int k) { return std::int64_t{c[to][k]} - c[0][k]; };
+    const Integer3 normal = cross({edge(1, 0), edge(1, 1), edge(1, 2)}, {edge(2, 0), edge(2, 1), edge(2, 2)});
+    const bool backward[3] = {normal.x < 0, normal.y < 0, normal.z < 0};
+    UnitSegment across;
+    across.fraction_bits = diagonal.fraction_bits;
+    for (int k = 0; k < 3; ++k) {
+        across.from[k] = backward[k] ? diagonal.to[k] : diagonal.from[k];
+        across.to[k] = backward[k] ? diagonal.from[k] : diagonal.to[k];
+    }
+    return across;
+}
+
+SegmentDistance distance_to_box(const UnitSegment& diagonal, const LatticeTriangle& triangle) noexcept {
+    SegmentDistance nearest = distance_to(diagonal_across(diagonal, triangle), triangle);
+    for (int i = 0; i < 3; ++i) {
+        float along = 0.0f;
+        const PointDistance side = distance_of_side(diagonal, triangle, i, along);
+        if (side.squared < nearest.squared) nearest = at_side(side.squared, 0.0f, i, along, side.feature);
+    }
+    return nearest;
+}
+
+bool is_within_radius_of_box(const UnitSegment& diagonal, const LatticeTriangle& triangle,
+                             const SegmentDistance& distance, float radius) noexcept {
+    const float squared = radius * radius;
+    if (distance.squared > squared * distance_slack) return false;
+    if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
+    if (radius == 0.0f) return false;
+    const UnitSegment across = diagonal_across(diagonal, triangle);
+    bool within = is_within_radius(across, triangle, distance_to(across, triangle), radius);
+    for (int i = 0; i < 3 && !within; ++i) {
+        float along = 0.0f;
+        within = is_within_radius(distance_of_side(diagonal, triangle, i, along), diagonal.fraction_bits, radius);
+    }
+    return within;
+}
+
+}  // namespace espalier::detail

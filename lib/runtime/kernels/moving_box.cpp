@@ -1,0 +1,248 @@
+// The kernel of boxes that move. Widths and roundings: docs/numerics.md.
+#include <runtime/base/float_bits.hpp>
+#include <runtime/base/wide_difference.hpp>
+#include <runtime/kernels/moving_box.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// A share of the way, not negative.
+struct Share {
+    Int128 numerator;
+    Int128 denominator;
+    float value;  ///< within 3 roundings
+};
+
+ESPALIER_SHARED_CODE Share share(Argument<Int128> numerator, Argument<Int128> denominator) {
+    return {numerator, denominator, to_float(numerator) / to_float(denominator)};
+}
+bool is_narrow(Argument<Int128> a) { return a.high == (static_cast<std::int64_t>(a.low) < 0 ? -1 : 0); }
+bool is_narrow(const Share& a) { return is_narrow(a.numerator) && is_narrow(a.denominator); }
+
+/// Exactly. Floats tell most often; but equal ones are no exception, as several axes often tell the same.
+ESPALIER_SHARED_CODE bool is_less(const Share& a, const Share& b) {
+    constexpr float slack = 1.0f + 0x1p-20f;
+    if (a.value * slack < b.value) return true;
+    if (b.value * slack < a.value) return false;
+    if (takes_shortcut(is_narrow(a) && is_narrow(b))) {
+        const auto word = [](const Int128& x) { return static_cast<std::int64_t>(x.low); };
+        return multiply(word(a.numerator), word(b.denominator)) < multiply(word(b.numerator), word(a.denominator));
+    }
+    return compare_products(a.numerator, b.denominator, b.numerator, a.denominator) < 0;
+}
+
+using Narrow = SufficientNumber<std::int64_t, Int128>;
+
+/// Along an axis: what box and triangle take up, and how far the box moves.
+template <class Number>
+struct Extents {
+    Number box_low, box_high, low, high, way;
+};
+
+/// When box and triangle are not separated by any of the axes tried so far.
+class Together {
+public:
+    /// Later than at that step is never.
+    explicit Together(SweepStep most) : latest_(share_of_way(most) * (1.0f + 0x1p-20f)) {}
+
+    /// False when there is no such time.
+    template <class Number>
+    bool try_axis(unsigned axis, const Extents<Number>& extents) {
+        const auto& [box_low, box_high, low, high, way] = extents;
+        const bool is_before = box_high < low;
+        const bool is_behind = high < box_low;
+        const bool is_apart = is_before || is_behind;
+        const bool runs_down = is_negative(way);
+        if (is_zero(way)) return !is_apart;
+        if (is_before ? runs_down : is_behind && !runs_down) return false;
+        const Number speed = negate_if(way, runs_down);
+        const Number to_enter = runs_down ? box_low - high : low - box_high;
+        const Number to_leave = runs_down ? box_high - low : high - box_low;
+        if (is_apart) {
+            if (speed < to_enter) return false;
+            const Share when = share(to_enter, speed);
+            if (when.value > latest_) return false;
+            enter(axis, when);
+        }
+        if (to_leave < speed) leave(share(to_leave, speed));  // else it is together until the end of the way
+        return !has_enter_ || !has_leave_ || !is_less(leave_, enter_);
+    }
+
+    [[nodiscard]] unsigned last_axis() const { return last_axis_; }
+    /// The first tick at or after the first contact.
+    [[nodiscard]] SweepStep step() const {
+        if (!has_enter_) return 0;
+        auto ticks = to_integer(enter_.value * 0x1p24f);
+        const Int128 whole = enter_.numerator << tick_bits;
+        const auto is_reached = [&](std::int64_t tick) { return !(multiply(enter_.denominator, tick) < whole); };
+        while (is_reached(ticks - 1)) --ticks;
+        while (!is_reached(ticks)) ++ticks;
+        return static_cast<SweepStep>(ticks);
+    }
+
+private:
+    void enter(unsigned axis, const Share& when) {
+        if (has_enter_ && !is_less(enter_, when)) return;
+        enter_ = when;
+        last_axis_ = axis;
+        has_enter_ = true;
+    }
+    void leave(const Share& when) {
+        if (has_leave_ && !is_less(when, leave_)) return;
+        leave_ = when;
+        has_leave_ = true;
+    }
+
+    float latest_;
+    bool has_enter_ = false;
+    bool has_leave_ = false;
+    unsigned last_axis_ = 0;
+    Share enter_{};  ///< the last
+    Share leave_{};  ///< the first
+};
+
+std::int64_t component(const Integer3& a, unsigned k) { return k == 0 ? a.x : k == 1 ? a.y : a.z; }
+std::int64_t smaller_of(std::int64_t a, std::int64_t b) { return a < b ? a : b; }
+std::int64_t larger_of(std::int64_t a, std::int64_t b) { return a > b ? a : b; }
+
+/// 0..2: coordinate axes; 3: the normal; 4..12: each side with each coordinate axis.
+Integer3 axis_of(const IntegerTriangle& triangle, unsigned axis) {
+    if (axis == 3) return normal_of(triangle);
+    const unsigned k = axis < 3 ? axis : (axis - 4) % 3;
+    const Integer3 unit = {k == 0 ? 1 : 0, k == 1 ? 1 : 0, k == 2 ? 1 : 0};
+    if (axis < 3) return unit;
+    const unsigned side = (axis - 4) / 3;
+    return cross(unit, triangle.corner[(side + 1) % 3] - triangle.corner[side]);
+}
+
+/// The normal in 128 bits, the other axes in narrow numbers.
+template <class Number>
+ESPALIER_SHARED_CODE bool try_axis(const MovingBox& box, const IntegerTriangle& triangle, unsigned number,
+                                   Together& together) {
+    const auto& c = triangle.corner;
+    const Integer3 axis = axis_of(triangle, number);
+    const auto pick = [&](const Integer3& where_up, const Integer3& where_down) {
+        return Integer3{axis.x < 0 ? where_down.x : where_up.x, axis.y < 0 ? where_down.y : where_up.y,
+                        axis.z < 0 ? where_down.z : where_up.z};
+    };
+    // A side is perpendicular to its products: its two corners are at the same place.
+    const unsigned side = number == 3 ? 0 : (number - 4) / 3;
+    const Number first = dot<Number>(axis, c[side]);
+    const Number second = number == 3 ? first : dot<Number>(axis, c[(side + 2) % 3]);
+    const bool is_up = first < second;
+    return together.try_axis<Number>(
+        number, {dot<Number>(axis, pick(box.low, box.high)), dot<Number>(axis, pick(box.high, box.low)),
+                 is_up ? first : second, is_up ? second : first, dot<Number>(axis, box.displacement)});
+}
+
+ESPALIER_SHARED_CODE bool try_coordinate_axis(const MovingBox& box, const IntegerTriangle& triangle, unsigned k,
+                                              Together& together) {
+    const auto& c = triangle.corner;
+    const std::int64_t first = component(c[0], k), second = component(c[1], k), third = component(c[2], k);
+    const Extents<Narrow> extents = {component(box.low, k), component(box.high, k),
+                                     smaller_of(first, smaller_of(second, third)),
+                                     larger_of(first, larger_of(second, third)), component(box.displacement, k)};
+    return together.try_axis(k, extents);
+}
+
+bool try_axes(const MovingBox& box, const IntegerTriangle& triangle, Together& together) {
+    for (unsigned k = 0; k < 3; ++k)
+        if (!try_coordinate_axis(box, triangle, k, together)) return false;
+    if (!try_axis<Int128>(box, triangle, 3, together)) return false;
+    for (unsigned number = 4; number < 13; ++number)
+        if (!try_axis<Narrow>(box, triangle, number, together)) return false;
+    return true;
+}
+
+struct Weights {
+    float u, v;
+};
+
+/// The part of the triangle that lies in a box, as a polygon of weights, cut down side by side (Sutherland and Hodgman
+/// 1974).
+class Clipped {
+public:
+    /// Keeps where the function that is so large at the corners is not negative.
+    void keep_positive(const float* at_corner) {
+        const auto at = [&](const Weights& w) {
+            return at_corner[0] + (w.u * (at_corner[1] - at_corner[0]) + w.v * (at_corner[2] - at_corner[0]));
+        };
+        Weights kept[capacity];
+        unsigned count = 0;
+        for (unsigned i = 0; i < count_; ++i) {
+            const Weights& from = corners_[i];
+            const Weights& to = corners_[i + 1 < count_ ? i + 1 : 0];
+            const float here = at(from);
+            const float there = at(to);
+            if (here >= 0.0f && count < capacity) kept[count++] = from;
+            if ((here < 0.0f) == (there < 0.0f) || count == capacity) continue;
+            const float along = here / (here - there);
+            kept[count++] = {from.u + along * (to.u - from.u), from.v + along * (to.v - from.v)};
+        }
+        if (count == 0) return;  // by rounding alone: what touches is not cut away
+        count_ = count;
+        for (unsigned i = 0; i < count; ++i) corners_[i] = kept[i];
+    }
+    [[nodiscard]] Weights middle() const {
+        Weights sum = {0.0f, 0.0f};
+        for (unsigned i = 0; i < count_; ++i) {
+            sum.u += corners_[i].u;
+            sum.v += corners_[i].v;
+        }
+        const auto count = static_cast<float>(count_);
+        return {flush_subnormal(sum.u / count), flush_subnormal(sum.v / count)};
+    }
+
+private:
+    static constexpr unsigned capacity = 9;  // each of six planes cuts one corner more
+    Weights corners_[capacity] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}};
+    unsigned count_ = 3;
+};
+
+Weights middle_of_overlap(const MovingBox& box, const IntegerTriangle& triangle, std::int64_t tick) {
+    Clipped clipped;
+    for (unsigned k = 0; k < 3; ++k) {
+        const std::int64_t way = component(box.displacement, k);
+        float above_low[3], below_high[3];
+        float largest = 0.0f;
+        for (unsigned i = 0; i < 3; ++i) {
+            const std::int64_t at = (component(triangle.corner[i], k) << tick_bits) - way * tick;
+            above_low[i] = to_float(at - (component(box.low, k) << tick_bits));
+            below_high[i] = to_float((component(box.high, k) << tick_bits) - at);
+            largest = maximum(maximum(absolute(above_low[i]), absolute(below_high[i])), largest);
+        }
+        const float slack = to_float(way < 0 ? -way : way) + largest * 0x1p-20f;
+        for (unsigned i = 0; i < 3; ++i) {
+            above_low[i] += slack;
+            below_high[i] += slack;
+        }
+        clipped.keep_positive(above_low);
+        clipped.keep_positive(below_high);
+    }
+    return clipped.middle();
+}
+
+}  // namespace
+
+SweepStep first_contact(const MovingBox& box, const IntegerTriangle& triangle, SweepStep most) noexcept {
+    Together together(most);
+    if (!try_axes(box, triangle, together)) return no_contact;
+    const SweepStep step = together.step();
+    return step <= most ? step : no_contact;
+}
+
+SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, SweepStep step) noexcept {
+    Together together(step);
+    (void)try_axes(box, triangle, together);
+    const Integer3 axis = axis_of(triangle, together.last_axis());
+    const float sign = dot<Int128>(axis, box.displacement).is_negative() ? 0x1p-30f : -0x1p-30f;
+    const float x = to_float(axis.x) * sign;
+    const float y = to_float(axis.y) * sign;
+    const float z = to_float(axis.z) * sign;
+    const float length = square_root(x * x + y * y + z * z);
+    const Weights middle = middle_of_overlap(box, triangle, tick_before(step));
+    return {middle.u, middle.v, {x / length, y / length, z / length}};
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,83 @@
+// The kernel of capsules that move: eight triangles and a sphere. Widths and roundings: docs/numerics.md.
+#include <runtime/kernels/moving_capsule.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// The prism's faces, all of them turned outward when the axis leads to the front of the triangle: the triangle, the
+/// triangle moved back by the axis, and three parallelograms in two halves each. A corner is one of the triangle's, and
+/// 4 more where it is moved.
+constexpr std::uint8_t faces_of_prism[8][3] = {{0, 1, 2}, {4, 6, 5}, {0, 5, 1}, {0, 4, 5},
+                                               {1, 6, 2}, {1, 5, 6}, {2, 4, 0}, {2, 6, 4}};
+
+IntegerTriangle face_of(const MovingCapsule& capsule, const IntegerTriangle& triangle, unsigned face) {
+    IntegerTriangle result;
+    for (unsigned i = 0; i < 3; ++i) {
+        const unsigned corner = faces_of_prism[face][i];
+        result.corner[i] = triangle.corner[corner & 3u];
+        if (corner >= 4) result.corner[i] = result.corner[i] - capsule.axis;
+    }
+    return result;
+}
+
+/// The faces of the prism that the sphere may meet first: those that look against the displacement, or all of them when
+/// the prism is flat. What touches a convex body for the first time, and did not before, touches such a face.
+class Faces {
+public:
+    Faces(const MovingCapsule& capsule, const IntegerTriangle& triangle) : capsule_(capsule), triangle_(triangle) {
+        const Int128 volume = dot<Int128>(normal_of(triangle), capsule.axis);
+        is_flat_ = volume.is_zero();
+        is_turned_ = volume.is_negative();
+    }
+    /// Whether there is a next one.
+    bool next() {
+        while (++number_ < 8) {
+            face_ = face_of(capsule_, triangle_, number_);
+            if (is_flat_) return number_ == 0 || !is_sphere();
+            const Int128 along = dot<Int128>(normal_of(face_), capsule_.sphere.displacement);
+            if (!along.is_zero() && along.is_negative() != is_turned_) return true;
+        }
+        return false;
+    }
+    [[nodiscard]] unsigned number() const { return number_; }
+    [[nodiscard]] const IntegerTriangle& face() const { return face_; }
+
+private:
+    /// Then all faces are parts of the first.
+    [[nodiscard]] bool is_sphere() const { return (capsule_.axis.x | capsule_.axis.y | capsule_.axis.z) == 0; }
+
+    const MovingCapsule& capsule_;
+    const IntegerTriangle& triangle_;
+    IntegerTriangle face_{};
+    unsigned number_ = ~0u;
+    bool is_flat_ = false;
+    bool is_turned_ = false;
+};
+
+}  // namespace
+
+SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep most) noexcept {
+    SweepStep first = no_contact;
+    for (Faces faces(capsule, triangle); faces.next();) {
+        const SweepStep step = first_contact(capsule.sphere, faces.face(), most);
+        if (step >= first) continue;
+        first = step;
+        most = step;
+    }
+    return first;
+}
+
+SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep step) noexcept {
+    // Of the faces that are met first the earliest, as above.
+    Faces faces(capsule, triangle);
+    while (faces.next() && first_contact(capsule.sphere, faces.face(), step) > step) {
+    }
+    const SweepContact on_face = contact_at(capsule.sphere, faces.face(), tick_before(step));
+    const float weights[3] = {1.0f - on_face.u - on_face.v, on_face.u, on_face.v};
+    float of_corner[3] = {0.0f, 0.0f, 0.0f};
+    for (unsigned i = 0; i < 3; ++i) of_corner[faces_of_prism[faces.number()][i] & 3u] += weights[i];
+    return {of_corner[1], of_corner[2], on_face.normal};
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,60 @@
+// How nodes become lanes: the constants of all three axes are made in one register, then spread.
+#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/lanes/alone.hpp>
+#endif
+
+/// The shifts of all three axes, each in the place of a float's exponent: adding one multiplies by its power of two.
+inline AxisInts load_shifts(const PackedNode& node) {
+    // They lie in the low half of this word, 5 bits each.
+    return shift_left_each<23, 18, 13>(node.bytes + format::packed_node::shifts_at) & (31 << 23);
+}
+inline Axes load_scales(const PackedNode& node) { return __builtin_bit_cast(Axes, load_shifts(node) + (127 << 23)); }
+/// In the units that bases count in.
+inline Axes load_bases(const PackedNode& node) { return words_to_axes(node.bytes + format::packed_node::base_at); }
+
+/// The low corner of a child's box, seen from a ray's origin.
+struct Corner {
+    Axes at;
+};
+[[gnu::always_inline]] inline Corner load_low_corner(const PackedNode& node, unsigned child, const BlobData& blob,
+                                                     const LatticeRay& ray) {
+    const std::uint32_t bytes = load_u8(node.low_planes(0) + child) | load_u8(node.low_planes(1) + child) << 8 |
+                                load_u8(node.low_planes(2) + child) << 16;
+    const Axes origin = __builtin_convertvector(load_as<AxisInts>(ray.origin), Axes) * power_of_two(-ray.fraction_bits);
+    // The corner of a leaf's box is a lattice point of the asset, and `open` proved it: each difference here is exact.
+    return {multiply_add(bytes_to_axes(bytes), load_scales(node), load_bases(node) * blob.base_unit - origin)};
+}
+
+/// The three axes to all lanes each.
+inline void spread(Axes a, Floats* to) {
+    to[0] = splat(a[0]);
+    to[1] = splat(a[1]);
+    to[2] = splat(a[2]);
+}
+
+/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
+struct Frame {
+    Floats scale[3];
+    Floats base[3];
+};
+inline Frame load_frame(const PackedNode& node, const BlobData& blob) {
+    Frame frame;
+    spread(load_scales(node), frame.scale);
+    spread(load_bases(node) * blob.base_unit, frame.base);
+    return frame;
+}
+
+/// The planes of a node as tau along a ray: plane * scale + offset.
+struct SlabFrame {
+    Floats scale[3];
+    Floats near_offset[3];
+    Floats far_offset[3];
+};
+inline SlabFrame load_slab_frame(const PackedNode& node, const RayLanes& ray) {
+    const Axes steps = load_bases(node) * load_as<Axes>(ray.base_inverse);
+    SlabFrame frame;
+    spread(__builtin_bit_cast(Axes, load_shifts(node) + load_as<AxisInts>(ray.inverse)), frame.scale);
+    spread(steps + load_as<Axes>(ray.near_offset), frame.near_offset);
+    spread(steps + load_as<Axes>(ray.far_offset), frame.far_offset);
+    return frame;
+}

@@ -1,0 +1,16 @@
+// The headers that the instruction sets and the fragments (.inl) of this folder need.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <runtime/base/float_bits.hpp>
+#include <runtime/blob/duplicate_references.hpp>
+#include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/blob/vertex_word.hpp>
+#include <runtime/lanes/prepared_ray.hpp>
+#include <runtime/lanes/target.hpp>
+#include <runtime/lanes/unpack_table.hpp>
+#include <runtime/lanes/vector.hpp>

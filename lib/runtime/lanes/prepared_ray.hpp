@@ -1,0 +1,197 @@
+// What the slab tests of all instruction sets share: a ray prepared once for all the nodes that it visits.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include <espalier/blob.hpp>
+#include <espalier/format.hpp>
+#include <runtime/base/small_code.hpp>
+#include <runtime/blob/node.hpp>
+#include <runtime/lattice/round_ray.hpp>
+
+namespace espalier::detail {
+
+/// Which planes of a node a ray enters and leaves through, as offsets into the node: for each axis, by the direction's
+/// sign.
+struct alignas(8) PlaneOrder {
+    std::uint8_t near_at[3];
+    std::uint8_t far_at[3];
+};
+/// By the signs of the direction: bit k is set where axis k runs down.
+constexpr std::array<PlaneOrder, 8> order_planes(std::size_t lo_at, std::size_t hi_at, std::size_t row_bytes) {
+    std::array<PlaneOrder, 8> orders{};
+    // mutant(< -> <= 1) compiler: writes behind a table at compile time, which is an error
+    for (unsigned signs = 0; signs < 8; ++signs)
+        for (unsigned k = 0; k < 3; ++k) {
+            const bool down = (signs >> k & 1u) != 0;
+            orders[signs].near_at[k] = static_cast<std::uint8_t>((down ? hi_at : lo_at) + row_bytes * k);
+            orders[signs].far_at[k] = static_cast<std::uint8_t>((down ? lo_at : hi_at) + row_bytes * k);
+        }
+    return orders;
+}
+inline constexpr std::array<PlaneOrder, 8> packed_plane_orders =
+    order_planes(format::packed_node::lo_at, format::packed_node::hi_at, format::packed_node::row_bytes);
+inline constexpr std::array<PlaneOrder, 8> plain_plane_orders =
+    order_planes(format::plain_node::lo_at, format::plain_node::hi_at, format::plain_node::row_bytes);
+
+/// tau of a plane is (base + plane * 2^shift - origin) * inverse; here it is plane * (2^shift * inverse) + (base *
+/// inverse + offset), with offsets that move the planes outward by more than all of it can round (docs/numerics.md):
+/// then a box that contains the hit is never refused. Vectors have a fourth element that means nothing.
+struct RayLanes {
+    alignas(16) float inverse[4];
+    alignas(16) float base_inverse[4];  ///< the same for the units that a node's base or planes count in
+    alignas(16) float near_offset[4];
+    alignas(16) float far_offset[4];
+    float tau_min;  ///< not -0
+    PlaneOrder planes;
+
+    static constexpr const std::array<PlaneOrder, 8>& plane_orders() { return packed_plane_orders; }
+    /// How far boxes reach beyond their planes, in lattice steps.
+    static float box_slack(const BlobData&) { return 0.0f; }
+    /// Sets an axis but for its offsets.
+    void set_inverse(const BlobData& blob, unsigned k, float of_step) {
+        inverse[k] = of_step;
+        base_inverse[k] = of_step * blob.base_unit;
+    }
+    /// Where coordinate 0 and the asset's other end are on an axis, but for the offsets.
+    [[nodiscard]] static float low(unsigned) { return 0.0f; }
+    [[nodiscard]] float high(const BlobData& blob, unsigned k) const { return blob.extent_steps[k] * inverse[k]; }
+};
+/// The same for plain nodes: a plane is a coordinate, tau is plane * base_inverse + offset.
+struct PlainRayLanes : RayLanes {
+    static constexpr const std::array<PlaneOrder, 8>& plane_orders() { return plain_plane_orders; }
+    /// High planes stand for all coordinates up to the next one's.
+    static float box_slack(const BlobData& blob) { return blob.base_unit - 1.0f; }
+};
+
+template <class Lanes>
+inline void spread_ray(const BlobData& blob, const LatticeRay& ray, const RaySlope& slope, Lanes& lanes) {
+    const float slack_steps = slope.slack_steps + Lanes::box_slack(blob);
+    unsigned signs = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        lanes.set_inverse(blob, k, slope.inverse[k]);
+        const float middle = -origin_steps(ray, k) * slope.inverse[k] - lanes.low(k);
+        const float slack = absolute(slope.inverse[k]) * slack_steps;
+        lanes.near_offset[k] = middle - slack;
+        lanes.far_offset[k] = middle + slack;
+        signs |= (static_cast<std::uint32_t>(ray.direction[k]) >> 31) << k;
+    }
+    lanes.tau_min = ray.tau_min + 0.0f;
+    lanes.planes = Lanes::plane_orders()[signs];
+}
+
+/// Whether the ray meets the asset's box, widened like the planes of a node.
+template <class Lanes>
+inline bool meets_asset(const BlobData& blob, const LatticeRay& ray, const Lanes& lanes) {
+    float enter = ray.tau_min;
+    float leave = infinity;
+    for (unsigned k = 0; k < 3; ++k) {
+        const float low = lanes.low(k), high = lanes.high(blob, k);
+        enter = maximum(minimum(high, low) + lanes.near_offset[k], enter);
+        leave = minimum(maximum(high, low) + lanes.far_offset[k], leave);
+    }
+    return enter <= leave;
+}
+
+/// What the slab tests of a kind of node need, where an instruction set has no way of its own.
+template <class Node>
+struct RayLanesFor {
+    using Type = RayLanes;
+};
+template <>
+struct RayLanesFor<PlainNode> {
+    using Type = PlainRayLanes;
+};
+template <class Node>
+using RayLanesOf = typename RayLanesFor<Node>::Type;
+
+inline void set_zero(LatticeRay& ray) {
+    for (unsigned k = 0; k < 3; ++k) ray.zero[k] = -origin_steps(ray, k);
+}
+
+/// All that the queries need of a ray; `Lanes` are what the slab test needs.
+template <class Lanes>
+struct PreparedRayIn {
+    LatticeRay ray;
+    Lanes in_lanes;
+
+    [[nodiscard]] const Lanes& lanes() const { return in_lanes; }
+};
+
+/// False when the ray can hit nothing.
+template <class Lanes>
+inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
+    RaySlope slope;
+    if (!round_ray(blob, world, prepared.ray, slope)) return false;
+    set_zero(prepared.ray);
+    spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
+    return meets_asset(blob, prepared.ray, prepared.in_lanes);
+}
+
+/// The same for a ray that was rounded before.
+template <class Lanes>
+inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
+    static_cast<IntegerRay&>(prepared.ray) = given.ray;
+    float origin[3];
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
+    for (unsigned k = 0; k < 3; ++k) origin[k] = origin_steps(given.ray, k);
+    RaySlope slope;
+    set_slope(prepared.ray, std::bit_cast<float>(lattice_ray::reach_bits(origin, blob)), slope);
+    set_zero(prepared.ray);
+    spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
+    return meets_asset(blob, prepared.ray, prepared.in_lanes);
+}
+
+// Planes of a node as floats that no conversion makes, for the slab tests of instruction sets that gain by it.
+
+/// Lattice coordinates as floats, without a conversion: coordinate * 2^-(bits + 1) + 1. Its mantissa is the coordinate
+/// in 22 bits, so the float's bits are a sum of shifted integers. From 23 bits on the lowest bits are cut off.
+namespace placed {
+
+inline constexpr unsigned mantissa_bits = 22;
+inline constexpr std::uint32_t one = 0x3F800000u;  ///< the bits of coordinate 0
+/// A plane, in the top byte of a word, is shifted right by at least this: then no plane overflows, and planes that
+/// are as far apart as the lattice is large still leave it.
+inline constexpr std::uint32_t least_shift = 24 - mantissa_bits;
+/// How far slab tests move planes outward for the roundings of placed coordinates, in units of the mantissa.
+inline constexpr float slack_units = 3.0f;
+
+/// How far a node's base is shifted left.
+// mutant(< -> <=) equivalent: both sides are equal then
+constexpr std::uint32_t base_shift(unsigned bits) { return mantissa_bits - (bits < 16 ? bits : 16u); }
+/// How far a plane in a word's top byte is shifted right, less the shift of its axis.
+constexpr std::uint32_t plane_shift(unsigned bits) { return bits + least_shift; }
+/// A unit of the mantissa, in lattice steps.
+constexpr float unit(unsigned bits) { return power_of_two(static_cast<int>(bits) - static_cast<int>(mantissa_bits)); }
+/// By how much a placed coordinate grows in a lattice step, and the inverse.
+// mutant(- -> +, - -> right side dropped) work: widens the asset's box alone; nodes refuse the ray later
+constexpr float step(unsigned bits) { return power_of_two(-1 - static_cast<int>(bits)); }
+constexpr float steps_to_one(unsigned bits) { return power_of_two(1 + static_cast<int>(bits)); }
+
+}  // namespace placed
+
+/// As RayLanes, for placed coordinates: tau of a plane is placed coordinate * inverse + offset.
+struct PlacedRayLanes {
+    alignas(16) float inverse[4];
+    alignas(16) float near_offset[4];
+    alignas(16) float far_offset[4];
+    float tau_min;  ///< not -0
+    std::uint32_t base_shift, plane_shift;
+    PlaneOrder planes;
+
+    static constexpr const std::array<PlaneOrder, 8>& plane_orders() { return packed_plane_orders; }
+    static float box_slack(const BlobData& blob) { return placed::slack_units * placed::unit(blob.bits); }
+    void set_inverse(const BlobData& blob, unsigned k, float of_step) {
+        inverse[k] = of_step * placed::steps_to_one(blob.bits);
+        base_shift = placed::base_shift(blob.bits);
+        plane_shift = placed::plane_shift(blob.bits);
+    }
+    [[nodiscard]] float low(unsigned k) const { return inverse[k]; }
+    [[nodiscard]] float high(const BlobData& blob, unsigned k) const {
+        return blob.extent_steps[k] * placed::step(blob.bits) * inverse[k] + inverse[k];
+    }
+};
+
+}  // namespace espalier::detail

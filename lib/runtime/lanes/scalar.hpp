@@ -1,0 +1,140 @@
+// The vocabulary of the lanes, one lane wide: for every machine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <runtime/base/bytes.hpp>
+#include <runtime/base/float_bits.hpp>
+#include <runtime/blob/duplicate_references.hpp>
+#include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/lanes/prepared_ray.hpp>
+
+namespace espalier::detail::scalar {
+
+inline constexpr unsigned lanes = 1;
+using Floats = float;
+using Ints = std::uint32_t;
+using SignedInts = std::int32_t;
+using Compared = Floats;
+/// A vertex for each lane, and the three vertices of a triangle in each.
+using Numbers = Ints;
+struct CornerNumbers {
+    Numbers a, b, c;
+};
+
+inline unsigned bits_of(bool comparison) { return comparison ? 1u : 0u; }
+inline void store(float* to, Floats a) { *to = a; }
+
+#include <runtime/lanes/arithmetic.inl>
+
+/// a * b + c and a * b - c: fused or not, as the machine likes.
+inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
+inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return a * b - c; }
+inline Floats magnitude(Floats a) { return absolute(a); }
+inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
+inline Floats to_floats(Ints a) { return static_cast<float>(a); }
+inline Ints load_bytes(const std::byte* at) { return load_u8(at); }
+inline Ints load_words(const std::byte* at) { return load_u16(at); }
+inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { return load_field(stream, width, first); }
+/// The low halves of the bits of two floats, as one word.
+inline Ints pair_of(Floats x, Floats y) {
+    return (std::bit_cast<std::uint32_t>(x) & 0xFFFFu) | std::bit_cast<std::uint32_t>(y) << 16;
+}
+/// x of p times y of q less y of p times x of q, of pairs of integers: exact within +-32767.
+inline SignedInts cross_pairs(Ints p, Ints q) {
+    const auto x = [](Ints pair) { return std::int32_t{static_cast<std::int16_t>(pair)}; };
+    const auto y = [](Ints pair) { return static_cast<std::int32_t>(pair) >> 16; };
+    return x(p) * y(q) - y(p) * x(q);
+}
+/// The same for all of |a| + |b| + |c|: the sum of both coordinates' times the weight, below 2^15.
+inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) {
+    const auto magnitudes = [](Ints pair) {
+        const std::int32_t x = static_cast<std::int16_t>(pair), y = static_cast<std::int32_t>(pair) >> 16;
+        return (x < 0 ? -x : x) + (y < 0 ? -y : y);
+    };
+    const std::int32_t sum = magnitudes(a) + magnitudes(b) + magnitudes(c);
+    return (sum < 0xFFFF ? sum : 0xFFFF) * weight;
+}
+inline Ints load_ints(const std::uint32_t* from) { return *from; }
+inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
+inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
+inline void store(std::uint32_t* to, Ints a) { *to = a; }
+inline void prefetch(const std::byte*) {}
+
+/// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
+inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {
+    return static_cast<float>(
+        static_cast<std::int32_t>((std::int64_t{row[0]} * vertex[0] + std::int64_t{row[1]} * vertex[1] +
+                                   std::int64_t{row[2]} * vertex[2] + moved) >>
+                                  fraction_bits));
+}
+
+/// Values by vertex.
+template <unsigned groups, class Value = Floats>
+struct Table {
+    Value value[groups];
+    static unsigned groups_of(unsigned vertex_count) { return vertex_count; }
+    void set(unsigned group, Value a) { value[group] = a; }
+    [[nodiscard]] Value look_up(Ints index) const { return value[index]; }
+    template <unsigned>
+    [[nodiscard]] Value look_up_among(Ints index) const {
+        return value[index];
+    }
+};
+/// Pairs of integers by vertex.
+template <unsigned groups>
+using PairTable = Table<groups, Ints>;
+template <unsigned max_vertices, class Function>
+constexpr auto with_table_groups(unsigned, Function function) {
+    return function(std::integral_constant<unsigned, max_vertices>{});
+}
+
+#include <runtime/lanes/strip_corners_portable.inl>
+#include <runtime/lanes/leaf_corners.inl>
+
+/// The low corner of a child's box, seen from a ray's origin.
+struct Corner {
+    float at[3];
+};
+inline Corner load_low_corner(const PackedNode& node, unsigned child, const BlobData& blob, const LatticeRay& ray) {
+    Corner corner;
+    // mutant(< -> <=) sanitizer: writes a fourth coordinate behind three, which is never read
+    for (int k = 0; k < 3; ++k)
+        corner.at[k] = static_cast<float>(node.low(k, child, blob.bits)) - origin_steps(ray, static_cast<unsigned>(k));
+    return corner;
+}
+
+/// A node's frame: plane * scale + base is a lattice coordinate, exactly.
+struct Frame {
+    Floats scale[3];
+    Floats base[3];
+};
+inline Frame load_frame(const PackedNode& node, const BlobData& blob) {
+    Frame frame;
+    for (int k = 0; k < 3; ++k) {
+        frame.scale[k] = power_of_two(static_cast<int>(node.shift(k)));
+        frame.base[k] = static_cast<float>(node.base(k, blob.bits));
+    }
+    return frame;
+}
+
+/// The planes of a node as tau along a ray: plane * scale + offset.
+struct SlabFrame {
+    Floats scale[3];
+    Floats near_offset[3];
+    Floats far_offset[3];
+};
+inline SlabFrame load_slab_frame(const PackedNode& node, const RayLanes& ray) {
+    SlabFrame frame;
+    for (int k = 0; k < 3; ++k) {
+        const float base = static_cast<float>(node.base(k, 0)) * ray.base_inverse[k];
+        frame.scale[k] = power_of_two(static_cast<int>(node.shift(k))) * ray.inverse[k];
+        frame.near_offset[k] = base + ray.near_offset[k];
+        frame.far_offset[k] = base + ray.far_offset[k];
+    }
+    return frame;
+}
+
+}  // namespace espalier::detail::scalar

@@ -1,0 +1,85 @@
+// Selects the instruction set that queries run on.
+#pragma once
+
+#include <cstdint>
+
+#include <runtime/base/small_code.hpp>
+
+#if ESPALIER_X86
+#include <cpuid.h>
+#endif
+
+/// The instruction set of all queries, where it is known without a test of the processor.
+#if ESPALIER_NEON
+#define ESPALIER_ONLY_SET neon
+#elif ESPALIER_SIMD128
+#define ESPALIER_ONLY_SET simd128
+#else
+#define ESPALIER_ONLY_SET scalar
+#endif
+
+/// Expands a macro for each instruction set of this program, as in each header that declares what all of them define.
+/// Queries of two blobs are not defined for AVX-512.
+#if ESPALIER_X86
+#define ESPALIER_FOR_SETS_WITH_PAIRS(declare) declare(scalar) declare(sse42) declare(avx2)
+#else
+#define ESPALIER_FOR_SETS_WITH_PAIRS(declare) declare(scalar) declare(ESPALIER_ONLY_SET)
+#endif
+#if ESPALIER_X86 && defined(__x86_64__)
+#define ESPALIER_FOR_ALL_SETS(declare) ESPALIER_FOR_SETS_WITH_PAIRS(declare) declare(avx512)
+#else
+#define ESPALIER_FOR_ALL_SETS(declare) ESPALIER_FOR_SETS_WITH_PAIRS(declare)
+#endif
+
+namespace espalier::detail {
+
+enum class InstructionSet : std::uint8_t { scalar, sse42, avx2, avx512, neon, simd128 };
+
+#if ESPALIER_X86
+
+/// Returns the best set that the processor and the operating system support.
+inline InstructionSet detect_instruction_set() {
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    if (__get_cpuid(1, &a, &b, &c, &d) == 0) return InstructionSet::scalar;
+    constexpr unsigned ssse3 = 1u << 9, sse41 = 1u << 19, sse42 = 1u << 20, popcnt = 1u << 23;
+    constexpr unsigned fma = 1u << 12, os_saves = 1u << 27, avx = 1u << 28;
+    if ((c & (ssse3 | sse41 | sse42 | popcnt)) != (ssse3 | sse41 | sse42 | popcnt)) return InstructionSet::scalar;
+    if ((c & (fma | os_saves | avx)) != (fma | os_saves | avx)) return InstructionSet::sse42;
+    unsigned saved = 0, saved_high = 0;
+    __asm__("xgetbv" : "=a"(saved), "=d"(saved_high) : "c"(0));
+    if ((saved & 6u) != 6u || __get_cpuid_count(7, 0, &a, &b, &c, &d) == 0) return InstructionSet::sse42;
+    constexpr unsigned bmi1 = 1u << 3, avx2 = 1u << 5, bmi2 = 1u << 8;
+    if ((b & (bmi1 | avx2 | bmi2)) != (bmi1 | avx2 | bmi2)) return InstructionSet::sse42;
+    if (__get_cpuid(0x80000001u, &a, &b, &c, &d) == 0 || (c & (1u << 5)) == 0) return InstructionSet::sse42;  // lzcnt
+#if defined(__x86_64__)
+    // Ice Lake, Zen 4 and later: registers of 512 bits, and within them bytes that are moved and expanded.
+    constexpr unsigned high_state = 0xE0,
+                       all_of_7 = 1u << 16 | 1u << 17 | 1u << 28 | 1u << 30 | 1u << 31;  // F DQ CD BW VL
+    constexpr unsigned vbmi = 1u << 1, vbmi2 = 1u << 6;
+    __get_cpuid_count(7, 0, &a, &b, &c, &d);
+    if ((saved & high_state) == high_state && (b & all_of_7) == all_of_7 && (c & (vbmi | vbmi2)) == (vbmi | vbmi2))
+        return InstructionSet::avx512;
+#endif
+    return InstructionSet::avx2;
+}
+
+/// 0 until it is detected, else the set + 1. Tests write it to run every query on a lesser set.
+inline std::uint8_t known_instruction_set = 0;
+
+/// Detects the set once, since cpuid is slow on virtual machines. Threads that race here store the same value.
+inline InstructionSet instruction_set() {
+    std::uint8_t value = __atomic_load_n(&known_instruction_set, __ATOMIC_RELAXED);
+    if (value == 0) {
+        value = static_cast<std::uint8_t>(static_cast<unsigned>(detect_instruction_set()) + 1u);
+        __atomic_store_n(&known_instruction_set, value, __ATOMIC_RELAXED);
+    }
+    return static_cast<InstructionSet>(value - 1);
+}
+
+#else
+
+constexpr InstructionSet instruction_set() { return InstructionSet::ESPALIER_ONLY_SET; }
+
+#endif
+
+}  // namespace espalier::detail

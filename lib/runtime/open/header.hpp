@@ -1,0 +1,22 @@
+// The beginning of open() and open_unchecked(). Nothing but the header is trusted, nothing outside the bytes is read.
+#pragma once
+
+#include <cstddef>
+
+#include <espalier/blob.hpp>
+#include <espalier/status.hpp>
+
+namespace espalier::detail {
+
+/// Reads the fields that give the others a meaning: magic, version, size. The checksum is read and not compared.
+OpenStatus read_version_and_size(const std::byte* bytes, std::size_t size, BlobData& blob);
+/// Reads the rest of the header, checks each rule of it, and locates the sections.
+OpenStatus read_header(BlobData& blob);
+/// Sets the pointers to the sections, which together are the blob. Of their contents it reads only the number of copies
+/// and, if `looks_at_padding`, the zero bits that sections end with.
+OpenStatus locate_sections(BlobData& blob, bool looks_at_padding);
+
+/// Makes the blob empty and stores why. Out of line, so that small cores have the code once.
+[[gnu::noinline]] void refuse(BlobData& blob, OpenStatus status);
+
+}  // namespace espalier::detail

@@ -1,0 +1,226 @@
+// The proof that every query on a blob is safe. One pass over the bytes in the order in which they are stored; the only
+// place that checks anything but the header, which header.cpp does.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <espalier/blob.hpp>
+#include <runtime/base/bytes.hpp>
+#include <runtime/blob/checksum.hpp>
+#include <runtime/blob/duplicate_references.hpp>
+#include <runtime/blob/id_steps.hpp>
+#include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/blob/read_profiles.hpp>
+#include <runtime/open/checks.hpp>
+#include <runtime/open/header.hpp>
+#include <runtime/traversal/scalar_walk.hpp>
+
+namespace espalier {
+namespace detail {
+namespace {
+
+/// A box for each child. There is at least one, and there are no more than a node holds.
+[[maybe_unused]] bool has_sound_boxes(const PackedNode& node, unsigned children, const BlobData&) {
+    using namespace format::packed_node;
+    if (load_u16(node.bytes + shifts_at) >> 15 != 0) return false;
+    for (unsigned shifts = load_u16(node.bytes + shifts_at); shifts != 0; shifts >>= 5)
+        if ((shifts & 31u) > max_shift) return false;
+    for (unsigned plane = 0; plane < 3 * max_children; ++plane) {
+        const std::uint32_t low = load_u8(node.bytes + lo_at + plane);
+        const std::uint32_t high = load_u8(node.bytes + hi_at + plane);
+        if (low > high || (plane % max_children >= children && high != 0)) return false;
+    }
+    return true;
+}
+[[maybe_unused]] bool has_sound_boxes(const PlainNode& node, unsigned children, const BlobData& blob) {
+    using namespace format::plain_node;
+    for (int k = 0; k < 3; ++k) {
+        const std::uint32_t most = static_cast<std::uint32_t>(blob.extent[k]) >> format::unit_shift(blob.bits);
+        for (unsigned child = 0; child < max_children; ++child) {
+            const std::uint32_t low = load_u16(node.low_planes(k) + 2 * std::size_t{child});
+            const std::uint32_t high = load_u16(node.high_planes(k) + 2 * std::size_t{child});
+            if (low > high || high > (child < children ? most : 0)) return false;
+        }
+    }
+    return is_zero(node.bytes + reserved_at, bytes - reserved_at);
+}
+
+/// Every node exactly once, children after their parents, in depth-first order with a stack as deep as the format
+/// allows.
+template <class Node>
+OpenStatus check_tree(const BlobData& blob) {
+    struct Siblings {
+        std::uint32_t next;
+        std::uint32_t end;
+    };
+    Siblings stack[format::max_depth + 1];
+    OpenProgress seen = {blob};
+    std::uint32_t seen_nodes = 1;  // the root, then every block of siblings when their parent is reached
+    unsigned seen_depth = 0;
+    unsigned depth = 1;
+    stack[1 - 1] = {0, 1};
+    while (depth != 0) {
+        Siblings& siblings = stack[depth - 1];
+        if (siblings.next == siblings.end) {
+            --depth;
+            continue;
+        }
+        if (depth > blob.depth) return OpenStatus::bad_node;
+        // mutant(> -> >=) equivalent: both sides are equal then
+        seen_depth = depth > seen_depth ? depth : seen_depth;
+        const auto node = node_at<Node>(blob, siblings.next++);
+        const unsigned nodes = node.node_children();
+        const unsigned leaves = node.leaf_children();
+        const unsigned children = nodes + leaves;
+        if (children == 0 || children > Node::max_children || !has_sound_boxes(node, children, blob) ||
+            node.first_child() != (nodes == 0 ? 0 : seen_nodes) || nodes > blob.node_count - seen_nodes ||
+            node.leaf_block_place() != (leaves == 0 ? 0 : seen.leaf_bytes / 4))
+            return OpenStatus::bad_node;
+        if (!take_leaves(node, seen)) return OpenStatus::bad_leaf;
+        stack[depth++] = {seen_nodes, seen_nodes + nodes};
+        seen_nodes += nodes;
+    }
+    if (seen_nodes != blob.node_count || seen_depth != blob.depth) return OpenStatus::bad_node;
+    if (seen.triangles != blob.triangle_count || seen.leaf_bytes != blob.leaf_bytes) return OpenStatus::bad_leaf;
+    return OpenStatus::ok;
+}
+
+/// Whether a block's bits end before `bit_count`, and every number that they lead to is one that the sources can have.
+/// `walk` is then behind them.
+bool are_steps_sound(IdWalk& walk, std::uint32_t triangles, std::uint32_t bit_count) {
+    const std::uint32_t limit = number_limit(walk.blob);
+    if (static_cast<std::uint32_t>(std::bit_width(walk.mask)) > bit_count) return false;
+    walk.begin();
+    for (;;) {
+        if (walk.recent[0] >= limit) return false;
+        if (--triangles == 0) return true;
+        if (walk.find_kind() > bit_count - walk.fields.bit) return false;
+        walk.take_step();
+    }
+}
+
+bool is_kind_sound(const BlobData& blob, const std::byte* kind) {
+    using namespace format::ids;
+    const std::uint32_t places = load_u8(kind + from_at) | load_u8(kind + replaced_at);
+    static_assert(std::has_single_bit(recent_numbers));
+    return load_u8(kind + width_at) <= static_cast<std::uint32_t>(std::bit_width(number_mask(blob))) &&
+           load_u8(kind + prefix_at) <= blob.id_kind_bits && places < recent_numbers;
+}
+
+/// The bits of each block begin where those of the block before it end.
+bool are_numbers_sound(const BlobData& blob) {
+    using namespace format::ids;
+    constexpr std::uint32_t max_bytes_of_a_block = block_triangles * (max_kind_bits + 32) / 8;
+    const std::uint32_t step_bytes = load_u32(blob.bytes + format::header::id_step_bytes_at);
+    for (std::uint32_t kind = 0; kind >> blob.id_kind_bits == 0; ++kind)
+        if (!is_kind_sound(blob, id_kind(blob, kind))) return false;
+    std::uint32_t begin = 0;
+    for (std::uint32_t first = 0; first < blob.triangle_count; first += block_triangles) {
+        if (load_u32(id_block(blob, first / block_triangles)) != begin) return false;
+        const std::uint32_t left = blob.triangle_count - first;
+        const std::uint32_t bytes_left = step_bytes - begin;
+        IdWalk walk(blob, begin);
+        // mutant(< -> <= 1, < -> <= 2) equivalent: both sides are equal then
+        if (!are_steps_sound(walk, left < block_triangles ? left : block_triangles,
+                             8 * (bytes_left < max_bytes_of_a_block ? bytes_left : max_bytes_of_a_block)) ||
+            !is_padded_with_zeros(walk.fields.bytes, walk.fields.bit))
+            return false;
+        begin += (walk.fields.bit + 7) / 8;
+    }
+    return begin == step_bytes;
+}
+
+/// The source table and the numbers that count through it.
+bool are_ids_sound(const BlobData& blob) {
+    std::uint32_t previous = 0;
+    for (std::uint32_t i = 0; i < blob.source_count; ++i) {
+        const std::uint32_t first = load_u32(blob.sources + std::size_t{i} * format::source::bytes);
+        if (first < previous || (i == 0 && first != 0)) return false;
+        previous = first;
+    }
+    if (previous > blob.source_triangles || (blob.source_count == 0 && blob.triangle_count != 0)) return false;
+    return are_numbers_sound(blob);
+}
+
+/// The map of copies: ranks add up, and every copy is of a triangle with a lower storage index that is none.
+bool are_copies_sound(const BlobData& blob) {
+    using namespace format::copies;
+    if (blob.copy_count == 0) return false;
+    const std::uint32_t indices = block_count(blob.triangle_count) * block_indices;  // at most 2^31
+    const std::byte* const owners = copy_owners(blob);
+    std::uint32_t seen = 0;
+    for (std::uint32_t index = 0; index < indices; ++index) {
+        if (index % block_indices == 0 && load_u32(copy_block(blob.copies, index)) != seen) return false;
+        if (!is_duplicate_reference(blob.copies, index)) continue;
+        if (index >= blob.triangle_count || seen == blob.copy_count) return false;
+        const std::uint32_t owner = load_u32(owners + owner_bytes * std::size_t{seen});
+        // mutant(>= -> >) equivalent: the index itself is a copy, which the second condition refuses
+        if (owner >= index || is_duplicate_reference(blob.copies, owner)) return false;
+        ++seen;
+    }
+    return seen == blob.copy_count;
+}
+
+/// Any flags are safe: they are hints.
+bool are_edge_flags_sound(const BlobData& blob) {
+    using namespace format::edge_flags;
+    static_assert(flat_limit_at == 0);
+    return load_u32(blob.edge_flags) <= max_flat_limit;
+}
+
+/// Returns whether arithmetic on the bounds stays within its widths. Bounds that hold nothing are safe.
+bool are_bounds_sound(const BlobData& blob) {
+    using namespace format::bounds;
+    const auto is_within = [](std::int32_t value, std::uint32_t limit) {
+        return static_cast<std::uint32_t>(value) + limit <= 2 * limit;
+    };
+    const std::byte* at = blob.bounds;
+    if ((blob.features & format::feature::oriented_box) != 0) {
+        std::int32_t any = 0;
+        for (; at != blob.bounds + lo_at; at += 2) {
+            if (!is_within(load_i16(at), max_quaternion)) return false;
+            any |= load_i16(at);
+        }
+        if (any == 0) return false;
+    }
+    // They are the last section.
+    for (; at != blob.bytes + blob.size; at += 4)
+        if (!is_within(load_i32(at), max_length)) return false;
+    return true;
+}
+
+/// Each in its turn, as far as they are there.
+[[gnu::noinline]] bool are_optional_sections_sound(const BlobData& blob) {
+    using namespace format::feature;
+    // mutant(without 2, without 8, without 14, without 19) equivalent: the build for mutants reads all sections
+    return (!reads(original_ids) || blob.ids == nullptr || are_ids_sound(blob)) &&
+           (!reads(split_references) || blob.copies == nullptr || are_copies_sound(blob)) &&
+           (!reads(edge_flags) || blob.edge_flags == nullptr || are_edge_flags_sound(blob)) &&
+           (!reads(bounds) || blob.bounds == nullptr || are_bounds_sound(blob));
+}
+
+OpenStatus check_sections(BlobData& blob) {
+    if (!is_zero(blob.leaves + blob.leaf_bytes, format::guard_bytes)) return OpenStatus::bad_section;
+    if (blob.triangle_count != 0)
+        if (const OpenStatus status =
+                scalar_walk::with_leaves_of(blob, [&]<class Leaf>() { return check_tree<typename Leaf::Node>(blob); });
+            status != OpenStatus::ok)
+            return status;
+    return are_optional_sections_sound(blob) ? locate_sections(blob, true) : OpenStatus::bad_section;
+}
+
+}  // namespace
+}  // namespace detail
+
+Blob open(std::span<const std::byte> bytes) noexcept {
+    Blob blob;  // built in the caller's: a second one would be a fifth of the stack that this takes
+    OpenStatus status = detail::read_version_and_size(bytes.data(), bytes.size(), blob.data_);
+    if (status == OpenStatus::ok && blob.data_.checksum != detail::checksum_of_blob(bytes))
+        status = OpenStatus::bad_checksum;
+    if (status == OpenStatus::ok) status = detail::read_header(blob.data_);
+    if (status == OpenStatus::ok) status = detail::check_sections(blob.data_);
+    if (status != OpenStatus::ok) detail::refuse(blob.data_, status);
+    return blob;
+}
+
+}  // namespace espalier

@@ -1,0 +1,29 @@
+// A plane that bounds a shape, from a normal whose coordinates take more than 64 bits.
+#pragma once
+
+#include <cstdint>
+
+#include <runtime/base/vector3.hpp>
+#include <runtime/traversal/plane_nodes.hpp>
+
+namespace espalier::detail {
+
+ESPALIER_SHARED_CODE inline Int128 magnitude(const Int128& a) { return a.is_negative() ? -a : a; }
+inline std::int64_t magnitude(std::int64_t a) { return a < 0 ? -a : a; }
+ESPALIER_SHARED_CODE inline std::int64_t sum_of_magnitudes(const Integer3& a) {
+    return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+}
+
+/// Room for a plane that bounds a shape and the points that say where: for all points X of the shape,
+/// dot(normal, X - at) <= reach, in units of 2^-fraction_bits, and |X - at| <= size, summed over the axes.
+struct Support {
+    WideVector normal;
+    Integer3 at;
+    Int128 reach;
+    std::int64_t size;
+};
+
+/// The plane with its normal cut down to 23 bits, moved outward by as much as that may turn it.
+LatticePlane bounding_plane(const Support& support, int fraction_bits) noexcept;
+
+}  // namespace espalier::detail

@@ -1,0 +1,130 @@
+#include <runtime/overlap/box.hpp>
+
+#include <runtime/kernels/ray_triangle.hpp>
+#include <runtime/lattice/rounder.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+constexpr int fine = RoundedBox::fraction_bits - 1;
+
+/// From and to, in units of 2^-fine steps.
+void set_sides(RoundedBox& box, int k, std::int64_t low, std::int64_t high) {
+    box.center[k] = low + high;
+    box.half[k] = high - low;
+    box.bounds.low[k] = static_cast<std::int32_t>(-(-low >> fine));
+    box.bounds.high[k] = static_cast<std::int32_t>(high >> fine);
+}
+
+void complete(RoundedBox& box) {
+    box.is_empty = false;
+    box.depth_inside = 0;
+    box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
+        return meets(static_cast<const RoundedBox&>(volume), triangle);
+    };
+}
+
+}  // namespace
+
+QueryStatus round_volume(const BlobData& blob, const Box& world, RoundedBox& box) noexcept {
+    if (is_nan(world.min) || is_nan(world.max)) return QueryStatus::invalid_argument;
+    if (is_empty(world)) return QueryStatus::ok;
+    const float min[3] = {world.min.x, world.min.y, world.min.z};
+    const float max[3] = {world.max.x, world.max.y, world.max.z};
+    for (int k = 0; k < 3; ++k) {
+        // No triangle is beyond the asset's box: a step outside of it is as good as infinitely far.
+        const float last = blob.extent_steps[k] + 1.0f;
+        const float low_steps = to_steps(blob, k, min[k]);
+        const float high_steps = to_steps(blob, k, max[k]);
+        if (low_steps > last || high_steps < -1.0f) return QueryStatus::ok;
+        // Infinity times the step of an empty blob, which may be 0, is not a number, and must not become an integer.
+        set_sides(box, k, to_grid(low_steps > -1.0f ? low_steps : -1.0f, fine),
+                  to_grid(high_steps < last ? high_steps : last, fine));
+    }
+    complete(box);
+    return QueryStatus::ok;
+}
+
+QueryStatus round_volume(const BlobData& blob, const LatticeBox& steps, RoundedBox& box) noexcept {
+    const std::int32_t min[3] = {steps.min.x, steps.min.y, steps.min.z};
+    const std::int32_t max[3] = {steps.max.x, steps.max.y, steps.max.z};
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t last = blob.extent[k] + 1;  // as above
+        if (min[k] > max[k] || min[k] > last || max[k] < -1) return QueryStatus::ok;
+        set_sides(box, k, std::int64_t{min[k] < -1 ? -1 : min[k]} * (1 << fine),
+                  std::int64_t{max[k] > last ? last : max[k]} * (1 << fine));
+    }
+    complete(box);
+    return QueryStatus::ok;
+}
+
+namespace {
+
+std::int64_t magnitude(std::int64_t a) { return a < 0 ? -a : a; }
+
+/// Whether the triangle's plane has the box on one side. Coordinates of the corner stay below 2^33 (docs/numerics.md).
+template <class Sum>
+bool is_beside_plane(const RoundedBox& box, const OriginRelative& t) {
+    const Integer3 normal = cross(t.ab, t.ac);
+    const Sum distance = dot<Sum>(normal, t.a);
+    const Sum reach = dot<Sum>({magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)},
+                               {box.half[0], box.half[1], box.half[2]});
+    return reach < distance || distance < -reach;
+}
+[[gnu::noinline]] bool is_beside_wide_plane(const RoundedBox& box, const OriginRelative& t) {
+    return is_beside_plane<Int128>(box, t);
+}
+
+}  // namespace
+
+bool meets(const RoundedBox& box, const LatticeTriangle& triangle) noexcept {
+    std::int64_t corner[3][3];  // seen from the center
+    for (int k = 0; k < 3; ++k) {
+        std::int64_t low = 0, high = 0;
+        for (int i = 0; i < 3; ++i) {
+            const std::int64_t at = (std::int64_t{triangle.corner[i][k]} << RoundedBox::fraction_bits) - box.center[k];
+            corner[i][k] = at;
+            low = i == 0 || at < low ? at : low;
+            high = i == 0 || high < at ? at : high;
+        }
+        if (low > box.half[k] || high < -box.half[k]) return false;
+    }
+    OriginRelative t;
+    t.a = {corner[0][0], corner[0][1], corner[0][2]};
+    const auto edge = [&](int from, int to, int k) {
+        return std::int64_t{triangle.corner[to][k]} - triangle.corner[from][k];
+    };
+    t.ab = {edge(0, 1, 0), edge(0, 1, 1), edge(0, 1, 2)};
+    t.ac = {edge(0, 2, 0), edge(0, 2, 1), edge(0, 2, 2)};
+    if (takes_shortcut(ray_triangle::edges_are_below<12>(t)) ? is_beside_plane<std::int64_t>(box, t)
+                                                             : is_beside_wide_plane(box, t))
+        return false;
+    // Each edge with each axis: seen along the axis, both ends of the edge are at one place, the third corner
+    // elsewhere.
+    for (int i = 0; i < 3; ++i) {
+        const int to = i == 2 ? 0 : i + 1, third = i == 0 ? 2 : i - 1;
+        for (int k = 0; k < 3; ++k) {
+            const int x = k == 2 ? 0 : k + 1, y = k == 0 ? 2 : k - 1;
+            const std::int64_t dx = edge(i, to, x), dy = edge(i, to, y);
+            const std::int64_t ends = dx * corner[i][y] - dy * corner[i][x];
+            const std::int64_t other = dx * corner[third][y] - dy * corner[third][x];
+            const std::int64_t reach = magnitude(dx) * box.half[y] + magnitude(dy) * box.half[x];
+            if ((ends > reach && other > reach) || (ends < -reach && other < -reach)) return false;
+        }
+    }
+    return true;
+}
+
+template <>
+QueryStatus find_overlaps_of<Box>(const BlobData& blob, const void* shape, Each& answer, const WalkAccuracy& accuracy) {
+    return round_and_find<RoundedBox>(blob, *static_cast<const Box*>(shape), answer, accuracy);
+}
+
+template <>
+QueryStatus find_overlaps_of<LatticeBox>(const BlobData& blob, const void* shape, Each& answer,
+                                         const WalkAccuracy& accuracy) {
+    return round_and_find<RoundedBox>(blob, *static_cast<const LatticeBox*>(shape), answer, accuracy);
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,140 @@
+// Which part of a triangle is in all half-spaces, without ever computing a coordinate of it: constraints on the weights
+// of the triangle's corners are added one by one, and points are named by the two constraints that cross there (a
+// linear programme in two variables: Seidel 1991). Whether a point keeps to a third one is the sign of a determinant.
+#include <runtime/overlap/convex_volume.hpp>
+
+#include <bit>
+
+#include <runtime/overlap/bounding_plane.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// The half-space on the triangle, or a side of it: weights (wa, wb, wc) keep to it when
+/// whole * (wa + wb + wc) + b * wb + c * wc >= 0.
+struct Constraint {
+    std::int64_t whole, b, c;
+};
+
+int sign(Argument<Int128> a) { return a.is_negative() ? -1 : a.is_zero() ? 0 : 1; }
+
+/// For numbers below 2^41: six products of three stay below 2^126.
+struct Narrow {
+    static int sign_of_volume(const Constraint& r, const Constraint& s, const Constraint& t) {
+        const auto minor = [](std::int64_t p, std::int64_t q, std::int64_t u, std::int64_t v) {
+            return multiply(p, v) - multiply(q, u);
+        };
+        return sign(multiply(minor(s.b, s.c, t.b, t.c), r.whole) + multiply(minor(s.c, s.whole, t.c, t.whole), r.b) +
+                    multiply(minor(s.whole, s.b, t.whole, t.b), r.c));
+    }
+};
+
+/// For numbers below 2^53: the products that are positive against those that are negative.
+struct Wide {
+    static int sign_of_volume(const Constraint& r, const Constraint& s, const Constraint& t) {
+        Unsigned256 above{Int128()}, below{Int128()};
+        const auto add = [&](std::int64_t p, std::int64_t q, std::int64_t u) {
+            const Unsigned256 product = Unsigned256::product(magnitude(multiply(p, q)), magnitude(u));
+            Unsigned256& side = ((p < 0) != (q < 0)) != (u < 0) ? below : above;
+            side = side.plus(product);
+        };
+        add(r.whole, s.b, t.c);
+        add(-r.whole, s.c, t.b);
+        add(r.b, s.c, t.whole);
+        add(-r.b, s.whole, t.c);
+        add(r.c, s.whole, t.b);
+        add(-r.c, s.b, t.whole);
+        return compare_scaled(above, below, 0);
+    }
+};
+
+/// The constraints on one triangle, by number: the weights of a, b and c are not negative, and then the half-spaces.
+/// Computed on demand: there may be many, and few of them matter.
+struct Constraints {
+    static constexpr unsigned sides = 3;
+
+    const RoundedConvexVolume& set;
+    const LatticeTriangle& triangle;
+    std::uint32_t crossing = 0;  ///< a bit for each half-space that has corners on either side of it
+
+    [[nodiscard]] static std::int64_t room(const LatticePlane& plane, const std::int32_t* at) {
+        std::int64_t room = plane.offset;
+        for (int k = 0; k < 3; ++k) room -= std::int64_t{plane.normal[k]} * at[k];
+        return room;
+    }
+    [[nodiscard]] Constraint of_half_space(unsigned i) const {
+        const std::int64_t whole = room(set.half_space[i], triangle.corner[0]);
+        return {whole, room(set.half_space[i], triangle.corner[1]) - whole,
+                room(set.half_space[i], triangle.corner[2]) - whole};
+    }
+    [[nodiscard]] Constraint operator[](unsigned number) const {
+        if (number >= sides) return of_half_space(number - sides);
+        const std::int64_t is_a = number == 0 ? 1 : 0;
+        return {is_a, (number == 1 ? 1 : 0) - is_a, (number == 2 ? 1 : 0) - is_a};
+    }
+};
+
+/// Whether some point of the triangle keeps to all constraints.
+template <class Arithmetic>
+[[gnu::noinline]] bool has_solution(const Constraints& constraints) {
+    // A point that keeps to all constraints so far: corner a, and later where line `on` ends at constraint `last`.
+    unsigned on = 0;
+    unsigned last = 0;
+    for (std::uint32_t left = constraints.crossing; left != 0; left &= left - 1) {
+        const auto next = static_cast<unsigned>(std::countr_zero(left));
+        const Constraint line = constraints.of_half_space(next);
+        const auto volume = [&](const Constraint& before, unsigned after) {
+            return Arithmetic::sign_of_volume(before, line, constraints[after]);
+        };
+        if ((on == 0 ? line.whole >= 0 : Arithmetic::sign_of_volume(line, constraints[on], constraints[last]) >= 0))
+            continue;
+        // Whatever keeps to this one too can be found on its line: from the point found so far to a better one all keep
+        // to the others, and on the way one crosses the line. The triangle cuts a segment out of it, from side `first`
+        // to side `last`, going round the line's normal counterclockwise; the other constraints shorten it.
+        const bool is_inside[3] = {line.whole >= 0, line.whole + line.b >= 0, line.whole + line.c >= 0};
+        const unsigned lonely = is_inside[1] == is_inside[2] ? 0u : is_inside[0] == is_inside[2] ? 1u : 2u;
+        const unsigned after = lonely == 2 ? 0 : lonely + 1, before = lonely == 0 ? 2 : lonely - 1;
+        unsigned first = is_inside[lonely] ? before : after;
+        last = is_inside[lonely] ? after : before;
+        on = Constraints::sides + next;
+        const std::uint32_t earlier = constraints.crossing & ((1u << next) - 1u);
+        for (std::uint32_t others = earlier; others != 0; others &= others - 1) {
+            const unsigned other = static_cast<unsigned>(std::countr_zero(others));
+            const Constraint constraint = constraints.of_half_space(other);
+            const bool first_is_out = volume(constraint, first) > 0;
+            const bool last_is_out = volume(constraint, last) < 0;
+            if (first_is_out && last_is_out) return false;
+            if (first_is_out) first = Constraints::sides + other;
+            if (last_is_out) last = Constraints::sides + other;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+bool meets(const RoundedConvexVolume& set, const LatticeTriangle& triangle) noexcept {
+    Constraints constraints = {set, triangle};
+    bool is_narrow = true;
+    for (unsigned i = 0; i < set.plane_count; ++i) {
+        const Constraint constraint = constraints.of_half_space(i);
+        const int inside = (constraint.whole >= 0 ? 1 : 0) + (constraint.whole + constraint.b >= 0 ? 1 : 0) +
+                           (constraint.whole + constraint.c >= 0 ? 1 : 0);
+        if (inside == 0) return false;
+        if (inside == 3) continue;
+        constexpr std::int64_t narrow = std::int64_t{1} << 41;
+        is_narrow = is_narrow && magnitude(constraint.whole) < narrow && magnitude(constraint.b) < narrow &&
+                    magnitude(constraint.c) < narrow;
+        constraints.crossing |= 1u << i;
+    }
+    return takes_shortcut(is_narrow) ? has_solution<Narrow>(constraints) : has_solution<Wide>(constraints);
+}
+
+template <>
+QueryStatus find_overlaps_of<ConvexVolume>(const BlobData& blob, const void* shape, Each& answer,
+                                           const WalkAccuracy& accuracy) {
+    return round_and_find<RoundedConvexVolume>(blob, *static_cast<const ConvexVolume*>(shape), answer, accuracy);
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,186 @@
+#include <runtime/overlap/oriented_box.hpp>
+
+#include <runtime/kernels/ray_triangle.hpp>
+#include <runtime/lattice/rounder.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// The planes of its faces. They are off by up to 2 size + 1 units.
+void set_planes(RoundedOrientedBox& box, std::int64_t size) {
+    for (int i = 0; i < 3; ++i) {
+        const WideVector& n = box.face[i];
+        box.face_planes[2 * i] = bounding_plane({n, box.center, box.face_reach, size}, box.fraction_bits);
+        box.face_planes[2 * i + 1] = bounding_plane({-n, box.center, box.face_reach, size}, box.fraction_bits);
+    }
+    if (!box.face_reach.is_zero()) box.depth_inside = ((2 * size + 1) >> box.fraction_bits) + 1;
+    box.planes = box.face_planes;
+    box.plane_count = 6;
+}
+
+/// What follows from center and half axes.
+void enclose(RoundedOrientedBox& box) {
+    const auto coordinate = [](const Integer3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
+    std::int64_t size = 0;
+    for (int k = 0; k < 3; ++k) {
+        std::int64_t reach = 0;
+        for (const Integer3& half : box.half) reach += magnitude(coordinate(half, k));
+        const std::int64_t center = coordinate(box.center, k);
+        box.bounds.low[k] = clamp_to_bounds(-((reach - center) >> box.fraction_bits));
+        box.bounds.high[k] = clamp_to_bounds((center + reach) >> box.fraction_bits);
+        size += reach;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+        box.face[i] = wide_cross(box.half[j], box.half[k]);
+    }
+    box.face_reach = magnitude(dot(box.face[0], box.half[0]));
+    set_planes(box, size);
+    box.is_empty = false;
+    box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
+        return meets(static_cast<const RoundedOrientedBox&>(volume), triangle);
+    };
+}
+
+}  // namespace
+
+QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, RoundedOrientedBox& box) noexcept {
+    if (!is_finite(world.center)) return QueryStatus::invalid_argument;
+    for (const Vec3& half : world.half_axes)
+        if (!is_finite(half)) return QueryStatus::invalid_argument;
+    float center[3], half[3][3], spread[3] = {};
+    Rounder rounder(blob);
+    for (int i = 0; i < 3; ++i) {
+        rounder.add_vector(world.half_axes[i], half[i]);
+        for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
+    }
+    rounder.add_point(world.center, center);
+    bool is_away = false;
+    for (int k = 0; k < 3; ++k) {
+        rounder.extend(rounder.distance(k, center[k]) + spread[k]);
+        const float last = blob.extent_steps[k];
+        const float gap = center[k] < 0.0f ? -center[k] : center[k] > last ? center[k] - last : 0.0f;
+        is_away = is_away || gap > spread[k] * (1.0f + 0x1p-20f) + 4.0f;
+    }
+    if (is_away) return QueryStatus::ok;
+    const float reach = rounder.reach();
+    if (!(reach < shape_reach)) return QueryStatus::out_of_range;
+    box.is_near = exponent_of(reach) <= volume_grid;
+    box.fraction_bits = fraction_bits_for(reach, volume_grid);
+    box.center = to_grid(center, box.fraction_bits);
+    for (int i = 0; i < 3; ++i) box.half[i] = to_grid(half[i], box.fraction_bits);
+    enclose(box);
+    return QueryStatus::ok;
+}
+
+namespace {
+
+/// Corners seen from the box's center, in its units; sides in lattice steps.
+struct Seen {
+    Integer3 corner[3];
+    Integer3 side[3];
+};
+
+/// Arithmetic for boxes near the asset and short sides, and for all others.
+struct Narrow {
+    using Number = std::int64_t;
+    using Vector = Integer3;
+    static Vector product(const Integer3& a, const Integer3& b) { return cross(a, b); }
+    static Number along(const Vector& a, const Integer3& b) { return dot<std::int64_t>(a, b); }
+};
+struct Wide {
+    using Number = Int128;
+    using Vector = WideVector;
+    static Vector product(const Integer3& a, const Integer3& b) { return wide_cross(a, b); }
+    static Number along(const Vector& a, const Integer3& b) { return dot(a, b); }
+};
+
+/// Whether three numbers are all beyond the same end of [-reach, reach].
+template <class Number>
+bool are_beyond(const Number* at, Number reach) {
+    return (reach < at[0] && reach < at[1] && reach < at[2]) || (at[0] < -reach && at[1] < -reach && at[2] < -reach);
+}
+
+template <class Arithmetic>
+bool is_separated_along_axis(const typename Arithmetic::Vector& axis, const RoundedOrientedBox& box, const Seen& seen) {
+    using Number = typename Arithmetic::Number;
+    Number at[3];
+    Number reach = 0;
+    for (int i = 0; i < 3; ++i) {
+        at[i] = Arithmetic::along(axis, seen.corner[i]);
+        reach = reach + magnitude(Arithmetic::along(axis, box.half[i]));
+    }
+    return are_beyond(at, reach);
+}
+
+template <class Arithmetic>
+bool is_separated_along(const typename Arithmetic::Vector& axis, const RoundedOrientedBox& box, const Seen& seen) {
+    return is_separated_along_axis<Arithmetic>(axis, box, seen);
+}
+/// Called, not copied: rare, and large.
+template <>
+[[gnu::noinline]] bool is_separated_along<Wide>(const WideVector& axis, const RoundedOrientedBox& box,
+                                                const Seen& seen) {
+    return is_separated_along_axis<Wide>(axis, box, seen);
+}
+
+/// All axes but those of the box's faces.
+template <class Arithmetic>
+[[gnu::noinline]] bool is_separated(const RoundedOrientedBox& box, const Seen& seen) {
+    if (is_separated_along<Arithmetic>(Arithmetic::product(seen.side[0], seen.side[1]), box, seen)) return true;
+    for (const Integer3& half : box.half)
+        for (const Integer3& side : seen.side)
+            if (is_separated_along<Arithmetic>(Arithmetic::product(half, side), box, seen)) return true;
+    if (!box.face_reach.is_zero()) return false;
+    // Without volume: normals of each direction within whichever plane all may lie in.
+    constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const Integer3& unit : units) {
+        for (int i = 0; i < 3; ++i)
+            if (is_separated_along<Arithmetic>(Arithmetic::product(unit, box.half[i]), box, seen) ||
+                is_separated_along<Arithmetic>(Arithmetic::product(unit, seen.side[i]), box, seen))
+                return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool meets(const RoundedOrientedBox& box, const LatticeTriangle& triangle) noexcept {
+    const auto& c = triangle.corner;
+    const int bits = box.fraction_bits;
+    Seen seen;
+    for (int i = 0; i < 3; ++i) {
+        const int to = i == 2 ? 0 : i + 1;
+        seen.corner[i] = corner_on_grid(triangle, i, bits) - box.center;
+        seen.side[i] = {std::int64_t{c[to][0]} - c[i][0], std::int64_t{c[to][1]} - c[i][1],
+                        std::int64_t{c[to][2]} - c[i][2]};
+    }
+    // Of the axes of space only a flat box needs these; to others they are a cheap first try.
+    const auto spreads_beyond = [&](std::int64_t Integer3::*axis) {
+        const std::int64_t at[3] = {seen.corner[0].*axis, seen.corner[1].*axis, seen.corner[2].*axis};
+        return are_beyond(at,
+                          magnitude(box.half[0].*axis) + magnitude(box.half[1].*axis) + magnitude(box.half[2].*axis));
+    };
+    if (spreads_beyond(&Integer3::x) || spreads_beyond(&Integer3::y) || spreads_beyond(&Integer3::z)) return false;
+    bool inside[3] = {true, true, true};
+    for (const WideVector& normal : box.face) {
+        Int128 at[3];
+        for (int i = 0; i < 3; ++i) {
+            at[i] = dot(normal, seen.corner[i]);
+            if (box.face_reach < magnitude(at[i])) inside[i] = false;
+        }
+        if (are_beyond(at, box.face_reach)) return false;
+    }
+    if (!box.face_reach.is_zero() && (inside[0] || inside[1] || inside[2])) return true;
+    const bool is_short = ray_triangle::edges_are_below<12>({{}, seen.side[0], seen.side[1]});
+    return !(takes_shortcut(box.is_near && is_short) ? is_separated<Narrow>(box, seen) : is_separated<Wide>(box, seen));
+}
+
+template <>
+QueryStatus find_overlaps_of<OrientedBox>(const BlobData& blob, const void* shape, Each& answer,
+                                          const WalkAccuracy& accuracy) {
+    return round_and_find<RoundedOrientedBox>(blob, *static_cast<const OrientedBox*>(shape), answer, accuracy);
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,57 @@
+// Overlaps of a shape of any type: yes or no, each triangle, a page of them. How a shape finds them is in its own file.
+#include <espalier/approximate.hpp>
+#include <espalier/overlap.hpp>
+#include <runtime/answers/answer.hpp>
+#include <runtime/traversal/small_boxes.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+YesNo find_any(const BlobData& blob, AnyShape shape, const WalkAccuracy& accuracy) {
+    if (blob.bytes == nullptr) return YesNo();
+    const auto stop = [](TriangleId, std::uint32_t) { return Visit::stop; };
+    Each any(blob, stop);
+    any.once = false;
+    const QueryStatus status = shape.find(blob, shape.shape, any, accuracy);
+    return is_refused(status) ? YesNo(status) : YesNo::of(status == QueryStatus::stopped);
+}
+
+}  // namespace
+
+YesNo overlaps(const Blob& blob, AnyShape shape) noexcept { return find_any(data_of(blob), shape, exactly); }
+
+YesNo overlaps(const Blob& blob, AnyShape shape, Accuracy accuracy, QueryCounters* counters) noexcept {
+    return find_any(data_of(blob), shape, {steps_in(data_of(blob), accuracy.distance), counters});
+}
+
+QueryStatus for_each_overlap(const Blob& blob, AnyShape shape, TriangleVisitor visit) noexcept {
+    const BlobData& data = data_of(blob);
+    if (data.bytes == nullptr) return QueryStatus::not_open;
+    const auto with_each = [&](TriangleId triangle, std::uint32_t reference) {
+        return visit(triangle, data, reference);
+    };
+    Each each(data, with_each);
+    return shape.find(data, shape.shape, each, exactly);
+}
+
+Filled collect_overlaps(const Blob& blob, AnyShape shape, std::span<TriangleId> out, const Cursor& from) noexcept {
+    const BlobData& data = data_of(blob);
+    Filled filled = {0, from, QueryStatus::not_open};
+    if (data.bytes == nullptr) return filled;
+    const auto write = [&](TriangleId triangle, std::uint32_t reference) {
+        if (filled.count == out.size()) {
+            filled.next = {{reference}};
+            return Visit::stop;
+        }
+        out[filled.count++] = triangle;
+        return Visit::next;
+    };
+    Each each(data, write, from.place[0]);
+    filled.status = shape.find(data, shape.shape, each, exactly);
+    if (filled.status == QueryStatus::stopped) filled.status = QueryStatus::output_full;
+    if (filled.status == QueryStatus::ok) filled.next = {{data.triangle_count}};
+    return filled;
+}
+
+}  // namespace espalier::detail

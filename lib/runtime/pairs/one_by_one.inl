@@ -1,0 +1,94 @@
+// The triangles of two leaves pair by pair, where small code matters more than time.
+#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/pairs/corners.inl>
+#endif
+
+inline PlacedLanes lanes_of(const LatticeTriangle& triangle) {
+    PlacedLanes placed;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) placed.corner[i][k] = static_cast<float>(triangle.corner[i][k]);
+    placed.derive_box();
+    return placed;
+}
+
+/// As lanes_near() in leaves.inl.
+[[gnu::noinline]] inline bool is_near(const PlacedBox& box, const LatticeTriangle& triangle, bool touching,
+                                      float limit) {
+    PlacedLanes t = lanes_of(triangle);
+    if (squared_gap(t, box.low, box.high) > limit) return false;
+    if (!touching) return true;
+    t.derive_plane();
+    return planes_meet(t, box) != 0;
+}
+
+/// The squared distance of the nearest corners, unless shadows along the directions are farther apart than the limit:
+/// as in near.inl.
+[[gnu::noinline]] inline float squared_between_corners(const LatticeTriangle& a, const LatticeTriangle& b,
+                                                       const PairAxes& axes, float limit) {
+    const PlacedLanes t = lanes_of(a), other = lanes_of(b);
+    if (!(gap_along_axes(t, other, axes) <= limit)) return infinity;
+    return squared_of_nearest_corners(t, other);
+}
+
+/// A triangle of each of two leaves, on the grid: b's in storage order, for each of them a's. Finding the next pair
+/// takes its stack while nobody looks at one.
+template <class Leaves>
+struct SlotPair {
+    const Leaves& leaves;
+    bool touching;
+    typename Leaves::A::Slots a_slots = 0;  ///< that are still to come beside b
+    typename Leaves::B::Slots b_slots = leaves.b.used_slots();
+    unsigned a_slot, b_slot;
+    LatticeTriangle a, b;
+
+    SlotPair(const Leaves& of, bool only_touching) : leaves(of), touching(only_touching) {}
+    void place_a(unsigned slot) { a = leaves.triangle_a(a_slot = slot); }
+    void place_b(unsigned slot) { b = leaves.triangle_b(b_slot = slot); }
+    /// The next whose boxes are within the squared distance, b's also of a box around all of a. False when there is
+    /// none.
+    [[gnu::noinline]] bool next(float limit) {
+        for (;;) {
+            while (a_slots != 0) {
+                place_a(static_cast<unsigned>(std::countr_zero(a_slots)));
+                a_slots &= a_slots - 1;
+                if (!(gap_between(a, b) > limit)) return true;
+            }
+            if (b_slots == 0) return false;
+            place_b(static_cast<unsigned>(std::countr_zero(b_slots)));
+            b_slots &= b_slots - 1;
+            if (is_near(leaves.box, b, touching, limit)) a_slots = leaves.a.used_slots();
+        }
+    }
+};
+
+[[gnu::noinline]] inline bool do_triangles_meet(const LatticeTriangle& a, const LatticeTriangle& b) {
+    return triangles_meet(integer_triangle(a), integer_triangle(b));
+}
+
+template <class Leaves>
+[[gnu::noinline]] Visit visit_touching(const Leaves& leaves, const OnTouching& visit) {
+    for (SlotPair pair(leaves, true); pair.next(0.0f);)
+        if (do_triangles_meet(pair.a, pair.b) && visit(leaves.at(pair.a_slot, pair.b_slot)) == Visit::stop)
+            return Visit::stop;
+    return Visit::next;
+}
+
+/// First what corners tell: how far apart the leaves are at most, and which pair is a good one to begin with.
+template <class Leaves>
+[[gnu::noinline]] Visit visit_near(const Leaves& leaves, LeastDistance& least) {
+    NearestCorners nearest;
+    SlotPair pair(leaves, false);
+    while (pair.next(least.limit())) {
+        nearest.offer(squared_between_corners(pair.a, pair.b, least.axes[0], least.limit()),
+                      pair.b_slot * NearestCorners::a_slots + pair.a_slot);
+        least.lower_limit(nearest.squared * lower_slack);
+    }
+    if (!(nearest.squared < infinity)) return Visit::next;
+    pair.place_a(nearest.a_slot());
+    pair.place_b(nearest.b_slot());
+    pair.b_slots = leaves.b.used_slots();
+    do {
+        if (least.take(pair.a, pair.b, leaves.at(pair.a_slot, pair.b_slot)) == Visit::stop) return Visit::stop;
+    } while (!least.surveys && pair.next(least.limit()));
+    return Visit::next;
+}

@@ -1,0 +1,274 @@
+// Queries of two blobs in world space: placed on one grid, decided there, translated back.
+#include <espalier/pair.hpp>
+#include <runtime/base/float_bits.hpp>
+#include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/lanes/dispatch.hpp>
+#include <runtime/lattice/to_world.hpp>
+#include <runtime/pairs/queries.hpp>
+#include <runtime/transforms/rotation.hpp>
+#include <runtime/traversal/find_triangle.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+/// Two blobs on their common grid.
+struct PlacedPair {
+    PairFrame frame;
+    QueryStatus status;  ///< ok; not_found: a blob has no triangles; or why the query is refused
+
+    PlacedPair(const PlacedBlob& a, const PlacedBlob& b) : status(place(a, b)) {}
+
+private:
+    /// Out of line: its stack is not needed beside the walk.
+    [[gnu::noinline]] QueryStatus place(const PlacedBlob& a, const PlacedBlob& b) {
+        const BlobData& data_a = data_of(a.blob());
+        const BlobData& data_b = data_of(b.blob());
+        if (data_a.bytes == nullptr || data_b.bytes == nullptr) return QueryStatus::not_open;
+        if (!is_valid(a.transform()) || !is_valid(b.transform())) return QueryStatus::invalid_argument;
+        if (data_a.triangle_count == 0 || data_b.triangle_count == 0) return QueryStatus::not_found;
+        const Transform b_in_a = to_local(a.transform(), b.transform());
+        return is_valid(b_in_a) ? place_pair(data_a, data_b, b_in_a, frame) : QueryStatus::out_of_range;
+    }
+};
+
+/// Returns the status of a list of which nothing is left out: also an empty one is complete.
+QueryStatus list_status(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
+
+QueryStatus search_with_own_set(const PairFrame& frame, const PairSearch& search, std::uint64_t& work) {
+    return ESPALIER_DISPATCH(search_pairs, frame, search, work);
+}
+
+#if ESPALIER_PREDICTED_STRIPS
+/// Out of line: pairs without predicted strips do not pay for the room.
+[[gnu::noinline]] QueryStatus search_with_vertices(PairFrame& frame, const PairSearch& search, std::uint64_t& work) {
+    PredictedVertices vertices[2];
+    frame.vertices = vertices;
+    return search_with_own_set(frame, search, work);
+}
+#endif
+
+/// With the instruction set that suits the machine, and room for the vertices of predicted strips where a blob has
+/// such.
+QueryStatus search_pair(PairFrame& frame, const PairSearch& search, std::uint64_t& work) {
+#if ESPALIER_PREDICTED_STRIPS
+    if (has_predicted_leaves(frame.a->profile) || has_predicted_leaves(frame.b->profile))
+        return search_with_vertices(frame, search, work);
+#endif
+    return search_with_own_set(frame, search, work);
+}
+
+QueryStatus find_touching(PairFrame& frame, TrianglePair& pair, bool& found, std::uint64_t& work) {
+    const auto keep = [&](const TrianglePair& touching) {
+        pair = touching;
+        found = true;
+        return Visit::stop;
+    };
+    return search_pair(frame, {.on_touching = keep}, work);
+}
+
+/// Where the triangles of a pair touch. What this takes of the stack is not needed beside the walk.
+[[gnu::noinline]] void find_common_point(const PairFrame& frame, FoundTriangles& touching) {
+    touching.a = frame.place_a(find_triangle(*frame.a, touching.pair.a.index));
+    touching.b = frame.place_b(find_triangle(*frame.b, touching.pair.b.index));
+    touching.distance = distance_between(touching.a, touching.b);
+    touching.pair = owners(frame, touching.pair);
+}
+
+/// From farther away than this many times their size too many pairs are equally near, as far as floats tell.
+constexpr float farthest_in_spans = 1024.0f;
+
+/// Pairs at distance 0 are looked for apart: what separates boxes finds them sooner than how far apart these are.
+QueryStatus find_nearest(PairFrame& frame, LeastDistance& least, std::uint64_t work) {
+    if (frame.gap > farthest_in_spans * frame.span)
+        return frame.gap > 2.0f * least.radius ? QueryStatus::ok : QueryStatus::out_of_range;
+    const QueryStatus status = find_touching(frame, least.best.pair, least.found, work);
+    if (least.found) find_common_point(frame, least.best);
+    if (least.found || status != QueryStatus::ok || least.radius == 0.0f) return status;
+    return search_pair(frame, {.least = &least}, work);
+}
+
+/// A point of a triangle of the grid, in a's space.
+Vec3 point_in_units(const PairFrame& frame, const LatticeTriangle& triangle, const float* weights) {
+    float steps[3];
+    point_of(triangle, weights[0], weights[1], steps);
+    for (float& step : steps) step = scale_by_power_of_two(step, frame.shift);
+    return to_world(*frame.a, steps[0], steps[1], steps[2]);
+}
+
+/// Converts a distance of the world into a's units. One that is not zero does not become zero.
+float distance_in_units(float distance, float scale) {
+    if (scale == 1.0f || magnitude_bits(distance) == 0) return distance;
+    const float local = distance / scale;
+    return local >= least_coordinate ? local : least_coordinate;
+}
+
+/// Converts a distance in a's units into one of the world, in the same way.
+float distance_in_world(float distance, float scale) {
+    if (scale == 1.0f || magnitude_bits(distance) == 0) return distance;
+    const float in_world = distance * scale;
+    return in_world >= least_coordinate ? in_world : least_coordinate;
+}
+
+/// A distance in steps of the grid. No two triangles of it are apart by less than 2^-60 and more than 0.
+float radius_on_grid(const PairFrame& frame, float distance) {
+    const float radius = scale_by_power_of_two(distance, -(frame.a->step_exponent + frame.shift));
+    return magnitude_bits(distance) != 0 && radius < 0x1p-60f ? 0x1p-60f : radius;
+}
+
+bool is_distance(float distance) {
+    return !is_nan(distance) && (!is_negative(distance) || magnitude_bits(distance) == 0);
+}
+
+/// A search for the nearest pair, or for any within a distance.
+struct NearestSearch {
+    PlacedPair placed;
+    LeastDistance least;
+    QueryStatus status;
+
+    NearestSearch(const PlacedBlob& a, const PlacedBlob& b, float distance, bool any, WorkLimit limit)
+        : placed(a, b), least{placed.frame, 0.0f, any}, status(placed.status) {
+        if (status != QueryStatus::not_open && !is_distance(distance)) status = QueryStatus::invalid_argument;
+        if (status != QueryStatus::ok) return;
+        PairFrame& frame = placed.frame;
+        least.set_radius(radius_on_grid(frame, distance_in_units(distance, a.transform().scale)));
+        status = find_nearest(frame, least, limit.visits());
+        if (!least.found && status == QueryStatus::ok) status = QueryStatus::not_found;
+    }
+};
+
+/// Looks for lower references to the triangles of a pair that touch where the walk comes to them: walks again, only
+/// through boxes that both triangles touch. Returns ok if there are none, stopped at the first, or work_limit.
+[[gnu::noinline]] QueryStatus find_lower_references(const PairFrame& on_grid, const TrianglePair& references,
+                                                    std::uint64_t& work) {
+    PairFrame frame = on_grid;  // the walk that waits uses its room for vertices
+    const ReferredTriangles only = {owners(frame, references),
+                                    {bounds_of(find_triangle(*frame.a, references.a.index)),
+                                     bounds_of(find_triangle(*frame.b, references.b.index))}};
+    bool is_found = false;
+    const auto compare = [&](const TrianglePair& others) {
+        is_found = others < references && owners(frame, others) == only.triangles;
+        return is_found ? Visit::stop : Visit::next;
+    };
+    const QueryStatus status = search_pair(frame, {.on_touching = compare, .only = &only}, work);
+    return is_found ? QueryStatus::stopped : status;
+}
+
+/// Calls visit(contact, references) with each pair that touches, once, behind the references `before` where there are
+/// some. Returns ok, stopped, work_limit, or invalid_argument if the walk does not come to `before`.
+QueryStatus visit_contacts(PairFrame& frame, const TrianglePair* before, std::uint64_t work,
+                           FunctionRef<Visit(const PairContact&, const TrianglePair&)> visit) {
+    bool is_behind = before == nullptr;
+    QueryStatus end = QueryStatus::ok;
+    const auto pass_on = [&](const TrianglePair& references) {
+        if (!is_behind) {
+            is_behind = references == *before;
+            return Visit::next;
+        }
+        const TrianglePair pair = owners(frame, references);
+        if (reads_duplicate_references && pair != references) {
+            const QueryStatus lower = find_lower_references(frame, references, work);
+            if (lower == QueryStatus::stopped) return Visit::next;
+            end = lower;
+        }
+        if (end == QueryStatus::ok && visit({pair.a, pair.b, QueryStatus::ok}, references) == Visit::stop)
+            end = QueryStatus::stopped;
+        return end == QueryStatus::ok ? Visit::next : Visit::stop;
+    };
+    const QueryStatus status = search_pair(frame, {.on_touching = pass_on, .from = before}, work);
+    if (end != QueryStatus::ok) return end;
+    return status == QueryStatus::ok && !is_behind ? QueryStatus::invalid_argument : status;
+}
+
+/// A cursor is the last pair that was written.
+Cursor cursor_behind(const TrianglePair& pair) { return {{pair.a.index, pair.b.index, 1}}; }
+TrianglePair pair_before(const Cursor& cursor) { return {{cursor.place[0]}, {cursor.place[1]}}; }
+bool is_beginning(const Cursor& cursor) { return cursor == Cursor{}; }
+bool is_valid_cursor(const Cursor& cursor, const PairFrame& frame) {
+    return cursor.place[0] < frame.a->triangle_count && cursor.place[1] < frame.b->triangle_count &&
+           cursor.place[2] == 1;
+}
+
+}  // namespace
+
+PairContact first_contact(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexcept {
+    PairContact contact;
+    PlacedPair placed(a, b);
+    contact.status = placed.status;
+    if (placed.status != QueryStatus::ok) return contact;
+    TrianglePair pair;
+    bool found = false;
+    std::uint64_t work = limit.visits();
+    contact.status = find_touching(placed.frame, pair, found, work);
+    if (found) {
+        pair = owners(placed.frame, pair);
+        contact.a = pair.a;
+        contact.b = pair.b;
+    } else if (contact.status == QueryStatus::ok) {
+        contact.status = QueryStatus::not_found;
+    }
+    return contact;
+}
+
+YesNo overlaps(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexcept {
+    return YesNo(first_contact(a, b, limit).status);
+}
+
+QueryStatus for_each_contact(const PlacedBlob& a, const PlacedBlob& b, Visitor<const PairContact&> visit,
+                             WorkLimit limit) noexcept {
+    PlacedPair placed(a, b);
+    if (placed.status != QueryStatus::ok) return list_status(placed.status);
+    return visit_contacts(placed.frame, nullptr, limit.visits(),
+                          [&](const PairContact& contact, const TrianglePair&) { return visit(contact); });
+}
+
+Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<PairContact> contacts, WorkLimit limit,
+                        Cursor from) noexcept {
+    Filled filled;
+    filled.next = from;
+    PlacedPair placed(a, b);
+    filled.status = list_status(placed.status);
+    if (placed.status != QueryStatus::ok) return filled;
+    const bool begins = is_beginning(from);
+    if (!begins && !is_valid_cursor(from, placed.frame)) {
+        filled.status = QueryStatus::invalid_argument;
+        return filled;
+    }
+    const TrianglePair before = pair_before(from);
+    const auto write = [&](const PairContact& contact, const TrianglePair& references) {
+        if (filled.count == contacts.size()) return Visit::stop;
+        contacts[filled.count++] = contact;
+        filled.next = cursor_behind(references);
+        return Visit::next;
+    };
+    filled.status = visit_contacts(placed.frame, begins ? nullptr : &before, limit.visits(), write);
+    if (filled.status == QueryStatus::stopped) filled.status = QueryStatus::output_full;
+    return filled;
+}
+
+BlobDistance distance(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit, float max_distance) noexcept {
+    BlobDistance result;
+    const NearestSearch search(a, b, max_distance, false, limit);
+    result.status = search.status;
+    if (!search.least.found) return result;
+    const PairFrame& frame = search.placed.frame;
+    const FoundTriangles& best = search.least.best;
+    const float in_units =
+        scale_by_power_of_two(square_root(best.distance.squared), frame.shift + frame.a->step_exponent);
+    const float in_world = distance_in_world(in_units, a.transform().scale);
+    // That it is within max_distance was decided exactly; rounding does not change that.
+    result.distance = magnitude_bits(in_world) > magnitude_bits(max_distance) ? max_distance : in_world;
+    result.on_a = to_world(a.transform(), point_in_units(frame, best.a, best.distance.on_a));
+    result.on_b = to_world(a.transform(), point_in_units(frame, best.b, best.distance.on_b));
+    result.a = best.pair.a;
+    result.b = best.pair.b;
+    return result;
+}
+
+YesNo within_distance(const PlacedBlob& a, const PlacedBlob& b, float distance, WorkLimit limit) noexcept {
+    return YesNo(NearestSearch(a, b, distance, true, limit).status);
+}
+
+}  // namespace espalier

@@ -1,0 +1,53 @@
+// The search through two blobs on their common grid, once for each instruction set.
+#pragma once
+
+#include <espalier/function_ref.hpp>
+#include <runtime/answers/first_reference.hpp>
+#include <runtime/base/small_code.hpp>
+#include <runtime/base/float_bits.hpp>
+#include <runtime/blob/duplicate_references.hpp>
+#include <runtime/lanes/select.hpp>
+#include <runtime/pairs/frame.hpp>
+#include <runtime/pairs/least_distance.hpp>
+#include <runtime/traversal/find_triangle.hpp>
+#include <runtime/traversal/fragments.hpp>
+
+namespace espalier::detail {
+
+/// Takes a pair that touches: storage indices, which may be those of copies.
+using OnTouching = FunctionRef<Visit(const TrianglePair&)>;
+
+/// Two triangles, of which a blob with copies may hold several references each.
+struct ReferredTriangles {
+    TrianglePair triangles;
+    IntegerBounds bounds[2];
+};
+
+/// What a walk through two trees looks for: the pair that is least apart, or else all pairs that touch.
+struct PairSearch {
+    LeastDistance* least = nullptr;
+    OnTouching on_touching = {};
+    const TrianglePair* from = nullptr;       ///< begins at the two leaves that hold this pair
+    const ReferredTriangles* only = nullptr;  ///< visits only leaves with references to both
+};
+
+}  // namespace espalier::detail
+
+/// At each pair of boxes `work` goes down; at 0 the search ends. invalid_argument if no way leads to `from`.
+#define ESPALIER_DECLARE_PAIR_SEARCH(instruction_set)                                                         \
+    namespace instruction_set {                                                                               \
+    QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search, std::uint64_t& work) noexcept; \
+    }
+
+namespace espalier::detail {
+
+ESPALIER_FOR_SETS_WITH_PAIRS(ESPALIER_DECLARE_PAIR_SEARCH)
+#if ESPALIER_X86 && defined(__x86_64__)
+namespace avx512 {
+using avx2::search_pairs;
+}
+#endif
+
+}  // namespace espalier::detail
+
+#undef ESPALIER_DECLARE_PAIR_SEARCH

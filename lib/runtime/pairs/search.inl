@@ -1,0 +1,62 @@
+// Two blobs: what a search for touching pairs or for the least distance visits.
+#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/pairs/trees.inl>
+#endif
+
+#include <runtime/pairs/walk.inl>
+#include <runtime/pairs/beam.inl>
+#include <runtime/pairs/leaves.inl>
+#include <runtime/pairs/corners.inl>
+#if ESPALIER_SMALL_CODE
+#include <runtime/pairs/one_by_one.inl>
+#else
+#include <runtime/pairs/touching.inl>
+#include <runtime/pairs/near.inl>
+#endif
+
+template <class Leaf>
+inline bool has_reference(const BlobData& blob, const Leaf& leaf, TriangleId triangle) {
+    for (auto slots = leaf.used_slots(); slots != 0; slots &= slots - 1)
+        if (owner_of(blob, storage_index(leaf, static_cast<unsigned>(std::countr_zero(slots)))) == triangle.index)
+            return true;
+    return false;
+}
+
+struct PairVisitor {
+    const PairFrame& frame;
+    const PairSearch& search;
+
+    template <class Node>
+    unsigned children(unsigned side, const Node& node, const TwiceBox& other, float* keys) const {
+        const LeastDistance* least = search.least;
+        const PairSide& view = frame.sides[side];
+        const float unit = view.common_size;
+        const float limit = least != nullptr ? least->limit_of_boxes / (unit * unit) : 0.0f;
+        const unsigned near = children_near(node, frame.blob(side), see_box(other, view), view,
+                                            least != nullptr ? &least->axes[side] : nullptr, limit, keys);
+        if (!reads_duplicate_references || search.only == nullptr) return near;
+        return near & children_within(node, frame.blob(side).bits, search.only->bounds[side]);
+    }
+    Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
+        return with_leaves_of(*frame.a, [&]<class LeafA>() {
+            return with_leaves_of(*frame.b, [&]<class LeafB>() { return visit_leaves_of<LeafA, LeafB>(a, b, a_box); });
+        });
+    }
+
+private:
+    template <class LeafA, class LeafB>
+    Visit visit_leaves_of(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
+        const LeafPair<LeafA, LeafB> leaves(frame, a, b, a_box);
+        if (reads_duplicate_references && search.only != nullptr &&
+            !(has_reference(*frame.a, leaves.a, search.only->triangles.a) &&
+              has_reference(*frame.b, leaves.b, search.only->triangles.b)))
+            return Visit::next;
+        return search.least != nullptr ? visit_near(leaves, *search.least) : visit_touching(leaves, search.on_touching);
+    }
+};
+
+QueryStatus search_pairs(const PairFrame& frame, const PairSearch& search, std::uint64_t& work) noexcept {
+    PairVisitor visitor = {frame, search};
+    return search.least != nullptr ? search_nearest(frame, visitor, *search.least, work)
+                                   : walk_pair(frame, visitor, search.from, work);
+}

@@ -1,0 +1,50 @@
+// Distances from a point to the boxes of a node, in lanes.
+#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/proximity/squared_distance.inl>
+#endif
+#include <runtime/traversal/node_boxes.inl>
+
+/// The planes of a group of children, seen from the point. Planes are exact; the difference to the point, which may be
+/// far away, rounds once.
+template <class Boxes>
+[[gnu::always_inline]] inline void planes_from_point(const Boxes& boxes, const RoundedPoint& point, unsigned first,
+                                                     Floats* low, Floats* high) {
+    for (int k = 0; k < 3; ++k) {
+        const Floats from = splat(point.steps[k]);
+        low[k] = subtract(boxes.low(k, first), from);
+        high[k] = subtract(boxes.high(k, first), from);
+    }
+}
+
+/// The children whose box is within the limit, and the squared distance of each.
+template <class Node>
+inline unsigned distance_test(const Node& node, const RoundedPoint& point, const BlobData& blob, float limit,
+                              float* distances) {
+    const auto boxes = boxes_of(node, blob);
+    unsigned mask = 0;
+    for (unsigned first = 0; first < Node::max_children; first += lanes) {
+        Floats low[3], high[3];
+        planes_from_point(boxes, point, first, low, high);
+        const Floats distance = squared_distance(low, high);
+        mask |= at_most(distance, splat(limit)) << first;
+        store(distances + first, distance);
+    }
+    return mask & all_children(node);
+}
+
+/// The children whose box is within the point's radius, and of these the ones that are clearly inside of it altogether.
+template <class Node>
+inline unsigned overlap_test(const Node& node, const RoundedPoint& point, const BlobData& blob, unsigned& inside) {
+    const auto boxes = boxes_of(node, blob);
+    unsigned mask = 0;
+    inside = 0;
+    // mutant(< -> <=) equivalent: tests one more child from the bytes behind the node and masks it out
+    for (unsigned first = 0; first < Node::max_children; first += lanes) {
+        Floats low[3], high[3];
+        planes_from_point(boxes, point, first, low, high);
+        mask |= at_most(squared_distance(low, high), splat(point.limit)) << first;
+        // mutant(|= nothing) work: tests each triangle of a box that is wholly inside, with the same result
+        inside |= at_most(squared_distance_of_far_corner(low, high), splat(point.inner_limit)) << first;
+    }
+    return mask & all_children(node);
+}

@@ -1,0 +1,22 @@
+// The queries by distance in lattice units, once for each instruction set.
+#pragma once
+
+#include <runtime/answers/answer.hpp>
+#include <runtime/lanes/select.hpp>
+#include <runtime/traversal/fragments.hpp>
+
+#define ESPALIER_DECLARE_POINT_QUERIES(instruction_set)                                                               \
+    namespace instruction_set {                                                                                       \
+    bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer, const WalkAccuracy& accuracy); \
+    void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer, const WalkAccuracy& accuracy); \
+    }
+
+namespace espalier::detail {
+
+// find_overlaps: triangles of which something is within the radius, in storage order; true when the answer stopped it.
+// find_nearest: triangles within the radius as FoundNearest, the nearest first.
+ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_POINT_QUERIES)
+
+}  // namespace espalier::detail
+
+#undef ESPALIER_DECLARE_POINT_QUERIES

@@ -1,0 +1,228 @@
+// Spheres and closest points: the tests of triangles in lanes, and the queries as visitors. Lanes reject what is
+// clearly too far away and accept what is clearly near enough; what they leave open is decided by point_triangle.hpp.
+#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/traversal/find.inl>
+#include <runtime/proximity/squared_distance.inl>
+#include <runtime/proximity/point_nodes.inl>
+#endif
+#include <runtime/proximity/point_bounds.inl>
+
+/// Calls `on_group(first slot, corners)` for a leaf's triangles.
+template <unsigned groups, class Leaf, class OnGroup>
+[[gnu::always_inline]] inline void for_each_group_of(const Leaf& leaf, const RoundedPoint& point, OnGroup on_group) {
+    Table<groups> coordinates[3];
+    for (unsigned k = 0; k < 3; ++k) {
+        const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
+        const Floats from = splat(point.steps[k]);
+        for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
+            coordinates[k].set(group, subtract(to_floats(add(offsets_of(leaf, k, group), anchor)), from));
+        }
+    }
+    auto corners = corners_of(leaf);
+    for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
+        const auto numbers = corners.next();
+        const auto look_up = [&](const Numbers& number) {
+            return Floats3{coordinates[0].look_up(number), coordinates[1].look_up(number),
+                           coordinates[2].look_up(number)};
+        };
+        on_group(first, CornersFromPoint{look_up(numbers.a), look_up(numbers.b), look_up(numbers.c)});
+    }
+}
+
+/// Boxes of triangles, seen from the point.
+struct BoxesFromPoint {
+    Floats low[3], high[3];
+    explicit BoxesFromPoint(const CornersFromPoint& t) {
+        const auto set = [&](int k, Floats a, Floats b, Floats c) {
+            low[k] = smaller(a, smaller(b, c));
+            high[k] = larger(a, larger(b, c));
+        };
+        set(0, t.a.x, t.b.x, t.c.x);
+        set(1, t.a.y, t.b.y, t.c.y);
+        set(2, t.a.z, t.b.z, t.c.z);
+    }
+    /// At least the sum of the absolute coordinates of any corner.
+    [[nodiscard]] Floats reach() const {
+        Floats sum = splat(0.0f);
+        for (int k = 0; k < 3; ++k) sum = add(sum, larger(high[k], negate(low[k])));
+        return sum;
+    }
+};
+
+/// The triangles of a leaf that may be within the point's radius, and those with a corner that clearly is.
+template <class Slots>
+struct OverlapCandidates {
+    Slots near = 0;
+    Slots inside = 0;
+};
+template <unsigned groups, class Leaf>
+inline OverlapCandidates<typename Leaf::Slots> overlap_candidates_of(const Leaf& leaf, const RoundedPoint& point) {
+    using Slots = typename Leaf::Slots;
+    OverlapCandidates<Slots> candidates;
+    for_each_group_of<groups>(leaf, point, [&](unsigned first, const CornersFromPoint& t) {
+        const BoxesFromPoint boxes(t);
+        candidates.near |= Slots{at_most(squared_distance(boxes.low, boxes.high), splat(point.limit))} << first;
+        const Floats nearest_corner = smaller(dot(t.a, t.a), smaller(dot(t.b, t.b), dot(t.c, t.c)));
+        candidates.inside |= Slots{at_most(nearest_corner, splat(point.inner_limit))} << first;
+    });
+    candidates.near &= leaf.used_slots();
+    return candidates;
+}
+
+/// What of the surface is within the radius, by whichever point.
+struct SphereShape {
+    const RoundedPoint& sphere;
+    const BlobData& blob;
+    unsigned inside = 0;  ///< the children of the node at hand that are, box and all
+
+    template <class Node>
+    unsigned cull(const Node& node, float, float*) {
+        return overlap_test(node, sphere, blob, inside);
+    }
+    template <class Leaf, class SomeAnswer>
+    Visit scan(const Leaf& leaf, SomeAnswer& answer) const {
+        using Slots = typename Leaf::Slots;
+        OverlapCandidates<Slots> candidates = {leaf.used_slots(), ~Slots{0}};
+        // mutant(== -> true) work: tests each triangle of a box that is wholly inside, with the same result
+        if ((inside >> leaf.child() & 1u) == 0)
+            candidates = with_table_groups<Leaf::max_vertices>(
+                leaf.vertex_count, [&](auto groups) { return overlap_candidates_of<groups>(leaf, sphere); });
+        for (; candidates.near != 0; candidates.near &= candidates.near - 1) {
+            const auto slot = static_cast<unsigned>(std::countr_zero(candidates.near));
+            const std::uint32_t reference = storage_index(leaf, slot);
+            if (reference < answer.first) continue;
+            if ((candidates.inside >> slot & 1u) == 0 &&
+                !is_within_radius(sphere, distance_to(sphere, leaf.triangle(slot)), sphere.radius))
+                continue;
+            if (answer.take(found_at(leaf, reference)) == Visit::stop) return Visit::stop;
+        }
+        return Visit::next;
+    }
+};
+
+/// What lanes tell of the triangles of a leaf that may be within a limit: a lower bound of each squared distance, and
+/// about what their sides give.
+template <class Leaf>
+struct LeafDistances {
+    static constexpr unsigned room = (Leaf::max_slots + lanes - 1) / lanes * lanes;
+    float lower[room];
+    float to_sides[room];
+
+    /// Which triangles these are; the others' places stay as they are.
+    template <unsigned groups>
+    [[gnu::noinline]] typename Leaf::Slots fill(const Leaf& leaf, const RoundedPoint& point, float limit) {
+        typename Leaf::Slots near = 0;
+        for_each_group_of<groups>(leaf, point, [&](unsigned first, const CornersFromPoint& t) {
+            const BoxesFromPoint boxes(t);
+            const Floats to_box = squared_distance(boxes.low, boxes.high);
+            // mutant(never) work: tests triangles whose boxes are too far, with the same result
+            if (at_most(to_box, splat(limit)) == 0) return;
+            Floats bound = to_box;
+            Floats squared_to_sides;
+            if constexpr (lanes == 1)  // a bound costs as much as a decision
+                squared_to_sides = smaller(dot(t.a, t.a), smaller(dot(t.b, t.b), dot(t.c, t.c)));
+            else bound = larger(lower_bound(t, boxes.reach(), squared_to_sides), to_box);
+            store(lower + first, bound);
+            store(to_sides + first, squared_to_sides);
+            near |= typename Leaf::Slots{at_most(bound, splat(limit))} << first;
+        });
+        return near & leaf.used_slots();
+    }
+};
+
+/// Calls `decide(slot)` for the triangles of a leaf that may be within the answer's limit, which the calls may lower;
+/// the one with the nearest side comes first, since it lowers it most.
+template <class Leaf, class Decide>
+[[gnu::always_inline]] inline Visit decide_nearest_first(const Leaf& leaf, const RoundedPoint& point,
+                                                         const Answer& answer, Decide decide) {
+    LeafDistances<Leaf> distances;
+    auto near = with_table_groups<Leaf::max_vertices>(
+        leaf.vertex_count, [&](auto groups) { return distances.template fill<groups>(leaf, point, answer.limit); });
+    if (near == 0) return Visit::next;
+    auto first = static_cast<unsigned>(std::countr_zero(near));
+    // mutant(- -> right side dropped 1) equivalent: compares the first with itself too
+    for (auto others = near & (near - 1); others != 0; others &= others - 1) {
+        const auto slot = static_cast<unsigned>(std::countr_zero(others));
+        if (distances.to_sides[slot] < distances.to_sides[first]) first = slot;
+    }
+    if (decide(first) == Visit::stop) return Visit::stop;
+    near &= ~(typename Leaf::Slots{1} << first);
+    for (; near != 0; near &= near - 1) {
+        const auto slot = static_cast<unsigned>(std::countr_zero(near));
+        if (distances.lower[slot] <= answer.limit && decide(slot) == Visit::stop) return Visit::stop;
+    }
+    return Visit::next;
+}
+
+/// The squared distance from the point to the triangle's box.
+inline float squared_distance_to_box(const RoundedPoint& point, const LatticeTriangle& triangle) {
+    float squared = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        const Span span = span_of(triangle, k);
+        const float below = static_cast<float>(span.low) - point.steps[k];
+        const float above = point.steps[k] - static_cast<float>(span.high);
+        const float gap = maximum(maximum(below, above), 0.0f);
+        squared += gap * gap;
+    }
+    return squared;
+}
+
+/// What of the surface is within the radius, and how far it is.
+struct PointShape {
+    const RoundedPoint& point;
+    const BlobData& blob;
+
+    template <class Node>
+    unsigned cull(const Node& node, float limit, float* keys) const {
+        return distance_test(node, point, blob, limit, keys);
+    }
+    template <class Node>
+    [[nodiscard]] float farthest(const Node& node, unsigned child) const {
+        return farthest_squared(node, blob.bits, child, point);
+    }
+    template <class Leaf>
+    Visit scan(const Leaf& leaf, Answer& answer) const {
+        return decide_nearest_first(leaf, point, answer,
+                                    [&](unsigned slot) { return offer(leaf, slot, leaf.triangle(slot), answer); });
+    }
+    template <class Leaf>
+    Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, Answer& answer) const {
+        if (squared_distance_to_box(point, triangle) > answer.limit) return Visit::next;
+        return offer(leaf, slot, triangle, answer);
+    }
+
+private:
+    template <class Leaf>
+    Visit offer(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, Answer& answer) const {
+        const PointDistance distance = distance_to(point, triangle);
+        // mutant(without 1) work: offers a triangle that is farther than all that matter, which is not taken
+        if (distance.squared > answer.worst || !is_within_radius(point, distance, point.radius)) return Visit::next;
+        return hand_over(answer, distance, found_at(leaf, storage_index(leaf, slot)), triangle);
+    }
+    /// Apart, and assigned one by one: what is found needs no stack below the kernels, and lists are zeroed first.
+    [[gnu::noinline]] static Visit hand_over(Answer& answer, const PointDistance& distance, const Found& reference,
+                                             const LatticeTriangle& triangle) {
+        FoundNearest found;
+        static_cast<Found&>(found) = reference;
+        found.distance = distance;
+        found.triangle = triangle;
+        return answer.take(found);
+    }
+};
+
+bool find_overlaps(const BlobData& blob, const RoundedPoint& sphere, Each& answer, const WalkAccuracy& accuracy) {
+    answer.limit = sphere.limit;
+    if constexpr (small_code) {  // one query for every answer by distance
+        PointShape shape = {sphere, blob};
+        return find_each<Answer>(blob, shape, answer, accuracy);
+    } else {
+        SphereShape shape = {sphere, blob};
+        return find_each<Each>(blob, shape, answer, accuracy);
+    }
+}
+
+void find_nearest(const BlobData& blob, const RoundedPoint& point, Answer& answer, const WalkAccuracy& accuracy) {
+    answer.limit = point.limit;
+    PointShape shape = {point, blob};
+    find_nearest_first(blob, shape, answer, accuracy);
+}

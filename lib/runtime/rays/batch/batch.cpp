@@ -1,0 +1,43 @@
+// Batches of rays: the variant that suits the machine.
+#include <espalier/ray.hpp>
+#include <runtime/lanes/dispatch.hpp>
+#include <runtime/rays/batch/batch.hpp>
+#include <runtime/rays/queries.hpp>
+#include <runtime/rays/status.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+/// Returns ok where a batch may write: the blob is open, and there is a place for each answer.
+QueryStatus check_batch(const Blob& blob, std::size_t rays, std::size_t places) {
+    if (nothing_in(data_of(blob)) == QueryStatus::not_open) return QueryStatus::not_open;
+    return rays == places ? QueryStatus::ok : QueryStatus::invalid_argument;
+}
+
+}  // namespace
+
+Filled raycast(const Blob& blob, std::span<const Ray> rays, std::span<RayHit> hits) noexcept {
+    const QueryStatus status = check_batch(blob, rays.size(), hits.size());
+    if (status != QueryStatus::ok) return {0, {}, status};
+    if (blob.triangle_count() != 0)
+        ESPALIER_DISPATCH(closest_hits, data_of(blob), rays.data(), hits.data(), hits.size());
+    else
+        for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = miss_with(status_without_walk(data_of(blob), rays[i]));
+    return {hits.size(), {}, status};
+}
+
+Filled occluded(const Blob& blob, std::span<const Ray> rays, std::span<YesNo> answers) noexcept {
+    const QueryStatus status = check_batch(blob, rays.size(), answers.size());
+    if (status != QueryStatus::ok) return {0, {}, status};
+    if (blob.triangle_count() != 0)
+        ESPALIER_DISPATCH(any_hits, data_of(blob), rays.data(), answers.data(), answers.size());
+    else
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            answers[i] = YesNo(status_without_walk(data_of(blob), rays[i]));
+    return {answers.size(), {}, status};
+}
+
+}  // namespace espalier

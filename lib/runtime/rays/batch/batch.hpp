@@ -1,0 +1,38 @@
+// Batches of rays, once for each instruction set; the answers are those of one call for each ray. The blob has
+// triangles.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+#include <espalier/ray.hpp>
+#include <runtime/blob/duplicate_references.hpp>
+#include <runtime/kernels/ray_triangle.hpp>
+#include <runtime/answers/found.hpp>
+#include <runtime/lanes/select.hpp>
+#include <runtime/rays/status.hpp>
+
+#define ESPALIER_DECLARE_RAY_BATCHES(instruction_set)                                          \
+    namespace instruction_set {                                                                \
+    void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count); \
+    void any_hits(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count);  \
+    }
+
+namespace espalier::detail {
+
+/// One ray after the other, by a query for single rays.
+template <RayHit (*closest_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
+void closest_hits_one_by_one(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) ::new (&hits[i]) RayHit(closest_hit(blob, rays[i], nullptr));  // in place
+}
+template <YesNo (*any_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
+void any_hits_one_by_one(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) occluded[i] = any_hit(blob, rays[i], nullptr);
+}
+
+ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_RAY_BATCHES)
+
+}  // namespace espalier::detail
+
+#undef ESPALIER_DECLARE_RAY_BATCHES

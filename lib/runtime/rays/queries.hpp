@@ -1,0 +1,42 @@
+// The ray queries, once for each instruction set: rounded, answered in lattice units, translated back. All may refuse
+// the blob or the ray.
+#pragma once
+
+#include <espalier/function_ref.hpp>
+#include <espalier/ray.hpp>
+#include <runtime/answers/answer.hpp>
+#include <runtime/blob/duplicate_references.hpp>
+#include <runtime/lanes/select.hpp>
+#include <runtime/rays/status.hpp>
+#include <runtime/traversal/fragments.hpp>
+
+#define ESPALIER_DECLARE_RAY_QUERIES(instruction_set)                                                                \
+    namespace instruction_set {                                                                                      \
+    RayHit closest_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                        \
+    Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter); \
+    YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                             \
+    QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);                     \
+    YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy);                             \
+    RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray);                                    \
+    YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray);                                         \
+    }
+
+namespace espalier::detail {
+
+/// Returns why a ray that is not walked has no hit: invalid_argument, out_of_range, or not_found if it is a sound ray.
+QueryStatus refusal_or_miss(const BlobData& blob, const Ray& ray);
+/// Returns why a query walks nothing: not_open, the refusal of the ray, or not_found if the blob has no triangles, the
+/// ray passes it, or the window is empty.
+QueryStatus status_without_walk(const BlobData& blob, const Ray& world);
+inline QueryStatus status_without_walk(const BlobData&, const RayOnLattice&) { return QueryStatus::not_found; }
+
+ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_RAY_QUERIES)
+ESPALIER_DECLARE_RAY_QUERIES(small)
+
+namespace scalar {
+RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters& counters);
+}
+
+}  // namespace espalier::detail
+
+#undef ESPALIER_DECLARE_RAY_QUERIES

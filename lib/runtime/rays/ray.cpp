@@ -1,0 +1,49 @@
+// Rays: the variant of each query that suits the machine.
+#include <espalier/ray.hpp>
+#include <espalier/statistics.hpp>
+#include <runtime/lanes/dispatch.hpp>
+#include <runtime/rays/queries.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+const TriangleFilter* given(const TriangleFilter& filter) { return filter ? &filter : nullptr; }
+
+}  // namespace
+
+RayHit raycast(const Blob& blob, const Ray& ray) noexcept {
+    return ESPALIER_DISPATCH_RAY(closest_hit, data_of(blob), ray, nullptr);
+}
+
+RayHit raycast(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept {
+    return ESPALIER_DISPATCH_RAY(closest_hit, data_of(blob), ray, given(filter));
+}
+
+YesNo occluded(const Blob& blob, const Ray& ray) noexcept {
+    return ESPALIER_DISPATCH_RAY(any_hit, data_of(blob), ray, nullptr);
+}
+
+YesNo occluded(const Blob& blob, const Ray& ray, TriangleFilter filter) noexcept {
+    return ESPALIER_DISPATCH_RAY(any_hit, data_of(blob), ray, given(filter));
+}
+
+Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits) noexcept {
+    return ESPALIER_DISPATCH_RAY(first_hits, data_of(blob), ray, hits, nullptr);
+}
+
+Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, TriangleFilter filter) noexcept {
+    return ESPALIER_DISPATCH_RAY(first_hits, data_of(blob), ray, hits, given(filter));
+}
+
+QueryStatus for_each_hit(const Blob& blob, const Ray& ray, Visitor<const RayHit&> visit) noexcept {
+    return ESPALIER_DISPATCH_RAY(every_hit, data_of(blob), ray, visit);
+}
+
+RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexcept {
+    return scalar::closest_hit_counted(data_of(blob), ray, counters);
+}
+
+}  // namespace espalier

@@ -1,0 +1,135 @@
+// Rays: the shape, and the answers, which decide on triangles themselves: each needs another part of a hit.
+#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/rays/leaf_filter.inl>
+#include <runtime/traversal/query.inl>
+#endif
+
+template <class Leaf>
+struct RayShape {
+    const LatticeRay& ray;
+    const RayLanesOf<typename Leaf::Node>& lanes_;
+
+    template <class Node>
+    [[gnu::always_inline]] unsigned cull(const Node& node, Limit limit, Keys keys) const {
+        return slab_test(node, lanes_, limit, keys);
+    }
+    template <class SomeAnswer>
+    [[gnu::always_inline]] Visit scan(const PlaceOf<Leaf>& place, SomeAnswer& answer, QueryCounters* counters) const {
+        RayLeaf<Leaf> leaf;
+        auto candidates = ray_candidates(place, ray, leaf);
+        if (counters != nullptr) {
+            counters->count_leaf();
+            counters->count_triangles(leaf.triangle_count());
+            counters->count_candidates(static_cast<unsigned>(std::popcount(candidates)));
+        }
+        for (; candidates != 0; candidates &= candidates - 1)
+            if (answer.decide(ray, leaf, static_cast<unsigned>(std::countr_zero(candidates))) == Visit::stop)
+                return Visit::stop;
+        return Visit::next;
+    }
+    template <class Node>
+    [[nodiscard]] bool meets_any(const BlobData& blob, const Node& node, unsigned children) const {
+        return children_passed(ray, node, blob.bits, children) != 0 && passes_down_to(ray, blob, node);
+    }
+};
+template <class Leaf, class SomeAnswer>
+using RayQuery = Query<RayShape<Leaf>, SomeAnswer, true>;
+
+/// Where triangles have duplicate references, visits only boxes that the ray passes through exactly: which references
+/// it reaches does not depend on how lanes round.
+template <class Leaf>
+struct EveryHitShape : RayShape<Leaf> {
+    const BlobData& blob;
+
+    template <class Node>
+    [[gnu::always_inline]] unsigned cull(const Node& node, Limit limit, Keys keys) const {
+        const unsigned mask = RayShape<Leaf>::cull(node, limit, keys);
+        if constexpr (Leaf::may_have_duplicates && reads_duplicate_references)
+            if (blob.copies != nullptr) return children_passed(this->ray, node, blob.bits, mask);
+        return mask;
+    }
+};
+
+/// The closest hit; of equal ones the lowest index. One type for each type of ray that callers give: each is then used
+/// by one query, and a program that never calls that query does not pay for it.
+template <class Caller>
+struct ClosestHit {
+    RayHit* best;  ///< the caller's, undivided
+    const TriangleFilter* filter;
+    Limit limit;
+    std::uint32_t volume_bits = 0;  ///< of the best, a float and its sign; 0 while there is none
+
+    [[nodiscard]] bool found() const { return volume_bits != 0; }
+    template <class SomeLeaf>
+    Visit decide(const LatticeRay& ray, const SomeLeaf& leaf, unsigned slot) {
+        TriangleHit hit;
+        if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
+        // By their bits: neither is negative.
+        const auto bits = [](float tau) { return std::bit_cast<std::int32_t>(tau); };
+        const std::int32_t later = bits(hit.whole_tau) - bits(found() ? best->t : infinity);
+        if (later > 0) return Visit::next;
+        const std::uint32_t index = owner_index(leaf, slot);
+        // mutant(>= -> >) equivalent: the same triangle, again from a leaf with a copy, gives the same hit
+        if (later == 0 && index >= best->triangle.index) return Visit::next;
+        if (filter != nullptr && !(*filter)(TriangleId{index})) return Visit::next;
+        // Small cores load it again: what GCC keeps of it in registers takes 8 bytes of their stack.
+        const TriangleHit& kept = load_again(hit);
+        set_undivided(*best, kept, index);
+        volume_bits = std::bit_cast<std::uint32_t>(kept.volume);
+        limit = hit_limit(ray, kept.whole_tau);
+        return Visit::next;
+    }
+    /// Completes the best hit, once all of them are found.
+    void finish(const LatticeRay& ray, const Caller& world) const {
+        divide_hit(*best, std::bit_cast<float>(volume_bits));
+        best->t = to_t(ray, best->t, world);
+    }
+};
+
+/// The first few hits by t, of equal t by index. Boxes are culled by the last of them as soon as it is known that there
+/// are more.
+struct FirstFewHits {
+    FirstHits& hits;
+    const TriangleFilter* filter;
+    Limit limit;
+
+    template <class Leaf>
+    Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) {
+        TriangleHit hit;
+        if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
+        const std::uint32_t index = owner_index(leaf, slot);
+        if constexpr (Leaf::may_have_duplicates)
+            if (hits.has(*leaf.blob, index)) return Visit::next;
+        if (filter != nullptr && !(*filter)(TriangleId{index})) return Visit::next;
+        hits.offer(to_ray_hit(hit, index));
+        if (!hits.has_overflowed()) return Visit::next;
+        if (hits.is_empty()) return Visit::stop;
+        limit = hit_limit(ray, hits.largest_key());
+        return Visit::next;
+    }
+};
+
+/// Whether there is any hit.
+struct AnyHit {
+    Limit limit;
+
+    template <class Leaf>
+    Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
+        return is_hit(leaf, slot, ray) ? Visit::stop : Visit::next;
+    }
+};
+
+/// Hits in storage order, handed to a callable. Their index is that of the reference.
+template <class OnHit>
+struct EveryHit {
+    OnHit on_hit;
+    Limit limit;
+
+    template <class Leaf>
+    Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
+        FoundHit found;
+        if (!hits_slot(leaf, slot, ray, found.hit)) return Visit::next;
+        found.index = storage_index(leaf, slot);
+        return on_hit(ray, found);
+    }
+};

@@ -1,0 +1,116 @@
+// Ray queries for small cores: few bytes of code and stack, and hardly a float.
+#include <bit>
+#include <type_traits>
+
+#include <runtime/base/small_code.hpp>
+#include <runtime/kernels/small_ray_triangle.hpp>
+#include <runtime/lanes/scalar.hpp>
+#include <runtime/rays/queries.hpp>
+#include <runtime/rays/small_code/seen_boxes.hpp>
+#include <runtime/rays/small_code/seen_planes.hpp>
+#include <runtime/rays/small_code/seen_triangles.hpp>
+#include <runtime/traversal/scalar_walk.hpp>
+#include <runtime/traversal/small_boxes.hpp>
+
+namespace espalier::detail::small {
+
+using LatticeRay = SeenRay;
+/// What boxes of a kind of node need.
+template <class Node>
+using RayLanesOf = std::conditional_t<std::is_same_v<Node, PlainNode>, SeenPlainRay, SeenRay>;
+template <class Lanes>
+struct PreparedRayIn {
+    Lanes ray;
+
+    [[nodiscard]] const Lanes& lanes() const { return ray; }
+};
+template <class Lanes>
+inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
+    float reach = 0.0f;
+    return round_ray(blob, world, prepared.ray, reach) && prepared.ray.prepare(blob);
+}
+template <class Lanes>
+inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
+    static_cast<IntegerRay&>(prepared.ray) = given.ray;
+    return prepared.ray.prepare(blob);
+}
+#include <runtime/rays/prepare_ray_portable.inl>
+/// Limits of walks are places ahead.
+using Limit = std::int32_t;
+[[gnu::noinline]] inline Limit hit_limit(const SeenRay& ray, float whole_tau) {
+    return ray.last_ahead(detail::hit_limit(ray, whole_tau));
+}
+/// As for a hit at the window's end.
+[[gnu::always_inline]] inline Limit window_limit(const SeenRay& ray) {
+    return hit_limit(ray, ray.tau_offset + ray.tau_max);
+}
+
+#include <runtime/rays/small_code/walk.inl>
+
+template <class Node>
+[[gnu::always_inline]] inline unsigned slab_test(const Node& node, const RayLanesOf<Node>& lanes, Limit limit,
+                                                 Keys keys) {
+    return seen_children(lanes, node, limit, keys.among & all_children(node));
+}
+
+/// The triangles of a leaf that the ray may hit. Apart from the walk, as the kernel is: of their needs only the larger
+/// one is ever on the stack.
+template <class Leaf>
+[[gnu::noinline]] typename Leaf::Slots ray_candidates(const Leaf& leaf, const SeenRay& ray) {
+    const SeenLeaf seen(leaf.size_bits + ray.fraction_bits);
+    // A vertex is placed where it and the next two will be.
+    std::int32_t room[Leaf::max_vertices + 2];
+    std::int32_t* const vertices = as_if_changed(&room[0]);  // in a register: counted from the frame, each look-up adds
+    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
+    for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+        std::int32_t* const place = vertices + vertex;
+        place_vertex(leaf, vertex, ray, place);
+        *place =
+            static_cast<std::int32_t>(seen.vertex(ray, place[ray.axis[0]], place[ray.axis[1]], place[ray.axis[2]]));
+    }
+    const auto at = [&](unsigned vertex) { return static_cast<SeenVertex>(vertices[vertex]); };
+    typename Leaf::Slots mask = 0;
+    auto corners = scalar::corners_of(leaf);
+    // mutant(< -> <=) sanitizer: shifts by the width of the type where a leaf is full
+    for (unsigned slot = 0; slot < leaf.slot_count; ++slot) {
+        const scalar::CornerNumbers triangle = corners.next();
+        if (seen.allows(at(triangle.a), at(triangle.b), at(triangle.c))) mask |= typename Leaf::Slots{1} << slot;
+    }
+    return mask & leaf.used_slots();
+}
+template <class Leaf>
+[[gnu::noinline]] bool hits_slot(const Leaf& leaf, unsigned slot, const SeenRay& ray, TriangleHit& hit) {
+    count_decision();
+    LatticeTriangle from_origin;
+    for (unsigned i = 0; i < 3; ++i) place_vertex(leaf, leaf.corner(slot, i), ray, from_origin.corner[i]);
+    return small_ray_triangle::hits(ray, from_origin, hit);
+}
+/// Small cores have no stack to keep what was unpacked.
+template <class Leaf>
+using RayLeaf = KeptLeaf<Leaf>;
+template <class Leaf>
+[[gnu::always_inline]] inline typename Leaf::Slots ray_candidates(const PlaceOf<Leaf>& place, const SeenRay& ray,
+                                                                  Leaf& leaf) {
+    // A node of its own: GCC keeps a copied one on the stack for as long as the walk takes.
+    decode_leaf(*place.blob, typename Leaf::Node{place.node.bytes}, place.number, leaf);
+    return ray_candidates(leaf, ray);
+}
+inline constexpr bool decides_by_signs = false;
+template <class Leaf>
+inline bool is_hit(const Leaf& leaf, unsigned slot, const SeenRay& ray) {
+    TriangleHit hit;
+    return hits_slot(leaf, slot, ray, hit);
+}
+using scalar::owner_index;
+using scalar::storage_index;
+
+namespace {  // what is called once becomes part of its caller
+
+#include <runtime/traversal/query.inl>
+#include <runtime/rays/shape.inl>
+
+}  // namespace
+
+#include <runtime/rays/queries.inl>
+
+}  // namespace espalier::detail::small

@@ -1,0 +1,81 @@
+// The first triangle that a moving shape touches, in lattice units: one walk for all shapes, which say by a function
+// when they touch a triangle.
+#pragma once
+
+#include <espalier/function_ref.hpp>
+#include <espalier/sweep.hpp>
+#include <runtime/answers/answer.hpp>
+#include <runtime/kernels/face.hpp>
+#include <runtime/lattice/to_world.hpp>
+#include <runtime/sweeps/round_sweep.hpp>
+
+namespace espalier::detail {
+
+struct FoundContact : Found {
+    SweepStep step = no_contact;
+    LatticeTriangle triangle;
+
+    [[nodiscard]] float key() const { return share_of_way(step); }
+    [[nodiscard]] float limit(float) const { return key(); }
+};
+
+/// When the shape touches a triangle, or no_contact when that is after the step given.
+using FirstContactOf = FunctionRef<SweepStep(const LatticeTriangle&, SweepStep most)>;
+
+/// The smallest step, of equal ones the lowest index; no_contact when there is none. The blob is not empty.
+FoundContact first_contact(const BlobData& blob, const LatticeSweep& sweep, FirstContactOf contact_of,
+                           const TriangleFilter* filter);
+
+// What the queries and their loop over all triangles share: the contact of each shape with one triangle.
+
+inline SweepStep first_contact(const SphereSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+    return first_contact(MovingSphere{sweep.displacement, sweep.radius}, sweep.seen_from(sweep.center, triangle), most);
+}
+/// Out of line: what it needs must not lie on the stack below the kernel of the start.
+[[gnu::noinline]] inline SweepStep first_contact_after_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle,
+                                                             SweepStep most) noexcept {
+    return first_contact(sweep.moving, sweep.seen_from(sweep.from, triangle), most);
+}
+inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+    return touches_at_start(sweep, triangle) ? 0 : first_contact_after_start(sweep, triangle, most);
+}
+inline SweepStep first_contact(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+    return first_contact(MovingBox{sweep.low, sweep.high, sweep.displacement}, sweep.seen_from({0, 0, 0}, triangle),
+                         most);
+}
+
+inline SweepContact contact_at(const SphereSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
+    return contact_at(MovingSphere{sweep.displacement, sweep.radius}, sweep.seen_from(sweep.center, triangle),
+                      tick_before(step));
+}
+inline SweepContact contact_at(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
+    return contact_at(sweep.moving, sweep.seen_from(sweep.from, triangle), step);
+}
+inline SweepContact contact_at(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
+    return contact_at(MovingBox{sweep.low, sweep.high, sweep.displacement}, sweep.seen_from({0, 0, 0}, triangle), step);
+}
+/// Where a shape touches at the start: as seen from its middle.
+inline SweepContact contact_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) noexcept {
+    return contact_at(MovingSphere{sweep.displacement, 0}, sweep.seen_from(sweep.middle(), triangle), 0);
+}
+
+/// Returns a contact as the caller receives it.
+template <class Sweep>
+SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundContact& found) noexcept {
+    const bool at_start = found.step == 0;
+    const SweepContact contact =
+        at_start ? contact_at_start(sweep, found.triangle) : contact_at(sweep, found.triangle, found.step);
+    float point[3];
+    point_of(found.triangle, contact.u, contact.v, point);
+    SweepHit hit;
+    hit.t = share_of_way(tick_before(found.step));
+    hit.point = to_world(blob, point[0], point[1], point[2]);
+    hit.normal = contact.normal;
+    hit.face_normal = face_normal_of(found.triangle);
+    hit.triangle = TriangleId{found.index};
+    hit.status = QueryStatus::ok;
+    hit.starts_overlapping = at_start;
+    return hit;
+}
+
+}  // namespace espalier::detail

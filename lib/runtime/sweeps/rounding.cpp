@@ -1,0 +1,50 @@
+// How far a sweep moves when it is rounded. The bound is derived in docs/numerics.md, Sweeps.
+#include <cstddef>
+
+#include <espalier/rounding.hpp>
+#include <runtime/lattice/rounder.hpp>
+#include <runtime/sweeps/round_sweep.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+constexpr float half_ulp = 0x1p-24f;                // of a number, relative to it, at most
+constexpr float square_root_of_3 = 0x1.bb67b2p+0f;  // rounded up
+constexpr float up = 1.0f + 0x1p-21f;               // more than the roundings of the bound itself
+
+/// Returns the bound for a shape whose place is given by `points`.
+template <class Sweep, class Shape, std::size_t count>
+Result<float> bound(const Blob& blob, const Shape& shape, const Vec3& displacement, const Vec3 (&points)[count]) {
+    if (!blob) return {};
+    const BlobData& data = data_of(blob);
+    Sweep sweep;
+    const QueryStatus status = round_sweep(data, shape, displacement, sweep);
+    if (status != QueryStatus::ok || blob.triangle_count() == 0) return {0.0f, status};
+    float largest = 0.0f;
+    for (const Vec3& point : points) {
+        const float at[3] = {point.x, point.y, point.z};
+        for (int k = 0; k < 3; ++k) largest = maximum(absolute(to_steps(data, k, at[k])), largest);
+    }
+    // Half a unit of the grid for the place, for the displacement and for the radius.
+    const float half_grid = power_of_two(-sweep.fraction_bits - 1);
+    const float along_axis = 2.0f * half_grid + (largest + 2.0f) * half_ulp;
+    const float steps = (along_axis * square_root_of_3 + (half_grid + half_ulp)) * up;
+    return {scale_by_power_of_two(steps, data.step_exponent), QueryStatus::ok};
+}
+
+}  // namespace
+
+Result<float> rounding_error(const Blob& blob, const Sphere& sphere, Vec3 displacement) noexcept {
+    return bound<SphereSweep>(blob, sphere, displacement, {sphere.center});
+}
+Result<float> rounding_error(const Blob& blob, const Capsule& capsule, Vec3 displacement) noexcept {
+    return bound<CapsuleSweep>(blob, capsule, displacement, {capsule.from, capsule.to});
+}
+Result<float> rounding_error(const Blob& blob, const Box& box, Vec3 displacement) noexcept {
+    return bound<BoxSweep>(blob, box, displacement, {box.min, box.max});
+}
+
+}  // namespace espalier

@@ -1,0 +1,37 @@
+// Boxes of a node in lanes, in lattice steps: exactly, for every kind of node.
+#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/traversal/alone.hpp>
+#endif
+
+/// Of a packed node: planes count from its base.
+struct PackedBoxes {
+    PackedNode node;
+    Frame frame;
+
+    [[nodiscard, gnu::always_inline]] Floats low(int k, unsigned first) const {
+        return multiply_add(bytes_to_floats(node.low_planes(k) + first), frame.scale[k], frame.base[k]);
+    }
+    [[nodiscard, gnu::always_inline]] Floats high(int k, unsigned first) const {
+        return multiply_add(bytes_to_floats(node.high_planes(k) + first), frame.scale[k], frame.base[k]);
+    }
+};
+[[gnu::always_inline]] inline PackedBoxes boxes_of(const PackedNode& node, const BlobData& blob) {
+    return {node, load_frame(node, blob)};
+}
+
+/// Of a plain node: planes are coordinates, but for the unit of fine lattices.
+struct PlainBoxes {
+    PlainNode node;
+    float unit;
+
+    [[nodiscard, gnu::always_inline]] Floats low(int k, unsigned first) const {
+        return multiply(to_floats(load_words(node.low_planes(k) + 2 * std::size_t{first})), splat(unit));
+    }
+    [[nodiscard, gnu::always_inline]] Floats high(int k, unsigned first) const {
+        return multiply_add(to_floats(load_words(node.high_planes(k) + 2 * std::size_t{first})), splat(unit),
+                            splat(unit - 1.0f));
+    }
+};
+[[gnu::always_inline]] inline PlainBoxes boxes_of(const PlainNode& node, const BlobData& blob) {
+    return {node, blob.base_unit};
+}

@@ -1,0 +1,79 @@
+// Tests of sweeps that continue at a contact: how far a body must be moved away from it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <espalier/rounding.hpp>
+#include <espalier/sweep.hpp>
+#include <espalier/transform.hpp>
+
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/makers.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+Vec3 times(const Vec3& v, float s) { return {v.x * s, v.y * s, v.z * s}; }
+float largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+float largest(const Sphere& sphere) { return largest(sphere.center); }
+float largest(const Capsule& capsule) { return std::max(largest(capsule.from), largest(capsule.to)); }
+float largest(const Box& box) { return std::max(largest(box.min), largest(box.max)); }
+
+struct Seen {
+    std::uint64_t contacts = 0;
+    std::uint64_t overlapping = 0;  ///< without a push
+};
+
+/// Sweeps the shape, moves it away from the contact by the documented skin, and requires that it does not touch.
+template <class Shape>
+void slide(const Blob& blob, const Shape& start, const Vec3& way, const Vec3& next, Seen& seen) {
+    const SweepHit hit = sweep(blob, start, way);
+    if (!hit || hit.starts_overlapping) return;
+    const Shape stopped = translated(start, times(way, hit.t));
+    const auto only_it = [&](TriangleId triangle) { return triangle == hit.triangle; };
+    ++seen.contacts;
+    seen.overlapping += sweep(blob, stopped, next, only_it).starts_overlapping ? 1u : 0u;
+    const Result<float> before = rounding_error(blob, start, way), after = rounding_error(blob, stopped, next);
+    REQUIRE(before);
+    REQUIRE(after);
+    const float additions = 0x1p-21f * std::max(largest(start), largest(translated(start, way)));
+    const Shape pushed = translated(stopped, times(hit.normal, before.value + after.value + additions));
+    REQUIRE_FALSE(sweep(blob, pushed, next, only_it).starts_overlapping);
+}
+
+}  // namespace
+
+TEST_SUITE("slide") {
+    TEST_CASE("sweep: a body that is moved away by the bounds of both sweeps does not start in the contact") {
+        for (const float offset : {0.0f, 1000.0f}) {
+            for (const float coarseness : {0x1p-12f, 0x1p-4f}) {
+                BakeOptions options;
+                options.resolution = Resolution::tolerance(static_cast<double>(coarseness));
+                const OpenedBlob opened(make_icosphere(3, 4.0, {offset, 0.0f, -offset}), options);
+                const Blob& blob = opened.blob;
+                Seen spheres, capsules, boxes;
+                Random random(2680);
+                for (std::uint64_t i = 0; i < scaled(4000); ++i) {
+                    const Vec3 off = random.in_cube(9.0f), to = random.in_cube(3.0f), next = random.in_cube(2.0f);
+                    const Vec3 a = {off.x + offset, off.y, off.z - offset};
+                    const Vec3 way = {to.x - off.x, to.y - off.y, to.z - off.z};
+                    const Vec3 b = translated(a, random.in_cube(1.0f));
+                    const float radius = random.unit();
+                    slide(blob, Sphere{a, radius}, way, next, spheres);
+                    slide(blob, Capsule{a, b, radius}, way, next, capsules);
+                    slide(blob, Box{a, translated(a, {radius, random.unit(), random.unit()})}, way, next, boxes);
+                }
+                if (!asks_enough()) continue;
+                for (const Seen& seen : {spheres, capsules, boxes}) {
+                    CHECK(seen.contacts > 100);
+                    CHECK(seen.overlapping > 0);
+                }
+            }
+        }
+    }
+}
