@@ -47,6 +47,19 @@ constexpr bool is_multiple_of_power(float x, int exponent) {
     // The implicit bit stands above the others: no more than 23 of them are zeros.
     return magnitude == 0 || exponent_of(x) - 23 + std::countr_zero(magnitude | 0x00800000u) >= exponent;
 }
+/// A finite number taken apart: mantissa * 2^exponent, exactly, the mantissa below 2^24. It is 0 for 0 alone.
+struct FloatParts {
+    std::int64_t mantissa;
+    int exponent;
+};
+ESPALIER_SHARED_CODE constexpr FloatParts parts_of(float x) {
+    const std::uint32_t bits = magnitude_bits(x);
+    const int biased = static_cast<int>(bits >> 23);
+    const std::int64_t fraction = bits & 0x007FFFFFu;
+    const std::int64_t mantissa = biased == 0 ? fraction : fraction | 0x00800000;
+    return {is_negative(x) ? -mantissa : mantissa, (biased == 0 ? 1 : biased) - 150};
+}
+
 /// Subnormal numbers count as zero.
 constexpr float flush_subnormal(float x) { return magnitude_bits(x) < 0x00800000u ? 0.0f : x; }
 

@@ -5,15 +5,13 @@
 
 namespace espalier::detail {
 
-inline Int128 magnitude_of(const Int128& a) { return negate_if(a, a.is_negative()); }
-
 struct WideDifference {
     Unsigned256 magnitude;
     bool negative;
 
     WideDifference(const Unsigned256& from, bool is_below)
         : magnitude(from), negative(is_below && from.bit_length() != 0) {}
-    explicit WideDifference(Argument<Int128> a) : WideDifference(Unsigned256(magnitude_of(a)), a.is_negative()) {}
+    explicit WideDifference(Argument<Int128> a) : WideDifference(Unsigned256(detail::magnitude(a)), a.is_negative()) {}
 
     [[nodiscard]] bool is_zero() const { return magnitude.bit_length() == 0; }
     [[nodiscard]] bool is_negative() const { return negative; }
@@ -25,15 +23,15 @@ struct WideDifference {
         return negative ? -size : size;
     }
 };
-inline Unsigned256 magnitude_of(const WideDifference& a) { return a.magnitude; }
+inline Unsigned256 magnitude(const WideDifference& a) { return a.magnitude; }
 
 /// a * b - c * d; the sum of their magnitudes must stay below 2^256. Out of line: rare where it matters.
 [[gnu::noinline]] inline WideDifference product_difference(const Int128& a, const Int128& b, const Int128& c,
                                                            const Int128& d) {
     const bool negative = a.is_negative() != b.is_negative();
     const bool subtracted_is_negative = c.is_negative() != d.is_negative();
-    const Unsigned256 ab = Unsigned256::product(magnitude_of(a), magnitude_of(b));
-    const Unsigned256 cd = Unsigned256::product(magnitude_of(c), magnitude_of(d));
+    const Unsigned256 ab = Unsigned256::product(magnitude(a), magnitude(b));
+    const Unsigned256 cd = Unsigned256::product(magnitude(c), magnitude(d));
     if (ab.bit_length() == 0) return {cd, !subtracted_is_negative};
     if (negative != subtracted_is_negative) return {ab.plus(cd), negative};
     const bool less = compare_scaled(ab, cd, 0) < 0;

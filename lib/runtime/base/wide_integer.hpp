@@ -109,8 +109,19 @@ constexpr std::int64_t negate_if(std::int64_t a, bool condition) {
     return (a ^ mask) - mask;
 }
 ESPALIER_SHARED_CODE constexpr Int128 negate_if(const Int128& a, bool condition) { return condition ? -a : a; }
+constexpr std::int64_t magnitude(std::int64_t a) { return a < 0 ? -a : a; }
+constexpr Int128 magnitude(const Int128& a) { return negate_if(a, a.is_negative()); }
 constexpr bool is_zero(std::int64_t a) { return a == 0; }
 constexpr bool is_zero(const Int128& a) { return a.is_zero(); }
+/// -1, 0 or 1.
+constexpr int sign(std::int64_t a) { return a < 0 ? -1 : a > 0 ? 1 : 0; }
+ESPALIER_SHARED_CODE constexpr int sign(const Int128& a) { return a.is_negative() ? -1 : a.is_zero() ? 0 : 1; }
+
+/// a * b - c * d, which must fit.
+ESPALIER_SHARED_CODE constexpr Int128 product_difference(std::int64_t a, std::int64_t b, std::int64_t c,
+                                                         std::int64_t d) {
+    return multiply(a, b) - multiply(c, d);
+}
 
 /// The nearest float, ties to even, to a number in two's complement, low words first. For cores without wide registers:
 /// the compiler's own conversion would bring all of its float addition along.

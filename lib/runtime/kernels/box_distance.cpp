@@ -21,14 +21,11 @@ class SideAndBox {
 public:
     /// `number`: 0 from corner a to b.
     SideAndBox(const UnitSegment& diagonal, const LatticeTriangle& triangle, int number)
-        : box_(diagonal), bits_(diagonal.fraction_bits), side_(number) {
-        const std::int32_t* from = triangle.corner[number];
-        const std::int32_t* to = triangle.corner[number == 2 ? 0 : number + 1];
-        for (int k = 0; k < 3; ++k) {
-            start_[k] = std::int64_t{from[k]} << bits_;
-            edge_[k] = std::int64_t{to[k]} - from[k];
-        }
-    }
+        : box_(diagonal),
+          bits_(diagonal.fraction_bits),
+          side_(number),
+          start_(corner_on_grid(triangle, number, bits_)),
+          edge_(side_from(triangle, number)) {}
 
     /// The squared distance along the side is convex and smooth, and a parabola between the places where a coordinate
     /// enters or leaves the box: the signs of its slope there lead to the parabola with the minimum.
@@ -48,17 +45,13 @@ public:
             if (low.is_before(place) && place.is_before(high)) (slope(place).is_negative() ? low : high) = place;
         }
         // Coordinates that are in the box on all of the way from low to high do not count.
-        std::int64_t from_low[3], from_high[3];
-        gaps(low, from_low);
-        gaps(high, from_high);
-        std::int64_t offset[3], edge[3];
+        const Integer3 from_low = gaps(low), from_high = gaps(high);
+        Integer3 w, e;
         for (int k = 0; k < 3; ++k) {
             const std::int64_t gap = from_low[k] != 0 ? from_low[k] : from_high[k];
-            offset[k] = gap == 0 ? 0 : start_[k] - (gap < 0 ? box_.from[k] : box_.to[k]);
-            edge[k] = gap == 0 ? 0 : edge_[k];
+            w[k] = gap == 0 ? 0 : start_[k] - (gap < 0 ? box_.from[k] : box_.to[k]);
+            e[k] = gap == 0 ? 0 : edge_[k];
         }
-        const Integer3 w = {offset[0], offset[1], offset[2]};
-        const Integer3 e = {edge[0], edge[1], edge[2]};
         const std::int64_t length = dot<std::int64_t>(e, e);  // not 0: the slope changes its sign
         along = minimum(-to_float(dot<std::int64_t>(w, e)) / to_float(length) * power_of_two(-bits_), 1.0f);
         return point_triangle::squared_quotient(point_triangle::squared_length(cross(w, e)), length, edge_of(side_),
@@ -67,32 +60,27 @@ public:
 
 private:
     [[nodiscard]] PointDistance at_end(const Place& end, Feature feature) const {
-        std::int64_t gap[3];
-        gaps(end, gap);
-        return point_triangle::squared_quotient(point_triangle::squared_length({gap[0], gap[1], gap[2]}), 1, feature,
-                                                bits_);
+        return point_triangle::squared_quotient(point_triangle::squared_length(gaps(end)), 1, feature, bits_);
     }
     /// How far the side's coordinates are beyond the box at a place, times the denominator: below 0 where too low.
-    void gaps(const Place& place, std::int64_t* gap) const {
+    [[nodiscard]] Integer3 gaps(const Place& place) const {
+        Integer3 gap;
         for (int k = 0; k < 3; ++k) {
             const std::int64_t at = start_[k] * place.denominator + edge_[k] * place.numerator;
             const std::int64_t below = at - box_.from[k] * place.denominator;
             const std::int64_t above = at - box_.to[k] * place.denominator;
             gap[k] = below < 0 ? below : above > 0 ? above : 0;
         }
+        return gap;
     }
     /// Half the slope of the squared distance, times the denominator.
-    [[nodiscard]] Int128 slope(const Place& place) const {
-        std::int64_t gap[3];
-        gaps(place, gap);
-        return multiply(gap[0], edge_[0]) + multiply(gap[1], edge_[1]) + multiply(gap[2], edge_[2]);
-    }
+    [[nodiscard]] Int128 slope(const Place& place) const { return dot<Int128>(gaps(place), edge_); }
 
     const UnitSegment& box_;
     int bits_;
     int side_;
-    std::int64_t start_[3];
-    std::int64_t edge_[3];
+    Integer3 start_;
+    Integer3 edge_;
 };
 
 /// Of side `number`, 0 from a to b.
@@ -104,15 +92,12 @@ ESPALIER_SHARED_CODE PointDistance distance_of_side(const UnitSegment& diagonal,
 }  // namespace
 
 UnitSegment diagonal_across(const UnitSegment& diagonal, const LatticeTriangle& triangle) noexcept {
-    const auto& c = triangle.corner;
-    const auto edge = [&](int to, int k) { return std::int64_t{c[to][k]} - c[0][k]; };
-    const Integer3 normal = cross({edge(1, 0), edge(1, 1), edge(1, 2)}, {edge(2, 0), edge(2, 1), edge(2, 2)});
-    const bool backward[3] = {normal.x < 0, normal.y < 0, normal.z < 0};
-    UnitSegment across;
-    across.fraction_bits = diagonal.fraction_bits;
+    const Integer3 normal = normal_of(integer_triangle(triangle));
+    UnitSegment across = diagonal;
     for (int k = 0; k < 3; ++k) {
-        across.from[k] = backward[k] ? diagonal.to[k] : diagonal.from[k];
-        across.to[k] = backward[k] ? diagonal.from[k] : diagonal.to[k];
+        if (normal[k] >= 0) continue;
+        across.from[k] = diagonal.to[k];
+        across.to[k] = diagonal.from[k];
     }
     return across;
 }

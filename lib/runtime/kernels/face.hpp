@@ -14,10 +14,7 @@ namespace espalier::detail {
 /// Returns the unit normal on the front of the triangle, its coordinates within 4 ulp of 1; zero if it has no area.
 ESPALIER_SHARED_CODE inline Vec3 face_normal_of(const LatticeTriangle& triangle) {
     const Integer3 normal = normal_of(integer_triangle(triangle));
-    if ((normal.x | normal.y | normal.z) == 0) return {};
-    const float x = to_float(normal.x), y = to_float(normal.y), z = to_float(normal.z);
-    const float length = square_root(x * x + y * y + z * z);
-    return {x / length, y / length, z / length};
+    return is_zero(normal) ? Vec3{} : to_unit(normal);
 }
 
 /// Returns whether the origin of `triangle` lies behind the triangle's plane. The product of the normal with corner a

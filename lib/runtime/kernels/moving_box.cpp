@@ -102,10 +102,6 @@ private:
     Share leave_{};  ///< the first
 };
 
-std::int64_t component(const Integer3& a, unsigned k) { return k == 0 ? a.x : k == 1 ? a.y : a.z; }
-std::int64_t smaller_of(std::int64_t a, std::int64_t b) { return a < b ? a : b; }
-std::int64_t larger_of(std::int64_t a, std::int64_t b) { return a > b ? a : b; }
-
 /// 0..2: coordinate axes; 3: the normal; 4..12: each side with each coordinate axis.
 Integer3 axis_of(const IntegerTriangle& triangle, unsigned axis) {
     if (axis == 3) return normal_of(triangle);
@@ -136,28 +132,21 @@ ESPALIER_SHARED_CODE bool try_axis(const MovingBox& box, const IntegerTriangle& 
                  is_up ? first : second, is_up ? second : first, dot<Number>(axis, box.displacement)});
 }
 
-ESPALIER_SHARED_CODE bool try_coordinate_axis(const MovingBox& box, const IntegerTriangle& triangle, unsigned k,
+ESPALIER_SHARED_CODE bool try_coordinate_axis(const MovingBox& box, const IntegerTriangle& triangle, int k,
                                               Together& together) {
-    const auto& c = triangle.corner;
-    const std::int64_t first = component(c[0], k), second = component(c[1], k), third = component(c[2], k);
-    const Extents<Narrow> extents = {component(box.low, k), component(box.high, k),
-                                     smaller_of(first, smaller_of(second, third)),
-                                     larger_of(first, larger_of(second, third)), component(box.displacement, k)};
-    return together.try_axis(k, extents);
+    const auto [low, high] = span_of(triangle, k);
+    const Extents<Narrow> extents = {box.low[k], box.high[k], low, high, box.displacement[k]};
+    return together.try_axis(static_cast<unsigned>(k), extents);
 }
 
 bool try_axes(const MovingBox& box, const IntegerTriangle& triangle, Together& together) {
-    for (unsigned k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k)
         if (!try_coordinate_axis(box, triangle, k, together)) return false;
     if (!try_axis<Int128>(box, triangle, 3, together)) return false;
     for (unsigned number = 4; number < 13; ++number)
         if (!try_axis<Narrow>(box, triangle, number, together)) return false;
     return true;
 }
-
-struct Weights {
-    float u, v;
-};
 
 /// The part of the triangle that lies in a box, as a polygon of weights, cut down side by side (Sutherland and Hodgman
 /// 1974).
@@ -185,7 +174,7 @@ public:
         for (unsigned i = 0; i < count; ++i) corners_[i] = kept[i];
     }
     [[nodiscard]] Weights middle() const {
-        Weights sum = {0.0f, 0.0f};
+        Weights sum;
         for (unsigned i = 0; i < count_; ++i) {
             sum.u += corners_[i].u;
             sum.v += corners_[i].v;
@@ -202,17 +191,17 @@ private:
 
 Weights middle_of_overlap(const MovingBox& box, const IntegerTriangle& triangle, std::int64_t tick) {
     Clipped clipped;
-    for (unsigned k = 0; k < 3; ++k) {
-        const std::int64_t way = component(box.displacement, k);
+    for (int k = 0; k < 3; ++k) {
+        const std::int64_t way = box.displacement[k];
         float above_low[3], below_high[3];
         float largest = 0.0f;
         for (unsigned i = 0; i < 3; ++i) {
-            const std::int64_t at = (component(triangle.corner[i], k) << tick_bits) - way * tick;
-            above_low[i] = to_float(at - (component(box.low, k) << tick_bits));
-            below_high[i] = to_float((component(box.high, k) << tick_bits) - at);
+            const std::int64_t at = (triangle.corner[i][k] << tick_bits) - way * tick;
+            above_low[i] = to_float(at - (box.low[k] << tick_bits));
+            below_high[i] = to_float((box.high[k] << tick_bits) - at);
             largest = maximum(maximum(absolute(above_low[i]), absolute(below_high[i])), largest);
         }
-        const float slack = to_float(way < 0 ? -way : way) + largest * 0x1p-20f;
+        const float slack = to_float(magnitude(way)) + largest * 0x1p-20f;
         for (unsigned i = 0; i < 3; ++i) {
             above_low[i] += slack;
             below_high[i] += slack;
@@ -237,12 +226,7 @@ SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, S
     (void)try_axes(box, triangle, together);
     const Integer3 axis = axis_of(triangle, together.last_axis());
     const float sign = dot<Int128>(axis, box.displacement).is_negative() ? 0x1p-30f : -0x1p-30f;
-    const float x = to_float(axis.x) * sign;
-    const float y = to_float(axis.y) * sign;
-    const float z = to_float(axis.z) * sign;
-    const float length = square_root(x * x + y * y + z * z);
-    const Weights middle = middle_of_overlap(box, triangle, tick_before(step));
-    return {middle.u, middle.v, {x / length, y / length, z / length}};
+    return {middle_of_overlap(box, triangle, tick_before(step)), to_unit(axis, sign)};
 }
 
 }  // namespace espalier::detail

@@ -45,7 +45,7 @@ public:
 
 private:
     /// Then all faces are parts of the first.
-    [[nodiscard]] bool is_sphere() const { return (capsule_.axis.x | capsule_.axis.y | capsule_.axis.z) == 0; }
+    [[nodiscard]] bool is_sphere() const { return is_zero(capsule_.axis); }
 
     const MovingCapsule& capsule_;
     const IntegerTriangle& triangle_;
@@ -77,7 +77,7 @@ SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& tri
     const float weights[3] = {1.0f - on_face.u - on_face.v, on_face.u, on_face.v};
     float of_corner[3] = {0.0f, 0.0f, 0.0f};
     for (unsigned i = 0; i < 3; ++i) of_corner[faces_of_prism[faces.number()][i] & 3u] += weights[i];
-    return {of_corner[1], of_corner[2], on_face.normal};
+    return {{of_corner[1], of_corner[2]}, on_face.normal};
 }
 
 }  // namespace espalier::detail

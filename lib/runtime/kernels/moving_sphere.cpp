@@ -24,21 +24,10 @@ struct Float3 {
 float dot(const Float3& a, const Float3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 /// Each coordinate times 2^-40, rounded once.
 Float3 rounded_cross(const Integer3& a, const Integer3& b) {
-    const auto difference = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
-        return to_float(multiply(p, q) - multiply(r, s)) * 0x1p-40f;
-    };
-    return {difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z), difference(a.x, b.y, a.y, b.x)};
+    const auto [x, y, z] = wide_cross(a, b);
+    return {to_float(x) * 0x1p-40f, to_float(y) * 0x1p-40f, to_float(z) * 0x1p-40f};
 }
-bool is_zero_vector(const Integer3& a) { return (a.x | a.y | a.z) == 0; }
-
-Vec3 to_unit(float x, float y, float z) {
-    const float length = square_root(x * x + y * y + z * z);
-    return {x / length, y / length, z / length};
-}
-Vec3 to_unit(const Integer3& a, bool turned) {
-    const float scale = turned ? -0x1p-30f : 0x1p-30f;  // so that squares neither overflow nor vanish
-    return to_unit(to_float(a.x) * scale, to_float(a.y) * scale, to_float(a.z) * scale);
-}
+Vec3 unit_along(const Integer3& a, bool turned) { return to_unit(a, turned ? -0x1p-30f : 0x1p-30f); }
 
 enum class Part : std::uint8_t { corner, side, face };
 
@@ -54,14 +43,15 @@ class Approach {
 public:
     Approach(const MovingSphere& sphere, const IntegerTriangle& triangle)
         : sphere_(sphere), triangle_(triangle), radius_(to_float(sphere.radius)), squared_radius_(radius_ * radius_) {
-        std::uint64_t large = 0;
+        std::int64_t large = 0;
         for (unsigned i = 0; i < 3; ++i) {
             side_[i] = triangle.corner[(i + 1) % 3] - triangle.corner[i];
             length_[i] = dot<std::int64_t>(side_[i], side_[i]);
-            large |= magnitude(side_[i].x) | magnitude(side_[i].y) | magnitude(side_[i].z);
+            const Integer3 size = magnitude(side_[i]);
+            large |= size.x | size.y | size.z;
         }
         normal_ = cross(side_[0], side_[1]);
-        is_narrow_ = takes_shortcut(large < std::uint64_t{1} << 20);
+        is_narrow_ = takes_shortcut(large < std::int64_t{1} << 20);
         if (!is_narrow_) return;
         for (unsigned i = 0; i < 3; ++i) inward_[i] = cross(normal_, side_[i]);
     }
@@ -81,34 +71,28 @@ public:
         look_at(tick);
         switch (part_) {
             case Part::corner: {
-                constexpr float us[3] = {0.0f, 1.0f, 0.0f};
-                constexpr float vs[3] = {0.0f, 0.0f, 1.0f};
                 const Integer3& p = seen_[number_];
-                return {us[number_], vs[number_],
-                        is_zero_vector(p) ? normal_against_displacement() : to_unit(p, false)};
+                return {weights_on_side(static_cast<int>(number_), 0.0f),
+                        is_zero(p) ? normal_against_displacement() : unit_along(p, false)};
             }
             case Part::side: {
                 const float along = to_float(forward_) * 0x1p-24f / to_float(length_[number_]);
-                const float rest = 1.0f - along;
-                const float u = number_ == 0 ? along : number_ == 1 ? rest : 0.0f;
-                const float v = number_ == 0 ? 0.0f : number_ == 1 ? along : rest;
+                const Weights at = weights_on_side(static_cast<int>(number_), along);
                 // What of p is perpendicular to the side, times its squared length.
                 const Integer3& p = seen_[number_];
                 const auto across = [&](std::int64_t of_p, std::int64_t of_side) {
                     return product_difference(Int128(of_p), Int128(length_[number_]), forward_, Int128(of_side))
                         .to_float(-56);
                 };
-                const float x = across(p.x, side_[number_].x);
-                const float y = across(p.y, side_[number_].y);
-                const float z = across(p.z, side_[number_].z);
-                if (x == 0.0f && y == 0.0f && z == 0.0f) return {u, v, normal_against_displacement()};
-                return {u, v, to_unit(x, y, z)};
+                const Integer3& side = side_[number_];
+                const Vec3 off = {across(p.x, side.x), across(p.y, side.y), across(p.z, side.z)};
+                return {at, off == Vec3{} ? normal_against_displacement() : to_unit(off)};
             }
             default: {
                 const float whole = to_float(wide_dot(normal_, normal_)) * 0x1p-36f;
                 const Int128 above = wide_dot(normal_, seen_[0]);
-                return {flush_subnormal(weight(2) / whole), flush_subnormal(weight(0) / whole),
-                        above.is_zero() ? normal_against_displacement() : to_unit(normal_, above.is_negative())};
+                return {{flush_subnormal(weight(2) / whole), flush_subnormal(weight(0) / whole)},
+                        above.is_zero() ? normal_against_displacement() : unit_along(normal_, above.is_negative())};
             }
         }
     }
@@ -119,8 +103,6 @@ private:
         Probe probe;
     };
 
-    static std::uint64_t magnitude(std::int64_t a) { return static_cast<std::uint64_t>(a < 0 ? -a : a); }
-
     /// The centre seen from the corners, in units of 2^-24, and which part of the triangle is closest to it: the one in
     /// whose normal cone it lies (Ericson 2005, 5.1.5). Triangles without area have no face, but all the rest.
     void look_at(std::uint32_t tick) {
@@ -128,9 +110,7 @@ private:
         const Integer3& d = sphere_.displacement;
         Int128 forward[3];  // from each corner along its side, times the side's length
         for (unsigned i = 0; i < 3; ++i) {
-            const Integer3& c = triangle_.corner[i];
-            seen_[i] = {d.x * time - (c.x << tick_bits), d.y * time - (c.y << tick_bits),
-                        d.z * time - (c.z << tick_bits)};
+            seen_[i] = d * time - (triangle_.corner[i] << tick_bits);
             forward[i] = wide_dot(seen_[i], side_[i]);
         }
         const auto is_before_end = [&](unsigned i) { return forward[i] < Int128(length_[i]) << tick_bits; };
@@ -310,8 +290,8 @@ private:
 
     [[nodiscard]] Vec3 normal_against_displacement() const {
         const Integer3& d = sphere_.displacement;
-        if (!is_zero_vector(normal_)) return to_unit(normal_, Int128(0) < wide_dot(normal_, d));
-        return is_zero_vector(d) ? Vec3{0.0f, 0.0f, 1.0f} : to_unit(d, true);
+        if (!is_zero(normal_)) return unit_along(normal_, Int128(0) < wide_dot(normal_, d));
+        return is_zero(d) ? Vec3{0.0f, 0.0f, 1.0f} : unit_along(d, true);
     }
 
     const MovingSphere& sphere_;

@@ -26,10 +26,8 @@ inline float share_of_way(std::uint32_t ticks) { return static_cast<float>(ticks
 constexpr std::uint32_t tick_before(SweepStep step) { return step == 0 ? 0 : step - 1; }
 
 /// Where a moving shape touches a triangle.
-struct SweepContact {
-    float u = 0.0f;  ///< weight of corner b
-    float v = 0.0f;  ///< weight of corner c
-    Vec3 normal;     ///< unit, from the triangle towards the shape
+struct SweepContact : Weights {
+    Vec3 normal;  ///< unit, from the triangle towards the shape
 };
 
 /// Starts at 0: triangles are seen from its centre's start. Coordinates of triangles and displacement stay below 2^35,

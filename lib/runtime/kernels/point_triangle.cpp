@@ -44,7 +44,7 @@ ESPALIER_SHARED_CODE bool is_over_face(const OriginRelative& t, const Integer3& 
 
     const Int128 height = dot<Int128>(normal, p);
     const float whole = to_float(area << bits);
-    face.numerator = negate_if(height, height.is_negative());
+    face.numerator = magnitude(height);
     face.denominator = area;
     face.square_numerator = true;
     face.u = to_float(weight_b) / whole;
@@ -58,24 +58,20 @@ ESPALIER_SHARED_CODE bool is_over_face(const OriginRelative& t, const Integer3& 
 
 PointDistance distance_to(const OriginRelative& t, int bits) noexcept {
     PointDistance best;
-    const Integer3 p = {-t.a.x, -t.a.y, -t.a.z};
+    const Integer3 p = -t.a;
     Beyond beyond;
     if (is_over_face(t, p, bits, best, beyond)) return best;
     // Outside of the prism over the face the closest point lies on a side that the point is beyond of.
     best.squared = infinity;
     if (beyond.ab) offer(best, p, t.ab, bits, point_triangle::side_ab);
     if (beyond.ac) offer(best, p, t.ac, bits, point_triangle::side_ac);
-    if (beyond.bc) {
-        const Integer3 from_b = {p.x - (t.ab.x << bits), p.y - (t.ab.y << bits), p.z - (t.ab.z << bits)};
-        offer(best, from_b, t.ac - t.ab, bits, point_triangle::side_bc);
-    }
+    if (beyond.bc) offer(best, p - (t.ab << bits), t.ac - t.ab, bits, point_triangle::side_bc);
     return best;
 }
 
 bool is_within_radius(const Unsigned256& numerator, const Int128& denominator, int fraction_bits,
                       float radius) noexcept {
-    const int exponent = exponent_of(radius) - 23;
-    const auto mantissa = static_cast<std::int64_t>((magnitude_bits(radius) & 0x007FFFFFu) | 0x00800000u);
+    const auto [mantissa, exponent] = parts_of(radius);
     const Unsigned256 bound = Unsigned256::product(denominator, mantissa * mantissa);
     return compare_scaled(numerator, bound, 2 * (exponent + fraction_bits)) <= 0;
 }

@@ -65,10 +65,7 @@ inline PointDistance to_segment(const Integer3& p, const Integer3& edge, int fra
     const std::int64_t length = dot<std::int64_t>(edge, edge) << fraction_bits;
     const bool before = forward <= 0, after = forward >= length;
     along = before ? 0.0f : after ? 1.0f : to_float(forward) / to_float(length);
-    const Integer3 apart = before  ? p
-                           : after ? Integer3{p.x - (edge.x << fraction_bits), p.y - (edge.y << fraction_bits),
-                                              p.z - (edge.z << fraction_bits)}
-                                   : cross(p, edge);
+    const Integer3 apart = before ? p : after ? p - (edge << fraction_bits) : cross(p, edge);
     const bool at_end = before || after;
     return squared_quotient(squared_length(apart), at_end ? Int128(1) : Int128(length >> fraction_bits),
                             before  ? side.from

@@ -124,11 +124,9 @@ inline void set_undivided(RayHit& hit, const TriangleHit& found, std::uint32_t i
 }
 /// Completes all but t: weights within 3 ulp, the unit normal's coordinates within 4 ulp of 1, the side exactly.
 inline void divide_hit(RayHit& hit, float volume) {
-    const Vec3 n = hit.normal;
-    const float length = square_root(n.x * n.x + n.y * n.y + n.z * n.z);
     hit.u /= absolute(volume);
     hit.v /= absolute(volume);
-    hit.normal = {n.x / length, n.y / length, n.z / length};
+    hit.normal = to_unit(hit.normal);
     hit.status = QueryStatus::ok;
     hit.side = static_cast<Side>(std::bit_cast<std::uint32_t>(volume) >> 31);
     for (std::uint8_t& byte : hit.reserved) byte = 0;

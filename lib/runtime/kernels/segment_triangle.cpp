@@ -8,9 +8,6 @@ namespace {
 
 // Gram determinants: differences of two products, of int64 factors where those suffice, or of 128-bit ones.
 
-[[maybe_unused]] Int128 product_difference(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
-    return multiply(a, b) - multiply(c, d);
-}
 [[maybe_unused]] float quotient(Argument<Int128> numerator, Argument<Int128> denominator) {
     return to_float(numerator) / to_float(denominator);
 }
@@ -46,24 +43,11 @@ public:
     [[nodiscard]] bool is_any_within() const { return within_; }
 
     void try_all(const UnitSegment& segment, const LatticeTriangle& triangle) {
-        OriginRelative from_start;
-        const auto& c = triangle.corner;
-        Integer3 d, w[3];
+        OriginRelative from_start = relative_to(segment.from, fraction_bits_, triangle);
+        const Integer3 d = segment.to - segment.from, b = corner_on_grid(triangle, 1, fraction_bits_) - segment.from;
+        const Integer3 w[3] = {from_start.a, b, corner_on_grid(triangle, 2, fraction_bits_) - segment.from};
         std::uint64_t large = 0;
-        const auto set = [&](int k, std::int64_t Integer3::*axis) {
-            d.*axis = segment.to[k] - segment.from[k];
-            for (int i = 0; i < 3; ++i) {
-                w[i].*axis = (std::int64_t{c[i][k]} << fraction_bits_) - segment.from[k];
-                large |= shifted(w[i].*axis);
-            }
-            large |= shifted(d.*axis);
-            from_start.ab.*axis = std::int64_t{c[1][k]} - c[0][k];
-            from_start.ac.*axis = std::int64_t{c[2][k]} - c[0][k];
-        };
-        set(0, &Integer3::x);
-        set(1, &Integer3::y);
-        set(2, &Integer3::z);
-        from_start.a = w[0];
+        for (const Integer3& v : {d, w[0], w[1], w[2]}) large |= shifted(v.x) | shifted(v.y) | shifted(v.z);
 
         if (crosses_face(from_start, d, w)) return;
         try_end(from_start, 0.0f);
@@ -122,7 +106,7 @@ private:
         for (int i = 0; i < 3; ++i) {
             const Dot along = dot<Dot>(w[i], d);
             try_corner<Dot, Difference>(w[i], along, length, i);
-            const Integer3 edge = i == 0 ? t.ab : i == 1 ? t.ac - t.ab : Integer3{-t.ac.x, -t.ac.y, -t.ac.z};
+            const Integer3 edge = i == 0 ? t.ab : i == 1 ? t.ac - t.ab : -t.ac;
             try_side<Dot, Difference>(w[i], along, edge, d, length, i);
         }
     }
@@ -134,7 +118,7 @@ private:
         const Difference numerator = product_difference(dot<Dot>(w, w), length, along, along);
         const Difference denominator(length);
         offer(quotient(numerator, denominator) * scale_, to_float(along) / to_float(length), number, 0.0f,
-              vertex_of(number), [&](auto decide) { decide(Unsigned256(magnitude_of(numerator)), denominator); });
+              vertex_of(number), [&](auto decide) { decide(Unsigned256(magnitude(numerator)), denominator); });
     }
 
     /// Between the inside of a side and that of the segment: (w . (d x e))^2 / |d x e|^2.
@@ -149,8 +133,7 @@ private:
         float along, share;
         if (!is_share(wd, ee, we, de, denominator, 0, along)) return;
         if (!is_share(wd, de, we, length, denominator, fraction_bits_, share)) return;
-        Int128 volume = dot<Int128>(w, cross(d, e));
-        if (volume.is_negative()) volume = -volume;
+        const Int128 volume = magnitude(dot<Int128>(w, cross(d, e)));
         const float per_area = quotient(Difference(volume), denominator);
         const float squared = volume.is_zero() ? 0.0f : maximum(per_area * to_float(volume) * scale_, least_squared);
         offer(squared, along, number, share * power_of_two(-fraction_bits_), edge_of(number),
@@ -162,7 +145,7 @@ private:
     void offer(float squared, float along, int number, float share, Feature feature, Exactly exactly) {
         if (radius_ >= 0.0f && !within_) {
             exactly([&](const Unsigned256& numerator, const auto& denominator) {
-                const Unsigned256 whole(magnitude_of(denominator));
+                const Unsigned256 whole(magnitude(denominator));
                 within_ = is_within_radius(numerator, {static_cast<std::int64_t>(whole.word[1]), whole.word[0]},
                                            fraction_bits_, radius_);
             });

@@ -23,15 +23,8 @@ struct SegmentDistance {
 
 /// Reached on a side of the triangle, 0 from a to b, 1 from b to c, 2 from c to a; `share` is how far along it.
 inline SegmentDistance at_side(float squared, float along, int side, float share, Feature feature) {
-    const float rest = 1.0f - share;
-    return {squared, along,
-            side == 0   ? share
-            : side == 1 ? rest
-                        : 0.0f,
-            side == 0   ? 0.0f
-            : side == 1 ? share
-                        : rest,
-            feature};
+    const auto [u, v] = weights_on_side(side, share);
+    return {squared, along, u, v, feature};
 }
 inline Feature edge_of(int side) { return static_cast<Feature>(static_cast<int>(Feature::edge_ab) + side); }
 inline Feature vertex_of(int corner) { return static_cast<Feature>(static_cast<int>(Feature::vertex_a) + corner); }

@@ -9,14 +9,7 @@ namespace {
 
 /// Side `number` of a triangle, from that corner to the next.
 UnitSegment side_of(const LatticeTriangle& triangle, int number) {
-    const std::int32_t* from = triangle.corner[number];
-    const std::int32_t* to = triangle.corner[number == 2 ? 0 : number + 1];
-    UnitSegment side{};
-    for (int k = 0; k < 3; ++k) {
-        side.from[k] = from[k];
-        side.to[k] = to[k];
-    }
-    return side;
+    return {corner_on_grid(triangle, number, 0), corner_on_grid(triangle, number == 2 ? 0 : number + 1, 0), 0};
 }
 
 /// The weights of corners b and c at a share of a side.
@@ -24,17 +17,6 @@ void weights_on_side(int number, float share, float* weights) {
     const float rest = 1.0f - share;
     weights[0] = number == 0 ? share : number == 1 ? rest : 0.0f;
     weights[1] = number == 0 ? 0.0f : number == 1 ? share : rest;
-}
-
-/// Seen from corner `number` of the one: the other.
-OriginRelative from_corner(const LatticeTriangle& one, int number, const LatticeTriangle& other) {
-    const auto& c = other.corner;
-    const auto& origin = one.corner[number];
-    const auto from_origin = [&](int k) { return std::int64_t{c[0][k] - origin[k]}; };
-    const auto edge = [&](int to, int k) { return std::int64_t{c[to][k] - c[0][k]}; };
-    return {{from_origin(0), from_origin(1), from_origin(2)},
-            {edge(1, 0), edge(1, 1), edge(1, 2)},
-            {edge(2, 0), edge(2, 1), edge(2, 2)}};
 }
 
 /// From one corner to another: below 2^26 along each axis.
@@ -57,10 +39,6 @@ ESPALIER_SHARED_CODE Int128 volume_of(const Step& a, const Step& b, const Step& 
     return negate_if(volume, volume.is_negative());
 }
 
-/// a * b - c * d
-ESPALIER_SHARED_CODE Int128 product_difference(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
-    return multiply(a, b) - multiply(c, d);
-}
 bool is_inside(const Int128& share, const Int128& whole) { return Int128(0) < share && share < whole; }
 
 /// Where triangles that share no point may be nearest: six corners, and the insides of nine pairs of sides. Keeps the
@@ -83,7 +61,7 @@ private:
     [[gnu::noinline]] void try_corner(int number) {
         const bool of_a = number < 3;
         const int corner = of_a ? number : number - 3;
-        const PointDistance distance = distance_to(from_corner(of_a ? a_ : b_, corner, of_a ? b_ : a_), 0);
+        const PointDistance distance = distance_to(relative_to((of_a ? a_ : b_).corner[corner], 0, of_a ? b_ : a_), 0);
         if (radius_ >= 0.0f && is_within_radius(distance, 0, radius_)) within_ = true;
         if (!(distance.squared < nearest_.squared)) return;
         nearest_.squared = distance.squared;

@@ -5,15 +5,11 @@ namespace espalier::detail {
 
 namespace {
 
-int sign(std::int64_t a) { return a < 0 ? -1 : a > 0 ? 1 : 0; }
-ESPALIER_SHARED_CODE int sign(Argument<Int128> a) { return a.is_negative() ? -1 : a.is_zero() ? 0 : 1; }
-
 /// For coordinates that differ by at most 2^20: 6 products of three such stay below 2^62.6.
 struct Narrow {
     using Normal = Integer3;
     static Normal normal(const Integer3& a, const Integer3& b) { return cross(a, b); }
     static int side(const Normal& n, const Integer3& v) { return sign(dot<std::int64_t>(n, v)); }
-    static bool is_zero(const Normal& n) { return (n.x | n.y | n.z) == 0; }
 };
 
 /// For coordinates that differ by less than 2^39: a normal's stay below 2^79, 3 products of one below 2^119.6.
@@ -21,7 +17,6 @@ struct Wide {
     using Normal = WideVector;
     static Normal normal(const Integer3& a, const Integer3& b) { return wide_cross(a, b); }
     static int side(const Normal& n, const Integer3& v) { return sign(dot(n, v)); }
-    static bool is_zero(const Normal& n) { return n.x.is_zero() && n.y.is_zero() && n.z.is_zero(); }
 };
 
 /// Sign of the volume of four points: positive when d is on the side of a, b, c from which they go round
@@ -32,19 +27,11 @@ int volume(const Integer3& a, const Integer3& b, const Integer3& c, const Intege
 }
 
 bool boxes_meet(const IntegerTriangle& p, const IntegerTriangle& q) {
-    const auto meet = [&](std::int64_t Integer3::*axis) {
-        std::int64_t low[2], high[2];
-        const IntegerTriangle* const both[2] = {&p, &q};
-        for (int which = 0; which < 2; ++which) {
-            low[which] = high[which] = both[which]->corner[0].*axis;
-            for (const Integer3& v : both[which]->corner) {
-                if (v.*axis < low[which]) low[which] = v.*axis;
-                if (v.*axis > high[which]) high[which] = v.*axis;
-            }
-        }
-        return low[0] <= high[1] && low[1] <= high[0];
-    };
-    return meet(&Integer3::x) && meet(&Integer3::y) && meet(&Integer3::z);
+    for (int k = 0; k < 3; ++k) {
+        const Span<std::int64_t> ours = span_of(p, k), theirs = span_of(q, k);
+        if (ours.high < theirs.low || theirs.high < ours.low) return false;
+    }
+    return true;
 }
 
 /// Whether the sides of one triangle, seen along an axis, have a normal that separates the two.
@@ -56,7 +43,7 @@ bool is_separated_by_side(const IntegerTriangle& p, const IntegerTriangle& q, st
         // Where a point is across the side: 0 for the side itself, so that only three points are left to test.
         const auto across = [&](const Integer3& point) {
             const Integer3 v = point - from;
-            return sign(detail::multiply(edge.*x, v.*y) - detail::multiply(edge.*y, v.*x));
+            return sign(product_difference(edge.*x, v.*y, edge.*y, v.*x));
         };
         const int own = across(p.corner[k == 0 ? 2 : k - 1]);
         const int other = across(q.corner[0]);
@@ -71,7 +58,7 @@ bool is_separated_by_side(const IntegerTriangle& p, const IntegerTriangle& q, st
     // Points of one line meet where their boxes do, others also need no side that separates them; seen along an axis
     // that the plane is not parallel to nothing of this changes.
     if (!boxes_meet(p, q)) return false;
-    if (Wide::is_zero(normal)) return true;
+    if (is_zero(normal)) return true;
     const auto x = normal.z.is_zero() && normal.y.is_zero() ? &Integer3::y : &Integer3::x;
     const auto y = !normal.z.is_zero() ? &Integer3::y : &Integer3::z;
     return !is_separated_by_side(p, q, x, y) && !is_separated_by_side(q, p, x, y);
@@ -97,8 +84,8 @@ void find_ends(const IntegerTriangle& segment, Integer3* ends) {
     if (volume<Wide>(s[0], s[1], t[0], t[1]) != 0) return false;
     // Any three of the four points that are not on one line tell the plane.
     Wide::Normal plane = Wide::normal(s[1] - s[0], t[0] - s[0]);
-    if (Wide::is_zero(plane)) plane = Wide::normal(s[1] - s[0], t[1] - s[0]);
-    if (Wide::is_zero(plane)) plane = Wide::normal(t[1] - t[0], s[0] - t[0]);
+    if (is_zero(plane)) plane = Wide::normal(s[1] - s[0], t[1] - s[0]);
+    if (is_zero(plane)) plane = Wide::normal(t[1] - t[0], s[0] - t[0]);
     return meet_in_plane(p, q, plane);
 }
 
@@ -175,7 +162,7 @@ inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
     sides_of(q, p_normal, p.corner[0], q_sides);
     if (all_strictly_alike(q_sides)) return {};
     if ((p_sides[0] | p_sides[1] | p_sides[2]) == 0 || (q_sides[0] | q_sides[1] | q_sides[2]) == 0)
-        return {true, Arithmetic::is_zero(p_normal), Arithmetic::is_zero(q_normal)};
+        return {true, is_zero(p_normal), is_zero(q_normal)};
     // Both triangles cross the line that their planes share. Turn and flip each so that its first corner is above the
     // other and the two others are not: then p's part of the line reaches from side ab to side ac, q's the other way.
     const unsigned p_first = lonely_corner(p_sides);
@@ -204,10 +191,6 @@ inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
     for (const Integer3& v : q.corner) add(v);
     return any < 2 * static_cast<std::uint64_t>(reach);
 }
-
-}  // namespace
-
-namespace {
 
 /// For two triangles with area.
 [[gnu::noinline]] bool meet_in_own_plane(const IntegerTriangle& p, const IntegerTriangle& q) {

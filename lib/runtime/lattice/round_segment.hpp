@@ -13,8 +13,8 @@ namespace espalier::detail {
 
 /// All that its exact distances need.
 struct UnitSegment {
-    std::int64_t from[3];  ///< in units of 2^-fraction_bits lattice steps; at most 2^36 of them from the asset
-    std::int64_t to[3];
+    Integer3 from;  ///< in units of 2^-fraction_bits lattice steps; at most 2^36 of them from the asset
+    Integer3 to;
     int fraction_bits;  ///< 0..6
 };
 

@@ -25,7 +25,8 @@ ESPALIER_SHARED_CODE inline Integer3 to_grid(const float* steps, int fraction_bi
     return {to_grid(steps[0], fraction_bits), to_grid(steps[1], fraction_bits), to_grid(steps[2], fraction_bits)};
 }
 /// Rounds three coordinates to the grid: into its units, and into lattice steps, both exactly. `exact[3]` is zero.
-ESPALIER_SHARED_CODE inline void to_grid(const float* steps, int fraction_bits, std::int64_t* units, float* exact) {
+template <class Units>
+ESPALIER_SHARED_CODE inline void to_grid(const float* steps, int fraction_bits, Units& units, float* exact) {
     for (int k = 0; k < 3; ++k) {
         const float rounded = round_to_integer(steps[k] * power_of_two(fraction_bits));
         units[k] = to_integer(rounded);

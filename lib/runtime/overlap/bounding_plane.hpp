@@ -8,12 +8,6 @@
 
 namespace espalier::detail {
 
-ESPALIER_SHARED_CODE inline Int128 magnitude(const Int128& a) { return a.is_negative() ? -a : a; }
-inline std::int64_t magnitude(std::int64_t a) { return a < 0 ? -a : a; }
-ESPALIER_SHARED_CODE inline std::int64_t sum_of_magnitudes(const Integer3& a) {
-    return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
-}
-
 /// Room for a plane that bounds a shape and the points that say where: for all points X of the shape,
 /// dot(normal, X - at) <= reach, in units of 2^-fraction_bits, and |X - at| <= size, summed over the axes.
 struct Support {

@@ -61,15 +61,12 @@ QueryStatus round_volume(const BlobData& blob, const LatticeBox& steps, RoundedB
 
 namespace {
 
-std::int64_t magnitude(std::int64_t a) { return a < 0 ? -a : a; }
-
 /// Whether the triangle's plane has the box on one side. Coordinates of the corner stay below 2^33 (docs/numerics.md).
 template <class Sum>
 bool is_beside_plane(const RoundedBox& box, const OriginRelative& t) {
     const Integer3 normal = cross(t.ab, t.ac);
     const Sum distance = dot<Sum>(normal, t.a);
-    const Sum reach = dot<Sum>({magnitude(normal.x), magnitude(normal.y), magnitude(normal.z)},
-                               {box.half[0], box.half[1], box.half[2]});
+    const Sum reach = dot<Sum>(magnitude(normal), {box.half[0], box.half[1], box.half[2]});
     return reach < distance || distance < -reach;
 }
 [[gnu::noinline]] bool is_beside_wide_plane(const RoundedBox& box, const OriginRelative& t) {
@@ -81,22 +78,12 @@ bool is_beside_plane(const RoundedBox& box, const OriginRelative& t) {
 bool meets(const RoundedBox& box, const LatticeTriangle& triangle) noexcept {
     std::int64_t corner[3][3];  // seen from the center
     for (int k = 0; k < 3; ++k) {
-        std::int64_t low = 0, high = 0;
-        for (int i = 0; i < 3; ++i) {
-            const std::int64_t at = (std::int64_t{triangle.corner[i][k]} << RoundedBox::fraction_bits) - box.center[k];
-            corner[i][k] = at;
-            low = i == 0 || at < low ? at : low;
-            high = i == 0 || high < at ? at : high;
-        }
+        for (int i = 0; i < 3; ++i)
+            corner[i][k] = (std::int64_t{triangle.corner[i][k]} << RoundedBox::fraction_bits) - box.center[k];
+        const auto [low, high] = span_of(corner[0][k], corner[1][k], corner[2][k]);
         if (low > box.half[k] || high < -box.half[k]) return false;
     }
-    OriginRelative t;
-    t.a = {corner[0][0], corner[0][1], corner[0][2]};
-    const auto edge = [&](int from, int to, int k) {
-        return std::int64_t{triangle.corner[to][k]} - triangle.corner[from][k];
-    };
-    t.ab = {edge(0, 1, 0), edge(0, 1, 1), edge(0, 1, 2)};
-    t.ac = {edge(0, 2, 0), edge(0, 2, 1), edge(0, 2, 2)};
+    const OriginRelative t = relative_to(box.center, RoundedBox::fraction_bits, triangle);
     if (takes_shortcut(ray_triangle::edges_are_below<12>(t)) ? is_beside_plane<std::int64_t>(box, t)
                                                              : is_beside_wide_plane(box, t))
         return false;
@@ -106,7 +93,8 @@ bool meets(const RoundedBox& box, const LatticeTriangle& triangle) noexcept {
         const int to = i == 2 ? 0 : i + 1, third = i == 0 ? 2 : i - 1;
         for (int k = 0; k < 3; ++k) {
             const int x = k == 2 ? 0 : k + 1, y = k == 0 ? 2 : k - 1;
-            const std::int64_t dx = edge(i, to, x), dy = edge(i, to, y);
+            const std::int64_t dx = triangle.corner[to][x] - triangle.corner[i][x];
+            const std::int64_t dy = triangle.corner[to][y] - triangle.corner[i][y];
             const std::int64_t ends = dx * corner[i][y] - dy * corner[i][x];
             const std::int64_t other = dx * corner[third][y] - dy * corner[third][x];
             const std::int64_t reach = magnitude(dx) * box.half[y] + magnitude(dy) * box.half[x];

@@ -19,8 +19,7 @@ void set_bounds(RoundedCapsule& capsule) {
     const RoundedSegment& s = capsule.segment;
     const std::int64_t reach = round_outward(capsule.radius);
     for (int k = 0; k < 3; ++k) {
-        const std::int64_t low = s.from[k] < s.to[k] ? s.from[k] : s.to[k];
-        const std::int64_t high = s.from[k] < s.to[k] ? s.to[k] : s.from[k];
+        const auto [low, high] = span_of(s.from[k], s.from[k], s.to[k]);
         capsule.bounds.low[k] = clamp_to_bounds((low >> s.fraction_bits) - reach);
         capsule.bounds.high[k] = clamp_to_bounds(-(-high >> s.fraction_bits) + reach);
     }
@@ -72,8 +71,7 @@ int guess(const RoundedCapsule& capsule, const LatticeTriangle& triangle) {
 /// For each axis of space two planes along the segment and that axis: a long capsule is narrower than its bounds.
 void set_side_planes(RoundedCapsule& capsule) {
     const RoundedSegment& s = capsule.segment;
-    const Integer3 along = {s.to[0] - s.from[0], s.to[1] - s.from[1], s.to[2] - s.from[2]};
-    const Integer3 from = {s.from[0], s.from[1], s.from[2]};
+    const Integer3 along = s.to - s.from;
     const std::int64_t reach = round_outward(capsule.radius) << s.fraction_bits;
     const std::int64_t size = sum_of_magnitudes(along) + 3 * reach;
     const Integer3 normals[3] = {{0, along.z, -along.y}, {-along.z, 0, along.x}, {along.y, -along.x, 0}};
@@ -82,8 +80,8 @@ void set_side_planes(RoundedCapsule& capsule) {
         const float squared = to_float(dot<Int128>(n, n));
         const float length = squared > 0.0f ? square_root(squared) * (1.0f + 0x1p-20f) : 0.0f;
         const Int128 width = multiply(to_integer(length) + 1, reach);
-        capsule.side_planes[2 * k] = bounding_plane({{n.x, n.y, n.z}, from, width, size}, s.fraction_bits);
-        capsule.side_planes[2 * k + 1] = bounding_plane({{-n.x, -n.y, -n.z}, from, width, size}, s.fraction_bits);
+        capsule.side_planes[2 * k] = bounding_plane({{n.x, n.y, n.z}, s.from, width, size}, s.fraction_bits);
+        capsule.side_planes[2 * k + 1] = bounding_plane({{-n.x, -n.y, -n.z}, s.from, width, size}, s.fraction_bits);
     }
     capsule.planes = capsule.side_planes;
     capsule.plane_count = 6;

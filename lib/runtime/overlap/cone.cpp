@@ -19,10 +19,9 @@ struct RoundedCone : Volume {
     int fraction_bits;  ///< 0..6; lengths are in units of 2^-fraction_bits steps
     int axis_exponent;  ///< -axis_bits..18
     Integer3 apex;
-    Integer3 axis;                 ///< not zero; below 2^24
-    Int128 base_height;            ///< (axis . D) * 2^axis_bits
-    std::int64_t radius_mantissa;  ///< the radius is radius_mantissa * 2^radius_exponent units
-    int radius_exponent;
+    Integer3 axis;       ///< not zero; below 2^24
+    Int128 base_height;  ///< (axis . D) * 2^axis_bits
+    FloatParts radius;   ///< in units
     LatticePlane own_planes[8];
 };
 
@@ -33,8 +32,6 @@ struct Corner {
     std::int64_t along;  ///< axis . at
     Int128 above_base;   ///< (axis . (at - D)) * 2^axis_bits
 };
-
-int sign(const Int128& a) { return a.is_negative() ? -1 : a.is_zero() ? 0 : 1; }
 
 WideVector scaled(const Integer3& a, const Int128& by) {
     return {multiply(by, a.x), multiply(by, a.y), multiply(by, a.z)};
@@ -55,9 +52,8 @@ int sign_of_sum(const Int128& a, const Int128& b, const Int128& c, const Int128&
 
 /// Returns whether |off| <= radius * |per| * 2^exponent: each decision about the round surface has this form.
 bool is_within_radius(const RoundedCone& cone, const WideVector& off, const WideVector& per, int exponent) {
-    const std::int64_t m = cone.radius_mantissa;
-    const WideVector reach = {multiply(per.x, m), multiply(per.y, m), multiply(per.z, m)};
-    return compare_scaled(squared_length(off), squared_length(reach), 2 * (cone.radius_exponent + exponent)) <= 0;
+    const auto& [mantissa, radius_exponent] = cone.radius;
+    return compare_scaled(squared_length(off), squared_length(per * mantissa), 2 * (radius_exponent + exponent)) <= 0;
 }
 
 Corner corner_of(const RoundedCone& cone, const LatticeTriangle& triangle, int number) {
@@ -78,7 +74,7 @@ bool is_inside(const RoundedCone& cone, const Corner& corner) {
 bool side_meets(const RoundedCone& cone, const Corner& p, const Corner& q) {
     const Integer3 side = q.at - p.at;
     const Integer3 normal = cross(p.at, side);  // of the plane through the apex and the side
-    if ((normal.x | normal.y | normal.z) == 0) {
+    if (is_zero(normal)) {
         const Int128 between = dot<Int128>(p.at, q.at);
         if (between.is_negative()) return true;  // the apex is on the side
     }
@@ -92,9 +88,7 @@ bool side_meets(const RoundedCone& cone, const Corner& p, const Corner& q) {
     // Where the side crosses the plane of the base, as seen from its middle.
     const WideVector tilt = wide_cross(cone.axis, q.across - p.across);
     const int shift = cone.axis_exponent + axis_bits;
-    const WideVector off = {(turned.x << axis_bits) - (tilt.x << shift), (turned.y << axis_bits) - (tilt.y << shift),
-                            (turned.z << axis_bits) - (tilt.z << shift)};
-    return is_within_radius(cone, off, {q.along - p.along, 0, 0}, axis_bits);
+    return is_within_radius(cone, (turned << axis_bits) - (tilt << shift), {q.along - p.along, 0, 0}, axis_bits);
 }
 
 /// The plane of a triangle, seen from the apex.
@@ -174,8 +168,7 @@ void add_slopes(RoundedCone& cone, float radius, std::int64_t size) {
         if (!(slope < 0x1p15f)) continue;
         const std::int64_t outward = to_integer(slope * power_of_two(slope_bits)) + 1;
         for (const std::int64_t side : {std::int64_t{1} << slope_bits, -(std::int64_t{1} << slope_bits)})
-            add_plane(cone, {side * n.x - outward * a.x, side * n.y - outward * a.y, side * n.z - outward * a.z},
-                      cone.apex, 0, size);
+            add_plane(cone, n * side - a * outward, cone.apex, 0, size);
     }
 }
 
@@ -200,7 +193,7 @@ void enclose(RoundedCone& cone, float radius) {
     };
     const Integer3& a = cone.axis;
     const Integer3 base = {bound(0, cone.apex.x, a.x), bound(1, cone.apex.y, a.y), bound(2, cone.apex.z, a.z)};
-    add_plane(cone, {-a.x, -a.y, -a.z}, cone.apex, 0, size);
+    add_plane(cone, -a, cone.apex, 0, size);
     // Of a base that is farther away the plane bounds nothing, and does not fit.
     if (size < std::int64_t{1} << 36) add_plane(cone, a, base, sum_of_magnitudes(a), size);
     add_slopes(cone, radius, size);
@@ -222,12 +215,10 @@ QueryStatus round_volume(const BlobData& blob, const Cone& world, RoundedCone& c
     const int exponent = exponent_of(length.reach()) - 23 + cone.fraction_bits;
     cone.axis_exponent = exponent < -axis_bits ? -axis_bits : exponent;
     cone.axis = to_grid(axis, cone.fraction_bits - cone.axis_exponent);
-    if ((cone.axis.x | cone.axis.y | cone.axis.z) == 0) return QueryStatus::invalid_argument;
+    if (is_zero(cone.axis)) return QueryStatus::invalid_argument;
     cone.base_height = Int128(dot<std::int64_t>(cone.axis, cone.axis)) << (cone.axis_exponent + axis_bits);
-    const std::uint32_t radius = magnitude_bits(world.radius);
-    const int biased = static_cast<int>(radius >> 23);
-    cone.radius_mantissa = biased == 0 ? radius : (radius & 0x007FFFFFu) | 0x00800000u;
-    cone.radius_exponent = (biased == 0 ? 1 : biased) - 150 - blob.step_exponent + cone.fraction_bits;
+    cone.radius = parts_of(world.radius);
+    cone.radius.exponent += cone.fraction_bits - blob.step_exponent;
     enclose(cone, radius_in_steps(blob, world.radius));
     return QueryStatus::ok;
 }

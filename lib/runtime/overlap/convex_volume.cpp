@@ -17,16 +17,10 @@ struct Constraint {
     std::int64_t whole, b, c;
 };
 
-int sign(Argument<Int128> a) { return a.is_negative() ? -1 : a.is_zero() ? 0 : 1; }
-
 /// For numbers below 2^41: six products of three stay below 2^126.
 struct Narrow {
     static int sign_of_volume(const Constraint& r, const Constraint& s, const Constraint& t) {
-        const auto minor = [](std::int64_t p, std::int64_t q, std::int64_t u, std::int64_t v) {
-            return multiply(p, v) - multiply(q, u);
-        };
-        return sign(multiply(minor(s.b, s.c, t.b, t.c), r.whole) + multiply(minor(s.c, s.whole, t.c, t.whole), r.b) +
-                    multiply(minor(s.whole, s.b, t.whole, t.b), r.c));
+        return sign(dot(wide_cross({s.whole, s.b, s.c}, {t.whole, t.b, t.c}), {r.whole, r.b, r.c}));
     }
 };
 

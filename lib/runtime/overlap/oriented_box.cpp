@@ -21,14 +21,12 @@ void set_planes(RoundedOrientedBox& box, std::int64_t size) {
 
 /// What follows from center and half axes.
 void enclose(RoundedOrientedBox& box) {
-    const auto coordinate = [](const Integer3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
     std::int64_t size = 0;
     for (int k = 0; k < 3; ++k) {
         std::int64_t reach = 0;
-        for (const Integer3& half : box.half) reach += magnitude(coordinate(half, k));
-        const std::int64_t center = coordinate(box.center, k);
-        box.bounds.low[k] = clamp_to_bounds(-((reach - center) >> box.fraction_bits));
-        box.bounds.high[k] = clamp_to_bounds((center + reach) >> box.fraction_bits);
+        for (const Integer3& half : box.half) reach += magnitude(half[k]);
+        box.bounds.low[k] = clamp_to_bounds(-((reach - box.center[k]) >> box.fraction_bits));
+        box.bounds.high[k] = clamp_to_bounds((box.center[k] + reach) >> box.fraction_bits);
         size += reach;
     }
     for (int i = 0; i < 3; ++i) {
@@ -147,22 +145,17 @@ template <class Arithmetic>
 }  // namespace
 
 bool meets(const RoundedOrientedBox& box, const LatticeTriangle& triangle) noexcept {
-    const auto& c = triangle.corner;
-    const int bits = box.fraction_bits;
     Seen seen;
     for (int i = 0; i < 3; ++i) {
-        const int to = i == 2 ? 0 : i + 1;
-        seen.corner[i] = corner_on_grid(triangle, i, bits) - box.center;
-        seen.side[i] = {std::int64_t{c[to][0]} - c[i][0], std::int64_t{c[to][1]} - c[i][1],
-                        std::int64_t{c[to][2]} - c[i][2]};
+        seen.corner[i] = corner_on_grid(triangle, i, box.fraction_bits) - box.center;
+        seen.side[i] = side_from(triangle, i);
     }
     // Of the axes of space only a flat box needs these; to others they are a cheap first try.
-    const auto spreads_beyond = [&](std::int64_t Integer3::*axis) {
-        const std::int64_t at[3] = {seen.corner[0].*axis, seen.corner[1].*axis, seen.corner[2].*axis};
-        return are_beyond(at,
-                          magnitude(box.half[0].*axis) + magnitude(box.half[1].*axis) + magnitude(box.half[2].*axis));
-    };
-    if (spreads_beyond(&Integer3::x) || spreads_beyond(&Integer3::y) || spreads_beyond(&Integer3::z)) return false;
+    const Integer3 reach = magnitude(box.half[0]) + magnitude(box.half[1]) + magnitude(box.half[2]);
+    for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = span_of(seen.corner[0][k], seen.corner[1][k], seen.corner[2][k]);
+        if (reach[k] < low || high < -reach[k]) return false;
+    }
     bool inside[3] = {true, true, true};
     for (const WideVector& normal : box.face) {
         Int128 at[3];

@@ -9,24 +9,12 @@ namespace espalier::detail {
 
 namespace {
 
-/// A finite float, exactly: mantissa * 2^exponent. Zero where it is subnormal.
-struct Parts {
-    std::int64_t mantissa;
-    int exponent;
-};
-ESPALIER_SHARED_CODE Parts parts_of(float x) {
-    const std::uint32_t magnitude = magnitude_bits(flush_subnormal(x));
-    if (magnitude == 0) return {0, 0};
-    const std::int64_t mantissa = (magnitude & 0x007FFFFFu) | 0x00800000u;
-    return {is_negative(x) ? -mantissa : mantissa, static_cast<int>(magnitude >> 23) - 150};
-}
-
 /// Offsets are added up in units of 2^-16, so that cutting off what is below moves none of them noticeably.
 constexpr int guard_bits = 16;
 constexpr int longest_term = 120;
 
 /// mantissa * 2^exponent in those units; where that is too long, as long as a term can be.
-bool to_fixed_point(Parts parts, Int128& term) {
+bool to_fixed_point(FloatParts parts, Int128& term) {
     const int shift = parts.exponent + guard_bits;
     const int length = 64 - std::countl_zero(static_cast<std::uint64_t>(magnitude(parts.mantissa)));
     if (parts.mantissa == 0 || shift < -63) return term = Int128(), true;
@@ -44,7 +32,7 @@ constexpr std::int64_t farthest_offset = std::int64_t{1} << 52;
 
 /// dot(n, origin + step * x) <= offset, divided by step and scaled by the power of two that makes n's largest
 /// coordinate an integer of 24 bits. Only then are n's coordinates rounded: that turns the plane about lattice point 0.
-bool round_half_space(const BlobData& blob, const Parts* normal, float world_offset, LatticePlane& plane) {
+bool round_half_space(const BlobData& blob, const FloatParts* normal, float world_offset, LatticePlane& plane) {
     int longest = -1000;
     for (int k = 0; k < 3; ++k)
         if (normal[k].mantissa != 0 && normal[k].exponent > longest) longest = normal[k].exponent;
@@ -59,11 +47,11 @@ bool round_half_space(const BlobData& blob, const Parts* normal, float world_off
     }
     const int to_steps = -longest - blob.step_exponent;
     Int128 offset;
-    Parts parts = parts_of(world_offset);
+    FloatParts parts = parts_of(flush_subnormal(world_offset));
     parts.exponent += to_steps;
     to_fixed_point(parts, offset);
     for (int k = 0; k < 3; ++k) {
-        const Parts origin = parts_of(blob.origin[k]);
+        const FloatParts origin = parts_of(blob.origin[k]);
         Int128 term;
         if (!to_fixed_point({normal[k].mantissa * origin.mantissa, normal[k].exponent + origin.exponent + to_steps},
                             term))
@@ -85,7 +73,8 @@ QueryStatus round_volume(const BlobData& blob, const ConvexVolume& world, Rounde
     bool is_empty = false;
     for (const Plane& plane : world.planes) {
         if (!is_finite(plane.normal) || is_nan(plane.offset)) return QueryStatus::invalid_argument;
-        const Parts normal[3] = {parts_of(plane.normal.x), parts_of(plane.normal.y), parts_of(plane.normal.z)};
+        const auto parts = [](float x) { return parts_of(flush_subnormal(x)); };
+        const FloatParts normal[3] = {parts(plane.normal.x), parts(plane.normal.y), parts(plane.normal.z)};
         if (normal[0].mantissa == 0 && normal[1].mantissa == 0 && normal[2].mantissa == 0)
             return QueryStatus::invalid_argument;
         if (!is_finite(plane.offset)) {

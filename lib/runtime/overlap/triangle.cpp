@@ -33,20 +33,12 @@ void set_planes(RoundedTriangle& corners) {
 }
 
 void enclose(RoundedTriangle& corners) {
-    const Integer3* c = corners.triangle.corner;
     const int bits = corners.fraction_bits;
-    const auto bound = [&](int k, std::int64_t Integer3::*axis) {
-        std::int64_t low = c[0].*axis, high = c[0].*axis;
-        for (int i = 1; i < 3; ++i) {
-            low = c[i].*axis < low ? c[i].*axis : low;
-            high = high < c[i].*axis ? c[i].*axis : high;
-        }
+    for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = span_of(corners.triangle, k);
         corners.bounds.low[k] = clamp_to_bounds(-(-low >> bits));
         corners.bounds.high[k] = clamp_to_bounds(high >> bits);
-    };
-    bound(0, &Integer3::x);
-    bound(1, &Integer3::y);
-    bound(2, &Integer3::z);
+    }
     set_planes(corners);
     corners.is_empty = false;
     corners.meets = [](const Volume& volume, const LatticeTriangle& triangle) {

@@ -7,23 +7,8 @@ namespace espalier::detail {
 
 namespace {
 
-/// value = mantissa * 2^exponent, exactly; mantissas below 2^24.
-struct Parts {
-    std::int64_t mantissa;
-    int exponent;
-};
-ESPALIER_SHARED_CODE Parts parts_of(float x) {
-    const std::uint32_t bits = magnitude_bits(x);
-    const int biased = static_cast<int>(bits >> 23);
-    const std::int64_t fraction = bits & 0x007FFFFFu;
-    const std::int64_t mantissa = biased == 0 ? fraction : fraction | 0x00800000;
-    return {is_negative(x) ? -mantissa : mantissa, (biased == 0 ? 1 : biased) - 150};
-}
-
-ESPALIER_SHARED_CODE int bit_length(std::uint64_t a) { return 64 - std::countl_zero(a); }
-int bit_length(Argument<Int128> a) {
-    const Int128 m = a.is_negative() ? -a : a;
-    return m.high != 0 ? 64 + bit_length(static_cast<std::uint64_t>(m.high)) : bit_length(m.low);
+ESPALIER_SHARED_CODE int bit_length(std::int64_t a) {
+    return 64 - std::countl_zero(static_cast<std::uint64_t>(magnitude(a)));
 }
 
 /// a * 2^shift, rounded to the nearest where that drops bits; the result must fit.
@@ -45,9 +30,7 @@ constexpr int wide_fraction = 40;
 /// False when it is beyond 2^80 steps: a mantissa below 2^55 times 2^exponent steps.
 bool add_steps(Int128& sum, std::int64_t mantissa, int exponent) {
     if (mantissa == 0) return true;
-    const int bits =
-        bit_length(mantissa < 0 ? static_cast<std::uint64_t>(-mantissa) : static_cast<std::uint64_t>(mantissa));
-    if (bits + exponent > 80) return false;
+    if (bit_length(mantissa) + exponent > 80) return false;
     sum = sum + shifted(Int128(mantissa), exponent + wide_fraction);
     return true;
 }
@@ -57,15 +40,13 @@ ESPALIER_SHARED_CODE void rotation_entries(const Quaternion& rotation, std::int6
     const float components[4] = {rotation.x, rotation.y, rotation.z, rotation.w};
     int top = -1000;
     for (const float c : components) {
-        const Parts parts = parts_of(c);
-        if (parts.mantissa == 0) continue;
-        const int end = bit_length(static_cast<std::uint64_t>(parts.mantissa < 0 ? -parts.mantissa : parts.mantissa)) +
-                        parts.exponent;
-        if (end > top) top = end;
+        const auto [mantissa, exponent] = parts_of(c);
+        const int end = bit_length(mantissa) + exponent;
+        if (mantissa != 0 && end > top) top = end;
     }
     std::int32_t q[4];  // the largest in [2^28, 2^29]
     for (int k = 0; k < 4; ++k) {
-        const Parts parts = parts_of(components[k]);
+        const FloatParts parts = parts_of(components[k]);
         q[k] = static_cast<std::int32_t>(shifted(parts.mantissa, parts.exponent + 29 - top));
     }
     const auto product = [&](int i, int j) { return std::int64_t{q[i]} * q[j]; };
@@ -134,8 +115,8 @@ QueryStatus place_pair(const BlobData& a, const BlobData& b, const Transform& b_
     // The matrix: rotation times scale, 30 bits and a sign, in b's units per a's lattice step.
     std::int64_t rotation[3][3];
     rotation_entries(b_in_a.rotation, rotation);
-    Parts scale = parts_of(b_in_a.scale);
-    const int missing = 24 - bit_length(static_cast<std::uint64_t>(scale.mantissa));
+    FloatParts scale = parts_of(b_in_a.scale);
+    const int missing = 24 - bit_length(scale.mantissa);
     scale = {scale.mantissa << missing, scale.exponent - missing};
     std::int64_t matrix[3][3];
     for (int i = 0; i < 3; ++i)
@@ -153,13 +134,13 @@ QueryStatus place_pair(const BlobData& a, const BlobData& b, const Transform& b_
         if (most < to) most = to;
     };
     for (int i = 0; i < 3; ++i) {
-        const Parts move = parts_of(moved[i]);
-        const Parts own = parts_of(a.origin[i]);
+        const FloatParts move = parts_of(moved[i]);
+        const FloatParts own = parts_of(a.origin[i]);
         if (!add_steps(origin[i], move.mantissa, move.exponent - a.step_exponent) ||
             !add_steps(origin[i], -own.mantissa, own.exponent - a.step_exponent))
             return QueryStatus::out_of_range;
         for (int j = 0; j < 3; ++j) {
-            const Parts other = parts_of(b.origin[j]);
+            const FloatParts other = parts_of(b.origin[j]);
             if (!add_steps(origin[i], matrix[i][j] * other.mantissa, other.exponent + unit_exponent))
                 return QueryStatus::out_of_range;
         }
@@ -174,13 +155,13 @@ QueryStatus place_pair(const BlobData& a, const BlobData& b, const Transform& b_
         raise(gap, -high);
         raise(span, high - low);
         raise(span, own_side);
-        raise(farthest, negate_if(low, low.is_negative()));
-        raise(farthest, negate_if(high, high.is_negative()));
+        raise(farthest, magnitude(low));
+        raise(farthest, magnitude(high));
         raise(farthest, own_side);
     }
 
     // The grid: coarse enough for both, no finer than either lattice has use for.
-    const int needed = bit_length(farthest) - wide_fraction - 24;
+    const int needed = Unsigned256(farthest).bit_length() - wide_fraction - 24;
     const int other_step = scale.exponent + 23 + b.step_exponent - a.step_exponent;
     const int useful = (other_step < 0 ? other_step : 0) - 6;
     frame.shift = needed > useful ? needed : useful;

@@ -3,6 +3,7 @@
 #include <runtime/base/float_bits.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/lanes/dispatch.hpp>
+#include <runtime/lattice/rounder.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/pairs/queries.hpp>
 #include <runtime/transforms/rotation.hpp>
@@ -118,10 +119,6 @@ float radius_on_grid(const PairFrame& frame, float distance) {
     return magnitude_bits(distance) != 0 && radius < 0x1p-60f ? 0x1p-60f : radius;
 }
 
-bool is_distance(float distance) {
-    return !is_nan(distance) && (!is_negative(distance) || magnitude_bits(distance) == 0);
-}
-
 /// A search for the nearest pair, or for any within a distance.
 struct NearestSearch {
     PlacedPair placed;
@@ -130,7 +127,7 @@ struct NearestSearch {
 
     NearestSearch(const PlacedBlob& a, const PlacedBlob& b, float distance, bool any, WorkLimit limit)
         : placed(a, b), least{placed.frame, 0.0f, any}, status(placed.status) {
-        if (status != QueryStatus::not_open && !is_distance(distance)) status = QueryStatus::invalid_argument;
+        if (status != QueryStatus::not_open && !is_radius(distance)) status = QueryStatus::invalid_argument;
         if (status != QueryStatus::ok) return;
         PairFrame& frame = placed.frame;
         least.set_radius(radius_on_grid(frame, distance_in_units(distance, a.transform().scale)));

@@ -34,15 +34,6 @@ using ToShape = FunctionRef<void(const SegmentDistance& distance, const float* o
 /// The line that decides on which side of a triangle a shape lies: all of the shape is behind if both its ends are.
 using ToLine = FunctionRef<UnitSegment(const LatticeTriangle& triangle)>;
 
-/// Returns whether a point on the grid of a segment lies behind the plane of the triangle.
-bool is_behind(const std::int64_t (&origin)[3], int fraction_bits, const LatticeTriangle& triangle) {
-    const struct {
-        const std::int64_t (&origin)[3];
-        int fraction_bits;
-    } point = {origin, fraction_bits};
-    return is_origin_behind(relative_to(point, triangle));
-}
-
 /// Writes a pair that was found. Out of line, so that its variables are not on the stack during the walk.
 [[gnu::noinline]] void finish_pair(const BlobData& blob, const FoundPair& found, float max_distance, ClosestPoint& pair,
                                    ToShape to_shape, ToLine to_line) {
@@ -60,9 +51,10 @@ bool is_behind(const std::int64_t (&origin)[3], int fraction_bits, const Lattice
     pair.status = QueryStatus::ok;
     pair.feature = distance.feature;
     const UnitSegment line = to_line(found.triangle);
-    if (is_behind(line.from, line.fraction_bits, found.triangle) &&
-        is_behind(line.to, line.fraction_bits, found.triangle))
-        pair.side = Side::back;
+    const auto is_behind = [&](const Integer3& point) {
+        return is_origin_behind(relative_to(point, line.fraction_bits, found.triangle));
+    };
+    if (is_behind(line.from) && is_behind(line.to)) pair.side = Side::back;
 }
 
 /// Writes the pair that is closest to a shape that is prepared.

@@ -52,16 +52,12 @@ struct WindingShape {
     }
     template <class Leaf>
     Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, SumOfCrossings& answer) const {
-        const auto& c = triangle.corner;
         bool is_around = true;
         for (int k = 0; k < 3; ++k) {
-            const std::int32_t ab_least = c[0][k] < c[1][k] ? c[0][k] : c[1][k];
-            const std::int32_t ab_most = c[0][k] < c[1][k] ? c[1][k] : c[0][k];
-            const std::int32_t least = ab_least < c[2][k] ? ab_least : c[2][k];
-            const std::int32_t most = ab_most < c[2][k] ? c[2][k] : ab_most;
-            if (least > way.high[k] || most < way.low[k]) return Visit::next;
-            is_around = is_around && (std::int64_t{least} << ray.fraction_bits) <= ray.origin[k] &&
-                        (std::int64_t{most} << ray.fraction_bits) >= ray.origin[k];
+            const auto [low, high] = span_of(triangle, k);
+            if (low > way.high[k] || high < way.low[k]) return Visit::next;
+            is_around = is_around && (std::int64_t{low} << ray.fraction_bits) <= ray.origin[k] &&
+                        (std::int64_t{high} << ray.fraction_bits) >= ray.origin[k];
         }
         if (is_around && distance_to(relative_to(ray, triangle), ray.fraction_bits).numerator.is_zero())
             return answer.take({0, true});

@@ -50,13 +50,11 @@ struct BoxSweep : LatticeSweep {};
 /// Whether the boxes around shape and triangle meet at the start. Out of line, so as not to lie on the stack below a
 /// kernel.
 [[gnu::noinline]] inline bool boxes_meet_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) {
-    const std::int64_t low[3] = {sweep.low.x, sweep.low.y, sweep.low.z};
-    const std::int64_t high[3] = {sweep.high.x, sweep.high.y, sweep.high.z};
-    const auto& c = triangle.corner;
-    for (unsigned k = 0; k < 3; ++k) {
-        const auto beyond = [&](unsigned i) { return high[k] < std::int64_t{c[i][k]} << sweep.fraction_bits; };
-        const auto below = [&](unsigned i) { return std::int64_t{c[i][k]} << sweep.fraction_bits < low[k]; };
-        if ((beyond(0) && beyond(1) && beyond(2)) || (below(0) && below(1) && below(2))) return false;
+    for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = span_of(triangle, k);
+        if (sweep.high[k] < std::int64_t{low} << sweep.fraction_bits ||
+            std::int64_t{high} << sweep.fraction_bits < sweep.low[k])
+            return false;
     }
     return true;
 }
@@ -64,27 +62,20 @@ struct BoxSweep : LatticeSweep {};
 /// Whether the shape touches the triangle at the start.
 inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle) {
     if (!boxes_meet_at_start(sweep, triangle)) return false;
-    const Integer3 to = sweep.from + sweep.moving.axis;
-    const UnitSegment axis = {{sweep.from.x, sweep.from.y, sweep.from.z}, {to.x, to.y, to.z}, sweep.fraction_bits};
+    const UnitSegment axis = {sweep.from, sweep.from + sweep.moving.axis, sweep.fraction_bits};
     // The radius came from a float and is one still.
     const float radius = to_float(sweep.moving.sphere.radius) * power_of_two(-sweep.fraction_bits);
     return is_within_radius(axis, triangle, distance_to(axis, triangle), radius);
 }
 
-namespace lattice_sweep {
-
 inline bool is_length(float length) { return is_finite(length) && is_radius(length); }
-inline std::int64_t smaller_of(std::int64_t a, std::int64_t b) { return a < b ? a : b; }
-inline std::int64_t larger_of(std::int64_t a, std::int64_t b) { return a > b ? a : b; }
-
-}  // namespace lattice_sweep
 
 // Where the status is not ok, the sweep is not written. These are out of line, so that their variables are not on the
 // stack during the walk.
 
 [[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const Vec3& displacement,
                                                  SphereSweep& sweep) {
-    if (!is_finite(world.center) || !is_finite(displacement) || !lattice_sweep::is_length(world.radius))
+    if (!is_finite(world.center) || !is_finite(displacement) || !is_length(world.radius))
         return QueryStatus::invalid_argument;
     float center[3], way[3];
     Rounder rounder(blob);
@@ -104,10 +95,7 @@ inline std::int64_t larger_of(std::int64_t a, std::int64_t b) { return a > b ? a
 
 [[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const Vec3& displacement,
                                                  CapsuleSweep& sweep) {
-    using lattice_sweep::larger_of;
-    using lattice_sweep::smaller_of;
-    if (!is_finite(world.from) || !is_finite(world.to) || !is_finite(displacement) ||
-        !lattice_sweep::is_length(world.radius))
+    if (!is_finite(world.from) || !is_finite(world.to) || !is_finite(displacement) || !is_length(world.radius))
         return QueryStatus::invalid_argument;
     float from[3], to[3], way[3];
     Rounder rounder(blob);
@@ -125,10 +113,9 @@ inline std::int64_t larger_of(std::int64_t a, std::int64_t b) { return a > b ? a
     const Integer3& axis = sweep.moving.axis;
     for (const std::int64_t along : {axis.x, axis.y, axis.z})
         if (along > longest_capsule_axis || along < -longest_capsule_axis) return QueryStatus::out_of_range;
-    sweep.low = {smaller_of(sweep.from.x, end.x) - units, smaller_of(sweep.from.y, end.y) - units,
-                 smaller_of(sweep.from.z, end.z) - units};
-    sweep.high = {larger_of(sweep.from.x, end.x) + units, larger_of(sweep.from.y, end.y) + units,
-                  larger_of(sweep.from.z, end.z) + units};
+    const Integer3 around = {units, units, units};
+    sweep.low = smaller(sweep.from, end) - around;
+    sweep.high = larger(sweep.from, end) + around;
     return QueryStatus::ok;
 }
 
