@@ -8,33 +8,24 @@ using namespace detail;
 
 namespace {
 
-/// A 3 x 3 matrix times 2^-exponent: its greatest entry is in [1, 2), and those below 2^-40 are zero.
+/// A 3 x 3 matrix times 2^-exponent, with a greatest entry in [1, 2).
 struct ScaledMatrix {
-    float at[3][3];
-    int exponent = 0;
-    bool is_zero_or_not_finite;
+    float entry[9];  ///< row by row
+    int exponent;    ///< no_exponent if the matrix is zero or not finite
 
     explicit ScaledMatrix(const float (&rows)[3][4]) {
-        std::uint32_t greatest = 0;
-        for (const auto& row : rows)
-            for (int k = 0; k < 3; ++k)
-                greatest = magnitude_bits(row[k]) > greatest ? magnitude_bits(row[k]) : greatest;
-        is_zero_or_not_finite = greatest == 0 || greatest >= infinity_bits;
-        // A subnormal entry is out of every range; its exponent need not be exact.
-        exponent = static_cast<int>(greatest >> 23) - 127;
         for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k) {
-                at[i][k] = scale_by_power_of_two(rows[i][k], -exponent);
-                if (magnitude_bits(at[i][k]) < std::bit_cast<std::uint32_t>(0x1p-40f)) at[i][k] = 0.0f;
-            }
+            for (int k = 0; k < 3; ++k) entry[3 * i + k] = rows[i][k];
+        exponent = make_greatest_one(entry, 9);
     }
 
+    [[nodiscard]] float at(int row, int column) const { return entry[3 * row + column]; }
     [[nodiscard]] float dot_of_columns(int i, int j) const {
-        return at[0][i] * at[0][j] + at[1][i] * at[1][j] + at[2][i] * at[2][j];
+        return at(0, i) * at(0, j) + at(1, i) * at(1, j) + at(2, i) * at(2, j);
     }
     [[nodiscard]] float determinant() const {
-        const auto minor = [&](int i, int j) { return at[1][i] * at[2][j] - at[1][j] * at[2][i]; };
-        return at[0][0] * minor(1, 2) - at[0][1] * minor(0, 2) + at[0][2] * minor(0, 1);
+        const auto minor = [&](int i, int j) { return at(1, i) * at(2, j) - at(1, j) * at(2, i); };
+        return at(0, 0) * minor(1, 2) - at(0, 1) * minor(0, 2) + at(0, 2) * minor(0, 1);
     }
     /// Returns whether it is a rotation times the root of `squared_scale`, nearly.
     [[nodiscard]] bool is_similarity(float squared_scale) const {
@@ -47,20 +38,20 @@ struct ScaledMatrix {
     }
     /// The rotation, whose greatest component is 1, of such a matrix.
     [[nodiscard]] Quaternion rotation(float scale) const {
-        const float trace = at[0][0] + at[1][1] + at[2][2];
+        const float trace = at(0, 0) + at(1, 1) + at(2, 2);
         int top = 3;
         for (int k = 0; k < 3; ++k)
-            if (at[k][k] > (top == 3 ? trace : at[top][top])) top = k;
+            if (at(k, k) > (top == 3 ? trace : at(top, top))) top = k;
         float q[4];
         if (top == 3) {
             q[3] = scale + trace;
-            for (int k = 0; k < 3; ++k) q[k] = at[last(k)][next(k)] - at[next(k)][last(k)];
+            for (int k = 0; k < 3; ++k) q[k] = at(last(k), next(k)) - at(next(k), last(k));
         } else {
             const int i = next(top), j = last(top);
-            q[top] = scale + at[top][top] - at[i][i] - at[j][j];
-            q[i] = at[i][top] + at[top][i];
-            q[j] = at[j][top] + at[top][j];
-            q[3] = at[j][i] - at[i][j];
+            q[top] = scale + at(top, top) - at(i, i) - at(j, j);
+            q[i] = at(i, top) + at(top, i);
+            q[j] = at(j, top) + at(top, j);
+            q[3] = at(j, i) - at(i, j);
         }
         return {q[0] / q[top], q[1] / q[top], q[2] / q[top], q[3] / q[top]};
     }
@@ -76,7 +67,7 @@ Result<Transform> transform_from_matrix(const float (&rows)[3][4]) noexcept {
     Result<Transform> result;
     result.status = QueryStatus::invalid_argument;
     const ScaledMatrix matrix(rows);
-    if (matrix.is_zero_or_not_finite || !is_finite(rows[0][3]) || !is_finite(rows[1][3]) || !is_finite(rows[2][3]))
+    if (matrix.exponent == no_exponent || !is_finite(rows[0][3]) || !is_finite(rows[1][3]) || !is_finite(rows[2][3]))
         return result;
     const float squared_scale =
         (matrix.dot_of_columns(0, 0) + matrix.dot_of_columns(1, 1) + matrix.dot_of_columns(2, 2)) / 3.0f;

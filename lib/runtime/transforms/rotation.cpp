@@ -6,24 +6,6 @@ namespace {
 
 float product(float a, float b) { return without_tiny(a * b); }
 
-struct Floats3 {
-    float at[3];
-
-    explicit Floats3(const Vec3& v) : at{v.x, v.y, v.z} {}
-    explicit operator Vec3() const { return {at[0], at[1], at[2]}; }
-};
-
-/// Applies a function to each coordinate.
-template <class Function>
-Vec3 for_each_coordinate(const Vec3& v, Function function) {
-    Floats3 result(v);
-    for (float& x : result.at) x = function(x);
-    return Vec3(result);
-}
-
-/// Returns whether a transform with that scale is applied.
-bool is_in_range(float scale) { return scale >= least_coordinate && scale <= greatest_scale; }
-
 }  // namespace
 
 bool is_valid(const Transform& transform) noexcept {
@@ -46,23 +28,29 @@ bool is_identity(const Transform& transform) noexcept {
            std::bit_cast<std::uint32_t>(rotation.w) == one && std::bit_cast<std::uint32_t>(transform.scale) == one;
 }
 
-Quaternion with_greatest_of_one(const Quaternion& rotation) noexcept {
-    float q[4] = {rotation.x, rotation.y, rotation.z, rotation.w};
+int make_greatest_one(float* numbers, int count) noexcept {
     std::uint32_t greatest = 0;
-    for (const float c : q) greatest = magnitude_bits(c) > greatest ? magnitude_bits(c) : greatest;
-    if (greatest == 0 || greatest >= infinity_bits) return {not_a_number, not_a_number, not_a_number, not_a_number};
+    for (int i = 0; i < count; ++i)
+        greatest = magnitude_bits(numbers[i]) > greatest ? magnitude_bits(numbers[i]) : greatest;
+    if (greatest == 0 || greatest >= infinity_bits) return no_exponent;
     // Of a subnormal number the exponent follows from its highest bit.
     const int exponent =
         greatest >= 0x00800000u ? static_cast<int>(greatest >> 23) - 127 : 31 - std::countl_zero(greatest) - 149;
-    for (float& c : q) {
-        c = scale_by_power_of_two(c, -exponent);
-        if (magnitude_bits(c) < std::bit_cast<std::uint32_t>(0x1p-40f)) c = 0.0f;
+    for (int i = 0; i < count; ++i) {
+        numbers[i] = scale_by_power_of_two(numbers[i], -exponent);
+        if (magnitude_bits(numbers[i]) < std::bit_cast<std::uint32_t>(0x1p-40f)) numbers[i] = 0.0f;
     }
+    return exponent;
+}
+
+Quaternion with_greatest_of_one(const Quaternion& rotation) noexcept {
+    float q[4] = {rotation.x, rotation.y, rotation.z, rotation.w};
+    if (make_greatest_one(q, 4) == no_exponent) return {not_a_number, not_a_number, not_a_number, not_a_number};
     return {q[0], q[1], q[2], q[3]};
 }
 
 PreparedTransform::PreparedTransform(const Transform& transform) noexcept
-    : translation_(for_each_coordinate(transform.translation, without_tiny)),
+    : translation_(without_tiny(transform.translation)),
       scale_(is_in_range(transform.scale) ? transform.scale : not_a_number) {
     const Quaternion rotation = with_greatest_of_one(transform.rotation);
     const float q[3] = {rotation.x, rotation.y, rotation.z}, w = rotation.w;
@@ -80,18 +68,14 @@ Vec3 PreparedTransform::rotated(const Vec3& v) const noexcept { return multiplie
 Vec3 PreparedTransform::rotated_back(const Vec3& v) const noexcept { return multiplied(v, 1, 3); }
 
 Vec3 PreparedTransform::multiplied(const Vec3& v, int row, int column) const noexcept {
-    Floats3 result(v);
-    const float* entry = entry_;
-    for (float& x : result.at) {
-        x = product(entry[0], v.x) + product(entry[column], v.y) + product(entry[2 * column], v.z);
-        entry += row;
-    }
-    return Vec3(result);
+    const auto coordinate = [&](const float* entry) {
+        return product(entry[0], v.x) + product(entry[column], v.y) + product(entry[2 * column], v.z);
+    };
+    return {coordinate(entry_), coordinate(entry_ + row), coordinate(entry_ + 2 * row)};
 }
 
 Vec3 PreparedTransform::direction_to_local(const Vec3& v) const noexcept {
-    const Vec3 turned = rotated_back(for_each_coordinate(v, without_tiny));
-    return for_each_coordinate(turned, [&](float x) { return length_to_local(x); });
+    return for_each_coordinate(rotated_back(without_tiny(v)), [&](float x) { return length_to_local(x); });
 }
 
 Vec3 PreparedTransform::direction_to_world(const Vec3& v) const noexcept {
@@ -99,13 +83,12 @@ Vec3 PreparedTransform::direction_to_world(const Vec3& v) const noexcept {
 }
 
 Vec3 PreparedTransform::point_to_local(const Vec3& p) const noexcept {
-    const Vec3 from = for_each_coordinate(p, without_tiny);
+    const Vec3 from = without_tiny(p);
     return direction_to_local({from.x - translation_.x, from.y - translation_.y, from.z - translation_.z});
 }
 
 Vec3 PreparedTransform::point_to_world(const Vec3& p) const noexcept {
-    const Vec3 turned = direction_to_world(p);
-    return {turned.x + translation_.x, turned.y + translation_.y, turned.z + translation_.z};
+    return sum(direction_to_world(p), translation_);
 }
 
 }  // namespace espalier::detail

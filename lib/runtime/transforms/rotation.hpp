@@ -20,6 +20,19 @@ inline constexpr float greatest_scale = 0x1p100f;
     return magnitude_bits(x) < least_coordinate_bits ? 0.0f : x;
 }
 
+/// Applies a function to each coordinate.
+template <class Function>
+Vec3 for_each_coordinate(const Vec3& v, Function function) {
+    return {function(v.x), function(v.y), function(v.z)};
+}
+inline Vec3 without_tiny(const Vec3& v) {
+    return for_each_coordinate(v, [](float x) { return without_tiny(x); });
+}
+inline Vec3 sum(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+
+/// Returns whether a transform with that scale is applied.
+inline bool is_in_range(float scale) { return scale >= least_coordinate && scale <= greatest_scale; }
+
 inline constexpr float not_a_number = __builtin_nanf("");
 
 /// Returns whether the numbers are finite, the rotation has a length and the scale is above 0.
@@ -28,8 +41,11 @@ bool is_valid(const Transform& transform) noexcept;
 /// Returns whether the transform is the default one, bit for bit up to the signs of zeros.
 bool is_identity(const Transform& transform) noexcept;
 
-/// Scales a quaternion by a power of two: its greatest component is in [1, 2), and those below 2^-40 of it are zero.
-/// Its products are far from subnormal. NaN if the quaternion is zero or not finite.
+inline constexpr int no_exponent = 1000;
+/// Scales numbers by a power of two, 2^-e: the greatest is in [1, 2), and those below 2^-40 of it are zero. Returns e,
+/// or no_exponent if all numbers are zero or one is not finite. Their products are far from subnormal.
+int make_greatest_one(float* numbers, int count) noexcept;
+/// Returns such a quaternion; NaN if the quaternion is zero or not finite.
 Quaternion with_greatest_of_one(const Quaternion& rotation) noexcept;
 
 /// A transform, ready to be applied.

@@ -14,9 +14,55 @@ Shape moved(const Transform& transform, const Shape& shape, Move move) {
     return is_identity(transform) ? shape : move(PreparedTransform(transform));
 }
 
-Vec3 sum(const Vec3& point, const Vec3& displacement) {
-    const auto add = [](float a, float b) { return without_tiny(a) + without_tiny(b); };
-    return {add(point.x, displacement.x), add(point.y, displacement.y), add(point.z, displacement.z)};
+/// What becomes of the parts of a shape that is moved into local space.
+struct IntoLocal {
+    PreparedTransform transform;
+
+    [[nodiscard]] Vec3 point(const Vec3& p) const { return transform.point_to_local(p); }
+    [[nodiscard]] Vec3 vector(const Vec3& v) const { return transform.direction_to_local(v); }
+    [[nodiscard]] float length(float length) const { return transform.length_to_local(length); }
+};
+/// What becomes of them where the shape is translated.
+struct Translation {
+    Vec3 by;
+
+    [[nodiscard]] Vec3 point(const Vec3& p) const { return sum(without_tiny(p), without_tiny(by)); }
+    static Vec3 vector(const Vec3& v) { return v; }
+    static float length(float length) { return length; }
+};
+
+Vec3 mapped(const Vec3& point, const auto& move) { return move.point(point); }
+Segment mapped(const Segment& segment, const auto& move) { return {move.point(segment.from), move.point(segment.to)}; }
+Sphere mapped(const Sphere& sphere, const auto& move) {
+    return {move.point(sphere.center), move.length(sphere.radius)};
+}
+Capsule mapped(const Capsule& capsule, const auto& move) {
+    return {move.point(capsule.from), move.point(capsule.to), move.length(capsule.radius)};
+}
+Triangle mapped(const Triangle& triangle, const auto& move) {
+    return {move.point(triangle.a), move.point(triangle.b), move.point(triangle.c)};
+}
+OrientedBox mapped(const OrientedBox& box, const auto& move) {
+    const Vec3(&half)[3] = box.half_axes;
+    return {move.point(box.center), {move.vector(half[0]), move.vector(half[1]), move.vector(half[2])}};
+}
+Cone mapped(const Cone& cone, const auto& move) {
+    return {move.point(cone.apex), move.vector(cone.axis), move.length(cone.radius)};
+}
+Ray mapped(const Ray& ray, const auto& move) {
+    Ray result = ray;
+    result.origin = move.point(ray.origin);
+    result.direction = move.vector(ray.direction);
+    return result;
+}
+
+template <class Shape>
+Shape local(const Transform& transform, const Shape& shape) {
+    return moved(transform, shape, [&](const PreparedTransform& t) { return mapped(shape, IntoLocal{t}); });
+}
+template <class Shape>
+Shape shifted(const Shape& shape, const Vec3& displacement) {
+    return mapped(shape, Translation{displacement});
 }
 
 /// An axis-aligned box in the form of an oriented one.
@@ -39,69 +85,23 @@ OrientedBox oriented(const Box& box) {
 
 }  // namespace
 
-Vec3 to_local(const Transform& transform, const Vec3& point) noexcept {
-    return moved(transform, point, [&](const PreparedTransform& t) { return t.point_to_local(point); });
-}
-
-Segment to_local(const Transform& transform, const Segment& segment) noexcept {
-    return moved(transform, segment, [&](const PreparedTransform& t) {
-        return Segment{t.point_to_local(segment.from), t.point_to_local(segment.to)};
-    });
-}
-
-Sphere to_local(const Transform& transform, const Sphere& sphere) noexcept {
-    return moved(transform, sphere, [&](const PreparedTransform& t) {
-        return Sphere{t.point_to_local(sphere.center), t.length_to_local(sphere.radius)};
-    });
-}
-
-Capsule to_local(const Transform& transform, const Capsule& capsule) noexcept {
-    return moved(transform, capsule, [&](const PreparedTransform& t) {
-        return Capsule{t.point_to_local(capsule.from), t.point_to_local(capsule.to), t.length_to_local(capsule.radius)};
-    });
-}
-
-Triangle to_local(const Transform& transform, const Triangle& triangle) noexcept {
-    return moved(transform, triangle, [&](const PreparedTransform& t) {
-        return Triangle{t.point_to_local(triangle.a), t.point_to_local(triangle.b), t.point_to_local(triangle.c)};
-    });
-}
-
-OrientedBox to_local(const Transform& transform, const OrientedBox& box) noexcept {
-    return moved(transform, box, [&](const PreparedTransform& t) {
-        OrientedBox result;
-        result.center = t.point_to_local(box.center);
-        for (int k = 0; k < 3; ++k) result.half_axes[k] = t.direction_to_local(box.half_axes[k]);
-        return result;
-    });
-}
-
+Vec3 to_local(const Transform& transform, const Vec3& point) noexcept { return local(transform, point); }
+Segment to_local(const Transform& transform, const Segment& segment) noexcept { return local(transform, segment); }
+Sphere to_local(const Transform& transform, const Sphere& sphere) noexcept { return local(transform, sphere); }
+Capsule to_local(const Transform& transform, const Capsule& capsule) noexcept { return local(transform, capsule); }
+Triangle to_local(const Transform& transform, const Triangle& triangle) noexcept { return local(transform, triangle); }
+OrientedBox to_local(const Transform& transform, const OrientedBox& box) noexcept { return local(transform, box); }
+Cone to_local(const Transform& transform, const Cone& cone) noexcept { return local(transform, cone); }
+Ray to_local(const Transform& transform, const Ray& ray) noexcept { return local(transform, ray); }
 OrientedBox to_local(const Transform& transform, const Box& box) noexcept { return to_local(transform, oriented(box)); }
-
-Cone to_local(const Transform& transform, const Cone& cone) noexcept {
-    return moved(transform, cone, [&](const PreparedTransform& t) {
-        return Cone{t.point_to_local(cone.apex), t.direction_to_local(cone.axis), t.length_to_local(cone.radius)};
-    });
-}
 
 Plane to_local(const Transform& transform, const Plane& plane) noexcept {
     return moved(transform, plane, [&](const PreparedTransform& t) {
         const Vec3& origin = t.translation();
-        const Vec3& normal = plane.normal;
-        const float at_origin = without_tiny(without_tiny(normal.x) * origin.x) +
-                                without_tiny(without_tiny(normal.y) * origin.y) +
-                                without_tiny(without_tiny(normal.z) * origin.z);
-        return Plane{t.rotated_back({without_tiny(normal.x), without_tiny(normal.y), without_tiny(normal.z)}),
-                     t.length_to_local(without_tiny(plane.offset) - at_origin)};
-    });
-}
-
-Ray to_local(const Transform& transform, const Ray& ray) noexcept {
-    return moved(transform, ray, [&](const PreparedTransform& t) {
-        Ray result = ray;
-        result.origin = t.point_to_local(ray.origin);
-        result.direction = t.direction_to_local(ray.direction);
-        return result;
+        const Vec3 normal = without_tiny(plane.normal);
+        const float at_origin =
+            without_tiny(normal.x * origin.x) + without_tiny(normal.y * origin.y) + without_tiny(normal.z * origin.z);
+        return Plane{t.rotated_back(normal), t.length_to_local(without_tiny(plane.offset) - at_origin)};
     });
 }
 
@@ -115,7 +115,7 @@ Transform to_local(const Transform& outer, const Transform& inner) noexcept {
         result.rotation.z = (a.w * b.z - a.z * b.w) - (a.x * b.y - a.y * b.x);
         result.translation = t.point_to_local(inner.translation);
         result.scale = t.length_to_local(inner.scale);
-        if (!(result.scale >= least_coordinate && result.scale <= greatest_scale)) result.scale = not_a_number;
+        if (!is_in_range(result.scale)) result.scale = not_a_number;
         return result;
     });
 }
@@ -133,47 +133,21 @@ Vec3 direction_to_world(const Transform& transform, const Vec3& direction) noexc
 }
 
 Vec3 normal_to_world(const Transform& transform, const Vec3& normal) noexcept {
-    return moved(transform, normal, [&](const PreparedTransform& t) {
-        return t.rotated({without_tiny(normal.x), without_tiny(normal.y), without_tiny(normal.z)});
-    });
+    return moved(transform, normal, [&](const PreparedTransform& t) { return t.rotated(without_tiny(normal)); });
 }
 
-Vec3 translated(const Vec3& point, const Vec3& displacement) noexcept { return sum(point, displacement); }
-
-Segment translated(const Segment& segment, const Vec3& displacement) noexcept {
-    return {sum(segment.from, displacement), sum(segment.to, displacement)};
-}
-
-Sphere translated(const Sphere& sphere, const Vec3& displacement) noexcept {
-    return {sum(sphere.center, displacement), sphere.radius};
-}
-
-Capsule translated(const Capsule& capsule, const Vec3& displacement) noexcept {
-    return {sum(capsule.from, displacement), sum(capsule.to, displacement), capsule.radius};
-}
-
+Vec3 translated(const Vec3& point, const Vec3& displacement) noexcept { return shifted(point, displacement); }
+Segment translated(const Segment& segment, const Vec3& displacement) noexcept { return shifted(segment, displacement); }
+Sphere translated(const Sphere& sphere, const Vec3& displacement) noexcept { return shifted(sphere, displacement); }
+Capsule translated(const Capsule& capsule, const Vec3& displacement) noexcept { return shifted(capsule, displacement); }
 Triangle translated(const Triangle& triangle, const Vec3& displacement) noexcept {
-    return {sum(triangle.a, displacement), sum(triangle.b, displacement), sum(triangle.c, displacement)};
+    return shifted(triangle, displacement);
 }
-
+OrientedBox translated(const OrientedBox& box, const Vec3& displacement) noexcept { return shifted(box, displacement); }
+Cone translated(const Cone& cone, const Vec3& displacement) noexcept { return shifted(cone, displacement); }
+Ray translated(const Ray& ray, const Vec3& displacement) noexcept { return shifted(ray, displacement); }
 Box translated(const Box& box, const Vec3& displacement) noexcept {
-    return {sum(box.min, displacement), sum(box.max, displacement)};
-}
-
-OrientedBox translated(const OrientedBox& box, const Vec3& displacement) noexcept {
-    OrientedBox result = box;
-    result.center = sum(box.center, displacement);
-    return result;
-}
-
-Cone translated(const Cone& cone, const Vec3& displacement) noexcept {
-    return {sum(cone.apex, displacement), cone.axis, cone.radius};
-}
-
-Ray translated(const Ray& ray, const Vec3& displacement) noexcept {
-    Ray result = ray;
-    result.origin = sum(ray.origin, displacement);
-    return result;
+    return {shifted(box.min, displacement), shifted(box.max, displacement)};
 }
 
 }  // namespace espalier
