@@ -2,34 +2,27 @@
 
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>
+#include <runtime/overlap/find.hpp>
 
 namespace espalier::detail {
 
 namespace {
 
-constexpr int fine = RoundedBox::fraction_bits - 1;
+constexpr int fine = Rounded<Box>::fraction_bits - 1;
 
 /// From and to, in units of 2^-fine steps.
-void set_sides(RoundedBox& box, int k, std::int64_t low, std::int64_t high) {
+void set_sides(Rounded<Box>& box, int k, std::int64_t low, std::int64_t high) {
     box.center[k] = low + high;
     box.half[k] = high - low;
-    box.bounds.low[k] = static_cast<std::int32_t>(-(-low >> fine));
-    box.bounds.high[k] = static_cast<std::int32_t>(high >> fine);
-}
-
-void complete(RoundedBox& box) {
-    box.is_empty = false;
+    box.set_bounds(k, low, high, fine);
     box.depth_inside = 0;
-    box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
-        return meets(static_cast<const RoundedBox&>(volume), triangle);
-    };
 }
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const Box& world, RoundedBox& box) noexcept {
+QueryStatus round_volume(const BlobData& blob, const Box& world, Rounded<Box>& box) noexcept {
     if (is_nan(world.min) || is_nan(world.max)) return QueryStatus::invalid_argument;
-    if (is_empty(world)) return QueryStatus::ok;
+    if (is_empty(world)) return QueryStatus::not_found;
     const float min[3] = {world.min.x, world.min.y, world.min.z};
     const float max[3] = {world.max.x, world.max.y, world.max.z};
     for (int k = 0; k < 3; ++k) {
@@ -37,25 +30,23 @@ QueryStatus round_volume(const BlobData& blob, const Box& world, RoundedBox& box
         const float last = blob.extent_steps[k] + 1.0f;
         const float low_steps = to_steps(blob, k, min[k]);
         const float high_steps = to_steps(blob, k, max[k]);
-        if (low_steps > last || high_steps < -1.0f) return QueryStatus::ok;
+        if (low_steps > last || high_steps < -1.0f) return QueryStatus::not_found;
         // Infinity times the step of an empty blob, which may be 0, is not a number, and must not become an integer.
         set_sides(box, k, to_grid(low_steps > -1.0f ? low_steps : -1.0f, fine),
                   to_grid(high_steps < last ? high_steps : last, fine));
     }
-    complete(box);
     return QueryStatus::ok;
 }
 
-QueryStatus round_volume(const BlobData& blob, const LatticeBox& steps, RoundedBox& box) noexcept {
+QueryStatus round_volume(const BlobData& blob, const LatticeBox& steps, Rounded<Box>& box) noexcept {
     const std::int32_t min[3] = {steps.min.x, steps.min.y, steps.min.z};
     const std::int32_t max[3] = {steps.max.x, steps.max.y, steps.max.z};
     for (int k = 0; k < 3; ++k) {
         const std::int32_t last = blob.extent[k] + 1;  // as above
-        if (min[k] > max[k] || min[k] > last || max[k] < -1) return QueryStatus::ok;
+        if (min[k] > max[k] || min[k] > last || max[k] < -1) return QueryStatus::not_found;
         set_sides(box, k, std::int64_t{min[k] < -1 ? -1 : min[k]} * (1 << fine),
                   std::int64_t{max[k] > last ? last : max[k]} * (1 << fine));
     }
-    complete(box);
     return QueryStatus::ok;
 }
 
@@ -63,27 +54,27 @@ namespace {
 
 /// Whether the triangle's plane has the box on one side. Coordinates of the corner stay below 2^33 (docs/numerics.md).
 template <class Sum>
-bool is_beside_plane(const RoundedBox& box, const OriginRelative& t) {
+bool is_beside_plane(const Rounded<Box>& box, const OriginRelative& t) {
     const Integer3 normal = cross(t.ab, t.ac);
     const Sum distance = dot<Sum>(normal, t.a);
     const Sum reach = dot<Sum>(magnitude(normal), {box.half[0], box.half[1], box.half[2]});
     return reach < distance || distance < -reach;
 }
-[[gnu::noinline]] bool is_beside_wide_plane(const RoundedBox& box, const OriginRelative& t) {
+[[gnu::noinline]] bool is_beside_wide_plane(const Rounded<Box>& box, const OriginRelative& t) {
     return is_beside_plane<Int128>(box, t);
 }
 
 }  // namespace
 
-bool meets(const RoundedBox& box, const LatticeTriangle& triangle) noexcept {
+bool meets(const Rounded<Box>& box, const LatticeTriangle& triangle) noexcept {
     std::int64_t corner[3][3];  // seen from the center
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < 3; ++i)
-            corner[i][k] = (std::int64_t{triangle.corner[i][k]} << RoundedBox::fraction_bits) - box.center[k];
+            corner[i][k] = (std::int64_t{triangle.corner[i][k]} << Rounded<Box>::fraction_bits) - box.center[k];
         const auto [low, high] = span_of(corner[0][k], corner[1][k], corner[2][k]);
         if (low > box.half[k] || high < -box.half[k]) return false;
     }
-    const OriginRelative t = relative_to(box.center, RoundedBox::fraction_bits, triangle);
+    const OriginRelative t = relative_to(box.center, Rounded<Box>::fraction_bits, triangle);
     if (takes_shortcut(ray_triangle::edges_are_below<12>(t)) ? is_beside_plane<std::int64_t>(box, t)
                                                              : is_beside_wide_plane(box, t))
         return false;
@@ -104,15 +95,7 @@ bool meets(const RoundedBox& box, const LatticeTriangle& triangle) noexcept {
     return true;
 }
 
-template <>
-QueryStatus find_overlaps_of<Box>(const BlobData& blob, const void* shape, Each& answer, const WalkAccuracy& accuracy) {
-    return round_and_find<RoundedBox>(blob, *static_cast<const Box*>(shape), answer, accuracy);
-}
-
-template <>
-QueryStatus find_overlaps_of<LatticeBox>(const BlobData& blob, const void* shape, Each& answer,
-                                         const WalkAccuracy& accuracy) {
-    return round_and_find<RoundedBox>(blob, *static_cast<const LatticeBox*>(shape), answer, accuracy);
-}
+template QueryStatus find_overlaps_of<Box>(const BlobData&, const void*, Each&, const WalkAccuracy&);
+template QueryStatus find_overlaps_of<LatticeBox>(const BlobData&, const void*, Each&, const WalkAccuracy&);
 
 }  // namespace espalier::detail

@@ -12,18 +12,22 @@
 namespace espalier::detail {
 
 /// In units of 2^-7 steps: sums and differences of coordinates that are multiples of 2^-6.
-struct RoundedBox : Volume {
+template <>
+struct Rounded<Box> : VolumeOf<Box, 0> {
     static constexpr int fraction_bits = 7;
 
     std::int64_t center[3];
     std::int64_t half[3];  ///< >= 0
 };
 
-QueryStatus round_volume(const BlobData& blob, const Box& world, RoundedBox& box) noexcept;
+/// round_volume() returns not_found where a shape overlaps nothing, whatever the triangles.
+QueryStatus round_volume(const BlobData& blob, const Box& world, Rounded<Box>& box) noexcept;
 /// Nothing to round.
-QueryStatus round_volume(const BlobData& blob, const LatticeBox& steps, RoundedBox& box) noexcept;
+template <>
+struct Rounded<LatticeBox> : Rounded<Box> {};
+QueryStatus round_volume(const BlobData& blob, const LatticeBox& steps, Rounded<Box>& box) noexcept;
 
-/// Whether the triangle and the box, which is not empty, share a point, exactly.
-[[nodiscard]] bool meets(const RoundedBox& box, const LatticeTriangle& triangle) noexcept;
+/// Whether the triangle and the box share a point, exactly.
+[[nodiscard]] bool meets(const Rounded<Box>& box, const LatticeTriangle& triangle) noexcept;
 
 }  // namespace espalier::detail

@@ -3,6 +3,7 @@
 #include <runtime/kernels/segment_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/overlap/bounding_plane.hpp>
+#include <runtime/overlap/find.hpp>
 
 namespace espalier::detail {
 
@@ -15,7 +16,7 @@ std::int64_t round_outward(float steps) {
 }
 
 /// Bounds of the segment, grown by the radius.
-void set_bounds(RoundedCapsule& capsule) {
+void set_bounds(Rounded<Capsule>& capsule) {
     const RoundedSegment& s = capsule.segment;
     const std::int64_t reach = round_outward(capsule.radius);
     for (int k = 0; k < 3; ++k) {
@@ -29,7 +30,7 @@ float inner(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1] +
 
 /// What floats are sure of: 1 within the radius, -1 not, 0 neither. No square is a sum of more than eight roundings of
 /// numbers below `size`, so that distances are off by less than `doubt` (docs/numerics.md).
-int guess(const RoundedCapsule& capsule, const LatticeTriangle& triangle) {
+int guess(const Rounded<Capsule>& capsule, const LatticeTriangle& triangle) {
     const RoundedSegment& s = capsule.segment;
     float along[3], corner[3][3];  // seen from the segment's start
     float size = capsule.radius;
@@ -69,7 +70,7 @@ int guess(const RoundedCapsule& capsule, const LatticeTriangle& triangle) {
 }
 
 /// For each axis of space two planes along the segment and that axis: a long capsule is narrower than its bounds.
-void set_side_planes(RoundedCapsule& capsule) {
+void set_side_planes(Rounded<Capsule>& capsule) {
     const RoundedSegment& s = capsule.segment;
     const Integer3 along = s.to - s.from;
     const std::int64_t reach = round_outward(capsule.radius) << s.fraction_bits;
@@ -80,16 +81,14 @@ void set_side_planes(RoundedCapsule& capsule) {
         const float squared = to_float(dot<Int128>(n, n));
         const float length = squared > 0.0f ? square_root(squared) * (1.0f + 0x1p-20f) : 0.0f;
         const Int128 width = multiply(to_integer(length) + 1, reach);
-        capsule.side_planes[2 * k] = bounding_plane({{n.x, n.y, n.z}, s.from, width, size}, s.fraction_bits);
-        capsule.side_planes[2 * k + 1] = bounding_plane({{-n.x, -n.y, -n.z}, s.from, width, size}, s.fraction_bits);
+        for (const Integer3& out : {n, -n})
+            capsule.add_plane(bounding_plane({{out.x, out.y, out.z}, s.from, width, size}, s.fraction_bits));
     }
-    capsule.planes = capsule.side_planes;
-    capsule.plane_count = 6;
 }
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const Capsule& world, RoundedCapsule& capsule) noexcept {
+QueryStatus round_volume(const BlobData& blob, const Capsule& world, Rounded<Capsule>& capsule) noexcept {
     if (!is_radius(world.radius)) return QueryStatus::invalid_argument;
     const QueryStatus status = round_segment(blob, {world.from, world.to}, capsule.segment);
     if (status != QueryStatus::ok) return status;
@@ -99,14 +98,10 @@ QueryStatus round_volume(const BlobData& blob, const Capsule& world, RoundedCaps
         set_bounds(capsule);
         set_side_planes(capsule);
     }
-    capsule.is_empty = false;
-    capsule.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
-        return meets(static_cast<const RoundedCapsule&>(volume), triangle);
-    };
     return QueryStatus::ok;
 }
 
-bool meets(const RoundedCapsule& capsule, const LatticeTriangle& triangle) noexcept {
+bool meets(const Rounded<Capsule>& capsule, const LatticeTriangle& triangle) noexcept {
     if (capsule.bounded) {  // the distance takes long
         if (is_beside(capsule.bounds, triangle.corner)) return false;
         if (const int sure = guess(capsule, triangle); sure != 0) return sure > 0;
@@ -114,10 +109,6 @@ bool meets(const RoundedCapsule& capsule, const LatticeTriangle& triangle) noexc
     return is_within_radius(capsule.segment, triangle, distance_to(capsule.segment, triangle), capsule.radius);
 }
 
-template <>
-QueryStatus find_overlaps_of<Capsule>(const BlobData& blob, const void* shape, Each& answer,
-                                      const WalkAccuracy& accuracy) {
-    return round_and_find<RoundedCapsule>(blob, *static_cast<const Capsule*>(shape), answer, accuracy);
-}
+template QueryStatus find_overlaps_of<Capsule>(const BlobData&, const void*, Each&, const WalkAccuracy&);
 
 }  // namespace espalier::detail

@@ -8,15 +8,15 @@
 
 namespace espalier::detail {
 
-struct RoundedCapsule : Volume {
+template <>
+struct Rounded<Capsule> : VolumeOf<Capsule, 6> {
     RoundedSegment segment;
     float radius;  ///< lattice steps; 0 or at least 2^-100, may be infinite
-    LatticePlane side_planes[6];
 };
 
-QueryStatus round_volume(const BlobData& blob, const Capsule& world, RoundedCapsule& capsule) noexcept;
+QueryStatus round_volume(const BlobData& blob, const Capsule& world, Rounded<Capsule>& capsule) noexcept;
 
 /// Whether the triangle is within the radius of the segment, exactly.
-[[nodiscard]] bool meets(const RoundedCapsule& capsule, const LatticeTriangle& triangle) noexcept;
+[[nodiscard]] bool meets(const Rounded<Capsule>& capsule, const LatticeTriangle& triangle) noexcept;
 
 }  // namespace espalier::detail

@@ -4,26 +4,26 @@
 #include <runtime/base/float_bits.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/overlap/bounding_plane.hpp>
-#include <runtime/overlap/volume.hpp>
+#include <runtime/overlap/find.hpp>
 
 namespace espalier::detail {
-
-namespace {
 
 /// The finest grid of axes, in fraction bits of a unit: also what heights are compared in.
 constexpr int axis_bits = 16;
 
 /// All points apex + X with 0 <= axis . X <= axis . D whose distance from the axis is at most (axis . X) / (axis . D)
 /// of the radius, where D = axis * 2^axis_exponent leads to the middle of the base.
-struct RoundedCone : Volume {
+template <>
+struct Rounded<Cone> : VolumeOf<Cone, 8> {
     int fraction_bits;  ///< 0..6; lengths are in units of 2^-fraction_bits steps
     int axis_exponent;  ///< -axis_bits..18
     Integer3 apex;
     Integer3 axis;       ///< not zero; below 2^24
     Int128 base_height;  ///< (axis . D) * 2^axis_bits
     FloatParts radius;   ///< in units
-    LatticePlane own_planes[8];
 };
+
+namespace {
 
 /// A corner of a triangle, seen from the apex.
 struct Corner {
@@ -51,12 +51,12 @@ int sign_of_sum(const Int128& a, const Int128& b, const Int128& c, const Int128&
 }
 
 /// Returns whether |off| <= radius * |per| * 2^exponent: each decision about the round surface has this form.
-bool is_within_radius(const RoundedCone& cone, const WideVector& off, const WideVector& per, int exponent) {
+bool is_within_radius(const Rounded<Cone>& cone, const WideVector& off, const WideVector& per, int exponent) {
     const auto& [mantissa, radius_exponent] = cone.radius;
     return compare_scaled(squared_length(off), squared_length(per * mantissa), 2 * (radius_exponent + exponent)) <= 0;
 }
 
-Corner corner_of(const RoundedCone& cone, const LatticeTriangle& triangle, int number) {
+Corner corner_of(const Rounded<Cone>& cone, const LatticeTriangle& triangle, int number) {
     Corner corner;
     corner.at = corner_on_grid(triangle, number, cone.fraction_bits) - cone.apex;
     corner.across = cross(cone.axis, corner.at);
@@ -65,13 +65,13 @@ Corner corner_of(const RoundedCone& cone, const LatticeTriangle& triangle, int n
     return corner;
 }
 
-bool is_inside(const RoundedCone& cone, const Corner& corner) {
+bool is_inside(const Rounded<Cone>& cone, const Corner& corner) {
     if (corner.along < 0 || sign(corner.above_base) > 0) return false;
     return is_within_radius(cone, wide_cross(cone.axis, corner.across), {corner.along, 0, 0}, -cone.axis_exponent);
 }
 
 /// Returns whether the side from p to q, whose ends are outside, touches the cone.
-bool side_meets(const RoundedCone& cone, const Corner& p, const Corner& q) {
+bool side_meets(const Rounded<Cone>& cone, const Corner& p, const Corner& q) {
     const Integer3 side = q.at - p.at;
     const Integer3 normal = cross(p.at, side);  // of the plane through the apex and the side
     if (is_zero(normal)) {
@@ -99,7 +99,7 @@ struct TrianglePlane {
 };
 
 /// Returns whether the axis, from the apex to the base, crosses the triangle; when it lies in the triangle's plane, no.
-bool axis_meets(const RoundedCone& cone, const Corner* corner, const TrianglePlane& plane) {
+bool axis_meets(const Rounded<Cone>& cone, const Corner* corner, const TrianglePlane& plane) {
     const int side = sign(plane.along);
     if (side == 0 || sign(plane.offset) * side < 0) return false;
     for (int i = 0; i < 3; ++i) {
@@ -111,7 +111,7 @@ bool axis_meets(const RoundedCone& cone, const Corner* corner, const TrianglePla
 }
 
 /// Returns whether the segment that the triangle cuts out of the base's plane touches the base, between its ends.
-bool base_meets(const RoundedCone& cone, const Corner* corner, const TrianglePlane& plane) {
+bool base_meets(const Rounded<Cone>& cone, const Corner* corner, const TrianglePlane& plane) {
     const bool is_above[3] = {sign(corner[0].above_base) > 0, sign(corner[1].above_base) > 0,
                               sign(corner[2].above_base) > 0};
     if (is_above[0] == is_above[1] && is_above[1] == is_above[2]) return false;
@@ -129,8 +129,10 @@ bool base_meets(const RoundedCone& cone, const Corner* corner, const TrianglePla
     return is_within_radius(cone, scaled(cone.axis, off), line, axis_bits);
 }
 
+}  // namespace
+
 /// Returns whether the triangle and the cone share a point, exactly.
-bool meets(const RoundedCone& cone, const LatticeTriangle& triangle) {
+bool meets(const Rounded<Cone>& cone, const LatticeTriangle& triangle) {
     const Corner corner[3] = {corner_of(cone, triangle, 0), corner_of(cone, triangle, 1), corner_of(cone, triangle, 2)};
     bool is_behind = true, is_beyond = true;
     for (const Corner& c : corner) {
@@ -148,17 +150,17 @@ bool meets(const RoundedCone& cone, const LatticeTriangle& triangle) {
     return base_meets(cone, corner, plane);
 }
 
+namespace {
+
 /// Adds a plane that bounds the cone: for each of its points X, normal . (X - at) <= reach. `size` is at least
 /// |X - at|, summed over the axes of space.
-void add_plane(RoundedCone& cone, const Integer3& normal, const Integer3& at, std::int64_t reach, std::int64_t size) {
-    cone.own_planes[cone.plane_count++] =
-        bounding_plane({{normal.x, normal.y, normal.z}, at, reach, size}, cone.fraction_bits);
-    cone.planes = cone.own_planes;
+void add_plane(Rounded<Cone>& cone, const Integer3& normal, const Integer3& at, std::int64_t reach, std::int64_t size) {
+    cone.add_plane(bounding_plane({{normal.x, normal.y, normal.z}, at, reach, size}, cone.fraction_bits));
 }
 
 /// Adds two planes for each axis of space: through the apex, along the slope, and parallel to that axis but for the
 /// slope. With n perpendicular to the cone's axis, n . X <= |n| radius (axis . X) / (axis . D).
-void add_slopes(RoundedCone& cone, float radius, std::int64_t size) {
+void add_slopes(Rounded<Cone>& cone, float radius, std::int64_t size) {
     constexpr int slope_bits = 20;
     const Integer3& a = cone.axis;
     const float unit = power_of_two(cone.fraction_bits - cone.axis_exponent);
@@ -173,11 +175,7 @@ void add_slopes(RoundedCone& cone, float radius, std::int64_t size) {
 }
 
 /// Sets bounds and planes; `radius` is in steps.
-void enclose(RoundedCone& cone, float radius) {
-    cone.is_empty = false;
-    cone.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
-        return meets(static_cast<const RoundedCone&>(volume), triangle);
-    };
+void enclose(Rounded<Cone>& cone, float radius) {
     cone.bounded = radius < static_cast<float>(bounds_limit);
     if (!cone.bounded) return;
     const int bits = cone.fraction_bits, exponent = cone.axis_exponent;
@@ -186,8 +184,7 @@ void enclose(RoundedCone& cone, float radius) {
     const auto bound = [&](int k, std::int64_t from, std::int64_t axis) {
         const std::int64_t rise = exponent < 0 ? axis >> -exponent : axis * (std::int64_t{1} << exponent);
         const std::int64_t low = from + rise - reach, high = from + rise + 1 + reach;
-        cone.bounds.low[k] = clamp_to_bounds(-(-(low < from ? low : from) >> bits));
-        cone.bounds.high[k] = clamp_to_bounds((from < high ? high : from) >> bits);
+        cone.set_bounds(k, low < from ? low : from, from < high ? high : from, bits);
         size += magnitude(rise) + 2;
         return from + rise;
     };
@@ -201,7 +198,7 @@ void enclose(RoundedCone& cone, float radius) {
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const Cone& world, RoundedCone& cone) {
+QueryStatus round_volume(const BlobData& blob, const Cone& world, Rounded<Cone>& cone) {
     if (!is_finite(world.apex) || !is_finite(world.axis) || !is_radius(world.radius) || !is_finite(world.radius))
         return QueryStatus::invalid_argument;
     float apex[3], axis[3];
@@ -223,10 +220,6 @@ QueryStatus round_volume(const BlobData& blob, const Cone& world, RoundedCone& c
     return QueryStatus::ok;
 }
 
-template <>
-QueryStatus find_overlaps_of<Cone>(const BlobData& blob, const void* shape, Each& answer,
-                                   const WalkAccuracy& accuracy) {
-    return round_and_find<RoundedCone>(blob, *static_cast<const Cone*>(shape), answer, accuracy);
-}
+template QueryStatus find_overlaps_of<Cone>(const BlobData&, const void*, Each&, const WalkAccuracy&);
 
 }  // namespace espalier::detail

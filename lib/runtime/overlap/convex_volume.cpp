@@ -6,6 +6,7 @@
 #include <bit>
 
 #include <runtime/overlap/bounding_plane.hpp>
+#include <runtime/overlap/find.hpp>
 
 namespace espalier::detail {
 
@@ -48,7 +49,7 @@ struct Wide {
 struct Constraints {
     static constexpr unsigned sides = 3;
 
-    const RoundedConvexVolume& set;
+    const Rounded<ConvexVolume>& set;
     const LatticeTriangle& triangle;
     std::uint32_t crossing = 0;  ///< a bit for each half-space that has corners on either side of it
 
@@ -58,9 +59,9 @@ struct Constraints {
         return room;
     }
     [[nodiscard]] Constraint of_half_space(unsigned i) const {
-        const std::int64_t whole = room(set.half_space[i], triangle.corner[0]);
-        return {whole, room(set.half_space[i], triangle.corner[1]) - whole,
-                room(set.half_space[i], triangle.corner[2]) - whole};
+        const std::int64_t whole = room(set.planes[i], triangle.corner[0]);
+        return {whole, room(set.planes[i], triangle.corner[1]) - whole,
+                room(set.planes[i], triangle.corner[2]) - whole};
     }
     [[nodiscard]] Constraint operator[](unsigned number) const {
         if (number >= sides) return of_half_space(number - sides);
@@ -108,7 +109,7 @@ template <class Arithmetic>
 
 }  // namespace
 
-bool meets(const RoundedConvexVolume& set, const LatticeTriangle& triangle) noexcept {
+bool meets(const Rounded<ConvexVolume>& set, const LatticeTriangle& triangle) noexcept {
     Constraints constraints = {set, triangle};
     bool is_narrow = true;
     for (unsigned i = 0; i < set.plane_count; ++i) {
@@ -125,10 +126,6 @@ bool meets(const RoundedConvexVolume& set, const LatticeTriangle& triangle) noex
     return takes_shortcut(is_narrow) ? has_solution<Narrow>(constraints) : has_solution<Wide>(constraints);
 }
 
-template <>
-QueryStatus find_overlaps_of<ConvexVolume>(const BlobData& blob, const void* shape, Each& answer,
-                                           const WalkAccuracy& accuracy) {
-    return round_and_find<RoundedConvexVolume>(blob, *static_cast<const ConvexVolume*>(shape), answer, accuracy);
-}
+template QueryStatus find_overlaps_of<ConvexVolume>(const BlobData&, const void*, Each&, const WalkAccuracy&);
 
 }  // namespace espalier::detail

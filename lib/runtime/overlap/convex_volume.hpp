@@ -10,13 +10,12 @@
 namespace espalier::detail {
 
 /// Normals whose largest coordinate is in [2^23, 2^24]; offsets within 2^52.
-struct RoundedConvexVolume : Volume {
-    LatticePlane half_space[max_planes];
-};
+template <>
+struct Rounded<ConvexVolume> : VolumeOf<ConvexVolume, max_planes> {};
 
-QueryStatus round_volume(const BlobData& blob, const ConvexVolume& world, RoundedConvexVolume& set) noexcept;
+QueryStatus round_volume(const BlobData& blob, const ConvexVolume& world, Rounded<ConvexVolume>& set) noexcept;
 
 /// Whether some point of the triangle is in all half-spaces, exactly.
-[[nodiscard]] bool meets(const RoundedConvexVolume& set, const LatticeTriangle& triangle) noexcept;
+[[nodiscard]] bool meets(const Rounded<ConvexVolume>& set, const LatticeTriangle& triangle) noexcept;
 
 }  // namespace espalier::detail

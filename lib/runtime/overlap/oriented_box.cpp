@@ -2,31 +2,27 @@
 
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>
+#include <runtime/overlap/find.hpp>
 
 namespace espalier::detail {
 
 namespace {
 
 /// The planes of its faces. They are off by up to 2 size + 1 units.
-void set_planes(RoundedOrientedBox& box, std::int64_t size) {
-    for (int i = 0; i < 3; ++i) {
-        const WideVector& n = box.face[i];
-        box.face_planes[2 * i] = bounding_plane({n, box.center, box.face_reach, size}, box.fraction_bits);
-        box.face_planes[2 * i + 1] = bounding_plane({-n, box.center, box.face_reach, size}, box.fraction_bits);
-    }
+void set_planes(Rounded<OrientedBox>& box, std::int64_t size) {
+    for (const WideVector& face : box.face)
+        for (const WideVector& normal : {face, -face})
+            box.add_plane(bounding_plane({normal, box.center, box.face_reach, size}, box.fraction_bits));
     if (!box.face_reach.is_zero()) box.depth_inside = ((2 * size + 1) >> box.fraction_bits) + 1;
-    box.planes = box.face_planes;
-    box.plane_count = 6;
 }
 
 /// What follows from center and half axes.
-void enclose(RoundedOrientedBox& box) {
+void enclose(Rounded<OrientedBox>& box) {
     std::int64_t size = 0;
     for (int k = 0; k < 3; ++k) {
         std::int64_t reach = 0;
         for (const Integer3& half : box.half) reach += magnitude(half[k]);
-        box.bounds.low[k] = clamp_to_bounds(-((reach - box.center[k]) >> box.fraction_bits));
-        box.bounds.high[k] = clamp_to_bounds((box.center[k] + reach) >> box.fraction_bits);
+        box.set_bounds(k, box.center[k] - reach, box.center[k] + reach, box.fraction_bits);
         size += reach;
     }
     for (int i = 0; i < 3; ++i) {
@@ -35,15 +31,11 @@ void enclose(RoundedOrientedBox& box) {
     }
     box.face_reach = magnitude(dot(box.face[0], box.half[0]));
     set_planes(box, size);
-    box.is_empty = false;
-    box.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
-        return meets(static_cast<const RoundedOrientedBox&>(volume), triangle);
-    };
 }
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, RoundedOrientedBox& box) noexcept {
+QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, Rounded<OrientedBox>& box) noexcept {
     if (!is_finite(world.center)) return QueryStatus::invalid_argument;
     for (const Vec3& half : world.half_axes)
         if (!is_finite(half)) return QueryStatus::invalid_argument;
@@ -61,7 +53,7 @@ QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, Rounded
         const float gap = center[k] < 0.0f ? -center[k] : center[k] > last ? center[k] - last : 0.0f;
         is_away = is_away || gap > spread[k] * (1.0f + 0x1p-20f) + 4.0f;
     }
-    if (is_away) return QueryStatus::ok;
+    if (is_away) return QueryStatus::not_found;
     const float reach = rounder.reach();
     if (!(reach < shape_reach)) return QueryStatus::out_of_range;
     box.is_near = exponent_of(reach) <= volume_grid;
@@ -101,7 +93,8 @@ bool are_beyond(const Number* at, Number reach) {
 }
 
 template <class Arithmetic>
-bool is_separated_along_axis(const typename Arithmetic::Vector& axis, const RoundedOrientedBox& box, const Seen& seen) {
+bool is_separated_along_axis(const typename Arithmetic::Vector& axis, const Rounded<OrientedBox>& box,
+                             const Seen& seen) {
     using Number = typename Arithmetic::Number;
     Number at[3];
     Number reach = 0;
@@ -113,19 +106,19 @@ bool is_separated_along_axis(const typename Arithmetic::Vector& axis, const Roun
 }
 
 template <class Arithmetic>
-bool is_separated_along(const typename Arithmetic::Vector& axis, const RoundedOrientedBox& box, const Seen& seen) {
+bool is_separated_along(const typename Arithmetic::Vector& axis, const Rounded<OrientedBox>& box, const Seen& seen) {
     return is_separated_along_axis<Arithmetic>(axis, box, seen);
 }
 /// Called, not copied: rare, and large.
 template <>
-[[gnu::noinline]] bool is_separated_along<Wide>(const WideVector& axis, const RoundedOrientedBox& box,
+[[gnu::noinline]] bool is_separated_along<Wide>(const WideVector& axis, const Rounded<OrientedBox>& box,
                                                 const Seen& seen) {
     return is_separated_along_axis<Wide>(axis, box, seen);
 }
 
 /// All axes but those of the box's faces.
 template <class Arithmetic>
-[[gnu::noinline]] bool is_separated(const RoundedOrientedBox& box, const Seen& seen) {
+[[gnu::noinline]] bool is_separated(const Rounded<OrientedBox>& box, const Seen& seen) {
     if (is_separated_along<Arithmetic>(Arithmetic::product(seen.side[0], seen.side[1]), box, seen)) return true;
     for (const Integer3& half : box.half)
         for (const Integer3& side : seen.side)
@@ -144,7 +137,7 @@ template <class Arithmetic>
 
 }  // namespace
 
-bool meets(const RoundedOrientedBox& box, const LatticeTriangle& triangle) noexcept {
+bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noexcept {
     Seen seen;
     for (int i = 0; i < 3; ++i) {
         seen.corner[i] = corner_on_grid(triangle, i, box.fraction_bits) - box.center;
@@ -170,10 +163,6 @@ bool meets(const RoundedOrientedBox& box, const LatticeTriangle& triangle) noexc
     return !(takes_shortcut(box.is_near && is_short) ? is_separated<Narrow>(box, seen) : is_separated<Wide>(box, seen));
 }
 
-template <>
-QueryStatus find_overlaps_of<OrientedBox>(const BlobData& blob, const void* shape, Each& answer,
-                                          const WalkAccuracy& accuracy) {
-    return round_and_find<RoundedOrientedBox>(blob, *static_cast<const OrientedBox*>(shape), answer, accuracy);
-}
+template QueryStatus find_overlaps_of<OrientedBox>(const BlobData&, const void*, Each&, const WalkAccuracy&);
 
 }  // namespace espalier::detail

@@ -12,7 +12,8 @@
 namespace espalier::detail {
 
 /// All points center + a * half[0] + b * half[1] + c * half[2] with a, b, c in [-1, 1].
-struct RoundedOrientedBox : Volume {
+template <>
+struct Rounded<OrientedBox> : VolumeOf<OrientedBox, 6> {
     int fraction_bits;  ///< 0..6; what follows is in units of 2^-fraction_bits steps
     Integer3 center;
     Integer3 half[3];
@@ -20,12 +21,11 @@ struct RoundedOrientedBox : Volume {
 
     WideVector face[3];  ///< normals of the faces: products of two half axes
     Int128 face_reach;   ///< how far each face is along its normal; zero for a flat box
-    LatticePlane face_planes[6];
 };
 
-QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, RoundedOrientedBox& box) noexcept;
+QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, Rounded<OrientedBox>& box) noexcept;
 
 /// Whether the triangle and the box share a point, exactly.
-[[nodiscard]] bool meets(const RoundedOrientedBox& box, const LatticeTriangle& triangle) noexcept;
+[[nodiscard]] bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noexcept;
 
 }  // namespace espalier::detail

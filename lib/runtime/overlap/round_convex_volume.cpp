@@ -67,7 +67,7 @@ bool round_half_space(const BlobData& blob, const FloatParts* normal, float worl
 
 }  // namespace
 
-QueryStatus round_volume(const BlobData& blob, const ConvexVolume& world, RoundedConvexVolume& set) noexcept {
+QueryStatus round_volume(const BlobData& blob, const ConvexVolume& world, Rounded<ConvexVolume>& set) noexcept {
     if (world.planes.size() > max_planes) return QueryStatus::invalid_argument;
     set.plane_count = 0;
     bool is_empty = false;
@@ -81,18 +81,13 @@ QueryStatus round_volume(const BlobData& blob, const ConvexVolume& world, Rounde
             is_empty = is_empty || is_negative(plane.offset);
             continue;  // or everything is behind it
         }
-        if (!round_half_space(blob, normal, plane.offset, set.half_space[set.plane_count]))
-            return QueryStatus::out_of_range;
-        ++set.plane_count;
+        LatticePlane rounded;
+        if (!round_half_space(blob, normal, plane.offset, rounded)) return QueryStatus::out_of_range;
+        set.add_plane(rounded);
     }
-    set.planes = set.half_space;
     set.bounded = false;
     set.depth_inside = 0;
-    set.is_empty = is_empty;
-    set.meets = [](const Volume& volume, const LatticeTriangle& triangle) {
-        return meets(static_cast<const RoundedConvexVolume&>(volume), triangle);
-    };
-    return QueryStatus::ok;
+    return is_empty ? QueryStatus::not_found : QueryStatus::ok;
 }
 
 }  // namespace espalier::detail

@@ -11,15 +11,15 @@
 namespace espalier::detail {
 
 /// Also one without area.
-struct RoundedTriangle : Volume {
+template <>
+struct Rounded<Triangle> : VolumeOf<Triangle, 5> {
     int fraction_bits;         ///< 0..6
     IntegerTriangle triangle;  ///< in units of 2^-fraction_bits steps
-    LatticePlane own_planes[5];
 };
 
-QueryStatus round_volume(const BlobData& blob, const Triangle& world, RoundedTriangle& corners) noexcept;
+QueryStatus round_volume(const BlobData& blob, const Triangle& world, Rounded<Triangle>& corners) noexcept;
 
 /// Whether the two triangles share a point, exactly.
-[[nodiscard]] bool meets(const RoundedTriangle& corners, const LatticeTriangle& triangle) noexcept;
+[[nodiscard]] bool meets(const Rounded<Triangle>& corners, const LatticeTriangle& triangle) noexcept;
 
 }  // namespace espalier::detail

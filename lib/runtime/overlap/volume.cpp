@@ -103,7 +103,7 @@ struct VolumeShape {
         if ((volume.bounded && is_beside(volume.bounds, triangle.corner)) || is_beyond_a_plane(volume, triangle))
             return Visit::next;
         count_decision();
-        if (!volume.meets(volume, triangle)) return Visit::next;
+        if (!volume.kernel(volume, triangle)) return Visit::next;
         return answer.take(found_at(leaf, scalar::storage_index(leaf, slot)));
     }
     /// Vertices first: most triangles need no more.
@@ -128,7 +128,7 @@ struct VolumeShape {
                     places.inside >> vertices.a | places.inside >> vertices.b | places.inside >> vertices.c;
                 if ((corners_inside & 1) == 0) {
                     count_decision();
-                    if (!volume.meets(volume, leaf.triangle(slot))) continue;
+                    if (!volume.kernel(volume, leaf.triangle(slot))) continue;
                 }
             }
             if (answer.take(found_at(leaf, reference)) == Visit::stop) return Visit::stop;

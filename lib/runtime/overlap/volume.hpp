@@ -2,6 +2,7 @@
 // kernel. One walk serves all shapes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include <espalier/overlap.hpp>
@@ -12,34 +13,49 @@
 
 namespace espalier::detail {
 
-/// The base of each rounded shape. It refers to its own members: rounded where it stays.
+/// What all rounded shapes share. It refers to its own members: rounded where it stays.
 struct Volume {
-    Volume() = default;
+    using Kernel = bool (*)(const Volume& volume, const LatticeTriangle& triangle);
+
+    Volume(Kernel of_shape, LatticePlane* room) : kernel(of_shape), planes(room) {}
     Volume(const Volume&) = delete;
     Volume& operator=(const Volume&) = delete;
 
-    bool (*meets)(const Volume& volume, const LatticeTriangle& triangle) = nullptr;
-    const LatticePlane* planes = nullptr;  ///< the shape lies behind each of them
+    Kernel kernel;         ///< whether shape and triangle share a point, exactly
+    LatticePlane* planes;  ///< the shape lies behind each of them
     unsigned plane_count = 0;
-    bool bounded = true;   ///< the shape lies within the bounds; only then are these set
-    bool is_empty = true;  ///< nothing overlaps it
+    bool bounded = true;  ///< the shape lies within the bounds; only then are these set
     /// A vertex within the bounds and this deep behind each plane is inside the shape: 0 when bounds and planes are the
     /// shape itself, unknown when what encloses it does not bound its inside.
     std::int64_t depth_inside = unknown;
     static constexpr std::int64_t unknown = -1;
     IntegerBounds bounds;
+
+    void add_plane(const LatticePlane& plane) { planes[plane_count++] = plane; }
+    /// Sets the bounds along an axis: what lies from low to high, in units of 2^-fraction_bits steps.
+    void set_bounds(int axis, std::int64_t low, std::int64_t high, int fraction_bits) {
+        bounds.low[axis] = clamp_to_bounds(-(-low >> fraction_bits));
+        bounds.high[axis] = clamp_to_bounds(high >> fraction_bits);
+    }
+};
+
+/// A shape of the caller, rounded: round_volume() fills it in, and meets() is its kernel.
+template <class Shape>
+struct Rounded;
+
+/// The base of a rounded shape, with room for its planes.
+template <class Shape, std::size_t most_planes>
+struct VolumeOf : Volume {
+    VolumeOf()
+        : Volume(
+              [](const Volume& volume, const LatticeTriangle& triangle) {
+                  return meets(static_cast<const Rounded<Shape>&>(volume), triangle);
+              },
+              room.data()) {}
+    std::array<LatticePlane, most_planes> room;
 };
 
 /// The triangles that the shape overlaps, in storage order. True when the answer stopped it.
 bool find_overlaps(const BlobData& blob, const Volume& volume, Each& answer, const WalkAccuracy& accuracy);
-
-/// Rounds a shape and finds what it overlaps: find_overlaps_of() of most shapes. Stopped when the answer stopped it.
-template <class Rounded, class Shape>
-QueryStatus round_and_find(const BlobData& blob, const Shape& shape, Each& answer, const WalkAccuracy& accuracy) {
-    Rounded volume;
-    const QueryStatus status = round_volume(blob, shape, volume);
-    if (status != QueryStatus::ok || blob.triangle_count == 0 || volume.is_empty) return status;
-    return find_overlaps(blob, volume, answer, accuracy) ? QueryStatus::stopped : QueryStatus::ok;
-}
 
 }  // namespace espalier::detail

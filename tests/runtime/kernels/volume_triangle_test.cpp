@@ -141,12 +141,13 @@ TEST_SUITE("volume triangle") {
                     box.max = {std::max(box.max.x, corner.x), std::max(box.max.y, corner.y),
                                std::max(box.max.z, corner.z)};
                 }
-                detail::RoundedBox rounded;
-                REQUIRE(round_volume(asset, box, rounded) == QueryStatus::ok);
-                if (rounded.is_empty) continue;  // clearly apart
+                detail::Rounded<Box> rounded;
+                const QueryStatus status = round_volume(asset, box, rounded);
+                if (status == QueryStatus::not_found) continue;  // clearly apart
+                REQUIRE(status == QueryStatus::ok);
                 const Integer3 half[3] = {{rounded.half[0], 0, 0}, {0, rounded.half[1], 0}, {0, 0, rounded.half[2]}};
                 const bool expected = meet_in_truth(to_integer3(rounded.center), half,
-                                                    detail::RoundedBox::fraction_bits, bits + 8, triangle);
+                                                    detail::Rounded<Box>::fraction_bits, bits + 8, triangle);
                 CAPTURE(describe(triangle));
                 ++decided;
                 REQUIRE(meets(rounded, triangle) == expected);
@@ -200,9 +201,10 @@ TEST_SUITE("volume triangle") {
                     default:
                         break;
                 }
-                detail::RoundedOrientedBox rounded;
-                REQUIRE(round_volume(asset, box, rounded) == QueryStatus::ok);
-                if (rounded.is_empty) continue;  // clearly apart
+                detail::Rounded<OrientedBox> rounded;
+                const QueryStatus status = round_volume(asset, box, rounded);
+                if (status == QueryStatus::not_found) continue;  // clearly apart
+                REQUIRE(status == QueryStatus::ok);
                 flat += rounded.face_reach.is_zero() ? 1u : 0u;
                 const bool expected =
                     meet_in_truth(rounded.center, rounded.half, rounded.fraction_bits, bits + 8, triangle);
@@ -226,15 +228,17 @@ TEST_SUITE("volume triangle") {
                                maker.random.coin() ? 0.0f : std::fabs(maker.steps(12, 0)),
                                std::fabs(maker.steps(15, 0))};
             const Vec3 center = maker.random.coin() ? maker.point(16, 0) : to_vec3(triangle.corner[0]);
-            detail::RoundedBox box;
-            detail::RoundedOrientedBox oriented;
-            REQUIRE(round_volume(asset,
-                                 Box{{center.x - half.x, center.y - half.y, center.z - half.z},
-                                     {center.x + half.x, center.y + half.y, center.z + half.z}},
-                                 box) == QueryStatus::ok);
-            REQUIRE(round_volume(asset, OrientedBox{center, {{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}},
-                                 oriented) == QueryStatus::ok);
-            REQUIRE((!box.is_empty && meets(box, triangle)) == (!oriented.is_empty && meets(oriented, triangle)));
+            detail::Rounded<Box> box;
+            detail::Rounded<OrientedBox> oriented;
+            const auto meets_rounded = [&](const auto& shape, auto& rounded) {
+                const QueryStatus status = round_volume(asset, shape, rounded);
+                REQUIRE(!is_refused(status));
+                return status == QueryStatus::ok && meets(rounded, triangle);
+            };
+            const Box world = {{center.x - half.x, center.y - half.y, center.z - half.z},
+                               {center.x + half.x, center.y + half.y, center.z + half.z}};
+            const OrientedBox same = {center, {{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}};
+            REQUIRE(meets_rounded(world, box) == meets_rounded(same, oriented));
         }
     }
 }
@@ -261,11 +265,11 @@ Polygon clipped(const Polygon& polygon, const detail::LatticePlane& plane) {
     return result;
 }
 
-bool meet_in_truth(const detail::RoundedConvexVolume& set, const LatticeTriangle& triangle) {
+bool meet_in_truth(const detail::Rounded<ConvexVolume>& set, const LatticeTriangle& triangle) {
     Polygon polygon;
     for (const auto& c : triangle.corner)
         polygon.push_back({Rational(std::int64_t{c[0]}), Rational(std::int64_t{c[1]}), Rational(std::int64_t{c[2]})});
-    for (unsigned i = 0; i < set.plane_count; ++i) polygon = clipped(polygon, set.half_space[i]);
+    for (unsigned i = 0; i < set.plane_count; ++i) polygon = clipped(polygon, set.planes[i]);
     return !polygon.empty();
 }
 
@@ -303,7 +307,7 @@ TEST_SUITE("volume triangle") {
                     const Plane& first = planes[0];
                     planes[1] = {{-first.normal.x, -first.normal.y, -first.normal.z}, -first.offset};
                 }
-                detail::RoundedConvexVolume set;
+                detail::Rounded<ConvexVolume> set;
                 REQUIRE(round_volume(asset, ConvexVolume{planes}, set) == QueryStatus::ok);
                 REQUIRE(set.plane_count == planes.size());
                 const bool expected = meet_in_truth(set, triangle);
@@ -335,9 +339,9 @@ TEST_SUITE("volume triangle") {
             // Subnormal numbers count as zero.
             for (float* x : {&plane.normal.x, &plane.normal.y, &plane.normal.z, &plane.offset})
                 *x = detail::flush_subnormal(*x);
-            detail::RoundedConvexVolume set;
+            detail::Rounded<ConvexVolume> set;
             REQUIRE(round_volume(asset, ConvexVolume{{&plane, 1}}, set) == QueryStatus::ok);
-            const detail::LatticePlane& rounded = set.half_space[0];
+            const detail::LatticePlane& rounded = set.planes[0];
             const float normal[3] = {plane.normal.x, plane.normal.y, plane.normal.z};
             int exponent = -1000;
             for (const float n : normal)

@@ -25,7 +25,7 @@ template <class Rounded, class Shape>
 Difference volume(const Blob& blob, const TriangleLoop& loop, const Shape& shape) {
     Rounded rounded;
     const bool answered = round_volume(detail::data_of(blob), shape, rounded) == QueryStatus::ok;
-    const auto expected = answered && !rounded.is_empty ? loop.every_overlap(rounded) : std::vector<std::uint32_t>();
+    const auto expected = answered ? loop.every_overlap(rounded) : std::vector<std::uint32_t>();
     std::vector<std::uint32_t> found;
     (void)for_each_overlap(blob, shape, [&](TriangleId triangle) { found.push_back(triangle.index); });
     if (blob.duplicate_reference_count() != 0) std::sort(found.begin(), found.end());
@@ -114,7 +114,7 @@ Difference in_steps(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shap
     ordered(segment.from.x, segment.to.x);
     ordered(segment.from.y, segment.to.y);
     ordered(segment.from.z, segment.to.z);
-    return volume<detail::RoundedBox>(blob, loop, LatticeBox{segment.from, segment.to});
+    return volume<detail::Rounded<Box>>(blob, loop, LatticeBox{segment.from, segment.to});
 }
 
 }  // namespace
@@ -124,11 +124,11 @@ std::optional<std::string> loop_difference(const Blob& blob, const TriangleLoop&
     const bool awkward = shapes.random().coin();
     const Capsule capsule = shapes.capsule(awkward);
     const Box box = shapes.box(awkward);
-    if (auto d = volume<detail::RoundedCapsule>(blob, loop, capsule)) return d;
-    if (auto d = volume<detail::RoundedBox>(blob, loop, box)) return d;
-    if (auto d = volume<detail::RoundedOrientedBox>(blob, loop, shapes.oriented_box(awkward))) return d;
-    if (auto d = volume<detail::RoundedTriangle>(blob, loop, shapes.corners(awkward))) return d;
-    if (auto d = volume<detail::RoundedConvexVolume>(blob, loop, shapes.planes(awkward))) return d;
+    if (auto d = volume<detail::Rounded<Capsule>>(blob, loop, capsule)) return d;
+    if (auto d = volume<detail::Rounded<Box>>(blob, loop, box)) return d;
+    if (auto d = volume<detail::Rounded<OrientedBox>>(blob, loop, shapes.oriented_box(awkward))) return d;
+    if (auto d = volume<detail::Rounded<Triangle>>(blob, loop, shapes.corners(awkward))) return d;
+    if (auto d = volume<detail::Rounded<ConvexVolume>>(blob, loop, shapes.planes(awkward))) return d;
     if (auto d = segment_distance(blob, loop, capsule)) return d;
     if (auto d = box_distance(blob, loop, box, std::fabs(capsule.radius))) return d;
     if (auto d = moving<detail::SphereSweep>(blob, loop, awkward ? sweeps.awkward_sphere() : sweeps.random_sphere()))

@@ -76,11 +76,11 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Volume& volume,
                                                   const TriangleBounds::Numbers& numbers) const {
     Indices found;
     for (const std::uint32_t i : numbers)
-        if (volume.meets(volume, triangles_[i])) found.push_back(indices_[i]);
+        if (volume.kernel(volume, triangles_[i])) found.push_back(indices_[i]);
     return found;
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedCapsule& capsule) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Rounded<Capsule>& capsule) const {
     // Not by the capsule's own `meets`, which spares itself distances by the bounds that the walk culls with.
     const detail::RoundedSegment& segment = capsule.segment;
     Indices found;
@@ -108,7 +108,7 @@ LatticeHit TriangleLoop::first_hit(const detail::WholeSegment& segment) const {
     return hit;
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedBox& box) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Rounded<Box>& box) const {
     Range range = {place(box.center, box.fraction_bits), place(box.center, box.fraction_bits)};
     const Place half = place(box.half, box.fraction_bits);
     range.low = {range.low.x - half.x, range.low.y - half.y, range.low.z - half.z};
@@ -116,7 +116,7 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedBox& box)
     return every_overlap(box, bounds_.near(range));
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedOrientedBox& box) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Rounded<OrientedBox>& box) const {
     detail::Integer3 half = {0, 0, 0};
     for (const detail::Integer3& axis : box.half)
         half = {half.x + std::abs(axis.x), half.y + std::abs(axis.y), half.z + std::abs(axis.z)};
@@ -124,14 +124,14 @@ TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedOrientedB
         box, bounds_.near({place(box.center - half, box.fraction_bits), place(box.center + half, box.fraction_bits)}));
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedTriangle& corners) const {
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Rounded<Triangle>& corners) const {
     const auto& [a, b, c] = corners.triangle.corner;
     return every_overlap(corners, bounds_.near({place(lower(lower(a, b), c), corners.fraction_bits),
                                                 place(higher(higher(a, b), c), corners.fraction_bits)}));
 }
 
-TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedConvexVolume& set) const {
-    return every_overlap(set, bounds_.behind(std::span(set.half_space).first(set.plane_count)));
+TriangleLoop::Indices TriangleLoop::every_overlap(const detail::Rounded<ConvexVolume>& set) const {
+    return every_overlap(set, bounds_.behind(std::span(set.planes, set.plane_count)));
 }
 
 std::vector<detail::FoundNearest> TriangleLoop::by_distance(const detail::RoundedPoint& point,

@@ -37,11 +37,11 @@ public:
     using Indices = std::vector<std::uint32_t>;
     [[nodiscard]] Indices every_overlap(const detail::RoundedPoint& point) const;
     // Of volumes that were rounded and are not empty.
-    [[nodiscard]] Indices every_overlap(const detail::RoundedCapsule& capsule) const;
-    [[nodiscard]] Indices every_overlap(const detail::RoundedBox& box) const;
-    [[nodiscard]] Indices every_overlap(const detail::RoundedOrientedBox& box) const;
-    [[nodiscard]] Indices every_overlap(const detail::RoundedTriangle& corners) const;
-    [[nodiscard]] Indices every_overlap(const detail::RoundedConvexVolume& set) const;
+    [[nodiscard]] Indices every_overlap(const detail::Rounded<Capsule>& capsule) const;
+    [[nodiscard]] Indices every_overlap(const detail::Rounded<Box>& box) const;
+    [[nodiscard]] Indices every_overlap(const detail::Rounded<OrientedBox>& box) const;
+    [[nodiscard]] Indices every_overlap(const detail::Rounded<Triangle>& corners) const;
+    [[nodiscard]] Indices every_overlap(const detail::Rounded<ConvexVolume>& set) const;
 
     /// The first `count` of those within the radius, sorted by distance and index.
     [[nodiscard]] std::vector<detail::FoundNearest> by_distance(const detail::RoundedPoint& point,
