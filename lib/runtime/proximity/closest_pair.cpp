@@ -10,6 +10,34 @@
 namespace espalier::detail {
 namespace {
 
+/// Between the plane of a triangle and all that is between two points; of a box its corners farthest apart across the
+/// plane. Squared; 0 where that is not clear.
+float squared_gap_to_plane(const DistantShape& shape, const LatticeTriangle& triangle) {
+    const float* from = shape.segment.from_steps;
+    const float* to = shape.segment.to_steps;
+    const auto& c = triangle.corner;
+    const auto edge = [&](int end, int k) { return static_cast<float>(c[end][k] - c[0][k]); };
+    float from_side = 0.0f, to_side = 0.0f, slack = 0.0f, squared_length = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        const int y = k == 2 ? 0 : k + 1, z = k == 0 ? 2 : k - 1;
+        const float plus = edge(1, y) * edge(2, z), minus = edge(1, z) * edge(2, y);
+        const float normal = plus - minus, size = absolute(plus) + absolute(minus);
+        const bool backward = shape.is_box && normal < 0.0f;
+        const float corner = static_cast<float>(c[0][k]);
+        const float to_from = (backward ? to : from)[k] - corner, to_to = (backward ? from : to)[k] - corner;
+        from_side += normal * to_from;
+        to_side += normal * to_to;
+        slack += size * (absolute(to_from) + absolute(to_to));
+        const float length = absolute(normal) + size * 0x1p-22f;
+        squared_length += length * length;
+    }
+    if ((from_side < 0.0f) != (to_side < 0.0f)) return 0.0f;
+    const float nearer = minimum(absolute(from_side), absolute(to_side)) - slack * 0x1p-20f;
+    if (!(nearer > 0.0f)) return 0.0f;
+    const float gap = nearer / square_root(squared_length);
+    return gap * gap;
+}
+
 struct NearShape {
     const BlobData& blob;
     const DistantShape& shape;
@@ -35,9 +63,9 @@ struct NearShape {
         FoundPair found;
         static_cast<Found&>(found) = found_at(leaf, scalar::storage_index(leaf, slot));
         if (answer.rules_out(0.0f, found.index)) return Visit::next;  // none is nearer
-        found.distance = shape.distance_to(shape, triangle);
+        found.distance = shape.distance_to(shape.segment, triangle);
         if (answer.rules_out(found.distance.squared, found.index) ||
-            !shape.is_within_radius(shape, triangle, found.distance, shape.radius))
+            !shape.is_within_radius(shape.segment, triangle, found.distance, shape.radius))
             return Visit::next;
         found.triangle = triangle;
         return answer.take(found);
@@ -51,35 +79,9 @@ private:
             low[k] = static_cast<float>(span.low);
             high[k] = static_cast<float>(span.high);
         }
-        return shape.squared_bound(shape, low, high) <= limit && shape.squared_plane_bound(shape, triangle) <= limit;
+        return shape.squared_bound(shape, low, high) <= limit && squared_gap_to_plane(shape, triangle) <= limit;
     }
 };
-
-/// Between the plane of a triangle and all that is between two points; of a box its corners farthest apart across the
-/// plane. Squared; 0 where that is not clear.
-float squared_gap_to_plane(const float* from, const float* to, bool is_box, const LatticeTriangle& triangle) {
-    const auto& c = triangle.corner;
-    const auto edge = [&](int end, int k) { return static_cast<float>(c[end][k] - c[0][k]); };
-    float from_side = 0.0f, to_side = 0.0f, slack = 0.0f, squared_length = 0.0f;
-    for (int k = 0; k < 3; ++k) {
-        const int y = k == 2 ? 0 : k + 1, z = k == 0 ? 2 : k - 1;
-        const float plus = edge(1, y) * edge(2, z), minus = edge(1, z) * edge(2, y);
-        const float normal = plus - minus, size = absolute(plus) + absolute(minus);
-        const bool backward = is_box && normal < 0.0f;
-        const float corner = static_cast<float>(c[0][k]);
-        const float to_from = (backward ? to : from)[k] - corner, to_to = (backward ? from : to)[k] - corner;
-        from_side += normal * to_from;
-        to_side += normal * to_to;
-        slack += size * (absolute(to_from) + absolute(to_to));
-        const float length = absolute(normal) + size * 0x1p-22f;
-        squared_length += length * length;
-    }
-    if ((from_side < 0.0f) != (to_side < 0.0f)) return 0.0f;
-    const float nearer = minimum(absolute(from_side), absolute(to_side)) - slack * 0x1p-20f;
-    if (!(nearer > 0.0f)) return 0.0f;
-    const float gap = nearer / square_root(squared_length);
-    return gap * gap;
-}
 
 /// Between two boxes, the one given by its corners.
 float squared_gap(const float* box_low, const float* box_high, const float* low, const float* high) {
@@ -95,7 +97,7 @@ float squared_gap(const float* box_low, const float* box_high, const float* low,
 /// segment and one axis: of the separating axes of boxes and segments (Gottschalk, Lin and Manocha 1996), the only
 /// ones.
 float bound_of_segment(const DistantShape& shape, const float* low, const float* high) {
-    const RoundedSegment& segment = static_cast<const DistantSegment&>(shape).segment;
+    const RoundedSegment& segment = shape.segment;
     const auto& across = static_cast<const DistantSegment&>(shape).across;
     const float* from = segment.from_steps;
     float least[3], most[3], middle[3], size[3], reach[3];
@@ -141,36 +143,19 @@ void prepare(DistantSegment& shape) noexcept {
         shape.across[axis][y] = along[z] * inverse;
         shape.across[axis][z] = -along[y] * inverse;
     }
+    shape.is_box = false;
     shape.squared_bound = bound_of_segment;
-    shape.squared_plane_bound = [](const DistantShape& self, const LatticeTriangle& triangle) {
-        const RoundedSegment& ends = static_cast<const DistantSegment&>(self).segment;
-        return squared_gap_to_plane(ends.from_steps, ends.to_steps, false, triangle);
-    };
-    shape.distance_to = [](const DistantShape& self, const LatticeTriangle& triangle) {
-        return distance_to(static_cast<const DistantSegment&>(self).segment, triangle);
-    };
-    shape.is_within_radius = [](const DistantShape& self, const LatticeTriangle& triangle,
-                                const SegmentDistance& distance, float radius) {
-        return is_within_radius(static_cast<const DistantSegment&>(self).segment, triangle, distance, radius);
-    };
+    shape.distance_to = distance_to;
+    shape.is_within_radius = is_within_radius;
 }
 
 void prepare(DistantBox& shape) noexcept {
+    shape.is_box = true;
     shape.squared_bound = [](const DistantShape& self, const float* low, const float* high) {
-        const RoundedSegment& diagonal = static_cast<const DistantBox&>(self).diagonal;
-        return squared_gap(diagonal.from_steps, diagonal.to_steps, low, high);
+        return squared_gap(self.segment.from_steps, self.segment.to_steps, low, high);
     };
-    shape.squared_plane_bound = [](const DistantShape& self, const LatticeTriangle& triangle) {
-        const RoundedSegment& diagonal = static_cast<const DistantBox&>(self).diagonal;
-        return squared_gap_to_plane(diagonal.from_steps, diagonal.to_steps, true, triangle);
-    };
-    shape.distance_to = [](const DistantShape& self, const LatticeTriangle& triangle) {
-        return distance_to_box(static_cast<const DistantBox&>(self).diagonal, triangle);
-    };
-    shape.is_within_radius = [](const DistantShape& self, const LatticeTriangle& triangle,
-                                const SegmentDistance& distance, float radius) {
-        return is_within_radius_of_box(static_cast<const DistantBox&>(self).diagonal, triangle, distance, radius);
-    };
+    shape.distance_to = distance_to_box;
+    shape.is_within_radius = is_within_radius_of_box;
 }
 
 }  // namespace espalier::detail

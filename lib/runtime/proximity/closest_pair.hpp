@@ -9,16 +9,17 @@
 
 namespace espalier::detail {
 
-/// The base of each rounded shape: in lattice steps, its distances from boxes and triangles.
+/// A rounded segment, or a box by its diagonal from the lowest to the highest corner. In lattice steps.
 struct DistantShape {
-    /// Of a box, at most 16 roundings above the square of the distance.
-    float (*squared_bound)(const DistantShape& shape, const float* low, const float* high);
-    /// The same of a triangle, by its plane.
-    float (*squared_plane_bound)(const DistantShape& shape, const LatticeTriangle& triangle);
-    SegmentDistance (*distance_to)(const DistantShape& shape, const LatticeTriangle& triangle);
-    bool (*is_within_radius)(const DistantShape& shape, const LatticeTriangle& triangle,
-                             const SegmentDistance& distance, float radius);
+    RoundedSegment segment;
+    bool is_box;
     float radius;  ///< 0 or at least 2^-100, may be infinite
+
+    /// The squared distance from a box, at most 16 roundings above the exact one.
+    float (*squared_bound)(const DistantShape& shape, const float* low, const float* high);
+    SegmentDistance (*distance_to)(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept;
+    bool (*is_within_radius)(const UnitSegment& segment, const LatticeTriangle& triangle,
+                             const SegmentDistance& distance, float radius) noexcept;
 };
 
 struct FoundPair : Found {
@@ -32,18 +33,13 @@ struct FoundPair : Found {
 /// The triangles within the radius as FoundPair, the nearest first.
 void find_nearest(const BlobData& blob, const DistantShape& shape, Answer& answer);
 
-/// A segment, with a unit vector across it and each axis.
+/// With a unit vector across the segment and each axis.
 struct DistantSegment : DistantShape {
-    RoundedSegment segment;
     float across[3][3];  ///< zeros where the segment is parallel to the axis
 };
+struct DistantBox : DistantShape {};
 
-/// A box, by its diagonal from the lowest to the highest corner.
-struct DistantBox : DistantShape {
-    RoundedSegment diagonal;
-};
-
-/// The rest of a shape whose segment or diagonal is set.
+/// Sets what follows from the rounded segment or diagonal, and from the kind of shape.
 void prepare(DistantSegment& segment) noexcept;
 void prepare(DistantBox& box) noexcept;
 

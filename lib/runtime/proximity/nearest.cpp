@@ -29,18 +29,23 @@ using namespace detail;
 namespace {
 
 /// Computes the point of a shape that is closest to the surface, in lattice steps.
-using ToShape = FunctionRef<void(const SegmentDistance& distance, const float* on_surface, float* on_shape)>;
-
-/// The line that decides on which side of a triangle a shape lies: all of the shape is behind if both its ends are.
-using ToLine = FunctionRef<UnitSegment(const LatticeTriangle& triangle)>;
+void find_point_on(const DistantShape& shape, float along, const float* on_surface, float* on_shape) {
+    const float* from = shape.segment.from_steps;
+    const float* to = shape.segment.to_steps;
+    const float rest = 1.0f - along;
+    for (int k = 0; k < 3; ++k) {
+        const float at = on_surface[k];
+        on_shape[k] = !shape.is_box ? rest * from[k] + along * to[k] : at < from[k] ? from[k] : at > to[k] ? to[k] : at;
+    }
+}
 
 /// Writes a pair that was found. Out of line, so that its variables are not on the stack during the walk.
-[[gnu::noinline]] void finish_pair(const BlobData& blob, const FoundPair& found, float max_distance, ClosestPoint& pair,
-                                   ToShape to_shape, ToLine to_line) {
+[[gnu::noinline]] void finish_pair(const BlobData& blob, const DistantShape& shape, const FoundPair& found,
+                                   float max_distance, ClosestPoint& pair) {
     const SegmentDistance& distance = found.distance;
     float on_surface[3], on_shape[3];
     point_of(found.triangle, distance.u, distance.v, on_surface);
-    to_shape(distance, on_surface, on_shape);
+    find_point_on(shape, distance.along, on_surface, on_shape);
     pair.point = to_world(blob, on_surface[0], on_surface[1], on_surface[2]);
     pair.on_shape = to_world(blob, on_shape[0], on_shape[1], on_shape[2]);
     pair.face_normal = face_normal_of(found.triangle);
@@ -50,68 +55,42 @@ using ToLine = FunctionRef<UnitSegment(const LatticeTriangle& triangle)>;
     pair.triangle = TriangleId{found.index};
     pair.status = QueryStatus::ok;
     pair.feature = distance.feature;
-    const UnitSegment line = to_line(found.triangle);
+    // All of the shape is behind the triangle if both ends of this line are.
+    UnitSegment line = shape.segment;
+    if (shape.is_box) line = diagonal_across(line, found.triangle);
     const auto is_behind = [&](const Integer3& point) {
         return is_origin_behind(relative_to(point, line.fraction_bits, found.triangle));
     };
     if (is_behind(line.from) && is_behind(line.to)) pair.side = Side::back;
 }
 
-/// Writes the pair that is closest to a shape that is prepared.
-void find_pair(const BlobData& blob, DistantShape& shape, float max_distance, ClosestPoint& pair, ToShape to_shape,
-               ToLine to_line) {
+/// Finds the pair that is closest to a segment, or to a box by its diagonal.
+template <class Distant>
+ClosestPoint closest_pair(const BlobData& blob, const Segment& segment, float max_distance, bool is_empty) {
+    ClosestPoint pair;
+    if (blob.bytes == nullptr) return pair;
+    Distant shape;
+    pair.status = is_radius(max_distance) ? round_segment(blob, segment, shape.segment) : QueryStatus::invalid_argument;
+    if (pair.status != QueryStatus::ok) return pair;
     pair.status = QueryStatus::not_found;
-    if (blob.triangle_count == 0) return;
+    if (is_empty || blob.triangle_count == 0) return pair;
+    prepare(shape);
     shape.radius = radius_in_steps(blob, max_distance);
     FoundPair found;
     Closest<FoundPair> closest(found);
     find_nearest(blob, shape, closest);
-    if (closest.found()) finish_pair(blob, found, max_distance, pair, to_shape, to_line);
-}
-
-/// Rounds a segment, or the diagonal of a box. Returns ok, or why the query is refused.
-QueryStatus round_pair(const BlobData& blob, const Segment& segment, float max_distance, RoundedSegment& rounded) {
-    if (blob.bytes == nullptr) return QueryStatus::not_open;
-    if (!is_radius(max_distance)) return QueryStatus::invalid_argument;
-    return round_segment(blob, segment, rounded);
+    if (closest.found()) finish_pair(blob, shape, found, max_distance, pair);
+    return pair;
 }
 
 }  // namespace
 
 ClosestPoint closest_point(const Blob& blob, const Segment& segment, float max_distance) noexcept {
-    ClosestPoint pair;
-    DistantSegment shape;
-    pair.status = round_pair(data_of(blob), segment, max_distance, shape.segment);
-    if (pair.status != QueryStatus::ok) return pair;
-    prepare(shape);
-    find_pair(
-        data_of(blob), shape, max_distance, pair,
-        [&](const SegmentDistance& distance, const float*, float* point) {
-            const float rest = 1.0f - distance.along;
-            for (int k = 0; k < 3; ++k)
-                point[k] = rest * shape.segment.from_steps[k] + distance.along * shape.segment.to_steps[k];
-        },
-        [&](const LatticeTriangle&) -> UnitSegment { return shape.segment; });
-    return pair;
+    return closest_pair<DistantSegment>(data_of(blob), segment, max_distance, false);
 }
 
 ClosestPoint closest_point(const Blob& blob, const Box& box, float max_distance) noexcept {
-    ClosestPoint pair;
-    DistantBox shape;
-    pair.status = round_pair(data_of(blob), {box.min, box.max}, max_distance, shape.diagonal);
-    if (pair.status == QueryStatus::ok && is_empty(box)) pair.status = QueryStatus::not_found;
-    if (pair.status != QueryStatus::ok) return pair;
-    prepare(shape);
-    find_pair(
-        data_of(blob), shape, max_distance, pair,
-        [&](const SegmentDistance&, const float* on_surface, float* point) {
-            const float* low = shape.diagonal.from_steps;
-            const float* high = shape.diagonal.to_steps;
-            for (int k = 0; k < 3; ++k)
-                point[k] = on_surface[k] < low[k] ? low[k] : on_surface[k] > high[k] ? high[k] : on_surface[k];
-        },
-        [&](const LatticeTriangle& triangle) { return diagonal_across(shape.diagonal, triangle); });
-    return pair;
+    return closest_pair<DistantBox>(data_of(blob), {box.min, box.max}, max_distance, is_empty(box));
 }
 
 ClosestPoint closest_point(const Blob& blob, Vec3 point, float max_distance) noexcept {

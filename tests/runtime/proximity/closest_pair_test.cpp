@@ -95,7 +95,7 @@ void check_one(const TestBlob& blob, const TriangleLoop& loop, ShapeMaker& maker
     detail::DistantBox distant_box;
     const ClosestPoint to_box = closest_point(blob.opened.blob, box, max_distance);
     const QueryStatus box_status =
-        detail::round_segment(detail::data_of(blob.opened.blob), {box.min, box.max}, distant_box.diagonal);
+        detail::round_segment(detail::data_of(blob.opened.blob), {box.min, box.max}, distant_box.segment);
     REQUIRE((is_refused(to_box.status) ? to_box.status : QueryStatus::ok) == box_status);
     if (box_status != QueryStatus::ok) return;
     const auto is_above = [](float a, float b) { return detail::flush_subnormal(a) > detail::flush_subnormal(b); };
@@ -104,7 +104,7 @@ void check_one(const TestBlob& blob, const TriangleLoop& loop, ShapeMaker& maker
         return;
     }
     REQUIRE(equals_loop(blob, loop, distant_box, max_distance, to_box));
-    if (max_distance == 0.0f && distant_box.diagonal.fraction_bits == 6)
+    if (max_distance == 0.0f && distant_box.segment.fraction_bits == 6)
         REQUIRE(overlaps(blob.opened.blob, box).yes() == (to_box.triangle != no_triangle));
     tally.count(to_box);
 }

@@ -91,7 +91,7 @@ struct Loops {
             pairs += check_distance(segment, max_distance);
         const bool is_box = box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z;
         detail::DistantBox distant;
-        if (is_box && detail::round_segment(data, {box.min, box.max}, distant.diagonal) == QueryStatus::ok)
+        if (is_box && detail::round_segment(data, {box.min, box.max}, distant.segment) == QueryStatus::ok)
             pairs += check_distance(distant, max_distance);
         return pairs;
     }

@@ -60,7 +60,7 @@ Difference box_distance(const Blob& blob, const TriangleLoop& loop, const Box& b
     if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) return std::nullopt;
     const ClosestPoint pair = closest_point(blob, box, max_distance);
     const bool good = is_refused(pair.status) || (detail::round_segment(detail::data_of(blob), {box.min, box.max},
-                                                                        shape.diagonal) == QueryStatus::ok &&
+                                                                        shape.segment) == QueryStatus::ok &&
                                                   is_closest(blob, loop, shape, max_distance, pair));
     return good ? Difference() : "the distance of " + describe(box);
 }

@@ -159,8 +159,8 @@ std::optional<detail::FoundPair> TriangleLoop::closest_pair(const detail::Distan
                                                             const TriangleBounds::Numbers& numbers) const {
     std::optional<detail::FoundPair> best;
     for (const std::uint32_t i : numbers) {
-        const detail::SegmentDistance distance = shape.distance_to(shape, triangles_[i]);
-        if (!shape.is_within_radius(shape, triangles_[i], distance, shape.radius)) continue;
+        const detail::SegmentDistance distance = shape.distance_to(shape.segment, triangles_[i]);
+        if (!shape.is_within_radius(shape.segment, triangles_[i], distance, shape.radius)) continue;
         if (!best || distance.squared < best->distance.squared) best = {{indices_[i]}, distance, triangles_[i]};
     }
     return best;
@@ -174,7 +174,7 @@ std::optional<detail::FoundPair> TriangleLoop::closest_pair(const detail::Distan
 }
 
 std::optional<detail::FoundPair> TriangleLoop::closest_pair(const detail::DistantBox& shape) const {
-    const detail::RoundedSegment& diagonal = shape.diagonal;
+    const detail::RoundedSegment& diagonal = shape.segment;
     return closest_pair(shape, bounds_.closest_to_box({place(diagonal.from, diagonal.fraction_bits),
                                                        place(diagonal.to, diagonal.fraction_bits)},
                                                       static_cast<double>(shape.radius), 1));
