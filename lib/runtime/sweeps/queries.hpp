@@ -28,31 +28,25 @@ FoundContact first_contact(const BlobData& blob, const LatticeSweep& sweep, Firs
 
 // What the queries and their loop over all triangles share: the contact of each shape with one triangle.
 
-inline SweepStep first_contact(const SphereSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
-    return first_contact(MovingSphere{sweep.displacement, sweep.radius}, sweep.seen_from(sweep.center, triangle), most);
-}
 /// Out of line: what it needs must not lie on the stack below the kernel of the start.
 [[gnu::noinline]] inline SweepStep first_contact_after_start(const CapsuleSweep& sweep, const LatticeTriangle& triangle,
                                                              SweepStep most) noexcept {
     return first_contact(sweep.moving, sweep.seen_from(sweep.from, triangle), most);
 }
 inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
-    return touches_at_start(sweep, triangle) ? 0 : first_contact_after_start(sweep, triangle, most);
+    // The kernel of a sphere looks at the start by itself.
+    const bool is_sphere = takes_shortcut(is_zero(sweep.moving.axis));
+    return !is_sphere && touches_at_start(sweep, triangle) ? 0 : first_contact_after_start(sweep, triangle, most);
 }
 inline SweepStep first_contact(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
-    return first_contact(MovingBox{sweep.low, sweep.high, sweep.displacement}, sweep.seen_from({0, 0, 0}, triangle),
-                         most);
+    return first_contact(sweep, integer_triangle(triangle, sweep.fraction_bits), most);
 }
 
-inline SweepContact contact_at(const SphereSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
-    return contact_at(MovingSphere{sweep.displacement, sweep.radius}, sweep.seen_from(sweep.center, triangle),
-                      tick_before(step));
-}
 inline SweepContact contact_at(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
     return contact_at(sweep.moving, sweep.seen_from(sweep.from, triangle), step);
 }
 inline SweepContact contact_at(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
-    return contact_at(MovingBox{sweep.low, sweep.high, sweep.displacement}, sweep.seen_from({0, 0, 0}, triangle), step);
+    return contact_at(sweep, integer_triangle(triangle, sweep.fraction_bits), step);
 }
 /// Where a shape touches at the start: as seen from its middle.
 inline SweepContact contact_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) noexcept {

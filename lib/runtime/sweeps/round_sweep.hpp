@@ -19,11 +19,9 @@ inline constexpr float sweep_reach = 0x1p34f;
 /// Along each axis, in units of the sweep.
 inline constexpr std::int64_t longest_capsule_axis = std::int64_t{1} << 25;
 
-/// What all shapes share. Units are 2^-fraction_bits lattice steps, counted from lattice point 0 0 0.
-struct LatticeSweep {
-    Integer3 low;  ///< of the box around the shape at the start
-    Integer3 high;
-    Integer3 displacement;
+/// What all shapes share: the box around the shape. Units are 2^-fraction_bits lattice steps, counted from lattice
+/// point 0 0 0.
+struct LatticeSweep : MovingBox {
     int fraction_bits;  ///< 0..6
 
     /// Returns the triangle in units, relative to the point.
@@ -37,10 +35,7 @@ struct LatticeSweep {
     }
 };
 
-struct SphereSweep : LatticeSweep {
-    Integer3 center;
-    std::int64_t radius;
-};
+/// Also of a sphere: a capsule whose axis has no length.
 struct CapsuleSweep : LatticeSweep {
     Integer3 from;
     MovingCapsule moving;
@@ -68,34 +63,17 @@ inline bool touches_at_start(const CapsuleSweep& sweep, const LatticeTriangle& t
     return is_within_radius(axis, triangle, distance_to(axis, triangle), radius);
 }
 
-inline bool is_length(float length) { return is_finite(length) && is_radius(length); }
-
-// Where the status is not ok, the sweep is not written. These are out of line, so that their variables are not on the
-// stack during the walk.
-
-[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const Vec3& displacement,
-                                                 SphereSweep& sweep) {
-    if (!is_finite(world.center) || !is_finite(displacement) || !is_length(world.radius))
-        return QueryStatus::invalid_argument;
-    float center[3], way[3];
-    Rounder rounder(blob);
-    rounder.add_point(world.center, center);
-    rounder.add_vector(displacement, way);
-    const float radius = rounder.add_length(world.radius);
-    if (!(rounder.reach() < sweep_reach)) return QueryStatus::out_of_range;
-    sweep.fraction_bits = fraction_bits_for(rounder.reach(), point_grid);
-    sweep.displacement = to_grid(way, sweep.fraction_bits);
-    sweep.center = to_grid(center, sweep.fraction_bits);
-    sweep.radius = to_grid(radius, sweep.fraction_bits);
-    const Integer3 half = {sweep.radius, sweep.radius, sweep.radius};
-    sweep.low = sweep.center - half;
-    sweep.high = sweep.center + half;
-    return QueryStatus::ok;
-}
-
-[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const Vec3& displacement,
-                                                 CapsuleSweep& sweep) {
-    if (!is_finite(world.from) || !is_finite(world.to) || !is_finite(displacement) || !is_length(world.radius))
+/// Two points and a length in units of a sweep.
+struct RoundedEnds {
+    Integer3 from;
+    Integer3 to;
+    std::int64_t radius;
+};
+/// Rounds them and the displacement to one grid. Where the status is not ok, nothing is written.
+inline QueryStatus round_ends(const BlobData& blob, const Capsule& world, const Vec3& displacement, LatticeSweep& sweep,
+                              RoundedEnds& ends) {
+    if (!is_finite(world.from) || !is_finite(world.to) || !is_finite(displacement) || !is_finite(world.radius) ||
+        !is_radius(world.radius))
         return QueryStatus::invalid_argument;
     float from[3], to[3], way[3];
     Rounder rounder(blob);
@@ -104,35 +82,45 @@ inline bool is_length(float length) { return is_finite(length) && is_radius(leng
     rounder.add_vector(displacement, way);
     const float radius = rounder.add_length(world.radius);
     if (!(rounder.reach() < sweep_reach)) return QueryStatus::out_of_range;
-    sweep.fraction_bits = fraction_bits_for(rounder.reach(), point_grid);
-    sweep.displacement = to_grid(way, sweep.fraction_bits);
-    const std::int64_t units = to_grid(radius, sweep.fraction_bits);
-    sweep.from = to_grid(from, sweep.fraction_bits);
-    const Integer3 end = to_grid(to, sweep.fraction_bits);
-    sweep.moving = {{sweep.displacement, units}, end - sweep.from};
+    const int bits = fraction_bits_for(rounder.reach(), point_grid);
+    sweep.fraction_bits = bits;
+    sweep.displacement = to_grid(way, bits);
+    ends = {to_grid(from, bits), to_grid(to, bits), to_grid(radius, bits)};
+    return QueryStatus::ok;
+}
+
+// Where the status is not ok, the sweep is not usable. These are out of line, so that their variables are not on the
+// stack during the walk.
+
+[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Capsule& world, const Vec3& displacement,
+                                                 CapsuleSweep& sweep) {
+    RoundedEnds ends;
+    const QueryStatus status = round_ends(blob, world, displacement, sweep, ends);
+    if (status != QueryStatus::ok) return status;
+    const auto& [from, to, radius] = ends;
+    sweep.from = from;
+    sweep.moving = {{sweep.displacement, radius}, to - from};
     const Integer3& axis = sweep.moving.axis;
     for (const std::int64_t along : {axis.x, axis.y, axis.z})
-        if (along > longest_capsule_axis || along < -longest_capsule_axis) return QueryStatus::out_of_range;
-    const Integer3 around = {units, units, units};
-    sweep.low = smaller(sweep.from, end) - around;
-    sweep.high = larger(sweep.from, end) + around;
+        if (magnitude(along) > longest_capsule_axis) return QueryStatus::out_of_range;
+    const Integer3 around = {radius, radius, radius};
+    sweep.low = smaller(from, to) - around;
+    sweep.high = larger(from, to) + around;
     return QueryStatus::ok;
+}
+
+inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const Vec3& displacement,
+                               CapsuleSweep& sweep) {
+    return round_sweep(blob, Capsule{world.center, world.center, world.radius}, displacement, sweep);
 }
 
 [[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const Box& world, const Vec3& displacement,
                                                  BoxSweep& sweep) {
-    if (!is_finite(world.min) || !is_finite(world.max) || !is_finite(displacement))
-        return QueryStatus::invalid_argument;
-    float low[3], high[3], way[3];
-    Rounder rounder(blob);
-    rounder.add_point(world.min, low);
-    rounder.add_point(world.max, high);
-    rounder.add_vector(displacement, way);
-    if (!(rounder.reach() < sweep_reach)) return QueryStatus::out_of_range;
-    sweep.fraction_bits = fraction_bits_for(rounder.reach(), point_grid);
-    sweep.displacement = to_grid(way, sweep.fraction_bits);
-    sweep.low = to_grid(low, sweep.fraction_bits);
-    sweep.high = to_grid(high, sweep.fraction_bits);
+    RoundedEnds ends;
+    const QueryStatus status = round_ends(blob, {world.min, world.max, 0.0f}, displacement, sweep, ends);
+    if (status != QueryStatus::ok) return status;
+    sweep.low = ends.from;
+    sweep.high = ends.to;
     return QueryStatus::ok;
 }
 
@@ -141,12 +129,12 @@ inline bool is_length(float length) { return is_finite(length) && is_radius(leng
 template <class Lanes>
 inline Lanes spread_sweep(const BlobData& blob, const LatticeSweep& sweep) {
     const float step = power_of_two(-sweep.fraction_bits);
-    const Integer3 &low = sweep.low, &high = sweep.high, &way = sweep.displacement;
-    const float lows[3] = {to_float(low.x) * step, to_float(low.y) * step, to_float(low.z) * step};
-    const float highs[3] = {to_float(high.x) * step, to_float(high.y) * step, to_float(high.z) * step};
-    const float ways[3] = {to_float(way.x) * step, to_float(way.y) * step, to_float(way.z) * step};
+    float lows[3], highs[3], ways[3];
     float reach = 0.0f;
     for (unsigned k = 0; k < 3; ++k) {
+        lows[k] = to_float(sweep.low[k]) * step;
+        highs[k] = to_float(sweep.high[k]) * step;
+        ways[k] = to_float(sweep.displacement[k]) * step;
         reach = maximum(maximum(absolute(lows[k]), absolute(highs[k])), reach);
         reach = maximum(maximum(absolute(blob.extent_steps[k] - lows[k]), absolute(blob.extent_steps[k] - highs[k])),
                         reach);

@@ -38,7 +38,7 @@ Result<float> bound(const Blob& blob, const Shape& shape, const Vec3& displaceme
 }  // namespace
 
 Result<float> rounding_error(const Blob& blob, const Sphere& sphere, Vec3 displacement) noexcept {
-    return bound<SphereSweep>(blob, sphere, displacement, {sphere.center});
+    return bound<CapsuleSweep>(blob, sphere, displacement, {sphere.center});
 }
 Result<float> rounding_error(const Blob& blob, const Capsule& capsule, Vec3 displacement) noexcept {
     return bound<CapsuleSweep>(blob, capsule, displacement, {capsule.from, capsule.to});

@@ -75,21 +75,11 @@ using namespace detail;
 
 namespace {
 
-template <class Shape>
-using RoundedSweep = std::conditional_t<std::is_same_v<Shape, Sphere>, SphereSweep,
-                                        std::conditional_t<std::is_same_v<Shape, Capsule>, CapsuleSweep, BoxSweep>>;
-
-/// In small code a sphere is a capsule whose axis has no length.
-auto as_swept(const Sphere& sphere) {
-    if constexpr (small_code) return Capsule{sphere.center, sphere.center, sphere.radius};
-    else return sphere;
-}
-
-template <class Shape>
+template <class Sweep, class Shape>
 SweepHit sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacement, const TriangleFilter& filter) {
     SweepHit hit;
     if (!blob) return hit;
-    RoundedSweep<Shape> rounded;
+    Sweep rounded;
     hit.status = round_sweep(data_of(blob), shape, displacement, rounded);
     if (hit.status != QueryStatus::ok) return hit;
     hit.t = 1.0f;
@@ -108,13 +98,13 @@ SweepHit sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacem
 }  // namespace
 
 SweepHit sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, TriangleFilter filter) noexcept {
-    return sweep_shape(blob, as_swept(sphere), displacement, filter);
+    return sweep_shape<CapsuleSweep>(blob, sphere, displacement, filter);
 }
 SweepHit sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, TriangleFilter filter) noexcept {
-    return sweep_shape(blob, capsule, displacement, filter);
+    return sweep_shape<CapsuleSweep>(blob, capsule, displacement, filter);
 }
 SweepHit sweep(const Blob& blob, const Box& box, Vec3 displacement, TriangleFilter filter) noexcept {
-    return sweep_shape(blob, box, displacement, filter);
+    return sweep_shape<BoxSweep>(blob, box, displacement, filter);
 }
 
 }  // namespace espalier

@@ -194,11 +194,11 @@ TEST_SUITE("rounding error") {
                         return status == QueryStatus::ok;
                     };
                     const Sphere sphere = {a, radius};
-                    detail::SphereSweep ball;
+                    detail::CapsuleSweep ball;
                     if (is_answered(sphere, ball))
                         spheres.check(data, rounding_error(blob, sphere, way),
-                                      squared_move(data, ball, a, way, ball.center),
-                                      growth(data, radius, ball.radius, ball.fraction_bits));
+                                      squared_move(data, ball, a, way, ball.from),
+                                      growth(data, radius, ball.moving.sphere.radius, ball.fraction_bits));
                     const Capsule capsule = {a, b, radius};
                     detail::CapsuleSweep pill;
                     if (is_answered(capsule, pill))

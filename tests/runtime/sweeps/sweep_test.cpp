@@ -34,7 +34,7 @@ bool same_bits(const SweepHit& a, const SweepHit& b) {
 
 bool third_is_left_out(TriangleId triangle) { return triangle.index % 3 != 2; }
 
-detail::SphereSweep rounded_of(const Sphere&) { return {}; }
+detail::CapsuleSweep rounded_of(const Sphere&) { return {}; }
 detail::CapsuleSweep rounded_of(const Capsule&) { return {}; }
 detail::BoxSweep rounded_of(const Box&) { return {}; }
 
@@ -211,16 +211,16 @@ TEST_SUITE("sweep") {
                          origin);
                 moving.displacement = {end.x - moving.shape.center.x, end.y - moving.shape.center.y,
                                        end.z - moving.shape.center.z};
-                detail::SphereSweep rounded;
+                detail::CapsuleSweep rounded;
                 detail::RoundedSegment segment;
                 const auto& data = detail::data_of(blob.opened.blob);
                 if (round_sweep(data, moving.shape, moving.displacement, rounded) != QueryStatus::ok ||
                     round_segment(data, {moving.shape.center, end}, segment) != QueryStatus::ok)
                     continue;
                 const int shift = segment.fraction_bits - rounded.fraction_bits;
-                const detail::Integer3 to = rounded.center + rounded.displacement;
-                if (shift < 0 || segment.from[0] != rounded.center.x << shift ||
-                    segment.from[1] != rounded.center.y << shift || segment.from[2] != rounded.center.z << shift ||
+                const detail::Integer3 to = rounded.from + rounded.displacement;
+                if (shift < 0 || segment.from[0] != rounded.from.x << shift ||
+                    segment.from[1] != rounded.from.y << shift || segment.from[2] != rounded.from.z << shift ||
                     segment.to[0] != to.x << shift || segment.to[1] != to.y << shift || segment.to[2] != to.z << shift)
                     continue;
                 const SweepHit hit = sweep(blob.opened.blob, moving.shape, moving.displacement);

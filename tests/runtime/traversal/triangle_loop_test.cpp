@@ -185,7 +185,7 @@ TEST_SUITE("triangle loop") {
                     i % 3 == 0 ? std::numeric_limits<float>::infinity() : std::fabs(capsule.radius);
                 distances += loops.check_distances(capsule, box, max_distance);
                 sweeps +=
-                    loops.check_sweep<detail::SphereSweep>(awkward ? moves.awkward_sphere() : moves.random_sphere());
+                    loops.check_sweep<detail::CapsuleSweep>(awkward ? moves.awkward_sphere() : moves.random_sphere());
                 sweeps +=
                     loops.check_sweep<detail::CapsuleSweep>(awkward ? moves.awkward_capsule() : moves.random_capsule());
                 sweeps += loops.check_sweep<detail::BoxSweep>(awkward ? moves.awkward_box() : moves.random_box());

@@ -131,7 +131,7 @@ std::optional<std::string> loop_difference(const Blob& blob, const TriangleLoop&
     if (auto d = volume<detail::Rounded<ConvexVolume>>(blob, loop, shapes.planes(awkward))) return d;
     if (auto d = segment_distance(blob, loop, capsule)) return d;
     if (auto d = box_distance(blob, loop, box, std::fabs(capsule.radius))) return d;
-    if (auto d = moving<detail::SphereSweep>(blob, loop, awkward ? sweeps.awkward_sphere() : sweeps.random_sphere()))
+    if (auto d = moving<detail::CapsuleSweep>(blob, loop, awkward ? sweeps.awkward_sphere() : sweeps.random_sphere()))
         return d;
     if (auto d = moving<detail::CapsuleSweep>(blob, loop, awkward ? sweeps.awkward_capsule() : sweeps.random_capsule()))
         return d;

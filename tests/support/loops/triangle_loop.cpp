@@ -216,10 +216,6 @@ detail::FoundContact TriangleLoop::first_contact_of(const Sweep& sweep, const de
     return best;
 }
 
-detail::FoundContact TriangleLoop::first_contact(const detail::SphereSweep& sweep, Filter filter) const {
-    const detail::Integer3 reach = all_three(sweep.radius);
-    return first_contact_of(sweep, sweep.center - reach, sweep.center + reach, filter);
-}
 detail::FoundContact TriangleLoop::first_contact(const detail::CapsuleSweep& sweep, Filter filter) const {
     const detail::Integer3 reach = all_three(sweep.moving.sphere.radius), to = sweep.from + sweep.moving.axis;
     // The kernel spares itself the start by the box that the walk culls with: it is asked with one that spares nothing.

@@ -55,7 +55,6 @@ public:
 
     /// The first of those that the filter leaves.
     using Filter = bool (*)(TriangleId);
-    [[nodiscard]] detail::FoundContact first_contact(const detail::SphereSweep& sweep, Filter filter) const;
     [[nodiscard]] detail::FoundContact first_contact(const detail::CapsuleSweep& sweep, Filter filter) const;
     [[nodiscard]] detail::FoundContact first_contact(const detail::BoxSweep& sweep, Filter filter) const;
 
