@@ -2,6 +2,7 @@
 // visited on every machine.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/traversal/traverse.inl>
+#include <runtime/traversal/node_boxes.inl>
 #include <runtime/pairs/queries.hpp>
 #endif
 
@@ -130,60 +131,21 @@ ESPALIER_SHARED_CODE inline Floats gap_along(const PairAxes& axes, const LaneBox
 /// far up have no gap.
 inline constexpr float share_of_centers = 0x1p-4f;
 
-/// The boxes of a node's children on their side's grid.
-template <class Node>
-struct SideBoxes;
-template <>
-struct SideBoxes<PackedNode> {
-    PackedNode node;
-    Frame frame;
-    float own_scale;
-
-    SideBoxes(const PackedNode& of, const BlobData& blob, const PairSide& side)
-        : node(of), frame(load_frame(of, blob)), own_scale(side.own_scale) {}
-    [[nodiscard, gnu::always_inline]] LaneBoxes at(unsigned first) const {
-        LaneBoxes boxes;
-        for (int k = 0; k < 3; ++k) {
-            const Floats low = bytes_to_floats(node.low_planes(k) + first);
-            const Floats high = bytes_to_floats(node.high_planes(k) + first);
-            const Floats scale = multiply(frame.scale[k], splat(0.5f * own_scale));
-            boxes.center[k] = add(multiply(add(low, high), scale), multiply(frame.base[k], splat(own_scale)));
-            boxes.half[k] = multiply(subtract(high, low), scale);
-        }
-        return boxes;
-    }
-};
-template <>
-struct SideBoxes<PlainNode> {
-    PlainNode node;
-    float scale;  ///< of half a unit
-    float above;  ///< what half of a high plane's unit adds
-
-    SideBoxes(const PlainNode& of, const BlobData& blob, const PairSide& side)
-        : node(of),
-          scale(0.5f * side.own_scale * blob.base_unit),
-          above(0.5f * side.own_scale * (blob.base_unit - 1.0f)) {}
-    [[nodiscard, gnu::always_inline]] LaneBoxes at(unsigned first) const {
-        LaneBoxes boxes;
-        for (int k = 0; k < 3; ++k) {
-            const Floats low = to_floats(load_words(node.low_planes(k) + 2 * std::size_t{first}));
-            const Floats high = to_floats(load_words(node.high_planes(k) + 2 * std::size_t{first}));
-            boxes.center[k] = add(multiply(add(low, high), splat(scale)), splat(above));
-            boxes.half[k] = add(multiply(subtract(high, low), splat(scale)), splat(above));
-        }
-        return boxes;
-    }
-};
-
 /// The children of a node that are within the squared distance, and what orders them: for contacts how far the centers
 /// are apart, for distances, which have axes, the gap and a share of that.
 template <class Node>
 [[gnu::noinline]] unsigned children_near(const Node& node, const BlobData& blob, const SeenBox& seen,
                                          const PairSide& side, const PairAxes* axes, float limit, float* keys) {
-    const SideBoxes<Node> all(node, blob, side);
+    const auto all = boxes_of(node, blob);
+    const Floats half_scale = splat(0.5f * side.own_scale);
     unsigned mask = 0;
     for (unsigned first = 0; first < Node::max_children; first += lanes) {
-        const LaneBoxes boxes = all.at(first);
+        LaneBoxes boxes;  // on the side's grid
+        for (int k = 0; k < 3; ++k) {
+            const Floats low = all.low(k, first), high = all.high(k, first);
+            boxes.center[k] = multiply(add(low, high), half_scale);
+            boxes.half[k] = multiply(subtract(high, low), half_scale);
+        }
         Floats apart[3];
         Floats gap = gap_to(boxes, seen, side, limit, apart);
         if (at_most(gap, splat(limit)) == 0) continue;
