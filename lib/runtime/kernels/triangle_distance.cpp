@@ -105,11 +105,6 @@ private:
     bool within_ = false;
 };
 
-/// Out of line: what it needs must not lie on the stack below the other kernels.
-[[gnu::noinline]] bool share_a_point(const LatticeTriangle& a, const LatticeTriangle& b) {
-    return triangles_meet(integer_triangle(a), integer_triangle(b));
-}
-
 /// Six sides against the other triangle each: places are looked at more than once, but a common point is found.
 [[gnu::noinline]] TriangleDistance distance_of_touching(const LatticeTriangle& a, const LatticeTriangle& b) {
     TriangleDistance best;
@@ -131,12 +126,12 @@ private:
 }  // namespace
 
 void find_distance_if_apart(const LatticeTriangle& a, const LatticeTriangle& b, TriangleDistance& distance) noexcept {
-    if (share_a_point(a, b)) distance = {};
+    if (triangles_meet(a, b)) distance = {};
     else Places(a, b, distance).try_all();
 }
 
 TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangle& b) noexcept {
-    if (share_a_point(a, b)) return distance_of_touching(a, b);
+    if (triangles_meet(a, b)) return distance_of_touching(a, b);
     TriangleDistance distance;
     Places(a, b, distance).try_all();
     return distance;

@@ -208,4 +208,8 @@ bool triangles_meet(const IntegerTriangle& p, const IntegerTriangle& q) noexcept
     return meet_in_own_plane(p, q);
 }
 
+[[gnu::noinline]] bool triangles_meet(const LatticeTriangle& p, const LatticeTriangle& q) noexcept {
+    return triangles_meet(integer_triangle(p), integer_triangle(q));
+}
+
 }  // namespace espalier::detail

@@ -14,5 +14,7 @@ inline constexpr std::int64_t triangle_pair_reach = std::int64_t{1} << 39;
 
 /// Whether the closed triangles share a point, exactly.
 [[nodiscard]] bool triangles_meet(const IntegerTriangle& p, const IntegerTriangle& q) noexcept;
+/// Not inlined: the triangles in integers must not lie on the stack below other kernels.
+[[nodiscard]] bool triangles_meet(const LatticeTriangle& p, const LatticeTriangle& q) noexcept;
 
 }  // namespace espalier::detail

@@ -15,8 +15,8 @@ struct Shadow {
                        multiply(corner[2], splat(axis[2])));
         };
         const Floats a = along(t.corner[0]), b = along(t.corner[1]), c = along(t.corner[2]);
-        low = smaller(a, smaller(b, c));
-        high = larger(a, larger(b, c));
+        low = least(a, b, c);
+        high = most(a, b, c);
     }
 };
 

@@ -18,6 +18,9 @@ struct PlacedColumns {
     }
 };
 
+inline Floats least(Floats x, Floats y, Floats z) { return smaller(x, smaller(y, z)); }
+inline Floats most(Floats x, Floats y, Floats z) { return larger(x, larger(y, z)); }
+
 /// Corner 0, 1, 2 of as many triangles as there are lanes, each x, y, z, and what follows from them. Coordinates and
 /// what is subtracted from them are integers, and exact below 2^24.
 struct PlacedLanes {
@@ -29,12 +32,12 @@ struct PlacedLanes {
 
     [[gnu::always_inline]] void derive_box() {
         for (int k = 0; k < 3; ++k) {
-            low[k] = smaller(corner[0][k], smaller(corner[1][k], corner[2][k]));
-            high[k] = larger(corner[0][k], larger(corner[1][k], corner[2][k]));
+            low[k] = least(corner[0][k], corner[1][k], corner[2][k]);
+            high[k] = most(corner[0][k], corner[1][k], corner[2][k]);
         }
     }
     [[gnu::always_inline]] void derive_plane() {
-        size = larger(subtract(high[0], low[0]), larger(subtract(high[1], low[1]), subtract(high[2], low[2])));
+        size = most(subtract(high[0], low[0]), subtract(high[1], low[1]), subtract(high[2], low[2]));
         Floats ab[3], ac[3];
         for (int k = 0; k < 3; ++k) {
             ab[k] = subtract(corner[1][k], corner[0][k]);
@@ -85,6 +88,16 @@ struct PlacedBox {
 inline Floats distance_along(const Floats* from, const Floats* to, const Floats* direction) {
     return add(add(multiply(subtract(to[0], from[0]), direction[0]), multiply(subtract(to[1], from[1]), direction[1])),
                multiply(subtract(to[2], from[2]), direction[2]));
+}
+
+/// Of the corners of t from the plane of the other triangle, times its normal's length.
+inline void distances_from_plane(const PlacedLanes& t, const PlacedLanes& plane, Floats* distances) {
+    for (int i = 0; i < 3; ++i) distances[i] = distance_along(plane.corner[0], t.corner[i], plane.normal);
+}
+/// How far the nearest of three corners is from a plane, by their distances, if all are on one side; else below zero.
+inline Floats separation(const Floats* distances) {
+    return larger(least(distances[0], distances[1], distances[2]),
+                  negate(most(distances[0], distances[1], distances[2])));
 }
 
 /// More than what rounding does to a product of three lengths that sums of differences of such sizes make: see "Two
@@ -146,9 +159,9 @@ template <class Leaf, class Corners>
     t.derive_plane();
 }
 
-/// A bit for each lane that is near enough to the box.
-template <bool touching>
-[[gnu::noinline]] unsigned lanes_near(const Floats (*corner)[3], const PlacedBox& box, float limit) {
+/// A bit for each lane that is near enough to the box; for those that touch it also its plane must be.
+[[gnu::noinline]] inline unsigned lanes_near(const Floats (*corner)[3], const PlacedBox& box, bool touching,
+                                             float limit) {
     PlacedLanes t;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) t.corner[i][k] = corner[i][k];
@@ -159,7 +172,7 @@ template <bool touching>
         high[k] = splat(box.high[k]);
     }
     unsigned near = at_most(squared_gap(t, low, high), splat(limit));
-    if constexpr (touching) {
+    if (touching) {
         t.derive_plane();
         near &= planes_meet(t, box);
     }
@@ -195,13 +208,13 @@ template <class Leaf, class Corners>
 }
 
 /// The next triangles of a leaf of b as columns; a bit for each that is near enough to the box.
-template <bool touching, class Leaf, class Corners>
+template <class Leaf, class Corners>
 inline unsigned place_columns(const Leaf& leaf, const PairFrame& frame, unsigned first, Corners& corners,
-                              const PlacedBox& box, float limit, PlacedColumns& placed) {
+                              const PlacedBox& box, bool touching, float limit, PlacedColumns& placed) {
     load_columns(leaf, frame, first, corners, placed);
     unsigned near = 0;
     for (unsigned column = 0; column < columns && first + column < leaf.slot_count; column += lanes)
-        near |= lanes_near<touching>(placed.corner[column / lanes], box, limit) << column;
+        near |= lanes_near(placed.corner[column / lanes], box, touching, limit) << column;
     return near & static_cast<unsigned>(leaf.used_slots() >> first) & ((1u << columns) - 1u);
 }
 

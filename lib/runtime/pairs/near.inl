@@ -3,12 +3,6 @@
 #include <runtime/pairs/corners.inl>
 #endif
 
-/// Three corners' distances from a plane, times its normal's length: how far the nearest is, if all are on one side;
-/// else below zero.
-inline Floats separation(Floats x, Floats y, Floats z) {
-    return larger(smaller(x, smaller(y, z)), negate(larger(x, larger(y, z))));
-}
-
 /// Which of the triangles may be within the squared distance of the column's. The corners also tell how far apart these
 /// are at most, and the limit comes down to that.
 [[gnu::noinline]] inline unsigned match_near(const PlacedLanes& t, const PlacedColumns& others, unsigned column,
@@ -32,21 +26,17 @@ inline Floats separation(Floats x, Floats y, Floats z) {
     // From boxes within the limit of each other: distances along an axis are longer by its root.
     other.derive_plane();
     const Floats small = multiply(add(add(t.size, other.size), splat(square_root(limit))), splat(volume_slack));
-    const auto is_near = [&](Floats apart, const Floats* normal, Floats size) {
-        const Floats far_off = larger(subtract(apart, multiply(multiply(size, size), small)), splat(0.0f));
-        const Floats length =
-            add(add(multiply(normal[0], normal[0]), multiply(normal[1], normal[1])), multiply(normal[2], normal[2]));
+    const auto is_near_plane = [&](const PlacedLanes& from, const PlacedLanes& plane) {
+        Floats distances[3];
+        distances_from_plane(from, plane, distances);
+        const Floats rounding = multiply(multiply(plane.size, plane.size), small);
+        const Floats far_off = larger(subtract(separation(distances), rounding), splat(0.0f));
+        const Floats* n = plane.normal;
+        const Floats length = add(add(multiply(n[0], n[0]), multiply(n[1], n[1])), multiply(n[2], n[2]));
         return at_most(multiply(far_off, far_off), multiply(bound, length));
     };
-    near &= is_near(separation(distance_along(other.corner[0], t.corner[0], other.normal),
-                               distance_along(other.corner[0], t.corner[1], other.normal),
-                               distance_along(other.corner[0], t.corner[2], other.normal)),
-                    other.normal, other.size);
-    if (near == 0) return 0;
-    return near & is_near(separation(distance_along(t.corner[0], other.corner[0], t.normal),
-                                     distance_along(t.corner[0], other.corner[1], t.normal),
-                                     distance_along(t.corner[0], other.corner[2], t.normal)),
-                          t.normal, t.size);
+    near &= is_near_plane(t, other);
+    return near == 0 ? 0 : near & is_near_plane(other, t);
 }
 
 /// The triangles of a leaf of a that may be within the squared distance of each of the columns.
@@ -78,7 +68,7 @@ template <class Leaves>
     for (unsigned first = 0; first < b.slot_count; first += columns) {
         PlacedColumns others;
         const float limit_before = least.limit();
-        unsigned near = place_columns<false>(b, leaves.frame, first, corners, leaves.box, limit_before, others);
+        unsigned near = place_columns(b, leaves.frame, first, corners, leaves.box, false, limit_before, others);
         if (near == 0) continue;
         Slots slots[columns];
         const auto match_all = [&] {

@@ -11,16 +11,6 @@ inline PlacedLanes lanes_of(const LatticeTriangle& triangle) {
     return placed;
 }
 
-/// As lanes_near() in leaves.inl.
-[[gnu::noinline]] inline bool is_near(const PlacedBox& box, const LatticeTriangle& triangle, bool touching,
-                                      float limit) {
-    PlacedLanes t = lanes_of(triangle);
-    if (squared_gap(t, box.low, box.high) > limit) return false;
-    if (!touching) return true;
-    t.derive_plane();
-    return planes_meet(t, box) != 0;
-}
-
 /// The squared distance of the nearest corners, unless shadows along the directions are farther apart than the limit:
 /// as in near.inl.
 [[gnu::noinline]] inline float squared_between_corners(const LatticeTriangle& a, const LatticeTriangle& b,
@@ -56,19 +46,15 @@ struct SlotPair {
             if (b_slots == 0) return false;
             place_b(static_cast<unsigned>(std::countr_zero(b_slots)));
             b_slots &= b_slots - 1;
-            if (is_near(leaves.box, b, touching, limit)) a_slots = leaves.a.used_slots();
+            if (lanes_near(lanes_of(b).corner, leaves.box, touching, limit) != 0) a_slots = leaves.a.used_slots();
         }
     }
 };
 
-[[gnu::noinline]] inline bool do_triangles_meet(const LatticeTriangle& a, const LatticeTriangle& b) {
-    return triangles_meet(integer_triangle(a), integer_triangle(b));
-}
-
 template <class Leaves>
 [[gnu::noinline]] Visit visit_touching(const Leaves& leaves, const OnTouching& visit) {
     for (SlotPair pair(leaves, true); pair.next(0.0f);)
-        if (do_triangles_meet(pair.a, pair.b) && visit(leaves.at(pair.a_slot, pair.b_slot)) == Visit::stop)
+        if (triangles_meet(pair.a, pair.b) && visit(leaves.at(pair.a_slot, pair.b_slot)) == Visit::stop)
             return Visit::stop;
     return Visit::next;
 }

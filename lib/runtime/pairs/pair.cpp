@@ -99,18 +99,11 @@ Vec3 point_in_units(const PairFrame& frame, const LatticeTriangle& triangle, con
     return to_world(*frame.a, steps[0], steps[1], steps[2]);
 }
 
-/// Converts a distance of the world into a's units. One that is not zero does not become zero.
-float distance_in_units(float distance, float scale) {
+/// Converts a distance of the world into a's units, or back. One that is not zero does not become zero.
+float converted(float distance, float scale, bool into_world) {
     if (scale == 1.0f || magnitude_bits(distance) == 0) return distance;
-    const float local = distance / scale;
-    return local >= least_coordinate ? local : least_coordinate;
-}
-
-/// Converts a distance in a's units into one of the world, in the same way.
-float distance_in_world(float distance, float scale) {
-    if (scale == 1.0f || magnitude_bits(distance) == 0) return distance;
-    const float in_world = distance * scale;
-    return in_world >= least_coordinate ? in_world : least_coordinate;
+    const float result = into_world ? distance * scale : distance / scale;
+    return result >= least_coordinate ? result : least_coordinate;
 }
 
 /// A distance in steps of the grid. No two triangles of it are apart by less than 2^-60 and more than 0.
@@ -130,7 +123,7 @@ struct NearestSearch {
         if (status != QueryStatus::not_open && !is_radius(distance)) status = QueryStatus::invalid_argument;
         if (status != QueryStatus::ok) return;
         PairFrame& frame = placed.frame;
-        least.set_radius(radius_on_grid(frame, distance_in_units(distance, a.transform().scale)));
+        least.set_radius(radius_on_grid(frame, converted(distance, a.transform().scale, false)));
         status = find_nearest(frame, least, limit.visits());
         if (!least.found && status == QueryStatus::ok) status = QueryStatus::not_found;
     }
@@ -254,7 +247,7 @@ BlobDistance distance(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit,
     const FoundTriangles& best = search.least.best;
     const float in_units =
         scale_by_power_of_two(square_root(best.distance.squared), frame.shift + frame.a->step_exponent);
-    const float in_world = distance_in_world(in_units, a.transform().scale);
+    const float in_world = converted(in_units, a.transform().scale, true);
     // That it is within max_distance was decided exactly; rounding does not change that.
     result.distance = magnitude_bits(in_world) > magnitude_bits(max_distance) ? max_distance : in_world;
     result.on_a = to_world(a.transform(), point_in_units(frame, best.a, best.distance.on_a));

@@ -24,9 +24,6 @@ struct TurnedLanes {
     }
 };
 
-inline Floats least(Floats x, Floats y, Floats z) { return smaller(x, smaller(y, z)); }
-inline Floats most(Floats x, Floats y, Floats z) { return larger(x, larger(y, z)); }
-
 /// How far both ends of p's part of the line that the planes share are from being on the wrong side of q's: below zero
 /// where the triangles meet, above where not.
 inline Floats distance_on_line(const TurnedLanes& p, const TurnedLanes& q) {
@@ -61,15 +58,11 @@ inline unsigned match_touching(const PlacedLanes& t, const PlacedColumns& others
     const Floats our_slack = multiply(multiply(t.size, t.size), small);
     const Floats slack = multiply(multiply(t.size, other.size), small);
     Floats ours_off[3], theirs_off[3];
-    for (int i = 0; i < 3; ++i) ours_off[i] = distance_along(other.corner[0], t.corner[i], other.normal);
-    // Apart: three corners on one side.
-    const auto apart = [](const Floats* off) {
-        return larger(least(off[0], off[1], off[2]), negate(most(off[0], off[1], off[2])));
-    };
-    near &= at_most(apart(ours_off), their_slack);
+    distances_from_plane(t, other, ours_off);
+    near &= at_most(separation(ours_off), their_slack);
     if (near == 0) return 0;
-    for (int i = 0; i < 3; ++i) theirs_off[i] = distance_along(t.corner[0], other.corner[i], t.normal);
-    near &= at_most(apart(theirs_off), our_slack);
+    distances_from_plane(other, t, theirs_off);
+    near &= at_most(separation(theirs_off), our_slack);
     // A core with one lane has no better use for its time than the kernel itself.
     if (near == 0 || lanes == 1) return near;
     const auto nearest = [](const Floats* off) {
@@ -103,7 +96,7 @@ template <class Leaf>
 
 template <class Leaves>
 [[gnu::noinline]] bool touch_exactly(const Leaves& leaves, unsigned a_slot, unsigned b_slot) {
-    return triangles_meet(integer_triangle(leaves.triangle_a(a_slot)), integer_triangle(leaves.triangle_b(b_slot)));
+    return triangles_meet(leaves.triangle_a(a_slot), leaves.triangle_b(b_slot));
 }
 
 /// Calls visit with the storage indices of each pair of triangles of the leaves that touches: b's in storage order, for
@@ -114,7 +107,7 @@ template <class Leaves>
     auto corners = corners_of(b);
     for (unsigned first = 0; first < b.slot_count; first += columns) {
         PlacedColumns others;
-        unsigned near = place_columns<true>(b, leaves.frame, first, corners, leaves.box, 0.0f, others);
+        unsigned near = place_columns(b, leaves.frame, first, corners, leaves.box, true, 0.0f, others);
         if (near == 0) continue;
         TouchingSlots<typename Leaves::A::Slots> slots;
         match_touching(leaves.a, leaves.frame, others, near, slots);
