@@ -1,172 +1,12 @@
 // The kernel of capsules and of closest segments. Widths and roundings: docs/numerics.md.
-#include <runtime/base/wide_difference.hpp>
-#include <runtime/kernels/segment_triangle.hpp>
+#include <runtime/kernels/segment_places.hpp>
 
 namespace espalier::detail {
 
-namespace {
-
-// Gram determinants: differences of two products, of int64 factors where those suffice, or of 128-bit ones.
-
-[[maybe_unused]] float quotient(Argument<Int128> numerator, Argument<Int128> denominator) {
-    return to_float(numerator) / to_float(denominator);
-}
-/// Both scaled down alike: the largest numerator then fits, and 1 over the largest denominator stays normal.
-ESPALIER_SHARED_CODE float quotient(const WideDifference& numerator, const WideDifference& denominator) {
-    return to_float(numerator.magnitude, -30) / to_float(denominator.magnitude, -30);
-}
-/// Whether a < b * 2^shift, of numbers above 0.
-[[maybe_unused]] bool is_less(const Int128& a, const Int128& b, int shift) { return a < b << shift; }
-bool is_less(const WideDifference& a, const WideDifference& b, int shift) {
-    return compare_scaled(a.magnitude, b.magnitude, shift) < 0;
-}
-/// Whether (a * b - c * d) / whole lies inside of 0 to 2^shift, and then what it is.
-template <class Dot, class Difference>
-ESPALIER_SHARED_CODE bool is_share(const Dot& a, const Dot& b, const Dot& c, const Dot& d, const Difference& whole,
-                                   int shift, float& share) {
-    const Difference part = product_difference(a, b, c, d);
-    if (part.is_negative() || part.is_zero() || !is_less(part, whole, shift)) return false;
-    share = quotient(part, whole);
-    return true;
-}
-/// Lines of huge segments may pass a side by less than 2^-63 steps: returned as 2^-63, neither subnormal nor 0.
-constexpr float least_squared = 0x1p-126f;
-
-/// Tries the places where the distance may be reached, and keeps the nearest. Given a radius, it also decides
-/// for each that is not clearly nearer or farther, exactly, whether it is within.
-class Candidates {
-public:
-    explicit Candidates(int fraction_bits, float radius = -1.0f)
-        : fraction_bits_(fraction_bits), radius_(radius), scale_(power_of_two(-2 * fraction_bits)) {}
-
-    [[nodiscard]] const SegmentDistance& nearest() const { return nearest_; }
-    [[nodiscard]] bool is_any_within() const { return within_; }
-
-    void try_all(const UnitSegment& segment, const LatticeTriangle& triangle) {
-        OriginRelative from_start = relative_to(segment.from, fraction_bits_, triangle);
-        const Integer3 d = segment.to - segment.from, b = corner_on_grid(triangle, 1, fraction_bits_) - segment.from;
-        const Integer3 w[3] = {from_start.a, b, corner_on_grid(triangle, 2, fraction_bits_) - segment.from};
-        std::uint64_t large = 0;
-        for (const Integer3& v : {d, w[0], w[1], w[2]}) large |= shifted(v.x) | shifted(v.y) | shifted(v.z);
-
-        if (crosses_face(from_start, d, w)) return;
-        try_end(from_start, 0.0f);
-        from_start.a = w[0] - d;
-        try_end(from_start, 1.0f);
-        if constexpr (has_native_int128)  // without it, small code is preferred
-            if (large < near_span) return try_sides<std::int64_t, Int128>(from_start, d, w);
-        try_sides<Int128, WideDifference>(from_start, d, w);
-    }
-
-private:
-    /// With every coordinate of corners and segment in [-2^30, 2^30) int64 factors suffice.
-    static constexpr std::uint64_t near_span = std::uint64_t{1} << 31;
-    static std::uint64_t shifted(std::int64_t a) { return static_cast<std::uint64_t>(a) + near_span / 2; }
-
-    /// Whether the segment leads through the face: its ends on different sides of the plane, and its line on the same
-    /// side of all three sides. Where it only touches, or lies in the plane, the others find distance 0.
-    [[gnu::noinline]] bool crosses_face(const OriginRelative& from_start, const Integer3& d, const Integer3* w) {
-        const Integer3 normal = cross(from_start.ab, from_start.ac);
-        Int128 start = dot<Int128>(normal, from_start.a);
-        Int128 end = dot<Int128>(normal, w[0] - d);
-        if (start.is_zero() || end.is_zero() || start.is_negative() == end.is_negative()) return false;
-        const Integer3& ab = from_start.ab;
-        const Integer3& ac = from_start.ac;
-        Int128 weight_a = dot<Int128>(w[1], cross(ac - ab, d));
-        Int128 weight_b = dot<Int128>(w[0], cross(d, ac));
-        Int128 weight_c = dot<Int128>(w[0], cross(ab, d));
-        const bool back = start.is_negative();
-        if (back) {
-            start = -start;
-            weight_a = -weight_a;
-            weight_b = -weight_b;
-            weight_c = -weight_c;
-        } else {
-            end = -end;
-        }
-        if (weight_a.is_negative() || weight_b.is_negative() || weight_c.is_negative()) return false;
-        const float whole = to_float(weight_a + weight_b + weight_c);
-        nearest_ = {0.0f, to_float(start) / to_float(start + end), to_float(weight_b) / whole,
-                    to_float(weight_c) / whole, feature_of(weight_a.is_zero(), weight_b.is_zero(), weight_c.is_zero())};
-        within_ = true;
-        return true;
-    }
-
-    [[gnu::noinline]] void try_end(const OriginRelative& triangle, float along) {
-        const PointDistance distance = distance_to(triangle, fraction_bits_);
-        if (radius_ >= 0.0f && is_within_radius(distance, fraction_bits_, radius_)) within_ = true;
-        if (distance.squared < nearest_.squared)
-            nearest_ = {distance.squared, along, distance.u, distance.v, distance.feature};
-    }
-
-    /// `w`: the corners, seen from the segment's start.
-    template <class Dot, class Difference>
-    [[gnu::noinline]] void try_sides(const OriginRelative& t, const Integer3& d, const Integer3* w) {
-        const Dot length = dot<Dot>(d, d);
-        for (int i = 0; i < 3; ++i) {
-            const Dot along = dot<Dot>(w[i], d);
-            try_corner<Dot, Difference>(w[i], along, length, i);
-            const Integer3 edge = i == 0 ? t.ab : i == 1 ? t.ac - t.ab : -t.ac;
-            try_side<Dot, Difference>(w[i], along, edge, d, length, i);
-        }
-    }
-
-    /// Between a corner and the inside of the segment: |w|^2 - (w . d)^2 / |d|^2.
-    template <class Dot, class Difference>
-    [[gnu::noinline]] void try_corner(const Integer3& w, Argument<Dot> along, Argument<Dot> length, int number) {
-        if (!(Dot(0) < along && along < length)) return;
-        const Difference numerator = product_difference(dot<Dot>(w, w), length, along, along);
-        const Difference denominator(length);
-        offer(quotient(numerator, denominator) * scale_, to_float(along) / to_float(length), number, 0.0f,
-              vertex_of(number), [&](auto decide) { decide(Unsigned256(magnitude(numerator)), denominator); });
-    }
-
-    /// Between the inside of a side and that of the segment: (w . (d x e))^2 / |d x e|^2.
-    template <class Dot, class Difference>
-    [[gnu::noinline]] void try_side(const Integer3& w, Argument<Dot> wd, const Integer3& e, const Integer3& d,
-                                    Argument<Dot> length, int number) {
-        const Dot ee = dot<Dot>(e, e);
-        const Dot de = dot<Dot>(d, e);
-        const Dot we = dot<Dot>(w, e);
-        // The closest points of the two lines, along the segment and, in finer units, along the side.
-        const Difference denominator = product_difference(length, ee, de, de);
-        float along, share;
-        if (!is_share(wd, ee, we, de, denominator, 0, along)) return;
-        if (!is_share(wd, de, we, length, denominator, fraction_bits_, share)) return;
-        const Int128 volume = magnitude(dot<Int128>(w, cross(d, e)));
-        const float per_area = quotient(Difference(volume), denominator);
-        const float squared = volume.is_zero() ? 0.0f : maximum(per_area * to_float(volume) * scale_, least_squared);
-        offer(squared, along, number, share * power_of_two(-fraction_bits_), edge_of(number),
-              [&](auto decide) { decide(Unsigned256::product(volume, volume), denominator); });
-    }
-
-    /// `share` is how far along side `number`. `exactly` hands the exact square to what it is given.
-    template <class Exactly>
-    void offer(float squared, float along, int number, float share, Feature feature, Exactly exactly) {
-        if (radius_ >= 0.0f && !within_) {
-            exactly([&](const Unsigned256& numerator, const auto& denominator) {
-                const Unsigned256 whole(magnitude(denominator));
-                within_ = is_within_radius(numerator, {static_cast<std::int64_t>(whole.word[1]), whole.word[0]},
-                                           fraction_bits_, radius_);
-            });
-        }
-        if (squared < nearest_.squared)
-            nearest_ = at_side(squared, minimum(along, 1.0f), number, minimum(share, 1.0f), feature);
-    }
-
-    int fraction_bits_;
-    float radius_;  ///< negative if there is none
-    float scale_;   ///< from squared units to squared lattice steps
-    bool within_ = false;
-    SegmentDistance nearest_ = {infinity, 0.0f, 0.0f, 0.0f, Feature::face};
-};
-
-}  // namespace
-
 SegmentDistance distance_to(const UnitSegment& segment, const LatticeTriangle& triangle) noexcept {
-    Candidates candidates(segment.fraction_bits);
-    candidates.try_all(segment, triangle);
-    return candidates.nearest();
+    SegmentPlaces places(segment.fraction_bits);
+    places.try_all(segment, triangle);
+    return places.nearest();
 }
 
 bool is_within_radius(const UnitSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
@@ -175,9 +15,9 @@ bool is_within_radius(const UnitSegment& segment, const LatticeTriangle& triangl
     if (distance.squared > squared * distance_slack && distance.squared != least_squared) return false;
     if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
     if (radius == 0.0f) return false;
-    Candidates candidates(segment.fraction_bits, radius);
-    candidates.try_all(segment, triangle);
-    return candidates.is_any_within();
+    SegmentPlaces places(segment.fraction_bits, radius);
+    places.try_all(segment, triangle);
+    return places.is_any_within();
 }
 
 }  // namespace espalier::detail

@@ -1,5 +1,5 @@
 // The kernel of two triangles' distance. Not worth a copy in every instruction set. Widths: docs/numerics.md.
-#include <runtime/kernels/segment_triangle.hpp>
+#include <runtime/kernels/segment_places.hpp>
 #include <runtime/kernels/triangle_distance.hpp>
 #include <runtime/kernels/triangle_triangle.hpp>
 
@@ -7,46 +7,18 @@ namespace espalier::detail {
 
 namespace {
 
-/// Side `number` of a triangle, from that corner to the next.
-UnitSegment side_of(const LatticeTriangle& triangle, int number) {
-    return {corner_on_grid(triangle, number, 0), corner_on_grid(triangle, number == 2 ? 0 : number + 1, 0), 0};
+/// What a place on side `number` of the one triangle tells, or at the corner where the side begins.
+TriangleDistance distance_at(const SegmentDistance& place, bool of_a, int number) {
+    const Weights on_side = weights_on_side(number, place.along), on_face = {place.u, place.v};
+    return {place.squared, of_a ? on_side : on_face, of_a ? on_face : on_side};
 }
-
-/// The weights of corners b and c at a share of a side.
-void weights_on_side(int number, float share, float* weights) {
-    const float rest = 1.0f - share;
-    weights[0] = number == 0 ? share : number == 1 ? rest : 0.0f;
-    weights[1] = number == 0 ? 0.0f : number == 1 ? share : rest;
-}
-
-/// From one corner to another: below 2^26 along each axis.
-struct Step {
-    std::int32_t at[3];
-    Step(const std::int32_t* from, const std::int32_t* to) {
-        for (int k = 0; k < 3; ++k) at[k] = to[k] - from[k];
-    }
-};
-/// Below 2^54.
-std::int64_t dot(const Step& a, const Step& b) {
-    const auto product = [&](int k) { return std::int64_t{a.at[k]} * b.at[k]; };
-    return product(0) + product(1) + product(2);
-}
-/// The volume that three steps span, below 2^81.
-ESPALIER_SHARED_CODE Int128 volume_of(const Step& a, const Step& b, const Step& c) {
-    const auto minor = [&](int x, int y) { return std::int64_t{b.at[x]} * c.at[y] - std::int64_t{b.at[y]} * c.at[x]; };
-    const Int128 volume =
-        multiply(a.at[0], minor(1, 2)) + multiply(a.at[1], minor(2, 0)) + multiply(a.at[2], minor(0, 1));
-    return negate_if(volume, volume.is_negative());
-}
-
-bool is_inside(const Int128& share, const Int128& whole) { return Int128(0) < share && share < whole; }
 
 /// Where triangles that share no point may be nearest: six corners, and the insides of nine pairs of sides. Keeps the
 /// nearest place; given a radius, decides for each exactly whether it is within.
 class Places {
 public:
     Places(const LatticeTriangle& a, const LatticeTriangle& b, TriangleDistance& nearest, float radius = -1.0f)
-        : a_(a), b_(b), nearest_(nearest), radius_(radius) {
+        : a_(a), b_(b), nearest_(nearest), places_(0, radius) {
         nearest_.squared = infinity;
     }
 
@@ -54,55 +26,33 @@ public:
     bool try_all() {
         for (int number = 0; number < 6; ++number) try_corner(number);
         for (int number = 0; number < 9; ++number) try_sides(number / 3, number % 3);
-        return within_;
+        return places_.is_any_within();
     }
 
 private:
-    [[gnu::noinline]] void try_corner(int number) {
+    void try_corner(int number) {
         const bool of_a = number < 3;
         const int corner = of_a ? number : number - 3;
-        const PointDistance distance = distance_to(relative_to((of_a ? a_ : b_).corner[corner], 0, of_a ? b_ : a_), 0);
-        if (radius_ >= 0.0f && is_within_radius(distance, 0, radius_)) within_ = true;
-        if (!(distance.squared < nearest_.squared)) return;
-        nearest_.squared = distance.squared;
-        weights_on_side(corner, 0.0f, of_a ? nearest_.on_a : nearest_.on_b);
-        float* const face = of_a ? nearest_.on_b : nearest_.on_a;
-        face[0] = distance.u;
-        face[1] = distance.v;
+        places_.try_end(relative_to((of_a ? a_ : b_).corner[corner], 0, of_a ? b_ : a_), 0.0f);
+        keep_nearer(of_a, corner);
     }
-
-    /// Between the lines of two sides, where both of the closest points are inside of them: volume^2 / denominator.
-    [[gnu::noinline]] void try_sides(int a_side, int b_side) {
-        const auto& a = a_.corner;
-        const auto& b = b_.corner;
-        const Step d(a[a_side], a[a_side == 2 ? 0 : a_side + 1]);
-        const Step e(b[b_side], b[b_side == 2 ? 0 : b_side + 1]);
-        const Step between(a[a_side], b[b_side]);
-        const std::int64_t dd = dot(d, d), ee = dot(e, e), de = dot(d, e);
-        const std::int64_t along_d = dot(between, d), along_e = dot(between, e);
-        const Int128 denominator = product_difference(dd, ee, de, de);
-        const Int128 along = product_difference(along_d, ee, along_e, de);
-        if (!is_inside(along, denominator)) return;
-        const Int128 share = product_difference(along_d, de, along_e, dd);
-        if (!is_inside(share, denominator)) return;
-        const Int128 volume = volume_of(between, d, e);
-        if (radius_ >= 0.0f && are_sides_within(volume, denominator)) within_ = true;
-        const float size = to_float(volume), whole = to_float(denominator);
-        const float squared = size / whole * size;
-        if (!(squared < nearest_.squared)) return;
-        nearest_.squared = squared;
-        weights_on_side(a_side, minimum(to_float(along) / whole, 1.0f), nearest_.on_a);
-        weights_on_side(b_side, minimum(to_float(share) / whole, 1.0f), nearest_.on_b);
+    /// Steps from one corner to another are below 2^26 along each axis: products of two fit 64 bits.
+    void try_sides(int a_side, int b_side) {
+        const Integer3 d = side_from(a_, a_side);
+        const Integer3 between = corner_on_grid(b_, b_side, 0) - corner_on_grid(a_, a_side, 0);
+        places_.try_side<std::int64_t, Int128>(between, dot<std::int64_t>(between, d), side_from(b_, b_side), d,
+                                               dot<std::int64_t>(d, d), b_side);
+        keep_nearer(true, a_side);
     }
-    [[gnu::noinline]] bool are_sides_within(const Int128& volume, const Int128& denominator) const {
-        return is_within_radius(Unsigned256::product(volume, volume), denominator, 0, radius_);
+    void keep_nearer(bool of_a, int number) {
+        const SegmentDistance& place = places_.nearest();
+        if (place.squared < nearest_.squared) nearest_ = distance_at(place, of_a, number);
     }
 
     const LatticeTriangle& a_;
     const LatticeTriangle& b_;
     TriangleDistance& nearest_;
-    float radius_;  ///< negative if there is none
-    bool within_ = false;
+    SegmentPlaces places_;
 };
 
 /// Six sides against the other triangle each: places are looked at more than once, but a common point is found.
@@ -112,13 +62,10 @@ private:
     for (int number = 0; number < 6 && best.squared != 0.0f; ++number) {
         const bool of_a = number < 3;
         const int side = of_a ? number : number - 3;
-        const SegmentDistance distance = distance_to(side_of(of_a ? a : b, side), of_a ? b : a);
-        if (!(distance.squared < best.squared)) continue;
-        best.squared = distance.squared;
-        weights_on_side(side, distance.along, of_a ? best.on_a : best.on_b);
-        float* const face = of_a ? best.on_b : best.on_a;
-        face[0] = distance.u;
-        face[1] = distance.v;
+        const LatticeTriangle& own = of_a ? a : b;
+        const UnitSegment segment = {corner_on_grid(own, side, 0), corner_on_grid(own, side == 2 ? 0 : side + 1, 0), 0};
+        const SegmentDistance distance = distance_to(segment, of_a ? b : a);
+        if (distance.squared < best.squared) best = distance_at(distance, of_a, side);
     }
     return best;
 }

@@ -12,8 +12,8 @@ namespace espalier::detail {
 /// Between a and b, in steps of the grid.
 struct TriangleDistance {
     float squared;  ///< within 6 ulp; 0 exactly when they share a point
-    float on_a[2];  ///< weights of corners b and c at the closest point of each
-    float on_b[2];
+    Weights on_a;   ///< at the closest point of each
+    Weights on_b;
 };
 
 /// All zeros when they share a point. Coordinates are below 2^25.

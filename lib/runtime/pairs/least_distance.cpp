@@ -59,8 +59,8 @@ ESPALIER_SHARED_CODE void LeastDistance::set_axes(const LatticeTriangle& a, cons
                                                   const TriangleDistance& distance) {
     float(&own)[3][3] = axes[0].at;
     float on_a[3], on_b[3];
-    point_of(a, distance.on_a[0], distance.on_a[1], on_a);
-    point_of(b, distance.on_b[0], distance.on_b[1], on_b);
+    point_of(a, distance.on_a.u, distance.on_a.v, on_a);
+    point_of(b, distance.on_b.u, distance.on_b.v, on_b);
     for (int k = 0; k < 3; ++k) own[0][k] = on_b[k] - on_a[k];
     if (!shorten(own[0])) {
         axes[0] = axes[1] = PairAxes{};

@@ -92,9 +92,9 @@ QueryStatus find_nearest(PairFrame& frame, LeastDistance& least, std::uint64_t w
 }
 
 /// A point of a triangle of the grid, in a's space.
-Vec3 point_in_units(const PairFrame& frame, const LatticeTriangle& triangle, const float* weights) {
+Vec3 point_in_units(const PairFrame& frame, const LatticeTriangle& triangle, const Weights& weights) {
     float steps[3];
-    point_of(triangle, weights[0], weights[1], steps);
+    point_of(triangle, weights.u, weights.v, steps);
     for (float& step : steps) step = scale_by_power_of_two(step, frame.shift);
     return to_world(*frame.a, steps[0], steps[1], steps[2]);
 }

@@ -103,9 +103,9 @@ TEST_SUITE("triangle distance") {
             REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
             if (expected.sign() == 0) ++touching;
             else worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
-            const auto at = [](const LatticeTriangle& t, const float* weights) -> oracle::Point {
+            const auto at = [](const LatticeTriangle& t, const detail::Weights& weights) -> oracle::Point {
                 const oracle::Triangle e = exact(t);
-                return e.a + (e.b - e.a) * Rational::of(weights[0]) + (e.c - e.a) * Rational::of(weights[1]);
+                return e.a + (e.b - e.a) * Rational::of(weights.u) + (e.c - e.a) * Rational::of(weights.v);
             };
             const oracle::Point apart = at(a, distance.on_a) - at(b, distance.on_b);
             // Weights are floats: each witness is off by some 2^-22 of its triangle's size.

@@ -65,11 +65,11 @@ Paths paths_for(AskedPaths asked, std::uint64_t turn) {
 }
 
 bool same_bits(const detail::FoundTriangles& a, const detail::FoundTriangles& b) {
-    bool same = a.pair == b.pair && tests::same_bits(a.distance.squared, b.distance.squared);
-    for (int k = 0; k < 2; ++k)
-        same = same && tests::same_bits(a.distance.on_a[k], b.distance.on_a[k]) &&
-               tests::same_bits(a.distance.on_b[k], b.distance.on_b[k]);
-    return same;
+    const bool same = a.pair == b.pair && tests::same_bits(a.distance.squared, b.distance.squared);
+    const auto same_weights = [](const detail::Weights& one, const detail::Weights& other) {
+        return tests::same_bits(one.u, other.u) && tests::same_bits(one.v, other.v);
+    };
+    return same && same_weights(a.distance.on_a, b.distance.on_a) && same_weights(a.distance.on_b, b.distance.on_b);
 }
 
 detail::TrianglePair triangles_of(const detail::TrianglePair& references, const DecodedBlob& a, const DecodedBlob& b) {
@@ -131,9 +131,9 @@ void check_lists(const Blob& a, const PlacedBlob& b, const std::vector<detail::T
 }
 
 /// A point of a triangle of the grid in a's space: the runtime's own translation, since the walk is compared here.
-Vec3 in_world(const detail::PairFrame& frame, const detail::LatticeTriangle& triangle, const float* weights) {
+Vec3 in_world(const detail::PairFrame& frame, const detail::LatticeTriangle& triangle, const detail::Weights& weights) {
     float point[3];
-    detail::point_of(triangle, weights[0], weights[1], point);
+    detail::point_of(triangle, weights.u, weights.v, point);
     const auto steps = [&](int axis) { return std::ldexp(point[axis], frame.shift); };
     return detail::to_world(*frame.a, steps(0), steps(1), steps(2));
 }

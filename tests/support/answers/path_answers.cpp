@@ -211,10 +211,9 @@ Answers ask(const InstructionPath& path, const detail::BlobData& data, const Que
             hash.add(best.pair.a.index);
             hash.add(best.pair.b.index);
             hash.add(best.distance.squared);
-            for (int k = 0; k < 2; ++k) {
-                hash.add(best.distance.on_a[k]);
-                hash.add(best.distance.on_b[k]);
-            }
+            for (const float weight :
+                 {best.distance.on_a.u, best.distance.on_b.u, best.distance.on_a.v, best.distance.on_b.v})
+                hash.add(weight);
         });
     }
     Answers answers;
