@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include <espalier/types.hpp>
 #include <runtime/base/float_bits.hpp>
@@ -67,6 +68,14 @@ ESPALIER_SHARED_CODE inline WideVector wide_cross(const Integer3& a, const Integ
 ESPALIER_SHARED_CODE inline Int128 dot(const WideVector& a, const Integer3& b) {
     return multiply(a.x, b.x) + multiply(a.y, b.y) + multiply(a.z, b.z);
 }
+
+/// Returns the product in the numbers of that vector, 64 bits or 128, which it must fit.
+template <class Vector>
+Vector cross_in(const Integer3& a, const Integer3& b) {
+    if constexpr (std::is_same_v<Vector, WideVector>) return wide_cross(a, b);
+    else return cross(a, b);
+}
+inline std::int64_t dot(const Integer3& a, const Integer3& b) { return dot<std::int64_t>(a, b); }
 
 inline Vec3 to_unit(const Vec3& v) {
     const float length = square_root(v.x * v.x + v.y * v.y + v.z * v.z);

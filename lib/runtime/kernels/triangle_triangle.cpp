@@ -5,25 +5,16 @@ namespace espalier::detail {
 
 namespace {
 
-/// For coordinates that differ by at most 2^20: 6 products of three such stay below 2^62.6.
-struct Narrow {
-    using Normal = Integer3;
-    static Normal normal(const Integer3& a, const Integer3& b) { return cross(a, b); }
-    static int side(const Normal& n, const Integer3& v) { return sign(dot<std::int64_t>(n, v)); }
-};
-
-/// For coordinates that differ by less than 2^39: a normal's stay below 2^79, 3 products of one below 2^119.6.
-struct Wide {
-    using Normal = WideVector;
-    static Normal normal(const Integer3& a, const Integer3& b) { return wide_cross(a, b); }
-    static int side(const Normal& n, const Integer3& v) { return sign(dot(n, v)); }
-};
+// In 64 bits coordinates may differ by at most 2^20: 6 products of three such stay below 2^62.6. In 128 bits they may
+// differ by less than 2^39: a normal's stay below 2^79, 3 products of one below 2^119.6.
+using Narrow = Integer3;
+using Wide = WideVector;
 
 /// Sign of the volume of four points: positive when d is on the side of a, b, c from which they go round
 /// counterclockwise.
-template <class Arithmetic>
+template <class Vector>
 int volume(const Integer3& a, const Integer3& b, const Integer3& c, const Integer3& d) {
-    return Arithmetic::side(Arithmetic::normal(b - a, c - a), d - a);
+    return sign(dot(cross_in<Vector>(b - a, c - a), d - a));
 }
 
 bool boxes_meet(const IntegerTriangle& p, const IntegerTriangle& q) {
@@ -54,7 +45,7 @@ bool is_separated_by_side(const IntegerTriangle& p, const IntegerTriangle& q, st
 }
 
 /// For six points of one plane, of which `normal` is a normal, or all of one line: then it is zero.
-[[gnu::noinline]] bool meet_in_plane(const IntegerTriangle& p, const IntegerTriangle& q, const Wide::Normal& normal) {
+[[gnu::noinline]] bool meet_in_plane(const IntegerTriangle& p, const IntegerTriangle& q, const WideVector& normal) {
     // Points of one line meet where their boxes do, others also need no side that separates them; seen along an axis
     // that the plane is not parallel to nothing of this changes.
     if (!boxes_meet(p, q)) return false;
@@ -83,9 +74,9 @@ void find_ends(const IntegerTriangle& segment, Integer3* ends) {
     find_ends(q, t);
     if (volume<Wide>(s[0], s[1], t[0], t[1]) != 0) return false;
     // Any three of the four points that are not on one line tell the plane.
-    Wide::Normal plane = Wide::normal(s[1] - s[0], t[0] - s[0]);
-    if (is_zero(plane)) plane = Wide::normal(s[1] - s[0], t[1] - s[0]);
-    if (is_zero(plane)) plane = Wide::normal(t[1] - t[0], s[0] - t[0]);
+    WideVector plane = wide_cross(s[1] - s[0], t[0] - s[0]);
+    if (is_zero(plane)) plane = wide_cross(s[1] - s[0], t[1] - s[0]);
+    if (is_zero(plane)) plane = wide_cross(t[1] - t[0], s[0] - t[0]);
     return meet_in_plane(p, q, plane);
 }
 
@@ -93,9 +84,9 @@ void find_ends(const IntegerTriangle& segment, Integer3* ends) {
 [[gnu::noinline]] bool segment_meets(const IntegerTriangle& p, const IntegerTriangle& q) {
     Integer3 s[2];
     find_ends(p, s);
-    const Wide::Normal normal = Wide::normal(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]);
-    const int from = Wide::side(normal, s[0] - q.corner[0]);
-    const int to = Wide::side(normal, s[1] - q.corner[0]);
+    const WideVector normal = wide_cross(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]);
+    const int from = sign(dot(normal, s[0] - q.corner[0]));
+    const int to = sign(dot(normal, s[1] - q.corner[0]));
     if (from == 0 && to == 0) return meet_in_plane(p, q, normal);
     if (from == to) return false;
     bool left = false;
@@ -147,18 +138,17 @@ struct Meeting {
     bool answer = false;
 };
 
-template <class Arithmetic>
+template <class Vector>
 inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
-    const auto sides_of = [](const IntegerTriangle& t, const typename Arithmetic::Normal& normal, const Integer3& from,
-                             int* sides) {
-        for (int k = 0; k < 3; ++k) sides[k] = Arithmetic::side(normal, t.corner[k] - from);
+    const auto sides_of = [](const IntegerTriangle& t, const Vector& normal, const Integer3& from, int* sides) {
+        for (int k = 0; k < 3; ++k) sides[k] = sign(dot(normal, t.corner[k] - from));
     };
     int p_sides[3];
     int q_sides[3];
-    const auto q_normal = Arithmetic::normal(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]);
+    const auto q_normal = cross_in<Vector>(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]);
     sides_of(p, q_normal, q.corner[0], p_sides);
     if (all_strictly_alike(p_sides)) return {};
-    const auto p_normal = Arithmetic::normal(p.corner[1] - p.corner[0], p.corner[2] - p.corner[0]);
+    const auto p_normal = cross_in<Vector>(p.corner[1] - p.corner[0], p.corner[2] - p.corner[0]);
     sides_of(q, p_normal, p.corner[0], q_sides);
     if (all_strictly_alike(q_sides)) return {};
     if ((p_sides[0] | p_sides[1] | p_sides[2]) == 0 || (q_sides[0] | q_sides[1] | q_sides[2]) == 0)
@@ -172,7 +162,7 @@ inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
     if (!is_above(p_sides, p_first)) t.flip();
     if (!is_above(q_sides, q_first)) s.flip();
     return {false, false, false,
-            volume<Arithmetic>(*s.a, *s.b, *t.a, *t.b) <= 0 && volume<Arithmetic>(*s.a, *s.c, *t.a, *t.c) >= 0};
+            volume<Vector>(*s.a, *s.b, *t.a, *t.b) <= 0 && volume<Vector>(*s.a, *s.c, *t.a, *t.c) >= 0};
 }
 
 [[gnu::noinline]] Meeting meet_wide(const IntegerTriangle& p, const IntegerTriangle& q) { return meet<Wide>(p, q); }
@@ -194,7 +184,7 @@ inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
 
 /// For two triangles with area.
 [[gnu::noinline]] bool meet_in_own_plane(const IntegerTriangle& p, const IntegerTriangle& q) {
-    return meet_in_plane(p, q, Wide::normal(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]));
+    return meet_in_plane(p, q, wide_cross(q.corner[1] - q.corner[0], q.corner[2] - q.corner[0]));
 }
 
 }  // namespace

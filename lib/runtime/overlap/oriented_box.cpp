@@ -72,65 +72,47 @@ struct Seen {
     Integer3 side[3];
 };
 
-/// Arithmetic for boxes near the asset and short sides, and for all others.
-struct Narrow {
-    using Number = std::int64_t;
-    using Vector = Integer3;
-    static Vector product(const Integer3& a, const Integer3& b) { return cross(a, b); }
-    static Number along(const Vector& a, const Integer3& b) { return dot<std::int64_t>(a, b); }
-};
-struct Wide {
-    using Number = Int128;
-    using Vector = WideVector;
-    static Vector product(const Integer3& a, const Integer3& b) { return wide_cross(a, b); }
-    static Number along(const Vector& a, const Integer3& b) { return dot(a, b); }
-};
-
 /// Whether three numbers are all beyond the same end of [-reach, reach].
 template <class Number>
 bool are_beyond(const Number* at, Number reach) {
     return (reach < at[0] && reach < at[1] && reach < at[2]) || (at[0] < -reach && at[1] < -reach && at[2] < -reach);
 }
 
-template <class Arithmetic>
-bool is_separated_along_axis(const typename Arithmetic::Vector& axis, const Rounded<OrientedBox>& box,
-                             const Seen& seen) {
-    using Number = typename Arithmetic::Number;
+template <class Vector>
+bool are_apart_along(const Vector& axis, const Rounded<OrientedBox>& box, const Seen& seen) {
+    using Number = decltype(dot(axis, box.center));
     Number at[3];
     Number reach = 0;
     for (int i = 0; i < 3; ++i) {
-        at[i] = Arithmetic::along(axis, seen.corner[i]);
-        reach = reach + magnitude(Arithmetic::along(axis, box.half[i]));
+        at[i] = dot(axis, seen.corner[i]);
+        reach = reach + magnitude(dot(axis, box.half[i]));
     }
     return are_beyond(at, reach);
 }
-
-template <class Arithmetic>
-bool is_separated_along(const typename Arithmetic::Vector& axis, const Rounded<OrientedBox>& box, const Seen& seen) {
-    return is_separated_along_axis<Arithmetic>(axis, box, seen);
+bool is_separated_along(const Integer3& axis, const Rounded<OrientedBox>& box, const Seen& seen) {
+    return are_apart_along(axis, box, seen);
 }
 /// Called, not copied: rare, and large.
-template <>
-[[gnu::noinline]] bool is_separated_along<Wide>(const WideVector& axis, const Rounded<OrientedBox>& box,
-                                                const Seen& seen) {
-    return is_separated_along_axis<Wide>(axis, box, seen);
+[[gnu::noinline]] bool is_separated_along(const WideVector& axis, const Rounded<OrientedBox>& box, const Seen& seen) {
+    return are_apart_along(axis, box, seen);
 }
 
-/// All axes but those of the box's faces.
-template <class Arithmetic>
+/// All axes but those of the box's faces. Narrow vectors do for boxes near the asset and short sides.
+template <class Vector>
 [[gnu::noinline]] bool is_separated(const Rounded<OrientedBox>& box, const Seen& seen) {
-    if (is_separated_along<Arithmetic>(Arithmetic::product(seen.side[0], seen.side[1]), box, seen)) return true;
+    const auto is_across = [&](const Integer3& a, const Integer3& b) {
+        return is_separated_along(cross_in<Vector>(a, b), box, seen);
+    };
+    if (is_across(seen.side[0], seen.side[1])) return true;
     for (const Integer3& half : box.half)
         for (const Integer3& side : seen.side)
-            if (is_separated_along<Arithmetic>(Arithmetic::product(half, side), box, seen)) return true;
+            if (is_across(half, side)) return true;
     if (!box.face_reach.is_zero()) return false;
     // Without volume: normals of each direction within whichever plane all may lie in.
     constexpr Integer3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (const Integer3& unit : units) {
         for (int i = 0; i < 3; ++i)
-            if (is_separated_along<Arithmetic>(Arithmetic::product(unit, box.half[i]), box, seen) ||
-                is_separated_along<Arithmetic>(Arithmetic::product(unit, seen.side[i]), box, seen))
-                return true;
+            if (is_across(unit, box.half[i]) || is_across(unit, seen.side[i])) return true;
     }
     return false;
 }
@@ -160,7 +142,8 @@ bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noe
     }
     if (!box.face_reach.is_zero() && (inside[0] || inside[1] || inside[2])) return true;
     const bool is_short = ray_triangle::edges_are_below<12>({{}, seen.side[0], seen.side[1]});
-    return !(takes_shortcut(box.is_near && is_short) ? is_separated<Narrow>(box, seen) : is_separated<Wide>(box, seen));
+    return !(takes_shortcut(box.is_near && is_short) ? is_separated<Integer3>(box, seen)
+                                                     : is_separated<WideVector>(box, seen));
 }
 
 template QueryStatus find_overlaps_of<OrientedBox>(const BlobData&, const void*, Each&, const WalkAccuracy&);
