@@ -114,10 +114,7 @@ SegmentDistance distance_to_box(const UnitSegment& diagonal, const LatticeTriang
 
 bool is_within_radius_of_box(const UnitSegment& diagonal, const LatticeTriangle& triangle,
                              const SegmentDistance& distance, float radius) noexcept {
-    const float squared = radius * radius;
-    if (distance.squared > squared * distance_slack) return false;
-    if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
-    if (radius == 0.0f) return false;
+    if (const int sure = sure_within(distance.squared, radius); sure != 0) return sure > 0;
     const UnitSegment across = diagonal_across(diagonal, triangle);
     bool within = is_within_radius(across, triangle, distance_to(across, triangle), radius);
     for (int i = 0; i < 3 && !within; ++i) {

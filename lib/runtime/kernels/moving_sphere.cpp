@@ -10,20 +10,9 @@ namespace {
 /// What float arithmetic may be off by, with room to spare: 64 roundings.
 constexpr float slack = 0x1p-18f;
 
-/// Where 128 bits are not native, each of these takes a good part of what a small core has room for.
-[[gnu::noinline, maybe_unused]] Int128 dot_out_of_line(const Integer3& a, const Integer3& b) {
-    return dot<Int128>(a, b);
-}
-Int128 wide_dot(const Integer3& a, const Integer3& b) {
-    if constexpr (has_native_int128) return dot<Int128>(a, b);
-    else return dot_out_of_line(a, b);
-}
-struct Float3 {
-    float x, y, z;
-};
-float dot(const Float3& a, const Float3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+float dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 /// Each coordinate times 2^-40, rounded once.
-Float3 rounded_cross(const Integer3& a, const Integer3& b) {
+Vec3 rounded_cross(const Integer3& a, const Integer3& b) {
     const auto [x, y, z] = wide_cross(a, b);
     return {to_float(x) * 0x1p-40f, to_float(y) * 0x1p-40f, to_float(z) * 0x1p-40f};
 }
@@ -89,8 +78,8 @@ public:
                 return {at, off == Vec3{} ? normal_against_displacement() : to_unit(off)};
             }
             default: {
-                const float whole = to_float(wide_dot(normal_, normal_)) * 0x1p-36f;
-                const Int128 above = wide_dot(normal_, seen_[0]);
+                const float whole = to_float(dot<Int128>(normal_, normal_)) * 0x1p-36f;
+                const Int128 above = dot<Int128>(normal_, seen_[0]);
                 return {{flush_subnormal(weight(2) / whole), flush_subnormal(weight(0) / whole)},
                         above.is_zero() ? normal_against_displacement() : unit_along(normal_, above.is_negative())};
             }
@@ -111,7 +100,7 @@ private:
         Int128 forward[3];  // from each corner along its side, times the side's length
         for (unsigned i = 0; i < 3; ++i) {
             seen_[i] = d * time - (triangle_.corner[i] << tick_bits);
-            forward[i] = wide_dot(seen_[i], side_[i]);
+            forward[i] = dot<Int128>(seen_[i], side_[i]);
         }
         const auto is_before_end = [&](unsigned i) { return forward[i] < Int128(length_[i]) << tick_bits; };
         const auto is_behind_start = [&](unsigned i) { return Int128(0) < forward[i]; };
@@ -132,14 +121,14 @@ private:
     // How far the centre is on the inner side of a side, times length and squared area: proportional to the weight of
     // the corner opposite. For long sides (s x p) . (a x b) = (s . a)(p . b) - (s . b)(p . a).
     [[nodiscard]] bool is_within_side(unsigned i) const {
-        if (takes_shortcut(is_narrow_)) return Int128(0) < wide_dot(inward_[i], seen_[i]);
-        return compare_products(wide_dot(side_[i], side_[0]), wide_dot(seen_[i], side_[1]),
-                                wide_dot(side_[i], side_[1]), wide_dot(seen_[i], side_[0])) > 0;
+        if (takes_shortcut(is_narrow_)) return Int128(0) < dot<Int128>(inward_[i], seen_[i]);
+        return compare_products(dot<Int128>(side_[i], side_[0]), dot<Int128>(seen_[i], side_[1]),
+                                dot<Int128>(side_[i], side_[1]), dot<Int128>(seen_[i], side_[0])) > 0;
     }
     [[nodiscard]] float weight(unsigned i) const {
-        if (takes_shortcut(is_narrow_)) return to_float(wide_dot(inward_[i], seen_[i])) * 0x1p-60f;
-        return product_difference(wide_dot(side_[i], side_[0]), wide_dot(seen_[i], side_[1]),
-                                  wide_dot(side_[i], side_[1]), wide_dot(seen_[i], side_[0]))
+        if (takes_shortcut(is_narrow_)) return to_float(dot<Int128>(inward_[i], seen_[i])) * 0x1p-60f;
+        return product_difference(dot<Int128>(side_[i], side_[0]), dot<Int128>(seen_[i], side_[1]),
+                                  dot<Int128>(side_[i], side_[1]), dot<Int128>(seen_[i], side_[0]))
             .to_float(-60);
     }
 
@@ -148,45 +137,45 @@ private:
         const Int128 radius = multiply(sphere_.radius << tick_bits, sphere_.radius << tick_bits);
         switch (part_) {
             case Part::corner: {
-                const Int128 squared = wide_dot(seen_[number_], seen_[number_]);
+                const Int128 squared = dot<Int128>(seen_[number_], seen_[number_]);
                 if (!(radius < squared)) return {true, false, 0.0f, 0.0f};
-                const Int128 along = wide_dot(seen_[number_], sphere_.displacement);
+                const Int128 along = dot<Int128>(seen_[number_], sphere_.displacement);
                 const float distance = square_root(to_float(squared)) * 0x1p-24f;
                 return {false, along.is_negative(), distance, absolute(to_float(along)) * 0x1p-24f / distance};
             }
             case Part::side: {
                 const Integer3& side = side_[number_];
                 const Int128 length(length_[number_]);
-                const Float3 across = rounded_cross(seen_[number_], side);
+                const Vec3 across = rounded_cross(seen_[number_], side);
                 const float squared = dot(across, across) * 0x1p16f / to_float(length) * 0x1p16f;
                 const bool touches = is_within(squared, [&] {
                     // |p x s|^2 = |p|^2 |s|^2 - (p . s)^2
-                    return compare_products(wide_dot(seen_[number_], seen_[number_]) - radius, length, forward_,
+                    return compare_products(dot<Int128>(seen_[number_], seen_[number_]) - radius, length, forward_,
                                             forward_);
                 });
                 if (touches) return {true, false, 0.0f, 0.0f};
                 const float distance = square_root(squared);
                 // The displacement along what of p is perpendicular to the side: (p x s) . (d x s)
-                const Float3 way_across = rounded_cross(sphere_.displacement, side);
+                const Vec3 way_across = rounded_cross(sphere_.displacement, side);
                 const float along = dot(across, way_across);
                 const float error = slack * (absolute(across.x * way_across.x) + absolute(across.y * way_across.y) +
                                              absolute(across.z * way_across.z));
                 const bool closing = absolute(along) > error
                                          ? along < 0.0f
-                                         : compare_products(wide_dot(seen_[number_], sphere_.displacement), length,
-                                                            forward_, wide_dot(side, sphere_.displacement)) < 0;
+                                         : compare_products(dot<Int128>(seen_[number_], sphere_.displacement), length,
+                                                            forward_, dot<Int128>(side, sphere_.displacement)) < 0;
                 // Times 2^56, in two halves: beside a long side what lies between would be subnormal.
                 return {false, closing, distance,
                         (absolute(along) + error) * 0x1p28f / to_float(length) / distance * 0x1p28f};
             }
             default: {
-                const Int128 area = wide_dot(normal_, normal_);
-                const Int128 above = wide_dot(normal_, seen_[0]);
+                const Int128 area = dot<Int128>(normal_, normal_);
+                const Int128 above = dot<Int128>(normal_, seen_[0]);
                 const float length = square_root(to_float(area));
                 const float distance = absolute(to_float(above)) * 0x1p-24f / length;
                 if (is_within(distance * distance, [&] { return compare_products(above, above, radius, area); }))
                     return {true, false, 0.0f, 0.0f};
-                const Int128 along = wide_dot(normal_, sphere_.displacement);
+                const Int128 along = dot<Int128>(normal_, sphere_.displacement);
                 return {false, !along.is_zero() && along.is_negative() != above.is_negative(), distance,
                         absolute(to_float(along)) / length};
             }
@@ -259,30 +248,30 @@ private:
     [[nodiscard]] [[gnu::noinline]] bool passes_within_radius() const {
         const Integer3& d = sphere_.displacement;
         const Int128 radius = multiply(sphere_.radius, sphere_.radius);
-        const Int128 way = wide_dot(d, d);
+        const Int128 way = dot<Int128>(d, d);
         Int128 volume[3];
         int positive = 0;
         int negative = 0;
         for (unsigned i = 0; i < 3; ++i) {
             const Integer3& m = triangle_.corner[i];
-            const Int128 along = wide_dot(m, d);
-            if (compare_products(wide_dot(m, m) - radius, way, along, along) <= 0) return true;
-            volume[i] = wide_dot(d, cross(m, side_[i]));
+            const Int128 along = dot<Int128>(m, d);
+            if (compare_products(dot<Int128>(m, m) - radius, way, along, along) <= 0) return true;
+            volume[i] = dot<Int128>(d, cross(m, side_[i]));
             positive += Int128(0) < volume[i] ? 1 : 0;
             negative += volume[i].is_negative() ? 1 : 0;
         }
         if (positive == 3 || negative == 3) return true;
         for (unsigned i = 0; i < 3; ++i) {
             const Integer3& side = side_[i];
-            const Int128 both = wide_dot(d, side);
+            const Int128 both = dot<Int128>(d, side);
             // Where on the side the line is closest, times |d x s|^2: (m x d) . (d x s) = (m . d)(d . s) - (m . s)
             // |d|^2
             const auto place = [&](const Integer3& m) {
-                return compare_products(wide_dot(m, d), both, wide_dot(m, side), way);
+                return compare_products(dot<Int128>(m, d), both, dot<Int128>(m, side), way);
             };
             if (place(triangle_.corner[i]) < 0 || place(triangle_.corner[(i + 1) % 3]) > 0) continue;
             const Integer3 across = cross(d, side);
-            const Int128 squared = wide_dot(across, across);
+            const Int128 squared = dot<Int128>(across, across);
             if (!squared.is_zero() && compare_products(volume[i], volume[i], radius, squared) <= 0) return true;
         }
         return false;
@@ -290,7 +279,7 @@ private:
 
     [[nodiscard]] Vec3 normal_against_displacement() const {
         const Integer3& d = sphere_.displacement;
-        if (!is_zero(normal_)) return unit_along(normal_, Int128(0) < wide_dot(normal_, d));
+        if (!is_zero(normal_)) return unit_along(normal_, Int128(0) < dot<Int128>(normal_, d));
         return is_zero(d) ? Vec3{0.0f, 0.0f, 1.0f} : unit_along(d, true);
     }
 

@@ -77,10 +77,7 @@ bool is_within_radius(const Unsigned256& numerator, const Int128& denominator, i
 }
 
 bool is_within_radius(const PointDistance& distance, int fraction_bits, float radius) noexcept {
-    const float squared = radius * radius;
-    if (distance.squared > squared * distance_slack) return false;
-    if (distance.squared * distance_slack < squared) return true;
-    if (radius == 0.0f) return distance.numerator.is_zero();
+    if (const int sure = sure_within(distance.squared, radius); sure != 0) return sure > 0;
     const Int128 factor = distance.square_numerator ? distance.numerator : Int128(1);
     return is_within_radius(Unsigned256::product(distance.numerator, factor), distance.denominator, fraction_bits,
                             radius);

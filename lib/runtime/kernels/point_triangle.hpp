@@ -90,6 +90,13 @@ inline PointDistance distance_to(const RoundedPoint& point, const LatticeTriangl
     return distance_to(relative_to(point, triangle), point.fraction_bits);
 }
 
+/// Returns what a squared distance within 6 ulp tells about the exact one: 1 if that is within the radius, -1 if not, 0
+/// if it may be either, which takes a radius above 0.
+inline int sure_within(float squared, float radius) {
+    const float bound = radius * radius;
+    if (squared > bound * distance_slack) return -1;
+    return squared * distance_slack < bound || squared == 0.0f ? 1 : 0;
+}
 /// Whether numerator / denominator * 2^(-2 fraction_bits) is at most the square of a radius above 0, exactly.
 bool is_within_radius(const Unsigned256& numerator, const Int128& denominator, int fraction_bits,
                       float radius) noexcept;

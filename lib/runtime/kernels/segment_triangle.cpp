@@ -11,10 +11,9 @@ SegmentDistance distance_to(const UnitSegment& segment, const LatticeTriangle& t
 
 bool is_within_radius(const UnitSegment& segment, const LatticeTriangle& triangle, const SegmentDistance& distance,
                       float radius) noexcept {
-    const float squared = radius * radius;
-    if (distance.squared > squared * distance_slack && distance.squared != least_squared) return false;
-    if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
-    if (radius == 0.0f) return false;
+    const int sure = sure_within(distance.squared, radius);
+    if (sure > 0) return true;
+    if (radius == 0.0f || (sure < 0 && distance.squared != least_squared)) return false;
     SegmentPlaces places(segment.fraction_bits, radius);
     places.try_all(segment, triangle);
     return places.is_any_within();

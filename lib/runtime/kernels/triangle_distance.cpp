@@ -86,9 +86,7 @@ TriangleDistance distance_between(const LatticeTriangle& a, const LatticeTriangl
 
 bool is_within_radius(const LatticeTriangle& a, const LatticeTriangle& b, const TriangleDistance& distance,
                       float radius) noexcept {
-    const float squared = radius * radius;
-    if (distance.squared > squared * distance_slack) return false;
-    if (distance.squared * distance_slack < squared || distance.squared == 0.0f) return true;
+    if (const int sure = sure_within(distance.squared, radius); sure != 0) return sure > 0;
     // Which place is the nearest is known to some ulp only: one of them decides.
     TriangleDistance nearest;
     return Places(a, b, nearest, radius).try_all();
