@@ -43,9 +43,9 @@ inline bool is_within(float quotient, float low, float high, Compare compare) {
 
 /// False when the ray misses the triangle at every tau from 0 on, by signs alone; else what the callable returns, given
 /// the side and the determinants. `Volume` holds the products of the normal with the direction and with corner a, `Sum`
-/// the weights, which are larger.
-template <class Volume, class Sum, class OnHit>
-[[gnu::always_inline]] inline bool decide(const IntegerRay& ray, const OriginRelative& t, OnHit on_hit) {
+/// the weights, which are larger. `Line` is an IntegerRay or what has its members.
+template <class Volume, class Sum, class Line, class OnHit>
+[[gnu::always_inline]] inline bool decide(const Line& ray, const OriginRelative& t, OnHit on_hit) {
     const Integer3 direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
     const Integer3 normal = cross(t.ab, t.ac);
     Volume volume = dot<Volume>(direction, normal);

@@ -20,21 +20,12 @@ std::int32_t shifted(std::int32_t a, int shift) {
 /// Products of the narrow case fit int64, of any other one 128 bits.
 template <class Number>
 bool crosses_in(const WholeSegment& segment, const OriginRelative& t, Crossing& crossing) {
-    const Integer3 direction = {segment.direction[0], segment.direction[1], segment.direction[2]};
-    const Integer3 normal = cross(t.ab, t.ac);
-    Number volume = dot<Number>(direction, normal);
-    if (is_zero(volume)) return false;
-    crossing.front = is_negative(volume);
-    volume = negate_if(volume, crossing.front);
-    const Number numerator = negate_if(dot<Number>(normal, t.a), crossing.front);
-    if (is_negative(numerator) || volume < numerator) return false;
-    const Number b = negate_if(dot<Number>(direction, cross(t.ac, t.a)), crossing.front);
-    if (is_negative(b)) return false;
-    const Number c = negate_if(dot<Number>(direction, cross(t.a, t.ab)), crossing.front);
-    if (is_negative(c) || volume < b + c) return false;
-    crossing.numerator = numerator;
-    crossing.denominator = volume;
-    return true;
+    return ray_triangle::decide<Number, Number>(
+        segment, t, [&](bool front, const Integer3&, Number volume, Number numerator, const auto&...) {
+            if (volume < numerator) return false;
+            crossing = {numerator, volume, front};
+            return true;
+        });
 }
 [[gnu::noinline]] bool crosses_widely(const WholeSegment& segment, const OriginRelative& t, Crossing& crossing) {
     return crosses_in<Int128>(segment, t, crossing);

@@ -6,6 +6,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/lattice.hpp>
+#include <espalier/types.hpp>
 #include <runtime/lattice/triangle.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 
@@ -20,6 +21,7 @@ struct Crossing {
 
 struct WholeSegment {
     static constexpr int fraction_bits = 0;
+    static constexpr FaceCulling culling = FaceCulling::none;
 
     std::int32_t origin[3];     ///< within 2^29
     std::int32_t direction[3];  ///< to the end: within 2^30
