@@ -29,17 +29,14 @@ struct Narrow {
 struct Wide {
     static int sign_of_volume(const Constraint& r, const Constraint& s, const Constraint& t) {
         Unsigned256 above{Int128()}, below{Int128()};
-        const auto add = [&](std::int64_t p, std::int64_t q, std::int64_t u) {
-            const Unsigned256 product = Unsigned256::product(magnitude(multiply(p, q)), magnitude(u));
-            Unsigned256& side = ((p < 0) != (q < 0)) != (u < 0) ? below : above;
-            side = side.plus(product);
+        const auto add = [&](const Int128& p, std::int64_t q) {
+            Unsigned256& side = is_negative(p) != is_negative(q) ? below : above;
+            side = side.plus(Unsigned256::product(magnitude(p), magnitude(q)));
         };
-        add(r.whole, s.b, t.c);
-        add(-r.whole, s.c, t.b);
-        add(r.b, s.c, t.whole);
-        add(-r.b, s.whole, t.c);
-        add(r.c, s.whole, t.b);
-        add(-r.c, s.b, t.whole);
+        const auto [whole, b, c] = wide_cross({s.whole, s.b, s.c}, {t.whole, t.b, t.c});
+        add(whole, r.whole);
+        add(b, r.b);
+        add(c, r.c);
         return compare_scaled(above, below, 0);
     }
 };

@@ -49,8 +49,7 @@ QueryStatus round_volume(const BlobData& blob, const Triangle& world, Rounded<Tr
     for (int i = 0; i < 3; ++i) rounder.add_point(corner[i], steps[i]);
     bool is_away = false;
     for (int k = 0; k < 3; ++k) {
-        const float low = minimum(minimum(steps[0][k], steps[1][k]), steps[2][k]);
-        const float high = maximum(maximum(steps[0][k], steps[1][k]), steps[2][k]);
+        const auto [low, high] = span_of(steps[0][k], steps[1][k], steps[2][k]);
         is_away = is_away || low > blob.extent_steps[k] + 1.0f || high < -1.0f;
     }
     if (is_away) return QueryStatus::not_found;

@@ -38,16 +38,12 @@ private:
 /// Returns the status of a list of which nothing is left out: also an empty one is complete.
 QueryStatus list_status(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
 
-QueryStatus search_with_own_set(const PairFrame& frame, const PairSearch& search, std::uint64_t& work) {
-    return ESPALIER_DISPATCH(search_pairs, frame, search, work);
-}
-
 #if ESPALIER_PREDICTED_STRIPS
 /// Out of line: pairs without predicted strips do not pay for the room.
 [[gnu::noinline]] QueryStatus search_with_vertices(PairFrame& frame, const PairSearch& search, std::uint64_t& work) {
     PredictedVertices vertices[2];
     frame.vertices = vertices;
-    return search_with_own_set(frame, search, work);
+    return ESPALIER_DISPATCH(search_pairs, frame, search, work);
 }
 #endif
 
@@ -58,7 +54,7 @@ QueryStatus search_pair(PairFrame& frame, const PairSearch& search, std::uint64_
     if (has_predicted_leaves(frame.a->profile) || has_predicted_leaves(frame.b->profile))
         return search_with_vertices(frame, search, work);
 #endif
-    return search_with_own_set(frame, search, work);
+    return ESPALIER_DISPATCH(search_pairs, frame, search, work);
 }
 
 QueryStatus find_touching(PairFrame& frame, TrianglePair& pair, bool& found, std::uint64_t& work) {

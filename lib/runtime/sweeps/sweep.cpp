@@ -4,6 +4,7 @@
 
 #include <espalier/sweep.hpp>
 #include <runtime/lattice/rounder.hpp>
+#include <runtime/sweeps/candidates.hpp>
 #include <runtime/sweeps/queries.hpp>
 #include <runtime/traversal/scalar_walk.hpp>
 
@@ -15,7 +16,6 @@ namespace scalar_sweep {
 using namespace scalar;
 #include <runtime/rays/slab_test.inl>
 #include <runtime/rays/plain_slab_test.inl>
-#include <runtime/sweeps/candidates.inl>
 }  // namespace scalar_sweep
 
 /// A shape on its way, by the box around it and a function.
@@ -30,7 +30,7 @@ struct MovingShape {
     }
     template <class Leaf>
     Visit scan(const Leaf& leaf, Closest<FoundContact>& answer) const {
-        auto candidates = scalar_sweep::sweep_candidates(leaf, lanes_, answer.limit);
+        auto candidates = sweep_candidates(leaf, lanes_, answer.limit);
         for (; candidates != 0; candidates &= candidates - 1) {
             const auto slot = static_cast<unsigned>(std::countr_zero(candidates));
             offer(leaf, slot, leaf.triangle(slot), answer);
@@ -40,8 +40,7 @@ struct MovingShape {
     template <class Leaf>
     Visit decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle,
                  Closest<FoundContact>& answer) const {
-        return scalar_sweep::may_touch(triangle, lanes_, answer.limit) ? offer(leaf, slot, triangle, answer)
-                                                                       : Visit::next;
+        return may_touch(triangle, lanes_, answer.limit) ? offer(leaf, slot, triangle, answer) : Visit::next;
     }
 
 private:
