@@ -7,7 +7,6 @@ inline PlacedLanes lanes_of(const LatticeTriangle& triangle) {
     PlacedLanes placed;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) placed.corner[i][k] = static_cast<float>(triangle.corner[i][k]);
-    placed.derive_box();
     return placed;
 }
 
