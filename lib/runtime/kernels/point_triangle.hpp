@@ -90,8 +90,8 @@ inline PointDistance distance_to(const RoundedPoint& point, const LatticeTriangl
     return distance_to(relative_to(point, triangle), point.fraction_bits);
 }
 
-/// Returns what a squared distance within 6 ulp tells about the exact one: 1 if that is within the radius, -1 if not, 0
-/// if it may be either, which takes a radius above 0.
+/// Decides about a radius by a squared distance within 6 ulp. Returns 1 if the exact one is within the radius, -1 if
+/// not, 0 if it may be either, which takes a radius above 0.
 inline int sure_within(float squared, float radius) {
     const float bound = radius * radius;
     if (squared > bound * distance_slack) return -1;

@@ -7,7 +7,7 @@ namespace espalier::detail {
 
 namespace {
 
-/// What a place on side `number` of the one triangle tells, or at the corner where the side begins.
+/// Returns the distance that a place on side `number` of the one triangle gives, or the corner where the side begins.
 TriangleDistance distance_at(const SegmentDistance& place, bool of_a, int number) {
     const Weights on_side = weights_on_side(number, place.along), on_face = {place.u, place.v};
     return {place.squared, of_a ? on_side : on_face, of_a ? on_face : on_side};
