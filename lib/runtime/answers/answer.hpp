@@ -49,19 +49,21 @@ struct Answer {
 
 /// Calls a visitor with each triangle, which may stop the walk.
 struct Each : Answer {
+    using IsFirst = bool (*)(const BlobData& blob, std::uint32_t reference, ReachedChildren reached);
+
     const BlobData& blob;
-    bool once = true;  ///< a triangle with duplicate references comes at the first of them, and not at each
+    IsFirst is_first;  ///< whether a triangle comes at this duplicate reference; null: it comes at each of them
     Visitor<TriangleId, std::uint32_t> visit;  ///< takes the triangle and the storage index of the reference to it
     ReachedChildren reached;                   ///< the walk, for triangles with duplicate references
 
-    Each(const BlobData& from, Visitor<TriangleId, std::uint32_t> with_each, std::uint32_t first_index = 0)
+    /// A program that takes a triangle at each reference does not link the search for the first one.
+    Each(const BlobData& from, Visitor<TriangleId, std::uint32_t> with_each, IsFirst with_first = is_first_reference)
         : Answer([](Answer& self, const Found& found) { return static_cast<Each&>(self).take(found); }),
           blob(from),
-          visit(with_each) {
-        first = first_index;
-    }
+          is_first(with_first),
+          visit(with_each) {}
     Visit take(const Found& found) {
-        if (once && found.reference != found.index && !is_first_reference(blob, found.reference, reached))
+        if (is_first != nullptr && found.reference != found.index && !is_first(blob, found.reference, reached))
             return Visit::next;
         return visit(TriangleId{found.index}, found.reference);
     }

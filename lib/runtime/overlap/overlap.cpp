@@ -11,8 +11,7 @@ namespace {
 YesNo find_any(const BlobData& blob, AnyShape shape, const WalkAccuracy& accuracy) {
     if (blob.bytes == nullptr) return YesNo();
     const auto stop = [](TriangleId, std::uint32_t) { return Visit::stop; };
-    Each any(blob, stop);
-    any.once = false;
+    Each any(blob, stop, nullptr);
     const QueryStatus status = shape.find(blob, shape.shape, any, accuracy);
     return is_refused(status) ? YesNo(status) : YesNo::of(status == QueryStatus::stopped);
 }
@@ -47,7 +46,8 @@ Filled collect_overlaps(const Blob& blob, AnyShape shape, std::span<TriangleId> 
         out[filled.count++] = triangle;
         return Visit::next;
     };
-    Each each(data, write, from.place[0]);
+    Each each(data, write);
+    each.first = from.place[0];
     filled.status = shape.find(data, shape.shape, each, exactly);
     if (filled.status == QueryStatus::stopped) filled.status = QueryStatus::output_full;
     if (filled.status == QueryStatus::ok) filled.next = {{data.triangle_count}};

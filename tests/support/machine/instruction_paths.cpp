@@ -56,7 +56,8 @@ bool InstructionPath::any_overlap(const detail::BlobData& blob, const detail::Ro
 bool InstructionPath::every_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere,
                                     std::uint32_t first, FunctionRef<Visit(TriangleId)> visit) const {
     const auto with_each = [&](TriangleId triangle, std::uint32_t) { return visit(triangle); };
-    detail::Each each(blob, with_each, first);
+    detail::Each each(blob, with_each);
+    each.first = first;
     return !find_overlaps(blob, sphere, each, detail::exactly);
 }
 
