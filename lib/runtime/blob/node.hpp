@@ -52,7 +52,7 @@ struct PackedNode : NodeBytes<format::packed_node::children_at, format::packed_n
     [[nodiscard]] unsigned leaf_children() const { return load_u8(bytes + children_at + 3) >> 4; }
     /// From the byte behind the number of the first child.
     static constexpr unsigned node_children_in(std::uint32_t counts) { return counts & 15u; }
-    [[nodiscard]] unsigned shift(int axis) const {
+    [[nodiscard, gnu::always_inline]] unsigned shift(int axis) const {
         return (load_u16(bytes + format::packed_node::shifts_at) >> (5 * axis)) & 31u;
     }
     [[nodiscard]] std::int32_t base(int axis, unsigned bits) const {

@@ -33,10 +33,10 @@ inline void store(float* to, Floats a) { *to = a; }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return a * b - c; }
 inline Floats magnitude(Floats a) { return absolute(a); }
-inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
+[[gnu::always_inline]] inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
 inline Floats to_floats(Ints a) { return static_cast<float>(a); }
-inline Ints load_bytes(const std::byte* at) { return load_u8(at); }
-inline Ints load_words(const std::byte* at) { return load_u16(at); }
+[[gnu::always_inline]] inline Ints load_bytes(const std::byte* at) { return load_u8(at); }
+[[gnu::always_inline]] inline Ints load_words(const std::byte* at) { return load_u16(at); }
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { return load_field(stream, width, first); }
 /// The low halves of the bits of two floats, as one word.
 inline Ints pair_of(Floats x, Floats y) {
