@@ -26,6 +26,7 @@ struct SegmentShape {
     const BlobData& blob;
     WholeSegment& segment;  ///< is cut off behind the first hit
     bool any_will_do;
+    std::uint32_t end = 0;  ///< where it is cut off, in 2^-31 of its length
 
     template <class Node>
     unsigned cull(const Node& node, float, float* keys) const {
@@ -43,7 +44,7 @@ struct SegmentShape {
     }
 
     template <class Leaf>
-    Visit scan(const Leaf& leaf, Closest<FoundCrossing>& answer) const {
+    Visit scan(const Leaf& leaf, Closest<FoundCrossing>& answer) {
         std::uint16_t beyond[Leaf::max_vertices];
         find_places(leaf, beyond);
         auto corners = scalar::corners_of(leaf);
@@ -58,7 +59,8 @@ struct SegmentShape {
             answer.take(found);
             if (any_will_do) return Visit::stop;
             if (answer.last != found.index) continue;
-            segment.end_at(fixed_point(found.crossing));
+            end = fixed_point(found.crossing);
+            segment.end_at(end);
             answer.limit = segment.limit();
         }
         return Visit::next;
@@ -103,8 +105,7 @@ void find_hit(const BlobData& blob, WholeSegment& segment, bool any_will_do, Lat
     answer.limit = segment.limit();
     scalar_walk::find_nearest_first(blob, shape, answer);
     if (!answer.found()) return;
-    hit = {fixed_point(first.crossing), TriangleId{first.index}, QueryStatus::ok,
-           first.crossing.front ? Side::front : Side::back};
+    hit = {shape.end, TriangleId{first.index}, QueryStatus::ok, first.crossing.front ? Side::front : Side::back};
 }
 
 LatticeHit find_hit(const Blob& blob, const LatticeSegment& from_caller, bool any_will_do) {
