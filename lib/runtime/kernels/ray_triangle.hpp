@@ -129,7 +129,6 @@ inline void divide_hit(RayHit& hit, float volume) {
     hit.normal = to_unit(hit.normal);
     hit.status = QueryStatus::ok;
     hit.side = static_cast<Side>(std::bit_cast<std::uint32_t>(volume) >> 31);
-    for (std::uint8_t& byte : hit.reserved) byte = 0;
 }
 inline RayHit to_ray_hit(const TriangleHit& hit, std::uint32_t index) {
     RayHit result;

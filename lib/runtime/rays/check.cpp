@@ -1,4 +1,5 @@
 // Rays that need no walk: those that are refused, and those that hit nothing.
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,13 +20,15 @@ QueryStatus refusal_or_miss(const BlobData& blob, const Ray& ray) {
         __builtin_memcpy(&result, reinterpret_cast<const std::byte*>(&ray) + std::size_t{4} * i, sizeof result);
         return result;
     };
+    // Twice the magnitude's bits: the sign is shifted out.
+    const auto magnitude = [&](unsigned i) { return std::bit_cast<std::uint32_t>(number(i)) << 1; };
+    constexpr std::uint32_t infinite = infinity_bits << 1;
     std::uint32_t any_direction = 0;
-    for (unsigned i = 0; i < 8; ++i) {  // origin, direction, window: its ends alone may be infinite
-        const std::uint32_t magnitude = magnitude_bits(number(i));
-        if (magnitude > infinity_bits - (i < 6 ? 1 : 0)) return QueryStatus::invalid_argument;
-        if (i - 3 < 3) any_direction |= magnitude;
+    for (unsigned i = 0; i < 6; ++i) {  // the origin, then the direction
+        if (magnitude(i) >= infinite) return QueryStatus::invalid_argument;
+        if (i >= 3) any_direction |= magnitude(i);
     }
-    if (any_direction == 0) return QueryStatus::invalid_argument;
+    if (any_direction == 0 || magnitude(6) > infinite || magnitude(7) > infinite) return QueryStatus::invalid_argument;
     for (unsigned k = 0; k < 3; ++k)
         if (magnitude_bits(to_steps(blob, static_cast<int>(k), number(k))) >= magnitude_bits(0x1p120f))
             return QueryStatus::out_of_range;

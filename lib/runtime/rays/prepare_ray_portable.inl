@@ -5,6 +5,7 @@
 
 /// Prepares a Ray or a RayOnLattice. Returns ok, or why there is nothing to walk.
 template <class Caller, class Lanes>
-QueryStatus prepare(const BlobData& blob, const Caller& world, PreparedRayIn<Lanes>& prepared) {
+[[gnu::always_inline]] inline QueryStatus prepare(const BlobData& blob, const Caller& world,
+                                                  PreparedRayIn<Lanes>& prepared) {
     return prepare_ray(blob, world, prepared) ? QueryStatus::ok : status_without_walk(blob, world);
 }

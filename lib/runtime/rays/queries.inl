@@ -59,18 +59,19 @@ template <class Caller, class OnHit>
         blob, [&]<class Leaf>() __attribute__((always_inline)) { return every_hit_in<Leaf>(blob, world, on_hit); });
 }
 
-/// Returns whether there is any hit.
-template <class Leaf, class Caller>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo any_hit_in(const BlobData& blob, const Caller& world) {
+/// Returns whether there is any hit, by AnyHit, or by AnyKeptHit and a filter.
+template <class Leaf, class SomeAnswer, class Caller, class... Filter>
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo any_hit_in(const BlobData& blob, const Caller& world, Filter... filter) {
     PreparedRayOf<typename Leaf::Node> prepared;
     if (const QueryStatus status = begin(blob, world, prepared); status != QueryStatus::ok) return YesNo(status);
-    RayQuery<Leaf, AnyHit> query = {{prepared.ray, prepared.lanes()}, {window_limit(prepared.ray)}};
+    RayQuery<Leaf, SomeAnswer> query = {{prepared.ray, prepared.lanes()}, {window_limit(prepared.ray), filter...}};
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
 }
-template <class Caller>
-[[gnu::always_inline]] inline YesNo find_any_hit(const BlobData& blob, const Caller& world) {
+template <class SomeAnswer, class Caller, class... Filter>
+[[gnu::always_inline]] inline YesNo find_any_hit(const BlobData& blob, const Caller& world, Filter... filter) {
     return with_leaves_of(
-        blob, [&]<class Leaf>() __attribute__((always_inline)) { return any_hit_in<Leaf>(blob, world); });
+        blob, [&]<class Leaf>()
+                  __attribute__((always_inline)) { return any_hit_in<Leaf, SomeAnswer>(blob, world, filter...); });
 }
 
 }  // namespace
@@ -96,10 +97,8 @@ Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits
 
 YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
     if constexpr (decides_by_signs)
-        if (filter == nullptr) return find_any_hit(blob, world);
-    return visit_every_hit(blob, world, [&](const LatticeRay&, const FoundHit& found) {
-        return filter == nullptr || (*filter)(TriangleId{owner_of(blob, found.index)}) ? Visit::stop : Visit::next;
-    });
+        if (filter == nullptr) return find_any_hit<AnyHit>(blob, world);
+    return find_any_hit<AnyKeptHit>(blob, world, filter);
 }
 
 QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
@@ -115,7 +114,7 @@ RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) {
     return find_closest_hit(blob, ray, nullptr);
 }
 
-YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) { return find_any_hit(blob, ray); }
+YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) { return find_any_hit<AnyHit>(blob, ray); }
 
 /// Also one that passes through a small box.
 YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy) {

@@ -54,7 +54,7 @@ struct EveryHitShape : RayShape<Leaf> {
 /// by one query, and a program that never calls that query does not pay for it.
 template <class Caller>
 struct ClosestHit {
-    RayHit* best;  ///< the caller's, undivided
+    RayHit* best;  ///< the caller's, undivided; a miss at first
     const TriangleFilter* filter;
     Limit limit;
     std::uint32_t volume_bits = 0;  ///< of the best, a float and its sign; 0 while there is none
@@ -66,7 +66,7 @@ struct ClosestHit {
         if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
         // By their bits: neither is negative.
         const auto bits = [](float tau) { return std::bit_cast<std::int32_t>(tau); };
-        const std::int32_t later = bits(hit.whole_tau) - bits(found() ? best->t : infinity);
+        const std::int32_t later = bits(hit.whole_tau) - bits(best->t);
         if (later > 0) return Visit::next;
         const std::uint32_t index = owner_index(leaf, slot);
         // mutant(>= -> >) equivalent: the same triangle, again from a leaf with a copy, gives the same hit
@@ -116,6 +116,19 @@ struct AnyHit {
     template <class Leaf>
     Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
         return is_hit(leaf, slot, ray) ? Visit::stop : Visit::next;
+    }
+};
+
+/// Whether there is any hit that the filter keeps.
+struct AnyKeptHit {
+    Limit limit;
+    const TriangleFilter* filter;  ///< may be null
+
+    template <class Leaf>
+    Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
+        TriangleHit hit;
+        if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
+        return filter == nullptr || (*filter)(TriangleId{owner_index(leaf, slot)}) ? Visit::stop : Visit::next;
     }
 };
 

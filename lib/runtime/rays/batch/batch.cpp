@@ -25,7 +25,8 @@ Filled raycast(const Blob& blob, std::span<const Ray> rays, std::span<RayHit> hi
     if (blob.triangle_count() != 0)
         ESPALIER_DISPATCH(closest_hits, data_of(blob), rays.data(), hits.data(), hits.size());
     else
-        for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = miss_with(status_without_walk(data_of(blob), rays[i]));
+        for (std::size_t i = 0; i < hits.size(); ++i)  // in place: the stack has no room for another hit
+            ::new (&hits[i]) RayHit(miss_with(status_without_walk(data_of(blob), rays[i])));
     return {hits.size(), {}, status};
 }
 

@@ -51,16 +51,13 @@ struct alignas(32) RayInBatch {
         query.answer.limit = window_limit(prepared.ray);
         query.answer.volume_bits = 0;
         query.answer.best = best;
+        if (best != nullptr) ::new (best) RayHit(miss_with(QueryStatus::not_found));
         return status;
     }
     void answer(const Ray& world, const BatchAnswers& answers, std::size_t number) const {
-        if (!query.answer.found()) {
-            answers.miss(number, QueryStatus::not_found);
-        } else if (answers.any_will_do()) {
-            answers.occluded[number] = YesNo::of(true);
-        } else {
-            query.answer.finish(prepared.ray, world);
-        }
+        const bool is_found = query.answer.found();
+        if (answers.any_will_do()) answers.occluded[number] = YesNo::of(is_found);
+        else if (is_found) query.answer.finish(prepared.ray, world);
     }
 };
 

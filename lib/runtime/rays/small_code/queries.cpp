@@ -25,12 +25,12 @@ struct PreparedRayIn {
     [[nodiscard]] const Lanes& lanes() const { return ray; }
 };
 template <class Lanes>
-inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
+[[gnu::noinline]] bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
     float reach = 0.0f;
     return round_ray(blob, world, prepared.ray, reach) && prepared.ray.prepare(blob);
 }
 template <class Lanes>
-inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
+[[gnu::noinline]] bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
     static_cast<IntegerRay&>(prepared.ray) = given.ray;
     return prepared.ray.prepare(blob);
 }
