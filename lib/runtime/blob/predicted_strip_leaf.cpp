@@ -126,7 +126,7 @@ void decode_predicted_marks(const BlobData& blob, PackedNode node, unsigned numb
 
 bool decode_predicted_vertices(const StripLeaf& leaf, PredictedVertices& vertices) {
     // mutant(never) work: decodes axis by axis what fits into words
-    if (takes_shortcut(vertex_word::fit_into_words(leaf))) return decode_words(leaf, vertices);
+    if (takes_shortcut() && vertex_word::fit_into_words(leaf)) return decode_words(leaf, vertices);
     const ResidualWidths widths(leaf);
     PredictedEntries entries(leaf);
     unsigned number_at = leaf.predicted.numbers_at, choice_at = leaf.predicted.choices_at;

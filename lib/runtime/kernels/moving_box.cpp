@@ -25,7 +25,7 @@ ESPALIER_SHARED_CODE bool is_less(const Share& a, const Share& b) {
     constexpr float slack = 1.0f + 0x1p-20f;
     if (a.value * slack < b.value) return true;
     if (b.value * slack < a.value) return false;
-    if (takes_shortcut(is_narrow(a) && is_narrow(b))) {
+    if (takes_shortcut() && is_narrow(a) && is_narrow(b)) {
         const auto word = [](const Int128& x) { return static_cast<std::int64_t>(x.low); };
         return multiply(word(a.numerator), word(b.denominator)) < multiply(word(b.numerator), word(a.denominator));
     }

@@ -190,7 +190,7 @@ inline Meeting meet(const IntegerTriangle& p, const IntegerTriangle& q) {
 }  // namespace
 
 bool triangles_meet(const IntegerTriangle& p, const IntegerTriangle& q) noexcept {
-    const Meeting meeting = takes_shortcut(are_near(p, q)) ? meet<Narrow>(p, q) : meet_wide(p, q);
+    const Meeting meeting = takes_shortcut() && are_near(p, q) ? meet<Narrow>(p, q) : meet_wide(p, q);
     if (!meeting.is_special) return meeting.answer;
     if (meeting.p_is_flat && meeting.q_is_flat) return segments_meet(p, q);
     if (meeting.p_is_flat) return segment_meets(p, q);

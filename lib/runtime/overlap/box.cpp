@@ -75,8 +75,8 @@ bool meets(const Rounded<Box>& box, const LatticeTriangle& triangle) noexcept {
         if (low > box.half[k] || high < -box.half[k]) return false;
     }
     const OriginRelative t = relative_to(box.center, Rounded<Box>::fraction_bits, triangle);
-    if (takes_shortcut(ray_triangle::edges_are_below<12>(t)) ? is_beside_plane<std::int64_t>(box, t)
-                                                             : is_beside_wide_plane(box, t))
+    if (takes_shortcut() && ray_triangle::edges_are_below<12>(t) ? is_beside_plane<std::int64_t>(box, t)
+                                                                 : is_beside_wide_plane(box, t))
         return false;
     // Each edge with each axis: seen along the axis, both ends of the edge are at one place, the third corner
     // elsewhere.
