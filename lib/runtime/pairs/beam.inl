@@ -105,9 +105,10 @@ template <class Visitor>
     return QueryStatus::ok;
 }
 
-/// A first look, then the walk.
+/// A first look, then the walk. Out of line: a search for contacts does not need what this takes of the stack.
 template <class Visitor>
-inline QueryStatus search_nearest(const PairFrame& frame, Visitor& visitor, LeastDistance& least, std::uint64_t& work) {
+[[gnu::noinline]] QueryStatus search_nearest(const PairFrame& frame, Visitor& visitor, LeastDistance& least,
+                                             std::uint64_t& work) {
     QueryStatus status = QueryStatus::ok;
     const auto goes_on = [&] { return status == QueryStatus::ok && !least.is_done(); };
     // The narrow one is for those whom nearly any pair satisfies.

@@ -143,12 +143,16 @@ struct NearestSearch {
 }
 
 /// Calls visit(contact, references) with each pair that touches, once, behind the references `before` where there are
-/// some. Returns ok, stopped, work_limit, or invalid_argument if the walk does not come to `before`.
-QueryStatus visit_contacts(PairFrame& frame, const TrianglePair* before, std::uint64_t work,
-                           FunctionRef<Visit(const PairContact&, const TrianglePair&)> visit) {
+/// some. It holds what it needs itself: a lambda with references to all of it takes more of the stack.
+struct ContactVisitor {
+    PairFrame& frame;
+    const TrianglePair* before;
+    FunctionRef<Visit(const PairContact&, const TrianglePair&)> visit;
+    std::uint64_t work;
     bool is_behind = before == nullptr;
-    QueryStatus end = QueryStatus::ok;
-    const auto pass_on = [&](const TrianglePair& references) {
+    QueryStatus end = QueryStatus::ok;  ///< else why it stopped the walk
+
+    Visit operator()(const TrianglePair& references) {
         if (!is_behind) {
             is_behind = references == *before;
             return Visit::next;
@@ -162,11 +166,14 @@ QueryStatus visit_contacts(PairFrame& frame, const TrianglePair* before, std::ui
         if (end == QueryStatus::ok && visit({pair.a, pair.b, QueryStatus::ok}, references) == Visit::stop)
             end = QueryStatus::stopped;
         return end == QueryStatus::ok ? Visit::next : Visit::stop;
-    };
-    const QueryStatus status = search_pair(frame, {.on_touching = pass_on, .from = before}, work);
-    if (end != QueryStatus::ok) return end;
-    return status == QueryStatus::ok && !is_behind ? QueryStatus::invalid_argument : status;
-}
+    }
+    /// Returns ok, stopped, work_limit, or invalid_argument if the walk does not come to `before`.
+    QueryStatus walk() {
+        const QueryStatus status = search_pair(frame, {.on_touching = *this, .from = before}, work);
+        if (end != QueryStatus::ok) return end;
+        return status == QueryStatus::ok && !is_behind ? QueryStatus::invalid_argument : status;
+    }
+};
 
 /// A cursor is the last pair that was written.
 Cursor cursor_behind(const TrianglePair& pair) { return {{pair.a.index, pair.b.index, 1}}; }
@@ -206,8 +213,8 @@ QueryStatus for_each_contact(const PlacedBlob& a, const PlacedBlob& b, Visitor<c
                              WorkLimit limit) noexcept {
     PlacedPair placed(a, b);
     if (placed.status != QueryStatus::ok) return list_status(placed.status);
-    return visit_contacts(placed.frame, nullptr, limit.visits(),
-                          [&](const PairContact& contact, const TrianglePair&) { return visit(contact); });
+    const auto pass_on = [&](const PairContact& contact, const TrianglePair&) { return visit(contact); };
+    return ContactVisitor{placed.frame, nullptr, pass_on, limit.visits()}.walk();
 }
 
 Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<PairContact> contacts, WorkLimit limit,
@@ -229,7 +236,7 @@ Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<Pair
         filled.next = cursor_behind(references);
         return Visit::next;
     };
-    filled.status = visit_contacts(placed.frame, begins ? nullptr : &before, limit.visits(), write);
+    filled.status = ContactVisitor{placed.frame, begins ? nullptr : &before, write, limit.visits()}.walk();
     if (filled.status == QueryStatus::stopped) filled.status = QueryStatus::output_full;
     return filled;
 }
