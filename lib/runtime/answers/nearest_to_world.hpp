@@ -19,14 +19,13 @@ ESPALIER_SHARED_CODE inline float to_world_distance(const BlobData& blob, float 
     return magnitude_bits(distance) > magnitude_bits(max_distance) ? max_distance : distance;
 }
 
-/// Returns a closest point in lattice steps, in the structure of the result: the distance is squared, and the three
+/// Writes a closest point in lattice steps, in the structure of the result: the distance is squared, and the three
 /// points hold the corners of the triangle, whose 24 bits a float holds exactly.
-ESPALIER_SHARED_CODE inline ClosestPoint unfinished(const FoundNearest& found) {
+ESPALIER_SHARED_CODE inline void set_unfinished(ClosestPoint& result, const FoundNearest& found) {
     const auto corner = [&](int i) {
         const std::int32_t* c = found.triangle.corner[i];
         return Vec3{static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
     };
-    ClosestPoint result;
     result.point = corner(0);
     result.on_shape = corner(1);
     result.face_normal = corner(2);
@@ -35,7 +34,6 @@ ESPALIER_SHARED_CODE inline ClosestPoint unfinished(const FoundNearest& found) {
     result.v = found.distance.v;
     result.triangle = TriangleId{found.index};
     result.feature = found.distance.feature;
-    return result;
 }
 
 /// Computes the result in world units for the closest point to `world`, which was rounded to `point`.

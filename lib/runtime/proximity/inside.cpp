@@ -16,6 +16,13 @@ QueryStatus refusal(const Blob& blob, const Vec3& point) {
     return is_finite(point) ? QueryStatus::ok : QueryStatus::invalid_argument;
 }
 
+/// The closest point for a point that has none, and why.
+ClosestPoint nothing_near(QueryStatus status) {
+    ClosestPoint nothing;
+    nothing.status = status;
+    return nothing;
+}
+
 Winding winding_around(const BlobData& blob, const RoundedPoint& point) {
     WindingRay ray;
     return shortest_way_out(blob, point, ray) ? winding_number(blob, ray) : Winding{};
@@ -31,10 +38,9 @@ YesNo contains(const Blob& blob, Vec3 point) noexcept {
 }
 
 ClosestPoint signed_distance(const Blob& blob, Vec3 point, float max_distance) noexcept {
-    ClosestPoint nearest;
-    nearest.status = refusal(blob, point);
-    if (nearest.status != QueryStatus::ok) return nearest;
-    nearest = closest_point(blob, point, max_distance);
+    const QueryStatus status = refusal(blob, point);
+    // Built where the caller keeps it: a second one would be on the stack during the walk.
+    ClosestPoint nearest = status == QueryStatus::ok ? closest_point(blob, point, max_distance) : nothing_near(status);
     if (is_refused(nearest.status)) return nearest;
     RoundedPoint rounded;
     // A point out of range was refused above.

@@ -14,7 +14,9 @@ Visit NearestFew::take_found(Answer& self, const Found& found) {
     ClosestFew& few = static_cast<NearestFew&>(self).few;
     const auto& nearest = static_cast<const FoundNearest&>(found);
     if (few.has(blob, nearest.index)) return Visit::next;
-    few.offer(unfinished(nearest));
+    ClosestPoint candidate;
+    set_unfinished(candidate, nearest);
+    few.offer(candidate);
     if (few.is_full()) {
         self.worst = few.largest_key();
         self.lower_limit(few.largest_key());
@@ -103,7 +105,7 @@ ClosestPoint closest_point(const Blob& blob, Vec3 point, float max_distance) noe
     ESPALIER_DISPATCH(find_nearest, data_of(blob), rounded, closest, exactly);
     nearest.status = QueryStatus::not_found;
     if (!closest.found()) return nearest;
-    nearest = unfinished(found);
+    set_unfinished(nearest, found);
     finish(data_of(blob), rounded, point, max_distance, nearest);
     return nearest;
 }

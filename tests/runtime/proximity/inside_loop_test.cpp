@@ -91,7 +91,7 @@ bool check_signed_distance(const TestBlob& blob, const TriangleLoop& loop, Vec3 
         expected.distance = max_distance;
     } else {
         // The runtime's own translation: what is found, not the translation, is compared here.
-        expected = detail::unfinished(found[0]);
+        detail::set_unfinished(expected, found[0]);
         detail::finish(detail::data_of(opened), rounded, point, max_distance, expected);
     }
     if (winding.is_inside() && !winding.on_surface) expected.distance = -expected.distance;

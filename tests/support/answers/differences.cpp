@@ -209,8 +209,10 @@ std::optional<std::string> sphere_difference(const Blob& blob, const TriangleLoo
     const auto finish = [&](ClosestPoint& each) {
         detail::finish(detail::data_of(blob), rounded, sphere.center, sphere.radius, each);
     };
-    for (std::size_t i = 0; i < std::min(places, by_distance.size()); ++i)
-        finish(row.emplace_back(detail::unfinished(by_distance[i])));
+    for (std::size_t i = 0; i < std::min(places, by_distance.size()); ++i) {
+        detail::set_unfinished(row.emplace_back(), by_distance[i]);
+        finish(row.back());
+    }
     const auto is_row = [&](auto&& fill) {
         std::vector<ClosestPoint> filled(places);
         filled.resize(fill(std::span<ClosestPoint>(filled)));
