@@ -144,6 +144,7 @@ private:
         answers_.add(pair.triangle.index);
     }
     void add(const SweepHit& hit) {
+        answers_.add(bool(hit));
         answers_.add(hit.t);
         answers_.add(hit.point);
         answers_.add(hit.triangle.index);
@@ -172,8 +173,7 @@ private:
         answers_.add(measured(any_ray, [&] { return occluded(blob_, ray); }).yes());
         measure_(sphere_overlap, [&] { answer = overlaps(blob_, sphere).yes(); });
         answers_.add(answer);
-        ClosestPoint nearest;
-        measure_(nearest_point, [&] { nearest = closest_point(blob_, point); });
+        const ClosestPoint nearest = measured(nearest_point, [&] { return closest_point(blob_, point); });
         answers_.add(bool(nearest));
         add(nearest);
         measure_(box_overlap, [&] { answer = overlaps(blob_, box).yes(); });
@@ -248,21 +248,17 @@ private:
         const Box box = this->box();
         const Vec3 end = point_in_box();
         ClosestPoint few[4];
-        Filled found;
-        measure_(few_points, [&] { found = closest_triangles(blob_, point, few); });
+        const Filled found = measured(few_points, [&] { return closest_triangles(blob_, point, few); });
         for (const ClosestPoint& each : found.in(few)) add(each);
         YesNo answer;
         measure_(inside, [&] { answer = contains(blob_, point); });
         add(answer.status());
         answers_.add(answer.yes());
-        ClosestPoint nearest;
-        measure_(signed_point, [&] { nearest = signed_distance(blob_, point); });
+        const ClosestPoint nearest = measured(signed_point, [&] { return signed_distance(blob_, point); });
         add(nearest.status);
         add(nearest);
-        measure_(nearest_to_segment, [&] { nearest = closest_point(blob_, Segment{point, end}); });
-        add_pair(nearest);
-        measure_(nearest_to_box, [&] { nearest = closest_point(blob_, box); });
-        add_pair(nearest);
+        add_pair(measured(nearest_to_segment, [&] { return closest_point(blob_, Segment{point, end}); }));
+        add_pair(measured(nearest_to_box, [&] { return closest_point(blob_, box); }));
     }
 
     void ask_sweeps() {
@@ -270,16 +266,9 @@ private:
         const Box box = this->box();
         const Vec3 way = step();
         const Capsule capsule = {box.min, box.max, sphere.radius};
-        SweepHit hit;
-        measure_(moving_sphere, [&] { hit = sweep(blob_, sphere, way); });
-        answers_.add(bool(hit));
-        add(hit);
-        measure_(moving_capsule, [&] { hit = sweep(blob_, capsule, way); });
-        answers_.add(bool(hit));
-        add(hit);
-        measure_(moving_box, [&] { hit = sweep(blob_, box, way); });
-        answers_.add(bool(hit));
-        add(hit);
+        add(measured(moving_sphere, [&] { return sweep(blob_, sphere, way); }));
+        add(measured(moving_capsule, [&] { return sweep(blob_, capsule, way); }));
+        add(measured(moving_box, [&] { return sweep(blob_, box, way); }));
     }
 
     void ask_coarsely() {
@@ -293,9 +282,9 @@ private:
         measure_(coarse_box, [&] { answer = overlaps(blob_, box, Accuracy{accuracy}).yes(); });
         answers_.add(answer);
         answers_.add(measured(coarse_ray, [&] { return occluded(blob_, ray, Accuracy{accuracy}); }).yes());
-        Result<DistanceBounds> bounds;
-        measure_(coarse_distance,
-                 [&] { bounds = distance_bounds(blob_, sphere.center, __builtin_inff(), Accuracy{accuracy}); });
+        const Result<DistanceBounds> bounds = measured(coarse_distance, [&] {
+            return distance_bounds(blob_, sphere.center, __builtin_inff(), Accuracy{accuracy});
+        });
         answers_.add(bounds->lower);
         answers_.add(bounds->upper);
     }
@@ -336,8 +325,9 @@ private:
         add(status);
         answers_.add(number);
         placement.translation = aside(1.5f);
-        BlobDistance nearest;
-        measure_(two_distance, [&] { nearest = distance(blob_, {blob_, placement}, WorkLimit::unlimited()); });
+        const BlobDistance nearest = measured(two_distance, [&] {
+            return distance(blob_, {blob_, placement}, WorkLimit::unlimited());
+        });
         add(nearest.status);
         answers_.add(nearest.distance);
         measure_(two_within, [&] {
