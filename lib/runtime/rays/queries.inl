@@ -27,8 +27,11 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob,
                                                            const TriangleFilter* filter, const Counted&... counted) {
     PreparedRayOf<typename Leaf::Node> prepared;
     const QueryStatus status = begin(blob, world, prepared);
-    RayHit hit = miss_with(status == QueryStatus::ok ? QueryStatus::not_found : status);
-    if (status != QueryStatus::ok) return hit;
+    RayHit hit = miss_with(QueryStatus::not_found);  // known before the walk: small cores keep no status for it
+    if (status != QueryStatus::ok) {
+        hit.status = status;
+        return hit;
+    }
     Query<RayShape<Leaf>, ClosestHit<Caller>, sizeof...(Counted) == 0> query = {
         {prepared.ray, prepared.lanes()}, {&hit, filter, window_limit(prepared.ray)}, approximation(blob, counted...)};
     traverse_nearest_first<PlaceOf<Leaf>>(blob, query);

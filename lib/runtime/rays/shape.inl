@@ -68,9 +68,11 @@ struct ClosestHit {
         const auto bits = [](float tau) { return std::bit_cast<std::int32_t>(tau); };
         const std::int32_t later = bits(hit.whole_tau) - bits(best->t);
         if (later > 0) return Visit::next;
+        // Of equally near triangles those before the best one count, of nearer ones all.
+        const std::uint32_t end = later == 0 ? best->triangle.index : no_triangle.index;
         const std::uint32_t index = owner_index(leaf, slot);
         // mutant(>= -> >) equivalent: the same triangle, again from a leaf with a copy, gives the same hit
-        if (later == 0 && index >= best->triangle.index) return Visit::next;
+        if (index >= end) return Visit::next;
         if (filter != nullptr && !(*filter)(TriangleId{index})) return Visit::next;
         // Small cores load it again: what GCC keeps of it in registers takes 8 bytes of their stack.
         const TriangleHit& kept = load_again(hit);
