@@ -20,9 +20,9 @@ PARTS = {
     "decode": [
         "runtime/base/bytes.hpp", "runtime/blob/node.hpp", "runtime/blob/plain_leaf.hpp",
         "runtime/blob/strip_leaf.hpp", "runtime/blob/predicted_strip_leaf.hpp", "runtime/blob/predicted_strip_leaf.cpp",
-        "runtime/blob/vertex_word.hpp", "runtime/blob/leaf_vertices.hpp", "runtime/blob/duplicate_references.hpp",
+        "runtime/blob/vertex_word.hpp", "runtime/blob/duplicate_references.hpp",
         "runtime/blob/id_steps.hpp", "espalier/format.hpp", "runtime/lanes/scalar.hpp", "runtime/lanes/axes.inl",
-        "runtime/lanes/leaf_corners.inl", "runtime/lanes/strip_corners_portable.inl", "runtime/rays/float_vertices.inl"],
+        "runtime/lanes/leaves.inl", "runtime/lanes/strip_corners_portable.inl", "runtime/rays/leaf_filter.inl"],
     "quantiser": [
         "baker/quantise/lattice.hpp", "baker/quantise/lattice.cpp", "baker/error/fit_lattice.cpp",
         "baker/quantise/snap.cpp", "baker/base/float_rounding.hpp",
@@ -45,7 +45,7 @@ PARTS = {
         "runtime/rays/small_code/seen_boxes.hpp", "runtime/rays/small_code/seen_planes.hpp",
         "runtime/rays/small_code/seen_triangles.hpp", "runtime/traversal/small_boxes.hpp"],
     "queries": [
-        "runtime/rays/shape.inl", "runtime/rays/queries.inl", "runtime/answers/best_k.hpp",
+        "runtime/rays/closest.inl", "runtime/rays/in_order.inl", "runtime/answers/best_k.hpp",
         "runtime/rays/batch/group.inl", "runtime/rays/batch/ray_in_batch.inl", "runtime/rays/batch/batch.inl",
         "runtime/answers/found.hpp", "runtime/answers/answer.hpp", "runtime/traversal/query.inl",
         "runtime/traversal/find.inl", "runtime/proximity/point_queries.inl", "runtime/pairs/search.inl",

@@ -112,7 +112,7 @@ def leave_out_wide_lanes(fresh):
     """One lane and four have between them all that is mutated; what is wider is held to their bits elsewhere."""
     for path in fresh.glob("lib/runtime/instruction_sets/avx*.cpp"):
         path.write_text("")
-    dispatch = fresh / "lib/runtime/lanes/dispatch.hpp"
+    dispatch = fresh / "lib/runtime/lanes/select.hpp"
     text = dispatch.read_text().replace("defined(__x86_64__)", "0")
     dispatch.write_text(text.replace("avx2::query", "sse42::query"))
     paths = fresh / "tests/support/machine/instruction_paths.cpp"

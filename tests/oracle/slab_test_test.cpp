@@ -51,8 +51,8 @@ ESPALIER_END_TARGET
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace avx2 {
 namespace {
-#include <runtime/rays/prepare_ray.inl>
 #include <runtime/rays/slab_test_avx2.inl>
+#include <runtime/rays/prepare_ray.inl>
 #include <runtime/rays/plain_slab_test.inl>
 #include "slab_children.inl"
 }  // namespace
@@ -360,8 +360,10 @@ TEST_SUITE("slab test") {
         detail::RayLanes lanes;
         detail::spread_ray(blob, ray, slope, lanes);
         CHECK(!std::signbit(lanes.tau_min));
-        detail::PlacedRayLanes placed_lanes;
+#if ESPALIER_X86
+        detail::avx2::PlacedRayLanes placed_lanes;
         detail::spread_ray(blob, ray, slope, placed_lanes);
         CHECK(!std::signbit(placed_lanes.tau_min));
+#endif
     }
 }

@@ -7,7 +7,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/base/bytes.hpp>
-#include <runtime/blob/leaf_vertices.hpp>
+#include <runtime/blob/node.hpp>
 
 namespace espalier::detail {
 

@@ -74,9 +74,6 @@ void store_predicted_vertices(const StripLeaf& leaf, std::uint32_t* x, std::uint
 void decode_predicted_strip(const BlobData& blob, PackedNode node, unsigned number, StripLeaf& leaf,
                             PredictedVertices& vertices);
 
-/// The storage index of the first triangle of such a leaf.
-std::uint32_t first_of_predicted(const StripLeaf& leaf);
-
 /// A strip with room for its vertices, where those are predicted.
 struct StripWithVertices : StripLeaf {
     PredictedVertices vertices;
@@ -101,12 +98,5 @@ template <class Leaf>
 using KeptLeaf = Leaf;
 
 #endif
-
-inline std::uint32_t StripLeaf::first() const {
-#if ESPALIER_PREDICTED_STRIPS
-    if (is_predicted()) return first_of_predicted(*this);
-#endif
-    return stored_first;
-}
 
 }  // namespace espalier::detail

@@ -10,10 +10,14 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/base/bytes.hpp>
-#include <runtime/blob/leaf_vertices.hpp>
+#include <runtime/blob/node.hpp>
 #include <runtime/blob/read_profiles.hpp>
 
 namespace espalier::detail {
+
+struct StripLeaf;
+/// The storage index of the first triangle of a predicted strip (predicted_strip_leaf.hpp).
+std::uint32_t first_of_predicted(const StripLeaf& leaf);
 
 /// One leaf: where its streams are and how wide their fields. Its slots are its windows.
 struct StripLeaf : LeafVertices<PackedNode> {
@@ -55,7 +59,11 @@ struct StripLeaf : LeafVertices<PackedNode> {
 
     [[nodiscard]] bool is_predicted() const { return has_predicted_leaves(blob->profile); }
     /// The storage index of its first triangle.
-    [[nodiscard]] std::uint32_t first() const;
+    [[nodiscard]] std::uint32_t first() const {
+        if constexpr (reads_predicted_strips)
+            if (is_predicted()) return first_of_predicted(*this);
+        return stored_first;
+    }
 
     [[nodiscard]] std::int32_t anchor(int axis) const { return anchors[axis]; }
     [[nodiscard]] std::int32_t offset(int axis, unsigned vertex) const {

@@ -10,7 +10,6 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 
 #include <runtime/traversal/traverse.inl>
 #include <runtime/traversal/find.inl>
-#include <runtime/rays/pair_vertices.inl>
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>

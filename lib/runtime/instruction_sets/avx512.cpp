@@ -17,17 +17,9 @@ namespace espalier::detail::avx512 {
 using avx2::distance_test;
 using avx2::overlap_test;
 using avx2::prepare;
-/// Not a using-declaration: where all sets are one file, avx2 has a test of plain nodes too.
-[[gnu::always_inline]] inline unsigned slab_test(const PackedNode& node, const PlacedRayLanes& ray, float limit,
-                                                 float* near) {
-    return avx2::slab_test(node, ray, limit, near);
-}
+using avx2::RayLanesOf;  // the slab test of packed nodes is found by its argument
 #include <runtime/traversal/traverse.inl>
 #include <runtime/traversal/find.inl>
-#include <runtime/rays/float_vertices.inl>
-/// Registers hold all of a leaf.
-template <unsigned groups>
-using SeenVertices = FloatVertices<groups>;
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/rays/batch/batch.inl>

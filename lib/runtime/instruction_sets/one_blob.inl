@@ -5,7 +5,6 @@
 static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/rays/prepare_ray_portable.inl>
 #include <runtime/rays/slab_test.inl>
-#include <runtime/rays/pair_vertices.inl>
 #include <runtime/traversal/traverse.inl>
 #include <runtime/traversal/find.inl>
 #include <runtime/proximity/squared_distance.inl>
@@ -14,6 +13,6 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 
 #include <runtime/rays/plain_slab_test.inl>
 #include <runtime/rays/leaf_filter.inl>
-#include <runtime/rays/shape.inl>
-#include <runtime/rays/queries.inl>
+#include <runtime/rays/closest.inl>
+#include <runtime/rays/in_order.inl>
 #include <runtime/proximity/point_queries.inl>

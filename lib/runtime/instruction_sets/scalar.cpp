@@ -10,7 +10,6 @@ using scalar_walk::find_nearest_first;
 #include <runtime/rays/slab_test.inl>
 #include <runtime/traversal/traverse.inl>
 #include <runtime/traversal/query.inl>
-#include <runtime/rays/pair_vertices.inl>
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>

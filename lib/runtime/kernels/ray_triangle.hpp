@@ -144,4 +144,20 @@ inline RayHit to_ray_hit(const IntegerRay& ray, const Ray& world, const Triangle
     return result;
 }
 
+/// Returns a hit that is none, with zeros for its numbers.
+constexpr RayHit miss_of(float zero, QueryStatus status) {
+    return {__builtin_inff(), zero, zero, {zero, zero, zero}, no_triangle, status, Side::front, {}};
+}
+inline constexpr RayHit no_hit = miss_of(0.0f, QueryStatus::not_found);
+
+/// Returns a hit that is none, with the reason.
+inline RayHit miss_with(QueryStatus status) {
+    // Small cores store word by word: a call to clear the rest, or a copy from a constant, takes more of them.
+    if (!takes_shortcut()) return miss_of(std::bit_cast<float>(as_if_changed(0u)), status);
+    // Others copy whole registers, which the caller's copy need not wait for.
+    RayHit miss = no_hit;
+    if (status != QueryStatus::not_found) miss.status = status;
+    return miss;
+}
+
 }  // namespace espalier::detail

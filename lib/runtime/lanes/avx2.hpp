@@ -8,13 +8,66 @@
 
 #define ESPALIER_AVX2 "avx2,fma,bmi,bmi2,lzcnt,popcnt"
 
-ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
 namespace espalier::detail::avx2 {
+
+// A ray for the slab test of packed nodes. Outside of the marked region, as the code that is not is inlined into
+// others.
+
+/// Lattice coordinates as floats, without a conversion: coordinate * 2^-(bits + 1) + 1. Its mantissa is the coordinate
+/// in 22 bits, so the float's bits are a sum of shifted integers. From 23 bits on the lowest bits are cut off.
+namespace placed {
+
+inline constexpr unsigned mantissa_bits = 22;
+inline constexpr std::uint32_t one = 0x3F800000u;  ///< the bits of coordinate 0
+/// A plane, in the top byte of a word, is shifted right by at least this: then no plane overflows, and planes that
+/// are as far apart as the lattice is large still leave it.
+inline constexpr std::uint32_t least_shift = 24 - mantissa_bits;
+/// How far slab tests move planes outward for the roundings of placed coordinates, in units of the mantissa.
+inline constexpr float slack_units = 3.0f;
+
+/// How far a node's base is shifted left.
+constexpr std::uint32_t base_shift(unsigned bits) { return mantissa_bits - (bits < 16 ? bits : 16u); }
+/// How far a plane in a word's top byte is shifted right, less the shift of its axis.
+constexpr std::uint32_t plane_shift(unsigned bits) { return bits + least_shift; }
+/// A unit of the mantissa, in lattice steps.
+constexpr float unit(unsigned bits) { return power_of_two(static_cast<int>(bits) - static_cast<int>(mantissa_bits)); }
+/// By how much a placed coordinate grows in a lattice step, and the inverse.
+constexpr float step(unsigned bits) { return power_of_two(-1 - static_cast<int>(bits)); }
+constexpr float steps_to_one(unsigned bits) { return power_of_two(1 + static_cast<int>(bits)); }
+
+}  // namespace placed
+
+/// As RayLanes, for placed coordinates: tau of a plane is placed coordinate * inverse + offset.
+struct PlacedRayLanes {
+    alignas(16) float inverse[4];
+    alignas(16) float near_offset[4];
+    alignas(16) float far_offset[4];
+    float tau_min;  ///< not -0
+    std::uint32_t base_shift, plane_shift;
+    PlaneOrder planes;
+
+    static constexpr const std::array<PlaneOrder, 8>& plane_orders() { return packed_plane_orders; }
+    static float box_slack(const BlobData& blob) { return placed::slack_units * placed::unit(blob.bits); }
+    void set_inverse(const BlobData& blob, unsigned k, float of_step) {
+        inverse[k] = of_step * placed::steps_to_one(blob.bits);
+        base_shift = placed::base_shift(blob.bits);
+        plane_shift = placed::plane_shift(blob.bits);
+    }
+    [[nodiscard]] float low(unsigned k) const { return inverse[k]; }
+    [[nodiscard]] float high(const BlobData& blob, unsigned k) const {
+        return blob.extent_steps[k] * placed::step(blob.bits) * inverse[k] + inverse[k];
+    }
+};
 
 /// What the slab tests of a kind of node need.
 template <class Node>
 using RayLanesOf =
     std::conditional_t<std::is_same_v<Node, PackedNode>, PlacedRayLanes, typename RayLanesFor<Node>::Type>;
+
+}  // namespace espalier::detail::avx2
+
+ESPALIER_BEGIN_TARGET(ESPALIER_AVX2)
+namespace espalier::detail::avx2 {
 
 inline constexpr unsigned lanes = 8;
 using Floats = Vector<float, lanes>;
@@ -36,7 +89,14 @@ inline Ints load_words(const std::byte* at) {
 inline Floats to_floats(Ints a) { return _mm256_cvtepi32_ps(__m256i(a)); }
 
 #include <runtime/lanes/vectors.inl>
-#include <runtime/lanes/wide_lanes.inl>
+
+/// A vertex for each lane, and the three vertices of a triangle in each.
+using Numbers = Ints;
+struct CornerNumbers {
+    Numbers a, b, c;
+};
+inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
+inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
 
 inline unsigned bits_of(AxisInts comparison) {
     return static_cast<unsigned>(_mm_movemask_ps(__builtin_bit_cast(Axes, comparison)));
@@ -76,7 +136,10 @@ inline WideInts multiply_even(WideInts a, std::int32_t b) {
 
 /// Values by vertex, in registers.
 template <unsigned groups>
-struct Table : Registers<groups> {
+struct Table {
+    Floats group[groups];
+    static unsigned groups_of(unsigned) { return groups; }
+    void set(unsigned number, Floats a) { group[number] = a; }
     /// By the low bits of each index; bits above those that number the vertices are ignored.
     [[nodiscard]] Floats look_up(Ints index) const { return pick<0, groups>(index); }
     /// Where only the first groups are set.
@@ -89,7 +152,7 @@ private:
     template <unsigned first, unsigned count>
     [[nodiscard]] Floats pick(Ints index) const {
         if constexpr (count == 1) {
-            return _mm256_permutevar8x32_ps(this->group[first], __m256i(index));
+            return _mm256_permutevar8x32_ps(group[first], __m256i(index));
         } else {
             constexpr unsigned half = std::bit_ceil(count) / 2;
             constexpr int bit_above = 31 - std::countr_zero(8 * half);  // moves the deciding bit to the sign
@@ -228,6 +291,10 @@ inline PredictedFrom predicted_from(const StripLeaf& leaf) {
 
 #endif
 
+// GCC makes more than one instruction of a comparison with a constant.
+inline Axes smaller(Axes a, Axes b) { return Axes(_mm_min_ps(a, b)); }
+inline Axes larger(Axes a, Axes b) { return Axes(_mm_max_ps(a, b)); }
+inline AxisInts round_to_integers(Axes a) { return AxisInts(_mm_cvtps_epi32(a)); }
 inline Axes multiply_add(Axes a, Axes b, Axes c) { return _mm_fmadd_ps(a, b, c); }
 inline Axes words_to_axes(const std::byte* at) {
     return _mm_cvtepi32_ps(_mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at))));
@@ -244,7 +311,7 @@ inline AxisInts shift_left_each(const std::byte* word) {
 
 #include <runtime/lanes/x86.inl>
 #include <runtime/lanes/axes.inl>
-#include <runtime/lanes/leaf_corners.inl>
+#include <runtime/lanes/leaves.inl>
 
 }  // namespace espalier::detail::avx2
 ESPALIER_END_TARGET

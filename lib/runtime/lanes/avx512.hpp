@@ -17,10 +17,6 @@
 ESPALIER_BEGIN_TARGET(ESPALIER_AVX512)
 namespace espalier::detail::avx512 {
 
-using avx2::Corner;
-using avx2::load_low_corner;
-using avx2::RayLanesOf;
-
 inline constexpr unsigned lanes = 16;
 using Floats = Vector<float, lanes>;
 using Ints = Vector<std::uint32_t, lanes>;
@@ -38,7 +34,14 @@ inline Floats to_floats(Ints a) { return _mm512_cvtepi32_ps(__m512i(a)); }
 unsigned bits_of(SignedInts) = delete;  // comparisons give masks
 
 #include <runtime/lanes/vectors.inl>
-#include <runtime/lanes/wide_lanes.inl>
+
+/// A vertex for each lane, and the three vertices of a triangle in each.
+using Numbers = Ints;
+struct CornerNumbers {
+    Numbers a, b, c;
+};
+inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
+inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
 
 inline Floats smaller(Floats a, Floats b) { return _mm512_min_ps(a, b); }
 inline Floats larger(Floats a, Floats b) { return _mm512_max_ps(a, b); }
@@ -75,19 +78,24 @@ inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {
 
 /// Values by vertex, in registers.
 template <unsigned groups>
-struct Table : Registers<groups> {
+struct Table {
+    Floats group[groups];
+    static unsigned groups_of(unsigned) { return groups; }
+    void set(unsigned number, Floats a) { group[number] = a; }
     /// By the low bits of each index; bits above those that number the vertices are ignored.
     [[nodiscard]] Floats look_up(Ints index) const {
-        const auto& table = this->group;
         const auto numbers = __m512i(index);
-        if constexpr (groups == 1) return _mm512_permutexvar_ps(numbers, table[0]);
-        else if constexpr (groups == 2) return _mm512_permutex2var_ps(table[0], numbers, table[1]);
+        if constexpr (groups == 1) return _mm512_permutexvar_ps(numbers, group[0]);
+        else if constexpr (groups == 2) return _mm512_permutex2var_ps(group[0], numbers, group[1]);
         else
             return _mm512_mask_blend_ps(_mm512_test_epi32_mask(numbers, _mm512_set1_epi32(32)),
-                                        _mm512_permutex2var_ps(table[0], numbers, table[1]),
-                                        _mm512_permutex2var_ps(table[2], numbers, table[groups - 1]));
+                                        _mm512_permutex2var_ps(group[0], numbers, group[1]),
+                                        _mm512_permutex2var_ps(group[2], numbers, group[groups - 1]));
     }
 };
+
+template <unsigned groups>
+using PairTable = PairTableIn<Table<groups>>;
 
 /// The windows of a strip, sixteen at a time; all entries are decoded at once, as the bytes of one register.
 class StripCorners {
@@ -192,7 +200,7 @@ inline PredictedFrom predicted_from(const StripLeaf& leaf) {
 }
 #endif
 
-#include <runtime/lanes/leaf_corners.inl>
+#include <runtime/lanes/leaves.inl>
 
 }  // namespace espalier::detail::avx512
 ESPALIER_END_TARGET

@@ -12,19 +12,6 @@ inline Axes load_scales(const PackedNode& node) { return __builtin_bit_cast(Axes
 /// In the units that bases count in.
 inline Axes load_bases(const PackedNode& node) { return words_to_axes(node.bytes + format::packed_node::base_at); }
 
-/// The low corner of a child's box, seen from a ray's origin.
-struct Corner {
-    Axes at;
-};
-[[gnu::always_inline]] inline Corner load_low_corner(const PackedNode& node, unsigned child, const BlobData& blob,
-                                                     const LatticeRay& ray) {
-    const std::uint32_t bytes = load_u8(node.low_planes(0) + child) | load_u8(node.low_planes(1) + child) << 8 |
-                                load_u8(node.low_planes(2) + child) << 16;
-    const Axes origin = __builtin_convertvector(load_as<AxisInts>(ray.origin), Axes) * power_of_two(-ray.fraction_bits);
-    // The corner of a leaf's box is a lattice point of the asset, and `open` proved it: each difference here is exact.
-    return {multiply_add(bytes_to_axes(bytes), load_scales(node), load_bases(node) * blob.base_unit - origin)};
-}
-
 /// The three axes to all lanes each.
 inline void spread(Axes a, Floats* to) {
     to[0] = splat(a[0]);

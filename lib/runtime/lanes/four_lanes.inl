@@ -48,13 +48,5 @@ struct Table {
 };
 template <unsigned groups>
 using PairTable = PairTableIn<Table<groups>>;
-/// As many entries as the numbers of the vertices can name, or as there are vertices at most.
-template <unsigned max_vertices, class Function>
-constexpr auto with_table_groups(unsigned vertex_count, Function function) {
-    if (vertex_count <= 8) return function(std::integral_constant<unsigned, 2>{});
-    if (vertex_count <= 16) return function(std::integral_constant<unsigned, 4>{});
-    if (max_vertices <= 32 || vertex_count <= 32) return function(std::integral_constant<unsigned, 8>{});
-    return function(std::integral_constant<unsigned, 14>{});
-}
 
 #include <runtime/lanes/strip_corners_portable.inl>

@@ -75,7 +75,7 @@ inline AxisInts shift_left_each(const std::byte* word) {
 }
 
 #include <runtime/lanes/axes.inl>
-#include <runtime/lanes/leaf_corners.inl>
+#include <runtime/lanes/leaves.inl>
 
 }  // namespace espalier::detail::neon
 #endif

@@ -111,15 +111,6 @@ inline void set_zero(LatticeRay& ray) {
     for (unsigned k = 0; k < 3; ++k) ray.zero[k] = -origin_steps(ray, k);
 }
 
-/// All that the queries need of a ray; `Lanes` are what the slab test needs.
-template <class Lanes>
-struct PreparedRayIn {
-    LatticeRay ray;
-    Lanes in_lanes;
-
-    [[nodiscard]] const Lanes& lanes() const { return in_lanes; }
-};
-
 /// False when the ray can hit nothing.
 template <class Lanes>
 inline bool prepare_ray(const BlobData& blob, const Ray& world, PreparedRayIn<Lanes>& prepared) {
@@ -143,55 +134,5 @@ inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, Prepare
     spread_ray(blob, prepared.ray, slope, prepared.in_lanes);
     return meets_asset(blob, prepared.ray, prepared.in_lanes);
 }
-
-// Planes of a node as floats that no conversion makes, for the slab tests of instruction sets that gain by it.
-
-/// Lattice coordinates as floats, without a conversion: coordinate * 2^-(bits + 1) + 1. Its mantissa is the coordinate
-/// in 22 bits, so the float's bits are a sum of shifted integers. From 23 bits on the lowest bits are cut off.
-namespace placed {
-
-inline constexpr unsigned mantissa_bits = 22;
-inline constexpr std::uint32_t one = 0x3F800000u;  ///< the bits of coordinate 0
-/// A plane, in the top byte of a word, is shifted right by at least this: then no plane overflows, and planes that
-/// are as far apart as the lattice is large still leave it.
-inline constexpr std::uint32_t least_shift = 24 - mantissa_bits;
-/// How far slab tests move planes outward for the roundings of placed coordinates, in units of the mantissa.
-inline constexpr float slack_units = 3.0f;
-
-/// How far a node's base is shifted left.
-// mutant(< -> <=) equivalent: both sides are equal then
-constexpr std::uint32_t base_shift(unsigned bits) { return mantissa_bits - (bits < 16 ? bits : 16u); }
-/// How far a plane in a word's top byte is shifted right, less the shift of its axis.
-constexpr std::uint32_t plane_shift(unsigned bits) { return bits + least_shift; }
-/// A unit of the mantissa, in lattice steps.
-constexpr float unit(unsigned bits) { return power_of_two(static_cast<int>(bits) - static_cast<int>(mantissa_bits)); }
-/// By how much a placed coordinate grows in a lattice step, and the inverse.
-// mutant(- -> +, - -> right side dropped) work: widens the asset's box alone; nodes refuse the ray later
-constexpr float step(unsigned bits) { return power_of_two(-1 - static_cast<int>(bits)); }
-constexpr float steps_to_one(unsigned bits) { return power_of_two(1 + static_cast<int>(bits)); }
-
-}  // namespace placed
-
-/// As RayLanes, for placed coordinates: tau of a plane is placed coordinate * inverse + offset.
-struct PlacedRayLanes {
-    alignas(16) float inverse[4];
-    alignas(16) float near_offset[4];
-    alignas(16) float far_offset[4];
-    float tau_min;  ///< not -0
-    std::uint32_t base_shift, plane_shift;
-    PlaneOrder planes;
-
-    static constexpr const std::array<PlaneOrder, 8>& plane_orders() { return packed_plane_orders; }
-    static float box_slack(const BlobData& blob) { return placed::slack_units * placed::unit(blob.bits); }
-    void set_inverse(const BlobData& blob, unsigned k, float of_step) {
-        inverse[k] = of_step * placed::steps_to_one(blob.bits);
-        base_shift = placed::base_shift(blob.bits);
-        plane_shift = placed::plane_shift(blob.bits);
-    }
-    [[nodiscard]] float low(unsigned k) const { return inverse[k]; }
-    [[nodiscard]] float high(const BlobData& blob, unsigned k) const {
-        return blob.extent_steps[k] * placed::step(blob.bits) * inverse[k] + inverse[k];
-    }
-};
 
 }  // namespace espalier::detail

@@ -86,25 +86,9 @@ struct Table {
 /// Pairs of integers by vertex.
 template <unsigned groups>
 using PairTable = Table<groups, Ints>;
-template <unsigned max_vertices, class Function>
-constexpr auto with_table_groups(unsigned, Function function) {
-    return function(std::integral_constant<unsigned, max_vertices>{});
-}
 
 #include <runtime/lanes/strip_corners_portable.inl>
-#include <runtime/lanes/leaf_corners.inl>
-
-/// The low corner of a child's box, seen from a ray's origin.
-struct Corner {
-    float at[3];
-};
-inline Corner load_low_corner(const PackedNode& node, unsigned child, const BlobData& blob, const LatticeRay& ray) {
-    Corner corner;
-    // mutant(< -> <=) sanitizer: writes a fourth coordinate behind three, which is never read
-    for (int k = 0; k < 3; ++k)
-        corner.at[k] = static_cast<float>(node.low(k, child, blob.bits)) - origin_steps(ray, static_cast<unsigned>(k));
-    return corner;
-}
+#include <runtime/lanes/leaves.inl>
 
 /// A node's frame: plane * scale + base is a lattice coordinate, exactly.
 struct Frame {

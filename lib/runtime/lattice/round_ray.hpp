@@ -48,6 +48,15 @@ struct LatticeRay : IntegerRay {
     alignas(lane_alignment) float zero[4];  ///< lattice point 0 0 0 from the origin, exactly; the fourth is unused
 };
 
+/// All that the queries need of a ray; `Lanes` are what the slab test needs.
+template <class Lanes>
+struct PreparedRayIn {
+    LatticeRay ray;
+    Lanes in_lanes;
+
+    [[nodiscard]] const Lanes& lanes() const { return in_lanes; }
+};
+
 /// A ray that was rounded for more blobs than this one, on this one's lattice, and the caller's window.
 struct RayOnLattice {
     IntegerRay ray;

@@ -1,6 +1,6 @@
 // Spheres find what they overlap by lanes of their own (proximity/point_queries.inl).
 #include <espalier/overlap.hpp>
-#include <runtime/lanes/dispatch.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/proximity/point_queries.hpp>
 
 namespace espalier::detail {

@@ -2,7 +2,7 @@
 #include <espalier/pair.hpp>
 #include <runtime/base/float_bits.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
-#include <runtime/lanes/dispatch.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/pairs/queries.hpp>

@@ -1,6 +1,6 @@
 // The distance of the surface from both sides, by a walk that stops at small boxes, in the caller's units.
 #include <espalier/approximate.hpp>
-#include <runtime/lanes/dispatch.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/proximity/point_queries.hpp>
 #include <runtime/traversal/small_boxes.hpp>
 

@@ -1,7 +1,7 @@
 // Closest points in the caller's units: rounded, answered in lattice units, translated back.
 #include <espalier/distance.hpp>
 #include <runtime/answers/nearest_to_world.hpp>
-#include <runtime/lanes/dispatch.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/proximity/closest_pair.hpp>
 #include <runtime/proximity/point_queries.hpp>

@@ -1,6 +1,6 @@
 // Whether a ray may hit the surface, by a walk that stops at small boxes, in the caller's units.
 #include <espalier/approximate.hpp>
-#include <runtime/lanes/dispatch.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/rays/queries.hpp>
 #include <runtime/traversal/small_boxes.hpp>
 

@@ -2,8 +2,90 @@
 // ray_triangle.hpp. Shearing the ray into an axis is from Woop, Benthin and Wald (2013); docs/numerics.md bounds the
 // errors.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/rays/pair_vertices.inl>
+#include <runtime/rays/plain_slab_test.inl>
 #endif
+
+/// A leaf's vertices, seen along the ray, as floats; and the test of triangles, which is whether the ray passes all
+/// their edges on the same side. A hit lies among the leaf's vertices, so the sheared coordinates of a triangle that is
+/// hit are at most twice as large as the leaf; each is off by at most the shear error, and so each edge function by at
+/// most this.
+template <unsigned groups>
+class FloatVertices {
+public:
+    template <class Leaf>
+    [[gnu::always_inline]] FloatVertices(const Leaf& leaf, const LatticeRay& ray) {
+        const float reach = 2.0f * static_cast<float>(1u << leaf.size_bits) + ray.shear_error;
+        error_ = reach * (4.125f * ray.shear_error + reach * 0x1.2p-21f);
+    }
+    static unsigned groups_of(unsigned vertex_count) { return Table<groups>::groups_of(vertex_count); }
+    [[gnu::always_inline]] void set(unsigned group, Floats x, Floats y) {
+        xs_.set(group, x);
+        ys_.set(group, y);
+    }
+    /// The triangles, a lane each, that are not clearly excluded.
+    [[gnu::always_inline]] unsigned allow(const CornerNumbers& corners) const {
+        const Floats ax = xs_.look_up(corners.a), ay = ys_.look_up(corners.a);
+        const Floats bx = xs_.look_up(corners.b), by = ys_.look_up(corners.b);
+        const Floats cx = xs_.look_up(corners.c), cy = ys_.look_up(corners.c);
+        const Floats u = multiply_subtract(bx, cy, multiply(by, cx));
+        const Floats v = multiply_subtract(cx, ay, multiply(cy, ax));
+        const Floats w = multiply_subtract(ax, by, multiply(ay, bx));
+        return at_most(splat(-error_), smaller(u, smaller(v, w))) | at_most(larger(u, larger(v, w)), splat(error_));
+    }
+
+private:
+    Table<groups> xs_, ys_;
+    float error_;
+};
+
+/// The same for instruction sets that keep vertices on the stack: as pairs of 16-bit integers, in half the room:
+/// `scale_` makes 2^14 of twice the leaf's size. What is larger, as it may be of triangles that are not hit, becomes
+/// anything. Edge functions of them are exact; that the integers are coarse, each triangle's own size pays for: the
+/// nearer its corners, the less their errors move its edges.
+template <unsigned groups>
+class PairVertices {
+public:
+    template <class Leaf>
+    [[gnu::always_inline]] PairVertices(const Leaf& leaf, const LatticeRay& ray) {
+        // 2^(13 - w) for a size of 2^w.
+        const std::uint32_t size = std::bit_cast<std::uint32_t>(static_cast<float>(1u << leaf.size_bits));
+        scale_ = std::bit_cast<float>(((2u * 127u + 13u) << 23) - size);
+        const float error = ray.shear_error * scale_ + 0.5f;
+        // Larger ones could make the integers overflow, and nothing is rejected.
+        const bool is_small = error < 512.0f;
+        weight_ = is_small ? static_cast<std::int32_t>(error * 34.0f) + 1 : 0;
+        always_allowed_ = is_small ? static_cast<std::int32_t>(error * error * 2.125f) + 2 : INT32_MAX;
+    }
+    static unsigned groups_of(unsigned vertex_count) { return (vertex_count + lanes - 1) / lanes; }
+    /// A template, as not every instruction set has the operations on pairs.
+    template <class Coordinates>
+    [[gnu::always_inline]] void set(unsigned group, Coordinates x, Coordinates y) {
+        const Floats scale = splat(scale_), rounder = splat(0x1.8p23f);  // the integers are in the low bits then
+        vertices_.set(group, pair_of(multiply_add(x, scale, rounder), multiply_add(y, scale, rounder)));
+    }
+    [[gnu::always_inline]] unsigned allow(const CornerNumbers& corners) const {
+        const auto a = vertices_.look_up(corners.a), b = vertices_.look_up(corners.b), c = vertices_.look_up(corners.c);
+        const SignedInts u = cross_pairs(b, c), v = cross_pairs(c, a), w = negate(cross_pairs(b, a));
+        const SignedInts least = smaller(u, smaller(v, w)), most = larger(u, larger(v, w));
+        if constexpr (lanes == 1) {  // nearly always clear without looking at the triangle's own size
+            const SignedInts largest = splat_integer((0xFFFF * weight_ >> 5) + always_allowed_);
+            if ((at_most(negate(largest), least) | at_most(most, largest)) == 0) return 0;
+        }
+        const SignedInts above =
+            add(shift_right<5>(weigh_magnitudes(a, b, c, weight_)), splat_integer(always_allowed_));
+        return at_most(negate(above), least) | at_most(most, above);
+    }
+
+private:
+    PairTable<groups> vertices_;
+    float scale_;
+    std::int32_t weight_;  ///< 32 times the error of each coordinate
+    std::int32_t always_allowed_;
+};
+
+/// Floats for few vertices, and where registers hold all of a leaf.
+template <unsigned groups>
+using SeenVertices = std::conditional_t<(groups * lanes<32 || lanes> 8), FloatVertices<groups>, PairVertices<groups>>;
 
 /// A leaf whose vertices are unpacked where they are needed: without wide registers unpacking all for the kernel costs
 /// more than it saves.
@@ -101,14 +183,12 @@ private:
 template <class Leaf>
 using RayLeaf = std::conditional_t<keeps_unpacked, UnpackedLeaf<Leaf>, PackedLeaf<Leaf>>;
 
-/// What a leaf's coordinates count from, seen from the ray's origin.
-struct ZeroCorner {
-    const float* at;
-};
+/// What a leaf's coordinates count from on an axis, seen from the ray's origin: exactly, as it is a lattice point of
+/// the asset.
 template <class Leaf>
-[[gnu::always_inline]] inline auto corner_from_origin(const Leaf& leaf, const LatticeRay& ray) {
-    if constexpr (Leaf::counts_from_zero) return ZeroCorner{ray.zero};
-    else return load_low_corner(leaf.node, leaf.child(), *leaf.blob, ray);
+[[gnu::always_inline]] inline float anchor_from_origin(const Leaf& leaf, const LatticeRay& ray, unsigned axis) {
+    if constexpr (Leaf::counts_from_zero) return ray.zero[axis];
+    else return static_cast<float>(leaf.anchor(static_cast<int>(axis))) + ray.zero[axis];
 }
 
 /// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
@@ -117,8 +197,9 @@ template <unsigned groups, class SomeLeaf>
     const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
     leaf.unpack_vertices(used);
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
-    const auto corner = corner_from_origin(leaf, ray);
-    const Floats offset_x = splat(corner.at[kx]), offset_y = splat(corner.at[ky]), offset_z = splat(corner.at[kz]);
+    const Floats offset_x = splat(anchor_from_origin(leaf, ray, kx));
+    const Floats offset_y = splat(anchor_from_origin(leaf, ray, ky));
+    const Floats offset_z = splat(anchor_from_origin(leaf, ray, kz));
     const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
     SeenVertices<groups> vertices(leaf, ray);
     for (unsigned group = 0; group < used; ++group) {

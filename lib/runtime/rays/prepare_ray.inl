@@ -6,35 +6,32 @@
 using namespace sse42;
 #endif
 
-/// What spread_ray writes, of all axes at once.
+/// Stores the inverse direction for the slab test. Returns tau of coordinate 0, counted from lattice point 0 0 0.
+inline Axes set_inverse(const BlobData& blob, Axes of_step, RayLanes& lanes_) {
+    store_axes(lanes_.inverse, of_step);
+    store_axes(lanes_.base_inverse, of_step * blob.base_unit);
+    return Axes{};
+}
+
+/// What spread_ray writes, of all axes at once. Returns what set_inverse does.
 template <class Lanes>
-inline void spread_in_lanes(const BlobData& blob, Axes minus_origin, Axes inverse, float slack_steps, unsigned signs,
+inline Axes spread_in_lanes(const BlobData& blob, Axes minus_origin, Axes inverse, float slack_steps, unsigned signs,
                             Lanes& lanes_) {
-    Axes middle = minus_origin * inverse;
-    if constexpr (std::is_same_v<Lanes, PlacedRayLanes>) {
-        store_axes(lanes_.inverse, inverse * placed::steps_to_one(blob.bits));
-        middle -= load_as<Axes>(lanes_.inverse);
-        lanes_.base_shift = placed::base_shift(blob.bits);
-        lanes_.plane_shift = placed::plane_shift(blob.bits);
-    } else {
-        store_axes(lanes_.inverse, inverse);
-        store_axes(lanes_.base_inverse, inverse * blob.base_unit);
-    }
+    const Axes low = set_inverse(blob, inverse, lanes_);
+    const Axes middle = minus_origin * inverse - low;
     const float whole_slack = slack_steps + Lanes::box_slack(blob);
     const Axes slack = __builtin_bit_cast(Axes, __builtin_bit_cast(AxisInts, inverse) & 0x7FFFFFFF) * whole_slack;
     store_axes(lanes_.near_offset, middle - slack);
     store_axes(lanes_.far_offset, middle + slack);
     lanes_.tau_min = 0.0f;
     lanes_.planes = Lanes::plane_orders()[signs];
+    return low;
 }
 
-/// Coordinate 0 of each axis, times the inverse.
-inline Axes asset_low(const RayLanes&) { return Axes{}; }
-inline Axes asset_low(const PlacedRayLanes& lanes_) { return load_as<Axes>(lanes_.inverse); }
 /// meets_asset, for a window from 0 on.
 template <class Lanes>
-[[gnu::always_inline]] inline bool meets_asset_in_lanes(const BlobData& blob, Axes inverse, const Lanes& lanes_) {
-    const Axes low = asset_low(lanes_);
+[[gnu::always_inline]] inline bool meets_asset_in_lanes(const BlobData& blob, Axes inverse, Axes low,
+                                                        const Lanes& lanes_) {
     const Axes high = load_as<Axes>(blob.extent_steps) * inverse + low;
     const Axes enter = smaller(low, high) + load_as<Axes>(lanes_.near_offset);
     const Axes leave = larger(low, high) + load_as<Axes>(lanes_.far_offset);
@@ -102,8 +99,9 @@ template <class Lanes>
     const float reach_steps = floats(reach)[0];
     const Axes one_unit = floats(each(2 * 127 << 23) - fraction_scale);
     const Axes minus_origin = -(__builtin_convertvector(fine, Axes) * one_unit);
-    spread_in_lanes(blob, minus_origin, inverse, slab_slack(reach_steps), bits_of(integers < 0), lanes_);
-    if (!meets_asset_in_lanes(blob, inverse, lanes_)) return QueryStatus::not_found;
+    const Axes low =
+        spread_in_lanes(blob, minus_origin, inverse, slab_slack(reach_steps), bits_of(integers < 0), lanes_);
+    if (!meets_asset_in_lanes(blob, inverse, low, lanes_)) return QueryStatus::not_found;
 
     store_axes(ray.zero, minus_origin);
     ray.tau_offset = 0.0f;

@@ -1,7 +1,7 @@
 // Rays: the variant of each query that suits the machine.
 #include <espalier/ray.hpp>
 #include <espalier/statistics.hpp>
-#include <runtime/lanes/dispatch.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/rays/queries.hpp>
 
 namespace espalier {

@@ -3,11 +3,10 @@
 
 #include <bit>
 
-#include <runtime/lanes/dispatch.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/lattice/round_ray.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/rays/queries.hpp>
-#include <runtime/rays/status.hpp>
 
 namespace espalier {
 

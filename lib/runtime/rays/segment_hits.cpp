@@ -2,7 +2,7 @@
 #include <bit>
 
 #include <espalier/lattice.hpp>
-#include <runtime/rays/status.hpp>
+#include <runtime/rays/queries.hpp>
 #include <runtime/rays/whole_segment.hpp>
 #include <runtime/traversal/scalar_walk.hpp>
 

@@ -5,6 +5,15 @@
 using namespace avx2;
 #endif
 
+/// As in prepare_ray.inl.
+inline Axes set_inverse(const BlobData& blob, Axes of_step, PlacedRayLanes& lanes_) {
+    const Axes inverse = of_step * placed::steps_to_one(blob.bits);
+    store_axes(lanes_.inverse, inverse);
+    lanes_.base_shift = placed::base_shift(blob.bits);
+    lanes_.plane_shift = placed::plane_shift(blob.bits);
+    return inverse;
+}
+
 /// A word of the blob in all lanes; as a float it is loaded and spread by one instruction.
 inline __m256i splat_word_at(const std::byte* at) {
     float bits;

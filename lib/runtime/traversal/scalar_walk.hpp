@@ -14,14 +14,16 @@
 
 namespace espalier::detail::scalar_walk {
 
+using scalar::storage_index;
+using scalar::visit_leaf;
+using scalar::with_leaf;
+using scalar::with_leaves_of;
+
 namespace own_copy {
 #include <runtime/traversal/traverse.inl>
 }  // namespace own_copy
 
 using own_copy::Keys;
-using own_copy::with_leaf;
-using own_copy::with_leaves_of;
-using scalar::storage_index;
 
 /// Any visitor over leaves of that kind, called by pointers.
 template <class Leaf>

@@ -8,8 +8,6 @@
 #include <runtime/traversal/alone.hpp>
 #endif
 
-#include <runtime/blob/with_leaves_of.inl>
-
 using Keys = float*;  ///< one for each child
 using Limit = float;
 

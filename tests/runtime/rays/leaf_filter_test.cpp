@@ -8,6 +8,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/lanes/scalar.hpp>
+#include <runtime/rays/queries.hpp>
 
 #include "support/answers/differences.hpp"
 #include "support/base/random.hpp"
@@ -17,7 +18,7 @@
 
 namespace espalier::detail::scalar {
 namespace {
-#include <runtime/rays/float_vertices.inl>
+#include <runtime/rays/leaf_filter.inl>
 }  // namespace
 }  // namespace espalier::detail::scalar
 

@@ -1,9 +1,8 @@
 // Batches of rays: the variant that suits the machine.
 #include <espalier/ray.hpp>
-#include <runtime/lanes/dispatch.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
-#include <runtime/rays/status.hpp>
 
 namespace espalier {
 

@@ -8,10 +8,9 @@
 
 #include <espalier/ray.hpp>
 #include <runtime/blob/duplicate_references.hpp>
-#include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/answers/found.hpp>
 #include <runtime/lanes/select.hpp>
-#include <runtime/rays/status.hpp>
+#include <runtime/kernels/ray_triangle.hpp>
 
 #define ESPALIER_DECLARE_RAY_BATCHES(instruction_set)                                          \
     namespace instruction_set {                                                                \

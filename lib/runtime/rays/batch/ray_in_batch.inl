@@ -1,7 +1,6 @@
 // A ray of a batch: what it needs while others are on their way too.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/rays/shape.inl>
-#include <runtime/rays/prepare_ray_portable.inl>
+#include <runtime/rays/in_order.inl>
 #include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
 #endif

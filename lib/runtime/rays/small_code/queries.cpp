@@ -45,6 +45,8 @@ using Limit = std::int32_t;
     return hit_limit(ray, ray.tau_offset + ray.tau_max);
 }
 
+using scalar::visit_leaf;
+using scalar::with_leaves_of;
 #include <runtime/rays/small_code/walk.inl>
 
 template <class Node>
@@ -107,10 +109,10 @@ using scalar::storage_index;
 namespace {  // what is called once becomes part of its caller
 
 #include <runtime/traversal/query.inl>
-#include <runtime/rays/shape.inl>
 
 }  // namespace
 
-#include <runtime/rays/queries.inl>
+#include <runtime/rays/closest.inl>
+#include <runtime/rays/in_order.inl>
 
 }  // namespace espalier::detail::small

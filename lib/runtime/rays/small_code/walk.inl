@@ -5,8 +5,6 @@
 #include <runtime/rays/small_code/seen_ray.hpp>
 #endif
 
-#include <runtime/blob/with_leaves_of.inl>
-
 struct Keys {
     unsigned among;
 };

@@ -1,6 +1,9 @@
-// Rays: the shape, and the answers, which decide on triangles themselves: each needs another part of a hit.
+// Rays: the shape; the closest hit and the first few. Answers of rays decide on triangles themselves: each needs
+// another part of a hit.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/rays/leaf_filter.inl>
+#include <runtime/rays/prepare_ray_portable.inl>
+#include <runtime/rays/queries.hpp>
 #include <runtime/traversal/query.inl>
 #endif
 
@@ -35,21 +38,6 @@ struct RayShape {
 template <class Leaf, class SomeAnswer>
 using RayQuery = Query<RayShape<Leaf>, SomeAnswer, true>;
 
-/// Where triangles have duplicate references, visits only boxes that the ray passes through exactly: which references
-/// it reaches does not depend on how lanes round.
-template <class Leaf>
-struct EveryHitShape : RayShape<Leaf> {
-    const BlobData& blob;
-
-    template <class Node>
-    [[gnu::always_inline]] unsigned cull(const Node& node, Limit limit, Keys keys) const {
-        const unsigned mask = RayShape<Leaf>::cull(node, limit, keys);
-        if constexpr (Leaf::may_have_duplicates && reads_duplicate_references)
-            if (blob.copies != nullptr) return children_passed(this->ray, node, blob.bits, mask);
-        return mask;
-    }
-};
-
 /// The closest hit; of equal ones the lowest index. One type for each type of ray that callers give: each is then used
 /// by one query, and a program that never calls that query does not pay for it.
 template <class Caller>
@@ -61,7 +49,7 @@ struct ClosestHit {
 
     [[nodiscard]] bool found() const { return volume_bits != 0; }
     template <class SomeLeaf>
-    Visit decide(const LatticeRay& ray, const SomeLeaf& leaf, unsigned slot) {
+    ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const SomeLeaf& leaf, unsigned slot) {
         TriangleHit hit;
         if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
         // By their bits: neither is negative.
@@ -82,7 +70,7 @@ struct ClosestHit {
         return Visit::next;
     }
     /// Completes the best hit, once all of them are found.
-    void finish(const LatticeRay& ray, const Caller& world) const {
+    ESPALIER_PART_OF_CALLER void finish(const LatticeRay& ray, const Caller& world) const {
         divide_hit(*best, std::bit_cast<float>(volume_bits));
         best->t = to_t(ray, best->t, world);
     }
@@ -96,7 +84,7 @@ struct FirstFewHits {
     Limit limit;
 
     template <class Leaf>
-    Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) {
+    ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) {
         TriangleHit hit;
         if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
         const std::uint32_t index = owner_index(leaf, slot);
@@ -111,40 +99,69 @@ struct FirstFewHits {
     }
 };
 
-/// Whether there is any hit.
-struct AnyHit {
-    Limit limit;
+namespace {
 
-    template <class Leaf>
-    Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
-        return is_hit(leaf, slot, ray) ? Visit::stop : Visit::next;
+template <class Node>
+using PreparedRayOf = PreparedRayIn<RayLanesOf<Node>>;
+
+inline NoApproximation approximation(const BlobData&) { return {}; }
+[[maybe_unused]] inline Approximation approximation(const BlobData& blob, const WalkAccuracy& accuracy) {
+    return {blob, accuracy};
+}
+
+/// Prepares the ray. Returns ok, or why there is nothing to walk.
+template <class Caller, class Prepared>
+[[gnu::always_inline]] inline QueryStatus begin(const BlobData& blob, const Caller& world, Prepared& prepared) {
+    return blob.triangle_count != 0 ? prepare(blob, world, prepared) : status_without_walk(blob, world);
+}
+
+/// One function for each kind of leaf, the walk inside of it: one frame on the stack. For a Ray or a RayOnLattice.
+template <class Leaf, class Caller, class... Counted>
+ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob, const Caller& world,
+                                                           const TriangleFilter* filter, const Counted&... counted) {
+    PreparedRayOf<typename Leaf::Node> prepared;
+    const QueryStatus status = begin(blob, world, prepared);
+    RayHit hit = miss_with(QueryStatus::not_found);  // known before the walk: small cores keep no status for it
+    if (status != QueryStatus::ok) {
+        hit.status = status;
+        return hit;
     }
-};
+    Query<RayShape<Leaf>, ClosestHit<Caller>, sizeof...(Counted) == 0> query = {
+        {prepared.ray, prepared.lanes()}, {&hit, filter, window_limit(prepared.ray)}, approximation(blob, counted...)};
+    traverse_nearest_first<PlaceOf<Leaf>>(blob, query);
+    if (query.answer.found()) query.answer.finish(prepared.ray, world);
+    return hit;
+}
 
-/// Whether there is any hit that the filter keeps.
-struct AnyKeptHit {
-    Limit limit;
-    const TriangleFilter* filter;  ///< may be null
+template <class Caller, class... Counted>
+[[gnu::always_inline]] inline RayHit find_closest_hit(const BlobData& blob, const Caller& world,
+                                                      const TriangleFilter* filter, const Counted&... counted) {
+    return with_leaves_of(
+        blob, [&]<class Leaf>()
+                  __attribute__((always_inline)) { return closest_hit_in<Leaf>(blob, world, filter, counted...); });
+}
 
-    template <class Leaf>
-    Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
-        TriangleHit hit;
-        if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
-        return filter == nullptr || (*filter)(TriangleId{owner_index(leaf, slot)}) ? Visit::stop : Visit::next;
-    }
-};
+}  // namespace
 
-/// Hits in storage order, handed to a callable. Their index is that of the reference.
-template <class OnHit>
-struct EveryHit {
-    OnHit on_hit;
-    Limit limit;
+RayHit closest_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
+    return find_closest_hit(blob, world, filter);
+}
 
-    template <class Leaf>
-    Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
-        FoundHit found;
-        if (!hits_slot(leaf, slot, ray, found.hit)) return Visit::next;
-        found.index = storage_index(leaf, slot);
-        return on_hit(ray, found);
-    }
-};
+Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter) {
+    return with_leaves_of(blob, [&]<class Leaf>() -> Filled {
+        PreparedRayOf<typename Leaf::Node> prepared;
+        if (const QueryStatus status = begin(blob, world, prepared); status != QueryStatus::ok)
+            return {0, {}, of_list(status)};
+        FirstHits first(hits);
+        RayQuery<Leaf, FirstFewHits> query = {{prepared.ray, prepared.lanes()},
+                                              {first, filter, window_limit(prepared.ray)}};
+        traverse_nearest_first<PlaceOf<Leaf>>(blob, query);
+        const std::span<RayHit> found = first.sorted();
+        for (RayHit& hit : found) hit.t = to_t(prepared.ray, hit.t, world);
+        return {found.size(), {}, first.has_overflowed() ? QueryStatus::output_full : QueryStatus::ok};
+    });
+}
+
+RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) {
+    return find_closest_hit(blob, ray, nullptr);
+}

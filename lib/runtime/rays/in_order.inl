@@ -1,51 +1,62 @@
-// Rays: the queries.
+// Rays: hits in storage order: whether there is any, and all of them.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/rays/shape.inl>
-#include <runtime/rays/prepare_ray_portable.inl>
-#include <runtime/rays/queries.hpp>
+#include <runtime/rays/closest.inl>
 #endif
 
-namespace {
+/// Whether there is any hit.
+struct AnyHit {
+    Limit limit;
 
-template <class Node>
-using PreparedRayOf = PreparedRayIn<RayLanesOf<Node>>;
-
-inline NoApproximation approximation(const BlobData&) { return {}; }
-[[maybe_unused]] inline Approximation approximation(const BlobData& blob, const WalkAccuracy& accuracy) {
-    return {blob, accuracy};
-}
-
-/// Prepares the ray. Returns ok, or why there is nothing to walk.
-template <class Caller, class Prepared>
-[[gnu::always_inline]] inline QueryStatus begin(const BlobData& blob, const Caller& world, Prepared& prepared) {
-    return blob.triangle_count != 0 ? prepare(blob, world, prepared) : status_without_walk(blob, world);
-}
-
-/// One function for each kind of leaf, the walk inside of it: one frame on the stack. For a Ray or a RayOnLattice.
-template <class Leaf, class Caller, class... Counted>
-ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob, const Caller& world,
-                                                           const TriangleFilter* filter, const Counted&... counted) {
-    PreparedRayOf<typename Leaf::Node> prepared;
-    const QueryStatus status = begin(blob, world, prepared);
-    RayHit hit = miss_with(QueryStatus::not_found);  // known before the walk: small cores keep no status for it
-    if (status != QueryStatus::ok) {
-        hit.status = status;
-        return hit;
+    template <class Leaf>
+    ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
+        return is_hit(leaf, slot, ray) ? Visit::stop : Visit::next;
     }
-    Query<RayShape<Leaf>, ClosestHit<Caller>, sizeof...(Counted) == 0> query = {
-        {prepared.ray, prepared.lanes()}, {&hit, filter, window_limit(prepared.ray)}, approximation(blob, counted...)};
-    traverse_nearest_first<PlaceOf<Leaf>>(blob, query);
-    if (query.answer.found()) query.answer.finish(prepared.ray, world);
-    return hit;
-}
+};
 
-template <class Caller, class... Counted>
-[[gnu::always_inline]] inline RayHit find_closest_hit(const BlobData& blob, const Caller& world,
-                                                      const TriangleFilter* filter, const Counted&... counted) {
-    return with_leaves_of(
-        blob, [&]<class Leaf>()
-                  __attribute__((always_inline)) { return closest_hit_in<Leaf>(blob, world, filter, counted...); });
-}
+/// Whether there is any hit that the filter keeps.
+struct AnyKeptHit {
+    Limit limit;
+    const TriangleFilter* filter;  ///< may be null
+
+    template <class Leaf>
+    ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
+        TriangleHit hit;
+        if (!hits_slot(leaf, slot, ray, hit)) return Visit::next;
+        return filter == nullptr || (*filter)(TriangleId{owner_index(leaf, slot)}) ? Visit::stop : Visit::next;
+    }
+};
+
+/// Hits in storage order, handed to a callable. Their index is that of the reference.
+template <class OnHit>
+struct EveryHit {
+    OnHit on_hit;
+    Limit limit;
+
+    template <class Leaf>
+    ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
+        FoundHit found;
+        if (!hits_slot(leaf, slot, ray, found.hit)) return Visit::next;
+        found.index = storage_index(leaf, slot);
+        return on_hit(ray, found);
+    }
+};
+
+/// Where triangles have duplicate references, visits only boxes that the ray passes through exactly: which references
+/// it reaches does not depend on how lanes round.
+template <class Leaf>
+struct EveryHitShape : RayShape<Leaf> {
+    const BlobData& blob;
+
+    template <class Node>
+    [[gnu::always_inline]] unsigned cull(const Node& node, Limit limit, Keys keys) const {
+        const unsigned mask = RayShape<Leaf>::cull(node, limit, keys);
+        if constexpr (Leaf::may_have_duplicates && reads_duplicate_references)
+            if (blob.copies != nullptr) return children_passed(this->ray, node, blob.bits, mask);
+        return mask;
+    }
+};
+
+namespace {
 
 /// Returns yes if the callable, which is called with the ray and each hit, stopped the walk.
 template <class Leaf, class Caller, class OnHit>
@@ -79,25 +90,6 @@ template <class SomeAnswer, class Caller, class... Filter>
 
 }  // namespace
 
-RayHit closest_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
-    return find_closest_hit(blob, world, filter);
-}
-
-Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter) {
-    return with_leaves_of(blob, [&]<class Leaf>() -> Filled {
-        PreparedRayOf<typename Leaf::Node> prepared;
-        if (const QueryStatus status = begin(blob, world, prepared); status != QueryStatus::ok)
-            return {0, {}, of_list(status)};
-        FirstHits first(hits);
-        RayQuery<Leaf, FirstFewHits> query = {{prepared.ray, prepared.lanes()},
-                                              {first, filter, window_limit(prepared.ray)}};
-        traverse_nearest_first<PlaceOf<Leaf>>(blob, query);
-        const std::span<RayHit> found = first.sorted();
-        for (RayHit& hit : found) hit.t = to_t(prepared.ray, hit.t, world);
-        return {found.size(), {}, first.has_overflowed() ? QueryStatus::output_full : QueryStatus::ok};
-    });
-}
-
 YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
     if constexpr (decides_by_signs)
         if (filter == nullptr) return find_any_hit<AnyHit>(blob, world);
@@ -111,10 +103,6 @@ QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayH
         return visit(to_ray_hit(ray, world, found.hit, owner_of(blob, found.index)));
     });
     return is_stopped.yes() ? QueryStatus::stopped : of_list(is_stopped.status());
-}
-
-RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) {
-    return find_closest_hit(blob, ray, nullptr);
 }
 
 YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) { return find_any_hit<AnyHit>(blob, ray); }
