@@ -9,7 +9,7 @@
 #include <espalier/blob.hpp>
 #include <espalier/distance.hpp>
 #include <espalier/ray.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

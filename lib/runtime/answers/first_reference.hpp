@@ -7,7 +7,7 @@
 #include <espalier/function_ref.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/node.hpp>
-#include <runtime/blob/read_profiles.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/lattice/round_ray.hpp>
 
 namespace espalier::detail {

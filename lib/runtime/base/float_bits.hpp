@@ -6,7 +6,7 @@
 #include <cfloat>
 #include <cstdint>
 
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

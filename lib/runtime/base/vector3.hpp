@@ -6,7 +6,7 @@
 
 #include <espalier/types.hpp>
 #include <runtime/base/float_bits.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/base/wide_integer.hpp>
 
 namespace espalier::detail {

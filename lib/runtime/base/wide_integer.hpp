@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include <runtime/base/float_bits.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

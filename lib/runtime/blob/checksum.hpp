@@ -8,7 +8,7 @@
 
 #include <espalier/format.hpp>
 #include <runtime/base/bytes.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

@@ -5,8 +5,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/base/bytes.hpp>
-#include <runtime/base/small_code.hpp>
-#include <runtime/blob/read_profiles.hpp>
+#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

@@ -3,7 +3,7 @@
 
 #include <runtime/blob/plain_leaf.hpp>
 #include <runtime/blob/predicted_strip_leaf.hpp>
-#include <runtime/blob/read_profiles.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/blob/strip_leaf.hpp>
 
 /// Every file that includes fragments (.inl) has included this header: where the macro is undefined, a fragment is

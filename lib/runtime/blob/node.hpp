@@ -9,8 +9,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/base/bytes.hpp>
-#include <runtime/base/small_code.hpp>
-#include <runtime/base/step_counter.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/lattice/round_ray.hpp>
 #include <runtime/lattice/triangle.hpp>
 

@@ -1,5 +1,5 @@
 // The decoder of predicted strips.
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/blob/predicted_strip_leaf.hpp>
 #include <runtime/blob/vertex_word.hpp>
 

@@ -11,7 +11,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/base/bytes.hpp>
 #include <runtime/blob/node.hpp>
-#include <runtime/blob/read_profiles.hpp>
+#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <espalier/types.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/base/float_bits.hpp>
 #include <runtime/base/wide_integer.hpp>
 #include <runtime/lattice/triangle.hpp>

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include <espalier/types.hpp>
-#include <runtime/base/step_counter.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/base/wide_integer.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_ray.hpp>

@@ -7,7 +7,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/blob/node.hpp>
 #include <runtime/lattice/round_ray.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 
 #if ESPALIER_X86
 #include <cpuid.h>

@@ -6,7 +6,7 @@
 #include <espalier/blob.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/lattice/rounder.hpp>
 
 namespace espalier::detail {

@@ -6,7 +6,7 @@
 #include <espalier/blob.hpp>
 #include <espalier/shapes.hpp>
 #include <runtime/base/float_bits.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/base/vector3.hpp>
 
 namespace espalier::detail {

@@ -5,7 +5,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/base/float_bits.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
 

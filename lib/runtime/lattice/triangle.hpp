@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/base/vector3.hpp>
 
 namespace espalier::detail {

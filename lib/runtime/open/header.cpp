@@ -4,7 +4,7 @@
 #include <runtime/base/float_bits.hpp>
 #include <runtime/blob/id_steps.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
-#include <runtime/blob/read_profiles.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/open/checks.hpp>
 #include <runtime/open/header.hpp>
 

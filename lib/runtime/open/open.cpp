@@ -10,7 +10,7 @@
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/id_steps.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
-#include <runtime/blob/read_profiles.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/open/checks.hpp>
 #include <runtime/open/header.hpp>
 #include <runtime/traversal/scalar_walk.hpp>

@@ -6,8 +6,7 @@
 #include <espalier/transform.hpp>
 #include <espalier/types.hpp>
 #include <runtime/base/float_bits.hpp>
-#include <runtime/base/small_code.hpp>
-#include <runtime/blob/read_profiles.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/kernels/triangle_triangle.hpp>
 
 namespace espalier::detail {

@@ -3,7 +3,7 @@
 
 #include <espalier/function_ref.hpp>
 #include <runtime/answers/first_reference.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/base/float_bits.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/lanes/select.hpp>

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/blob/node.hpp>
 
 namespace espalier::detail {

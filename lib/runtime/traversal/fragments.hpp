@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include <runtime/answers/answer.hpp>
-#include <runtime/base/step_counter.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/leaf_triangles.hpp>

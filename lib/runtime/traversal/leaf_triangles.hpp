@@ -5,7 +5,7 @@
 
 #include <espalier/function_ref.hpp>
 #include <espalier/status.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/lattice/triangle.hpp>
 
 namespace espalier::detail {

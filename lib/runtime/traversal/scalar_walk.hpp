@@ -6,8 +6,7 @@
 #include <type_traits>
 
 #include <runtime/answers/answer.hpp>
-#include <runtime/base/small_code.hpp>
-#include <runtime/base/step_counter.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/lanes/scalar.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/leaf_triangles.hpp>

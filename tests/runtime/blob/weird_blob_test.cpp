@@ -4,7 +4,7 @@
 #include <set>
 
 #include <espalier/espalier.hpp>
-#include <runtime/base/step_counter.hpp>
+#include <runtime/base/options.hpp>
 
 #include "support/answers/differences.hpp"
 #include "support/answers/loop_answers.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <runtime/base/step_counter.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/lanes/select.hpp>
 
 #include "platform/answers.hpp"

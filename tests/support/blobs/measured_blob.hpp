@@ -5,8 +5,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <runtime/base/small_code.hpp>
-#include <runtime/base/step_counter.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/blob/node.hpp>
 
 namespace espalier::tests {

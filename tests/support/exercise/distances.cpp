@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include <espalier/espalier.hpp>
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 
 #include "support/base/random.hpp"
 #include "support/blobs/measured_blob.hpp"

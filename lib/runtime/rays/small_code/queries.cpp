@@ -2,7 +2,7 @@
 #include <bit>
 #include <type_traits>
 
-#include <runtime/base/small_code.hpp>
+#include <runtime/base/options.hpp>
 #include <runtime/kernels/small_ray_triangle.hpp>
 #include <runtime/lanes/scalar.hpp>
 #include <runtime/rays/queries.hpp>
