@@ -183,12 +183,12 @@ private:
 template <class Leaf>
 using RayLeaf = std::conditional_t<keeps_unpacked, UnpackedLeaf<Leaf>, PackedLeaf<Leaf>>;
 
-/// What a leaf's coordinates count from on an axis, seen from the ray's origin: exactly, as it is a lattice point of
-/// the asset.
+/// What a leaf's coordinates count from on an axis, seen from the ray's origin, given lattice point 0 0 0 from there:
+/// exactly, as it is a lattice point of the asset.
 template <class Leaf>
-[[gnu::always_inline]] inline float anchor_from_origin(const Leaf& leaf, const LatticeRay& ray, unsigned axis) {
-    if constexpr (Leaf::counts_from_zero) return ray.zero[axis];
-    else return static_cast<float>(leaf.anchor(static_cast<int>(axis))) + ray.zero[axis];
+[[gnu::always_inline]] inline float anchor_from_origin(const Leaf& leaf, const float* zero, unsigned axis) {
+    if constexpr (Leaf::counts_from_zero) return zero[axis];
+    else return static_cast<float>(leaf.anchor(static_cast<int>(axis))) + zero[axis];
 }
 
 /// The triangles of a leaf that the ray may hit: those whose edges, seen along the ray, do not clearly exclude it.
@@ -197,9 +197,9 @@ template <unsigned groups, class SomeLeaf>
     const unsigned used = SeenVertices<groups>::groups_of(leaf.vertex_count);
     leaf.unpack_vertices(used);
     const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
-    const Floats offset_x = splat(anchor_from_origin(leaf, ray, kx));
-    const Floats offset_y = splat(anchor_from_origin(leaf, ray, ky));
-    const Floats offset_z = splat(anchor_from_origin(leaf, ray, kz));
+    const Floats offset_x = splat(anchor_from_origin(leaf, ray.zero, kx));
+    const Floats offset_y = splat(anchor_from_origin(leaf, ray.zero, ky));
+    const Floats offset_z = splat(anchor_from_origin(leaf, ray.zero, kz));
     const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
     SeenVertices<groups> vertices(leaf, ray);
     for (unsigned group = 0; group < used; ++group) {

@@ -127,9 +127,9 @@ private:
         for_each_bit(rays, [&](unsigned number) {
             const LatticeRay& ray = rays_[number].prepared.ray;
             const unsigned kx = ray.axis[0], ky = ray.axis[1], kz = ray.axis[2];
-            const Floats offset_x = splat(anchor_from_origin(leaf, ray, kx));
-            const Floats offset_y = splat(anchor_from_origin(leaf, ray, ky));
-            const Floats offset_z = splat(anchor_from_origin(leaf, ray, kz));
+            const Floats offset_x = splat(anchor_from_origin(leaf, ray.zero, kx));
+            const Floats offset_y = splat(anchor_from_origin(leaf, ray.zero, ky));
+            const Floats offset_z = splat(anchor_from_origin(leaf, ray.zero, kz));
             const Floats shear_x = splat(ray.shear[0]), shear_y = splat(ray.shear[1]);
             SeenVertices<groups> vertices(leaf, ray);
             for (unsigned group = 0; group < used; ++group) {
