@@ -2,7 +2,7 @@
 
 #include <espalier/bake.hpp>
 #include <espalier/format.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/checksum.hpp>
 
 #include <baker/base/byte_writer.hpp>

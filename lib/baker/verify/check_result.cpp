@@ -1,6 +1,6 @@
 #include <baker/verify/check_result.hpp>
 
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 
 #include <baker/verify/check_tree.hpp>
 

@@ -10,7 +10,7 @@
 #include <espalier/types.hpp>
 #include <runtime/answers/best_k.hpp>
 #include <runtime/answers/found.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/answers/first_reference.hpp>
 
 namespace espalier::detail {

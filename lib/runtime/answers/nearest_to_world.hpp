@@ -5,7 +5,7 @@
 
 #include <espalier/distance.hpp>
 #include <runtime/answers/found.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/kernels/face.hpp>
 #include <runtime/lattice/to_world.hpp>
 

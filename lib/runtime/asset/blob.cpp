@@ -1,6 +1,6 @@
 // The bounds of a blob and the materials of its triangles.
 #include <espalier/blob.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/lattice/to_world.hpp>
 
 namespace espalier {

@@ -1,8 +1,7 @@
 // Bounds of the whole asset, from the blob's integers to floats that still hold everything.
 #include <espalier/bounds.hpp>
 #include <runtime/asset/lookups.hpp>
-#include <runtime/base/bytes.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/wide_integer.hpp>
 #include <runtime/blob/stored_bounds.hpp>
 

@@ -1,8 +1,7 @@
 // Edge flags, and the normals of contacts on internal edges.
 #include <espalier/contact.hpp>
 #include <runtime/asset/lookups.hpp>
-#include <runtime/base/bytes.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/traversal/find_triangle.hpp>
 
 namespace espalier {

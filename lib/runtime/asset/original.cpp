@@ -1,7 +1,7 @@
 // From triangles and hits back to the source.
 #include <espalier/original.hpp>
 #include <runtime/asset/lookups.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/id_steps.hpp>
 
 namespace espalier {

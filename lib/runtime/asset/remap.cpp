@@ -1,6 +1,6 @@
 // Reading the remap file that lies beside a blob.
 #include <espalier/original.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/checksum.hpp>
 
 namespace espalier {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
 
 namespace espalier::detail {
@@ -101,17 +101,10 @@ ESPALIER_SHARED_CODE constexpr Int128 multiply(const Int128& a, std::int64_t b) 
             low.low};
 }
 
-constexpr bool is_negative(std::int64_t a) { return a < 0; }
 constexpr bool is_negative(const Int128& a) { return a.is_negative(); }
-/// -a or a, without a branch.
-constexpr std::int64_t negate_if(std::int64_t a, bool condition) {
-    const auto mask = -static_cast<std::int64_t>(condition);
-    return (a ^ mask) - mask;
-}
 ESPALIER_SHARED_CODE constexpr Int128 negate_if(const Int128& a, bool condition) { return condition ? -a : a; }
 constexpr std::int64_t magnitude(std::int64_t a) { return a < 0 ? -a : a; }
 constexpr Int128 magnitude(const Int128& a) { return negate_if(a, a.is_negative()); }
-constexpr bool is_zero(std::int64_t a) { return a == 0; }
 constexpr bool is_zero(const Int128& a) { return a.is_zero(); }
 /// -1, 0 or 1.
 constexpr int sign(std::int64_t a) { return a < 0 ? -1 : a > 0 ? 1 : 0; }
@@ -123,28 +116,8 @@ ESPALIER_SHARED_CODE constexpr Int128 product_difference(std::int64_t a, std::in
     return multiply(a, b) - multiply(c, d);
 }
 
-/// The nearest float, ties to even, to a number in two's complement, low words first. For cores without wide registers:
-/// the compiler's own conversion would bring all of its float addition along.
-[[gnu::noinline]] inline float words_to_float(const std::uint32_t* words, int count) {
-    std::int32_t top;
-    std::uint32_t below = 0, rest = 0;
-    do {  // what is the next one's sign, and no more, is left out
-        top = static_cast<std::int32_t>(words[--count]);
-        below = count != 0 ? words[count - 1] : 0;
-    } while (count != 0 && top == static_cast<std::int32_t>(below) >> 31);
-    const int shift = std::countl_zero(static_cast<std::uint32_t>(top ^ top >> 31)) - 1;
-    const int exponent = 32 * count - shift;
-    rest = below << shift;
-    for (; count > 1; --count) rest |= words[count - 2];
-    // 31 bits, more than a float has, rounded down; whatever is below only matters as "not zero", on both sides of 0.
-    const std::uint32_t kept =
-        static_cast<std::uint32_t>(top) << shift | below >> 1 >> (31 - shift) | (rest != 0 ? 1u : 0u);
-    return static_cast<float>(static_cast<std::int32_t>(kept)) * power_of_two(exponent);
-}
-
 #if ESPALIER_NATIVE_INT128
 /// The nearest float, ties to even.
-ESPALIER_SHARED_CODE inline float to_float(std::int64_t a) { return static_cast<float>(a); }
 ESPALIER_SHARED_CODE inline float to_float(const Int128& a) {
     if (a.high == (static_cast<std::int64_t>(a.low) < 0 ? -1 : 0)) return to_float(static_cast<std::int64_t>(a.low));
     const bool negative = a.is_negative();
@@ -165,11 +138,6 @@ ESPALIER_SHARED_CODE inline float to_float(const Int128& a) {
     const std::uint32_t words[4] = {static_cast<std::uint32_t>(a.low), static_cast<std::uint32_t>(a.low >> 32),
                                     static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(high >> 32)};
     return words_to_float(words, 4);
-}
-ESPALIER_SHARED_CODE inline float to_float(std::int64_t a) {
-    const auto bits = static_cast<std::uint64_t>(a);
-    const std::uint32_t words[2] = {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
-    return words_to_float(words, 2);
 }
 #endif
 

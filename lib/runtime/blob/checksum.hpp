@@ -7,7 +7,7 @@
 #include <span>
 
 #include <espalier/format.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
 
 namespace espalier::detail {

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/lattice/round_ray.hpp>
 #include <runtime/lattice/triangle.hpp>

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include <espalier/blob.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/strip_leaf.hpp>
 
 namespace espalier::detail {

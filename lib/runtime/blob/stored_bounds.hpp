@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 
 namespace espalier::detail {
 

@@ -5,7 +5,7 @@
 
 #include <espalier/types.hpp>
 #include <runtime/base/options.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/wide_integer.hpp>
 #include <runtime/lattice/triangle.hpp>
 

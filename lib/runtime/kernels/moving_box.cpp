@@ -1,5 +1,5 @@
 // The kernel of boxes that move. Widths and roundings: docs/numerics.md.
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/wide_difference.hpp>
 #include <runtime/kernels/moving_box.hpp>
 

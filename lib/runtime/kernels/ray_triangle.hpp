@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/wide_integer.hpp>
 #include <runtime/lattice/round_ray.hpp>
 #include <runtime/lattice/triangle.hpp>

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/blob/vertex_word.hpp>

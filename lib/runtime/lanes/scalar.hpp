@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <runtime/base/bytes.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/lanes/prepared_ray.hpp>

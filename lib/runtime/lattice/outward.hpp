@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 
 namespace espalier::detail {
 

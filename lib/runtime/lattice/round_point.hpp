@@ -6,7 +6,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/status.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/lattice/rounder.hpp>
 
 namespace espalier::detail {

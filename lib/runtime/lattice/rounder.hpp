@@ -5,7 +5,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/shapes.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/base/vector3.hpp>
 

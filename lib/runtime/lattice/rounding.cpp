@@ -1,6 +1,6 @@
 // How far a query moves when it is rounded. The bounds are derived in docs/numerics.md.
 #include <espalier/rounding.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/lattice/rounder.hpp>
 
 namespace espalier {

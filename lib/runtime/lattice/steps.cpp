@@ -1,7 +1,7 @@
 // Between the world and the lattice: exactly, in integers, so that no core needs floats for it.
 #include <espalier/format.hpp>
 #include <espalier/lattice.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/wide_integer.hpp>
 #include <runtime/lattice/rounder.hpp>
 

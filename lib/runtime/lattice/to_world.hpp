@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
 
 namespace espalier::detail {

@@ -6,7 +6,7 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/status.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/blob/node.hpp>

@@ -1,7 +1,6 @@
 // The header and the places of the sections, which open() and open_unchecked() both check. O(1), without a float
 // operation for the sake of cores that have none.
-#include <runtime/base/bytes.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/id_steps.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/base/options.hpp>

@@ -5,7 +5,7 @@
 #include <span>
 
 #include <espalier/blob.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/checksum.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/id_steps.hpp>

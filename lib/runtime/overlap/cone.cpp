@@ -1,7 +1,7 @@
 // Cones: how they are rounded onto the lattice, what encloses them, and which triangles they overlap, decided in
 // integers. docs/numerics.md has the proof and the widths.
 #include <espalier/overlap.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/overlap/bounding_plane.hpp>
 #include <runtime/overlap/find.hpp>

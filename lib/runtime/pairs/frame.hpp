@@ -5,7 +5,7 @@
 
 #include <espalier/transform.hpp>
 #include <espalier/types.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/kernels/triangle_triangle.hpp>
 

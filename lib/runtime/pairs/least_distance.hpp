@@ -1,7 +1,7 @@
 // The pair of triangles that is least apart, as a search keeps it: what is known of it so far.
 #pragma once
 
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/kernels/triangle_distance.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/pairs/frame.hpp>

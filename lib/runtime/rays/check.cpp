@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/rays/queries.hpp>
 

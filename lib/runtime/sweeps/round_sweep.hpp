@@ -6,7 +6,7 @@
 #include <espalier/blob.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/kernels/moving_box.hpp>
 #include <runtime/kernels/moving_capsule.hpp>
 #include <runtime/kernels/segment_triangle.hpp>

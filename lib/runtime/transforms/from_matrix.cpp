@@ -1,5 +1,5 @@
 // The rotation, scale and translation of a matrix, after Shepperd (1978).
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier {

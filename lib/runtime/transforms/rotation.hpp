@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include <espalier/transform.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 
 namespace espalier::detail {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/node.hpp>
 #include <runtime/lattice/triangle.hpp>
 #include <runtime/traversal/box_nodes.hpp>

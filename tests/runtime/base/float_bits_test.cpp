@@ -5,8 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include <runtime/base/bytes.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 
 #include "support/base/hostile_values.hpp"
 #include "support/base/random.hpp"

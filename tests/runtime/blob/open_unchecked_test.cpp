@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include <espalier/espalier.hpp>
-#include <runtime/base/float_bits.hpp>
+#include <runtime/base/bits.hpp>
 
 #include "support/base/profiles.hpp"
 #include "support/blobs/baking.hpp"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/node.hpp>
 #include <runtime/rays/small_code/seen_ray.hpp>
 

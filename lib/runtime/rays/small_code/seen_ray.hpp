@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include <espalier/blob.hpp>
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/node.hpp>
 #include <runtime/lattice/round_ray.hpp>
 

@@ -9,7 +9,7 @@
 #include <arm_acle.h>  // pairs of 16 bits in one instruction
 #endif
 
-#include <runtime/base/bytes.hpp>
+#include <runtime/base/bits.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/rays/small_code/seen_ray.hpp>
 

@@ -1,9 +1,10 @@
-// Floats taken apart and put together in integers, so that the result does not depend on flush-to-zero modes or a libm;
-// and their square roots.
+// The bits of numbers: little-endian numbers read from bytes; floats taken apart and put together in integers, so that
+// the result does not depend on flush-to-zero modes or a libm; and their square roots.
 #pragma once
 
 #include <bit>
 #include <cfloat>
+#include <cstddef>
 #include <cstdint>
 
 #include <runtime/base/options.hpp>
@@ -13,6 +14,7 @@ namespace espalier::detail {
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "Espalier is exact: compile it without -ffast-math and -ffinite-math-only"
 #endif
+static_assert(sizeof(float) == 4, "float must be IEEE binary32");
 static_assert(FLT_EVAL_METHOD == 0, "float arithmetic must be done in float: use SSE on 32-bit x86");
 
 inline constexpr float infinity = __builtin_inff();
@@ -107,6 +109,44 @@ ESPALIER_SHARED_CODE inline std::int64_t to_integer(float x) {
     return static_cast<std::int64_t>(is_negative(x) ? 0 - magnitude : magnitude);
 }
 
+/// The nearest float, ties to even, to a number in two's complement, low words first. For cores without wide registers:
+/// the compiler's own conversion would bring all of its float addition along.
+[[gnu::noinline]] inline float words_to_float(const std::uint32_t* words, int count) {
+    std::int32_t top;
+    std::uint32_t below = 0, rest = 0;
+    do {  // what is the next one's sign, and no more, is left out
+        top = static_cast<std::int32_t>(words[--count]);
+        below = count != 0 ? words[count - 1] : 0;
+    } while (count != 0 && top == static_cast<std::int32_t>(below) >> 31);
+    const int shift = std::countl_zero(static_cast<std::uint32_t>(top ^ top >> 31)) - 1;
+    const int exponent = 32 * count - shift;
+    rest = below << shift;
+    for (; count > 1; --count) rest |= words[count - 2];
+    // 31 bits, more than a float has, rounded down; whatever is below only matters as "not zero", on both sides of 0.
+    const std::uint32_t kept =
+        static_cast<std::uint32_t>(top) << shift | below >> 1 >> (31 - shift) | (rest != 0 ? 1u : 0u);
+    return static_cast<float>(static_cast<std::int32_t>(kept)) * power_of_two(exponent);
+}
+/// The nearest float, ties to even.
+#if ESPALIER_NATIVE_INT128
+ESPALIER_SHARED_CODE inline float to_float(std::int64_t a) { return static_cast<float>(a); }
+#else
+ESPALIER_SHARED_CODE inline float to_float(std::int64_t a) {
+    const auto bits = static_cast<std::uint64_t>(a);
+    const std::uint32_t words[2] = {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
+    return words_to_float(words, 2);
+}
+#endif
+
+// For kernels of integers of 64 bits or more (wide_integer.hpp).
+constexpr bool is_negative(std::int64_t a) { return a < 0; }
+constexpr bool is_zero(std::int64_t a) { return a == 0; }
+/// -a or a, without a branch.
+constexpr std::int64_t negate_if(std::int64_t a, bool condition) {
+    const auto mask = -static_cast<std::int64_t>(condition);
+    return (a ^ mask) - mask;
+}
+
 /// Where either order is right: the second operand when one is not a number, as x86's instructions do.
 inline float minimum(float a, float b) { return a < b ? a : b; }
 inline float maximum(float a, float b) { return a > b ? a : b; }
@@ -164,6 +204,48 @@ inline float square_root_by_instruction(float x) {
 inline float square_root(float x) {
     if constexpr (has_square_root) return square_root_by_instruction(x);
     else return square_root_in_integers(x);
+}
+
+// Numbers read from bytes that may lie anywhere: no alignment, any byte order of the machine. Compilers turn each of
+// these into one load where the machine has one.
+
+/// One instruction where the machine reads from any address; elsewhere several, which small code has only once.
+#if defined(__arm__) && !defined(__ARM_FEATURE_UNALIGNED)
+#define ESPALIER_LOAD inline
+#else
+#define ESPALIER_LOAD [[gnu::always_inline]] inline
+#endif
+
+inline std::uint32_t load_u8(const std::byte* at) { return std::to_integer<std::uint32_t>(*at); }
+ESPALIER_LOAD std::uint32_t load_u16(const std::byte* at) { return load_u8(at) | load_u8(at + 1) << 8; }
+ESPALIER_LOAD std::uint32_t load_u32(const std::byte* at) { return load_u16(at) | load_u16(at + 2) << 16; }
+inline std::uint64_t load_u64(const std::byte* at) { return load_u32(at) | std::uint64_t{load_u32(at + 4)} << 32; }
+ESPALIER_LOAD std::int16_t load_i16(const std::byte* at) { return static_cast<std::int16_t>(load_u16(at)); }
+ESPALIER_LOAD std::int32_t load_i32(const std::byte* at) { return static_cast<std::int32_t>(load_u32(at)); }
+ESPALIER_LOAD float load_f32(const std::byte* at) { return std::bit_cast<float>(load_u32(at)); }
+
+#undef ESPALIER_LOAD
+
+/// `count` bits from bit `bit` of a stream on, low bits first; count at most 25. Reads the 4 bytes from the one in
+/// which the bits begin: the format's guard keeps that inside the blob.
+[[gnu::always_inline]] inline std::uint32_t load_few_bits(const std::byte* stream, unsigned bit, unsigned count) {
+    return (load_u32(stream + bit / 8) >> (bit % 8)) & ((1u << count) - 1u);
+}
+/// Field `index` of a stream of fields with that many bits.
+inline std::uint32_t load_field(const std::byte* stream, unsigned width, unsigned index) {
+    return load_few_bits(stream, width * index, width);
+}
+
+/// The same for at most 57 bits. Reads 8 bytes.
+inline std::uint64_t load_bits(const std::byte* stream, unsigned bit, unsigned count) {
+    return (load_u64(stream + bit / 8) >> (bit % 8)) & ((std::uint64_t{1} << count) - 1u);
+}
+
+/// The same for at most 63 bits. Reads 9 bytes.
+inline std::uint64_t load_many_bits(const std::byte* stream, unsigned bit, unsigned count) {
+    const std::byte* const at = stream + bit / 8;
+    const std::uint64_t above = (std::uint64_t{load_u8(at + 8)} << 1) << (63 - bit % 8);
+    return (load_u64(at) >> (bit % 8) | above) & ((std::uint64_t{1} << count) - 1u);
 }
 
 }  // namespace espalier::detail
