@@ -14,6 +14,7 @@
 #include <espalier/ray.hpp>
 #include <espalier/walk.hpp>
 
+#include "every_triangle.hpp"
 #include "support/base/profiles.hpp"
 #include "support/blobs/test_blobs.hpp"
 #include "support/machine/guarded_pages.hpp"
@@ -61,16 +62,6 @@ Scene make_scene(Profile profile, bool ids, unsigned material_bits) {
 std::size_t mesh_of(const OriginalTriangle& original) {
     if (original.file == 0) return original.mesh == 0 ? 0 : 1;
     return original.mesh == 0 ? 2 : 3;
-}
-
-/// Collected before anything is required of them: no exception may pass through the runtime.
-std::vector<Triangle> every_triangle(const Blob& blob) {
-    std::vector<Triangle> triangles;
-    CHECK(for_each_triangle(blob, [&](TriangleId triangle, const Triangle& corners) {
-              CHECK(triangle.index == triangles.size());
-              triangles.push_back(corners);
-          }) == QueryStatus::ok);
-    return triangles;
 }
 
 using Remap = std::vector<OriginalTriangle>;
@@ -366,56 +357,5 @@ TEST_SUITE("identity") {
             CHECK(plain.decoded.triangles == full.decoded.triangles);
             CHECK(plain.opened.bytes.size() < full.opened.bytes.size());
         });
-    }
-}
-
-TEST_SUITE("identity") {
-    TEST_CASE("walk: every triangle comes in storage order with the corners of the decoder") {
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            const double step = std::ldexp(1.0, blob.decoded.step_exponent);
-            const std::vector<Triangle> triangles = every_triangle(blob.opened.blob);
-            REQUIRE(triangles.size() == blob.decoded.triangles.size());
-            for (std::size_t i = 0; i < triangles.size(); ++i) {
-                const GridTriangle& expected = blob.decoded.triangles[i];
-                const auto check = [&](Vec3 corner, const GridPoint& grid) {
-                    const float given[3] = {corner.x, corner.y, corner.z};
-                    for (unsigned k = 0; k < 3; ++k) {
-                        const double exact = static_cast<double>(blob.decoded.origin[k]) + grid[k] * step;
-                        REQUIRE(given[k] == static_cast<float>(exact));
-                    }
-                };
-                check(triangles[i].a, expected.a);
-                check(triangles[i].b, expected.b);
-                check(triangles[i].c, expected.c);
-            }
-            int calls = 0;
-            const auto stop = [&](TriangleId, const Triangle&) { return ++calls, Visit::stop; };
-            CHECK(for_each_triangle(blob.opened.blob, stop) == QueryStatus::stopped);
-            CHECK(calls == 1);
-        }
-    }
-
-    TEST_CASE("open: the properties of a blob equal its header") {
-        for (const TestBlob& blob : small_test_blobs()) {
-            CAPTURE(blob.name);
-            const Blob& view = blob.opened.blob;
-            CHECK(view.triangle_count() == blob.decoded.triangle_count);
-            CHECK(view.vertex_count() == distinct_corners(blob.decoded).size());
-            CHECK(view.size() == blob.opened.bytes.size());
-            CHECK(detail::data_of(view).bits == blob.decoded.bits);
-            CHECK(view.depth() == blob.decoded.depth);
-            CHECK(view.lattice().step_exponent == blob.decoded.step_exponent);
-            CHECK(view.max_error() == blob.decoded.max_error);
-            CHECK(view.bounds().min == Vec3{blob.decoded.origin[0], blob.decoded.origin[1], blob.decoded.origin[2]});
-            unsigned deepest = 0;
-            for (const DecodedNode& node : blob.decoded.nodes) deepest = std::max(deepest, node.depth);
-            CHECK(view.depth() == deepest);
-        }
-        const Blob empty;
-        CHECK(empty.triangle_count() == 0);
-        CHECK(empty.bounds().min == Vec3{});
-        CHECK(empty.bounds().max == Vec3{});
-        CHECK(for_each_triangle(empty, [](TriangleId) { return Visit::stop; }) == QueryStatus::not_open);
     }
 }

@@ -14,6 +14,7 @@
 
 #include "platform/answers.hpp"
 #include "support/blobs/baking.hpp"
+#include "support/machine/chosen_instruction_set.hpp"
 #include "support/meshes/makers.hpp"
 
 #if ESPALIER_COUNT_STEPS && !ESPALIER_NEON
@@ -22,28 +23,6 @@ using namespace espalier;
 using namespace espalier::tests;
 
 namespace {
-
-/// Asks with these lanes and no others. Those that multiply and add at once round the planes of a node otherwise,
-/// outward alike, and may look at a node more or less.
-class Lanes {
-public:
-#if ESPALIER_X86
-    explicit Lanes(detail::InstructionSet set) {
-        detail::known_instruction_set = static_cast<std::uint8_t>(static_cast<unsigned>(set) + 1u);
-    }
-    ~Lanes() { detail::known_instruction_set = before_; }
-#else
-    explicit Lanes(detail::InstructionSet) {}
-    ~Lanes() = default;
-#endif
-    Lanes(const Lanes&) = delete;
-    Lanes& operator=(const Lanes&) = delete;
-
-private:
-#if ESPALIER_X86
-    std::uint8_t before_ = detail::known_instruction_set;
-#endif
-};
 
 struct Work {
     std::uint64_t nodes, leaves, decisions, axes = 0;
@@ -87,7 +66,7 @@ struct Group {
 };
 
 void check_work(const Blob& blob, detail::InstructionSet set, const std::vector<Group>& groups) {
-    const Lanes lanes(set);
+    const ChosenInstructionSet lanes(set);
     for (const Group& group : groups) {
         CAPTURE(group.query);
         platform::Questions questions(blob);
@@ -177,7 +156,7 @@ TEST_SUITE("work") {
         for (const std::int32_t side : asset.extent) longest = std::max(longest, side);
         // As far apart as rays of a group may be, exactly.
         const float near = std::ldexp(static_cast<float>(longest), asset.step_exponent - 4);
-        const Lanes lanes(detail::InstructionSet::sse42);
+        const ChosenInstructionSet lanes(detail::InstructionSet::sse42);
         platform::Fingerprint work;
         std::uint64_t leaves = 0;
         const auto ask = [&](const std::vector<Ray>& rays, std::size_t count) {
