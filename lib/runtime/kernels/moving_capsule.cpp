@@ -69,9 +69,9 @@ SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& tri
 }
 
 SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep step) noexcept {
-    // Of the faces that are met first the earliest, as above.
+    // Of the faces that are met first the earliest, as above. A sphere has one.
     Faces faces(capsule, triangle);
-    while (faces.next() && first_contact(capsule.sphere, faces.face(), step) > step) {
+    while (faces.next() && !is_zero(capsule.axis) && first_contact(capsule.sphere, faces.face(), step) > step) {
     }
     const SweepContact on_face = contact_at(capsule.sphere, faces.face(), tick_before(step));
     const float weights[3] = {1.0f - on_face.u - on_face.v, on_face.u, on_face.v};

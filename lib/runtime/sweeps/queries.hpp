@@ -34,9 +34,9 @@ FoundContact first_contact(const BlobData& blob, const LatticeSweep& sweep, Firs
     return first_contact(sweep.moving, sweep.seen_from(sweep.from, triangle), most);
 }
 inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
-    // The kernel of a sphere looks at the start by itself.
-    const bool is_sphere = takes_shortcut(is_zero(sweep.moving.axis));
-    return !is_sphere && touches_at_start(sweep, triangle) ? 0 : first_contact_after_start(sweep, triangle, most);
+    if (takes_shortcut(is_zero(sweep.moving.axis)))  // a sphere's kernel looks at the start by itself
+        return first_contact(sweep.moving.sphere, sweep.seen_from(sweep.from, triangle), most);
+    return touches_at_start(sweep, triangle) ? 0 : first_contact_after_start(sweep, triangle, most);
 }
 inline SweepStep first_contact(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
     return first_contact(sweep, integer_triangle(triangle, sweep.fraction_bits), most);
