@@ -52,11 +52,11 @@ struct Each : Answer {
     using IsFirst = bool (*)(const BlobData& blob, std::uint32_t reference, ReachedChildren reached);
 
     const BlobData& blob;
-    IsFirst is_first;  ///< whether a triangle comes at this duplicate reference; null: it comes at each of them
+    IsFirst is_first;  ///< returns whether a triangle comes at this duplicate reference; null: at each of them
     Visitor<TriangleId, std::uint32_t> visit;  ///< takes the triangle and the storage index of the reference to it
     ReachedChildren reached;                   ///< the walk, for triangles with duplicate references
 
-    /// A program that takes a triangle at each reference does not link the search for the first one.
+    /// Without `with_first` a triangle comes at each reference: a program then does not link the search for the first.
     Each(const BlobData& from, Visitor<TriangleId, std::uint32_t> with_each, IsFirst with_first = is_first_reference)
         : Answer([](Answer& self, const Found& found) { return static_cast<Each&>(self).take(found); }),
           blob(from),

@@ -92,8 +92,8 @@ inline constexpr std::size_t register_alignment = small_code ? 4 : 16;
 inline constexpr std::size_t wide_register_alignment = small_code ? 4 : 32;
 
 /// Returns whether to take a shortcut that applies: a second form, faster than the general one and with the same
-/// result. Small code has only the general form. What takes more than a comparison to tell goes behind: it is then not
-/// computed in vain.
+/// result. Small code has only the general form. A condition that takes more than a comparison is written behind the
+/// call, by &&: small code then does not compute it.
 [[gnu::always_inline]] constexpr bool takes_shortcut(bool applies = true) { return !small_code && applies; }
 
 /// The numbers to use where narrow ones suffice. Small code has the functions of the wide ones in any case.

@@ -16,7 +16,7 @@ QueryStatus refusal(const Blob& blob, const Vec3& point) {
     return is_finite(point) ? QueryStatus::ok : QueryStatus::invalid_argument;
 }
 
-/// The closest point for a point that has none, and why.
+/// Returns a closest point that is none, with the reason.
 ClosestPoint nothing_near(QueryStatus status) {
     ClosestPoint nothing;
     nothing.status = status;
