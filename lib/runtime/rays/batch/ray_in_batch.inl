@@ -1,8 +1,19 @@
 // A ray of a batch: what it needs while others are on their way too.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/rays/in_order.inl>
 #include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
+#include <runtime/traversal/alone.hpp>
+static_assert(true);                  // ends clangd's preamble, which cannot include this file
+namespace espalier::detail::scalar {  // where queries.hpp declares what they define
+#include <runtime/rays/prepare_ray_portable.inl>
+#include <runtime/rays/slab_test.inl>
+#include <runtime/traversal/traverse.inl>
+#include <runtime/traversal/query.inl>
+#include <runtime/rays/plain_slab_test.inl>
+#include <runtime/rays/leaf_filter.inl>
+#include <runtime/rays/closest.inl>
+#include <runtime/rays/in_order.inl>
+}  // namespace espalier::detail::scalar
 #endif
 
 /// Where the answers go: closest hits, or whether there is any.
