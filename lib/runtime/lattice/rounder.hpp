@@ -7,7 +7,7 @@
 #include <espalier/shapes.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
-#include <runtime/base/vector3.hpp>
+#include <runtime/lattice/triangle.hpp>
 
 namespace espalier::detail {
 

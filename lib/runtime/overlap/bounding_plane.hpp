@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include <runtime/base/vector3.hpp>
+#include <runtime/lattice/triangle.hpp>
 #include <runtime/traversal/plane_nodes.hpp>
 
 namespace espalier::detail {
