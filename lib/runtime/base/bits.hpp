@@ -54,6 +54,7 @@ struct FloatParts {
     std::int64_t mantissa;
     int exponent;
 };
+/// Takes a finite number apart: it is mantissa * 2^exponent, also if it is subnormal or zero.
 ESPALIER_SHARED_CODE constexpr FloatParts parts_of(float x) {
     const std::uint32_t bits = magnitude_bits(x);
     const int biased = static_cast<int>(bits >> 23);

@@ -20,11 +20,11 @@ struct Rounded<Box> : VolumeOf<Box, 0> {
     std::int64_t half[3];  ///< >= 0
 };
 
-/// round_volume() returns not_found where a shape overlaps nothing, whatever the triangles.
 QueryStatus round_volume(const BlobData& blob, const Box& world, Rounded<Box>& box) noexcept;
-/// Nothing to round.
+
 template <>
 struct Rounded<LatticeBox> : Rounded<Box> {};
+/// Moves the box onto the grid, which rounds nothing.
 QueryStatus round_volume(const BlobData& blob, const LatticeBox& steps, Rounded<Box>& box) noexcept;
 
 /// Whether the triangle and the box share a point, exactly.

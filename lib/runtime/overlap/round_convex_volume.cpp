@@ -39,10 +39,9 @@ bool round_half_space(const BlobData& blob, const FloatParts* normal, float worl
     for (int k = 0; k < 3; ++k) {
         const int shift = longest - normal[k].exponent;
         const std::int64_t length = magnitude(normal[k].mantissa);
-        // The exponent of a zero means nothing: the shift may be negative.
-        const std::int64_t rounded = shift == 0                  ? length
-                                     : length == 0 || shift > 24 ? 0
-                                                                 : (length + (std::int64_t{1} << (shift - 1))) >> shift;
+        const std::int64_t rounded = shift == 0   ? length
+                                     : shift > 24 ? 0
+                                                  : (length + (std::int64_t{1} << (shift - 1))) >> shift;
         plane.normal[k] = static_cast<std::int32_t>(negate_if(rounded, normal[k].mantissa < 0));
     }
     const int to_steps = -longest - blob.step_exponent;

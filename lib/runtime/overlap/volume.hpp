@@ -39,7 +39,8 @@ struct Volume {
     }
 };
 
-/// A shape of the caller, rounded: round_volume() fills it in, and meets() is its kernel.
+/// A shape of the caller, rounded: round_volume() fills it in, and meets() is its kernel. round_volume() returns
+/// not_found if the shape overlaps nothing, whatever the triangles.
 template <class Shape>
 struct Rounded;
 

@@ -90,7 +90,7 @@ inline Floats distance_along(const Floats* from, const Floats* to, const Floats*
                multiply(subtract(to[2], from[2]), direction[2]));
 }
 
-/// Of the corners of t from the plane of the other triangle, times its normal's length.
+/// Computes how far the corners of t are from the plane of the other triangle, times the length of its normal.
 inline void distances_from_plane(const PlacedLanes& t, const PlacedLanes& plane, Floats* distances) {
     for (int i = 0; i < 3; ++i) distances[i] = distance_along(plane.corner[0], t.corner[i], plane.normal);
 }
@@ -159,7 +159,7 @@ template <class Leaf, class Corners>
     t.derive_plane();
 }
 
-/// A bit for each lane that is near enough to the box; for those that touch it also its plane must be.
+/// Returns a bit for each lane whose box is near enough; if `touching`, its plane must also pass through the box.
 [[gnu::noinline]] inline unsigned lanes_near(const Floats (*corner)[3], const PlacedBox& box, bool touching,
                                              float limit) {
     PlacedLanes t;

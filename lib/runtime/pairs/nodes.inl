@@ -1,5 +1,5 @@
-// A box of the one tree against the boxes of a node of the other, in lanes. Nothing here is fused: the same pairs are
-// visited on every machine.
+// A box of the one tree against the boxes of a node of the other, in lanes. Planes are exact, so that fusing them
+// changes nothing; nothing else is fused. The same pairs are visited on every machine.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/traversal/traverse.inl>
 #include <runtime/traversal/node_boxes.inl>

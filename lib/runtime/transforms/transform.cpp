@@ -16,7 +16,7 @@ Shape moved(const Transform& transform, const Shape& shape, Move move) {
 
 /// What becomes of the parts of a shape that is moved into local space.
 struct IntoLocal {
-    PreparedTransform transform;
+    const PreparedTransform& transform;
 
     [[nodiscard]] Vec3 point(const Vec3& p) const { return transform.point_to_local(p); }
     [[nodiscard]] Vec3 vector(const Vec3& v) const { return transform.direction_to_local(v); }
