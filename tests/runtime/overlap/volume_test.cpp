@@ -174,8 +174,9 @@ void check_shapes(const std::vector<TestBlob>& blobs, const ShapeKind& kind, std
         }
     }
     tell_calls(kind, generated_meshes, tally);
-    CHECK(tally.overlapping > tally.asked / 5);
     CHECK(tally.overlapping < tally.asked);
+    if (!asks_enough()) return;
+    CHECK(tally.overlapping > tally.asked / 5);
     CHECK(tally.out_of_range < tally.asked / 10);
 }
 

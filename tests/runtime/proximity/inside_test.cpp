@@ -260,7 +260,7 @@ TEST_SUITE("inside") {
             REQUIRE(nearest);
             REQUIRE((nearest.distance < 0.0f) == (inside.yes() && nearest.distance != 0.0f));
         }
-        CHECK(inside_count > 100);
+        CHECK(inside_count > (asks_enough() ? 100 : 0));
         CHECK(most_crossings > 64);  // several times as many as are kept at once
     }
 }
