@@ -16,7 +16,7 @@
 using namespace espalier;
 using namespace espalier::tests;
 
-TEST_SUITE("pair") {
+TEST_SUITE("pages") {
     TEST_CASE("pair: a full array reports that there are more and the next page goes on") {
         const OpenedBlob sphere(make_icosphere(2, 1.0, {0.0f, 0.0f, 0.0f}));
         const PlacedBlob other(sphere.blob, {{0.1f, 0.2f, 0.3f, 1.0f}, {0.5f, 0.25f, 0.125f}, 1.0f});

@@ -52,7 +52,7 @@ Rational exact_t(const detail::LatticeRay& rounded, const Rational& tau) {
 
 }  // namespace
 
-TEST_SUITE("ray") {
+TEST_SUITE("every hit") {
     TEST_CASE("ray: every hit is found with t and u and v within 4 ulp") {
         // Times a scale of 100 these are more than 10^5 rays.
         const std::uint64_t count = scaled_share(100);
