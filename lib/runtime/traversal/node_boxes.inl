@@ -19,19 +19,30 @@ struct PackedBoxes {
     return {node, load_frame(node, blob)};
 }
 
-/// Of a plain node: planes are coordinates, but for the unit of fine lattices.
+/// Of a plain node: planes are coordinates, but for the unit of fine lattices. Cores without a float unit keep them as
+/// integers until the end: they convert once and multiply nothing.
 struct PlainBoxes {
     PlainNode node;
     float unit;
+    unsigned bits;
 
     [[nodiscard, gnu::always_inline]] Floats low(int k, unsigned first) const {
-        return multiply(to_floats(load_words(node.low_planes(k) + 2 * std::size_t{first})), splat(unit));
+        if constexpr (!has_square_root) return whole(node.low(k, first, bits));
+        else return multiply(to_floats(load_words(node.low_planes(k) + 2 * std::size_t{first})), splat(unit));
     }
     [[nodiscard, gnu::always_inline]] Floats high(int k, unsigned first) const {
-        return multiply_add(to_floats(load_words(node.high_planes(k) + 2 * std::size_t{first})), splat(unit),
-                            splat(unit - 1.0f));
+        if constexpr (!has_square_root) return whole(node.high(k, first, bits));
+        else
+            return multiply_add(to_floats(load_words(node.high_planes(k) + 2 * std::size_t{first})), splat(unit),
+                                splat(unit - 1.0f));
+    }
+
+private:
+    /// Of no sign: the conversion takes fewer instructions.
+    [[gnu::always_inline]] static Floats whole(std::int32_t coordinate) {
+        return splat(static_cast<float>(static_cast<std::uint32_t>(coordinate)));
     }
 };
 [[gnu::always_inline]] inline PlainBoxes boxes_of(const PlainNode& node, const BlobData& blob) {
-    return {node, blob.base_unit};
+    return {node, blob.base_unit, blob.bits};
 }
