@@ -17,12 +17,12 @@ namespace espalier::detail {
 struct Volume {
     using Kernel = bool (*)(const Volume& volume, const LatticeTriangle& triangle);
 
-    Volume(Kernel of_shape, LatticePlane* room) : kernel(of_shape), planes(room) {}
+    explicit Volume(Kernel of_shape) : kernel(of_shape) {}
     Volume(const Volume&) = delete;
     Volume& operator=(const Volume&) = delete;
 
-    Kernel kernel;         ///< whether shape and triangle share a point, exactly
-    LatticePlane* planes;  ///< the shape lies behind each of them
+    Kernel kernel;                   ///< whether shape and triangle share a point, exactly
+    LatticePlane* planes = nullptr;  ///< the shape lies behind each of them
     unsigned plane_count = 0;
     bool bounded = true;  ///< the shape lies within the bounds; only then are these set
     /// A vertex within the bounds and this deep behind each plane is inside the shape: 0 when bounds and planes are the
@@ -48,11 +48,11 @@ struct Rounded;
 template <class Shape, std::size_t most_planes>
 struct VolumeOf : Volume {
     VolumeOf()
-        : Volume(
-              [](const Volume& volume, const LatticeTriangle& triangle) {
-                  return meets(static_cast<const Rounded<Shape>&>(volume), triangle);
-              },
-              room.data()) {}
+        : Volume([](const Volume& volume, const LatticeTriangle& triangle) {
+              return meets(static_cast<const Rounded<Shape>&>(volume), triangle);
+          }) {
+        planes = room.data();
+    }
     std::array<LatticePlane, most_planes> room;
 };
 
