@@ -133,11 +133,11 @@ private:
               vertex_of(number), [&](auto decide) { decide(Unsigned256(magnitude(numerator)), denominator); });
     }
 
-    /// `share` is how far along side `number`. `exactly` hands the exact square to what it is given.
-    template <class Exactly>
-    void offer(float squared, float along, int number, float share, Feature feature, Exactly exactly) {
+    /// `share` is how far along side `number`. `visit_exact` passes the exact square to its argument.
+    template <class VisitExact>
+    void offer(float squared, float along, int number, float share, Feature feature, VisitExact visit_exact) {
         if (radius_ >= 0.0f && !within_) {
-            exactly([&](const Unsigned256& numerator, const auto& denominator) {
+            visit_exact([&](const Unsigned256& numerator, const auto& denominator) {
                 const Unsigned256 whole(magnitude(denominator));
                 within_ = is_within_radius(numerator, {static_cast<std::int64_t>(whole.word[1]), whole.word[0]},
                                            fraction_bits_, radius_);
