@@ -154,8 +154,9 @@ inline constexpr RayHit no_hit = miss_of(0.0f, QueryStatus::not_found);
 inline RayHit miss_with(QueryStatus status) {
     // Small cores store word by word: a call to clear the rest, or a copy from a constant, takes more of them.
     if (!takes_shortcut()) return miss_of(std::bit_cast<float>(as_if_changed(0u)), status);
-    // Others copy whole registers, which the caller's copy need not wait for.
-    RayHit miss = no_hit;
+    // Others copy whole registers, which the caller's copy need not wait for. GCC would initialize field by field.
+    RayHit miss;
+    __builtin_memcpy(&miss, &no_hit, sizeof(miss));
     if (status != QueryStatus::not_found) miss.status = status;
     return miss;
 }

@@ -123,7 +123,7 @@ ESPALIER_FOR_ONE_KIND_OF_LEAF inline RayHit closest_hit_in(const BlobData& blob,
     const QueryStatus status = begin(blob, world, prepared);
     RayHit hit = miss_with(QueryStatus::not_found);  // known before the walk: small cores keep no status for it
     if (status != QueryStatus::ok) {
-        hit.status = status;
+        if (!takes_shortcut() || status != QueryStatus::not_found) hit.status = status;  // no narrow store for a copy
         return hit;
     }
     Query<RayShape<Leaf>, ClosestHit<Caller>, sizeof...(Counted) == 0> query = {
