@@ -112,14 +112,9 @@ LatticeHit find_hit(const Blob& blob, const LatticeSegment& from_caller, bool an
     LatticeHit hit;
     hit.status = nothing_in(data_of(blob));
     if (hit.status == QueryStatus::not_open) return hit;
-    for (const LatticePoint& end : {from_caller.from, from_caller.to})
-        for (const std::int32_t coordinate : {end.x, end.y, end.z})
-            if (coordinate < -max_lattice_coordinate || coordinate > max_lattice_coordinate) {
-                hit.status = QueryStatus::out_of_range;
-                return hit;
-            }
     WholeSegment segment;
-    if (!segment.set(data_of(blob), from_caller)) hit.status = QueryStatus::invalid_argument;
+    const QueryStatus status = segment.set(data_of(blob), from_caller);
+    if (status != QueryStatus::ok) hit.status = status;
     else if (blob.triangle_count() != 0) find_hit(data_of(blob), segment, any_will_do, hit);
     return hit;
 }

@@ -33,7 +33,7 @@ bool crosses_in(const WholeSegment& segment, const OriginRelative& t, Crossing& 
 
 }  // namespace
 
-bool WholeSegment::set(const BlobData& blob, const LatticeSegment& from_caller) {
+QueryStatus WholeSegment::set(const BlobData& blob, const LatticeSegment& from_caller) {
     const LatticePoint& from = from_caller.from;
     const LatticePoint& to = from_caller.to;
     const std::int32_t start[3] = {from.x, from.y, from.z};
@@ -41,6 +41,8 @@ bool WholeSegment::set(const BlobData& blob, const LatticeSegment& from_caller) 
     std::uint32_t any = 0;
     longest = 0;
     for (int k = 0; k < 3; ++k) {
+        constexpr std::uint32_t farthest = max_lattice_coordinate;
+        if (magnitude(start[k]) > farthest || magnitude(end[k]) > farthest) return QueryStatus::out_of_range;
         origin[k] = start[k];
         direction[k] = end[k] - start[k];
         if (magnitude(direction[k]) > magnitude(direction[longest])) longest = static_cast<std::uint8_t>(k);
@@ -52,7 +54,7 @@ bool WholeSegment::set(const BlobData& blob, const LatticeSegment& from_caller) 
     is_narrow = any <= 1u << 24;
     steps_left = magnitude(direction[longest]);
     key_shift = static_cast<std::uint8_t>(width_of(steps_left) < 30 ? 30 - width_of(steps_left) : 0);
-    return steps_left != 0;
+    return steps_left != 0 ? QueryStatus::ok : QueryStatus::invalid_argument;
 }
 
 void WholeSegment::end_at(std::uint32_t t) {

@@ -32,8 +32,8 @@ struct WholeSegment {
     IntegerBounds bounds;
     std::uint32_t steps_left;  ///< along the longest axis
 
-    /// Returns false if it has no length.
-    bool set(const BlobData& blob, const LatticeSegment& from_caller);
+    /// Returns ok, out_of_range for an end that is too far away, or invalid_argument for one without length.
+    QueryStatus set(const BlobData& blob, const LatticeSegment& from_caller);
     /// A key for the walk: within the bounds nothing is farther than the whole length.
     [[nodiscard]] float key_of(std::uint32_t steps) const { return std::bit_cast<float>(steps << key_shift); }
     [[nodiscard]] float limit() const { return key_of(steps_left); }

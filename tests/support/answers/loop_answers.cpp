@@ -102,7 +102,7 @@ Difference in_steps(const Blob& blob, const TriangleLoop& loop, ShapeMaker& shap
     LatticeSegment segment = {*begin, *end};
     LatticeHit expected;
     detail::WholeSegment whole;
-    if (whole.set(detail::data_of(blob), segment)) expected = loop.first_hit(whole);
+    if (whole.set(detail::data_of(blob), segment) == QueryStatus::ok) expected = loop.first_hit(whole);
     else expected.status = QueryStatus::invalid_argument;
     const LatticeHit hit = raycast(blob, segment);
     if (hit.status != expected.status || hit.triangle != expected.triangle || hit.t != expected.t ||
