@@ -24,15 +24,21 @@ inline PlacedLanes lanes_of(const LatticeTriangle& triangle) {
 template <class Leaves>
 struct SlotPair {
     const Leaves& leaves;
-    bool touching;
     typename Leaves::A::Slots a_slots = 0;  ///< that are still to come beside b
     typename Leaves::B::Slots b_slots = leaves.b.used_slots();
-    unsigned a_slot, b_slot;
+    bool touching;
+    std::uint8_t a_slot, b_slot;
     LatticeTriangle a, b;
 
     SlotPair(const Leaves& of, bool only_touching) : leaves(of), touching(only_touching) {}
-    void place_a(unsigned slot) { a = leaves.triangle_a(a_slot = slot); }
-    void place_b(unsigned slot) { b = leaves.triangle_b(b_slot = slot); }
+    void place_a(unsigned slot) {
+        a_slot = static_cast<std::uint8_t>(slot);
+        a = leaves.triangle_a(slot);
+    }
+    void place_b(unsigned slot) {
+        b_slot = static_cast<std::uint8_t>(slot);
+        b = leaves.triangle_b(slot);
+    }
     /// The next whose boxes are within the squared distance, b's also of a box around all of a. False when there is
     /// none.
     [[gnu::noinline]] bool next(float limit) {
@@ -45,7 +51,19 @@ struct SlotPair {
             if (b_slots == 0) return false;
             place_b(static_cast<unsigned>(std::countr_zero(b_slots)));
             b_slots &= b_slots - 1;
-            if (lanes_near(lanes_of(b).corner, leaves.box, touching, limit) != 0) a_slots = leaves.a.used_slots();
+            place_box_of_a();
+            if (gap_between(a, b) > limit) continue;
+            if (!touching || lanes_near(lanes_of(b).corner, leaves.box, true, limit) != 0)
+                a_slots = leaves.a.used_slots();
+        }
+    }
+
+private:
+    /// In the place of a triangle of a, since none is needed then. Integers take a fraction of the time of floats.
+    void place_box_of_a() {
+        for (int k = 0; k < 3; ++k) {
+            a.corner[0][k] = static_cast<std::int32_t>(leaves.box.low[k]) - 1;
+            a.corner[1][k] = a.corner[2][k] = static_cast<std::int32_t>(leaves.box.high[k]) + 1;
         }
     }
 };
