@@ -63,7 +63,11 @@ template <class T>
 
 /// For a small function with many callers: an inlined copy takes several times the code of a call.
 #if ESPALIER_SMALL_CODE
+#if defined(__clang__)
 #define ESPALIER_SHARED_CODE [[gnu::noinline]]
+#else
+#define ESPALIER_SHARED_CODE [[gnu::noinline, gnu::noclone]]  // a copy for each file would be no less code
+#endif
 /// For a larger function with one caller: inlined, it saves the call.
 #define ESPALIER_PART_OF_CALLER [[gnu::always_inline]]
 /// For a function that fast code inlines into each caller, so that it is compiled for the caller's instruction set.
