@@ -1,7 +1,30 @@
-// The arithmetic of lanes, for one lane and for vectors: operators of the language do most of it.
+// What all instruction sets share: loads and stores as copies of bytes, arithmetic by operators of the language.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/lanes/alone.hpp>
 #endif
+
+template <class To, class From>
+inline To load_as(const From* from) {
+    To result;
+    __builtin_memcpy(&result, from, sizeof result);
+    return result;
+}
+inline Ints load_ints(const std::uint32_t* from) { return load_as<Ints>(from); }
+inline void store(float* to, Floats a) { __builtin_memcpy(to, &a, sizeof a); }
+inline void store(std::uint32_t* to, Ints a) { __builtin_memcpy(to, &a, sizeof a); }
+inline void prefetch(const std::byte* at) {
+    if constexpr (lanes > 1) __builtin_prefetch(at);
+}
+
+/// Three axes, and a fourth element that often is of no meaning.
+using Axes = Vector<float, 4>;
+using AxisInts = Vector<std::int32_t, 4>;
+template <class Vector>
+inline void store_axes(void* to, Vector a) {
+    __builtin_memcpy(to, &a, sizeof a);
+}
+
+[[gnu::always_inline]] inline Floats bytes_to_floats(const std::byte* at) { return to_floats(load_bytes(at)); }
 
 /// Whether single rays unpack all of a leaf for the exact kernel too.
 inline constexpr bool keeps_unpacked = lanes > 4;
@@ -26,6 +49,10 @@ inline Ints with_high_bytes(Ints words, Ints bytes) { return words | bytes << 16
 // These are templates so that an instruction set may have better ones of its own. (Of a number and 0, GCC makes two
 // instructions where x86 has one.)
 
+template <class Numbers>
+inline Numbers magnitude(Numbers a) {
+    return __builtin_bit_cast(Numbers, __builtin_bit_cast(Ints, a) & 0x7FFFFFFFu);
+}
 /// The second when one is not a number.
 template <class Numbers>
 inline Numbers smaller(Numbers a, Numbers b) {
@@ -50,3 +77,13 @@ inline unsigned at_most(Numbers a, Numbers b) {
 /// numbers from 0 on, but not -0, as floats do, and negative ones below them.
 inline Compared to_compared(Floats a) { return __builtin_bit_cast(Compared, a); }
 inline void store_compared(float* to, Compared a) { store(to, __builtin_bit_cast(Floats, a)); }
+
+/// Pairs of integers by vertex, in a table of floats.
+template <class FloatTable>
+struct PairTableIn : FloatTable {
+    void set(unsigned number, Ints pair) { FloatTable::set(number, __builtin_bit_cast(Floats, pair)); }
+    template <class Index>
+    [[nodiscard]] Ints look_up(const Index& index) const {
+        return __builtin_bit_cast(Ints, FloatTable::look_up(index));
+    }
+};

@@ -88,7 +88,7 @@ inline Ints load_words(const std::byte* at) {
 /// Of numbers below 2^31.
 inline Floats to_floats(Ints a) { return _mm256_cvtepi32_ps(__m256i(a)); }
 
-#include <runtime/lanes/vectors.inl>
+#include <runtime/lanes/arithmetic.inl>
 
 /// A vertex for each lane, and the three vertices of a triangle in each.
 using Numbers = Ints;

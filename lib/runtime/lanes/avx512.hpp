@@ -33,7 +33,7 @@ inline Ints load_words(const std::byte* at) {
 inline Floats to_floats(Ints a) { return _mm512_cvtepi32_ps(__m512i(a)); }
 unsigned bits_of(SignedInts) = delete;  // comparisons give masks
 
-#include <runtime/lanes/vectors.inl>
+#include <runtime/lanes/arithmetic.inl>
 
 /// A vertex for each lane, and the three vertices of a triangle in each.
 using Numbers = Ints;

@@ -33,7 +33,7 @@ inline Ints shuffle_bytes(const std::byte* bytes, const std::uint8_t* numbers) {
 /// Of numbers below 2^31.
 inline Floats to_floats(Ints a) { return vcvtq_f32_u32(a); }
 
-#include <runtime/lanes/vectors.inl>
+#include <runtime/lanes/arithmetic.inl>
 
 inline AxisInts round_to_integers(Axes a) { return vcvtnq_s32_f32(a); }
 

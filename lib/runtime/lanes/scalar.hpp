@@ -9,6 +9,7 @@
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/lanes/prepared_ray.hpp>
+#include <runtime/lanes/vector.hpp>
 
 namespace espalier::detail::scalar {
 
@@ -24,18 +25,16 @@ struct CornerNumbers {
 };
 
 inline unsigned bits_of(bool comparison) { return comparison ? 1u : 0u; }
-inline void store(float* to, Floats a) { *to = a; }
+inline Floats to_floats(Ints a) { return static_cast<float>(a); }
+[[gnu::always_inline]] inline Ints load_bytes(const std::byte* at) { return load_u8(at); }
+[[gnu::always_inline]] inline Ints load_words(const std::byte* at) { return load_u16(at); }
 
 #include <runtime/lanes/arithmetic.inl>
 
 /// a * b + c and a * b - c: fused or not, as the machine likes.
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return a * b - c; }
-inline Floats magnitude(Floats a) { return absolute(a); }
-[[gnu::always_inline]] inline Floats bytes_to_floats(const std::byte* at) { return static_cast<float>(load_u8(at)); }
-inline Floats to_floats(Ints a) { return static_cast<float>(a); }
-[[gnu::always_inline]] inline Ints load_bytes(const std::byte* at) { return load_u8(at); }
-[[gnu::always_inline]] inline Ints load_words(const std::byte* at) { return load_u16(at); }
+inline Floats magnitude(Floats a) { return absolute(a); }  // one instruction on more machines
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { return load_field(stream, width, first); }
 /// The low halves of the bits of two floats, as one word.
 inline Ints pair_of(Floats x, Floats y) {
@@ -56,11 +55,8 @@ inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) 
     const std::int32_t sum = magnitudes(a) + magnitudes(b) + magnitudes(c);
     return (sum < 0xFFFF ? sum : 0xFFFF) * weight;
 }
-inline Ints load_ints(const std::uint32_t* from) { return *from; }
 inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }
 inline Numbers load_numbers(const std::uint32_t* from) { return load_ints(from); }
-inline void store(std::uint32_t* to, Ints a) { *to = a; }
-inline void prefetch(const std::byte*) {}
 
 /// A coordinate of vertices on another grid: (row . vertex + moved) >> fraction_bits, below 2^24 and exact.
 inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fraction_bits, const Ints* vertex) {
@@ -71,20 +67,19 @@ inline Floats place_on_axis(const std::int32_t* row, std::int64_t moved, int fra
 }
 
 /// Values by vertex.
-template <unsigned groups, class Value = Floats>
+template <unsigned groups>
 struct Table {
-    Value value[groups];
+    Floats value[groups];
     static unsigned groups_of(unsigned vertex_count) { return vertex_count; }
-    void set(unsigned group, Value a) { value[group] = a; }
-    [[nodiscard]] Value look_up(Ints index) const { return value[index]; }
+    void set(unsigned group, Floats a) { value[group] = a; }
+    [[nodiscard]] Floats look_up(Ints index) const { return value[index]; }
     template <unsigned>
-    [[nodiscard]] Value look_up_among(Ints index) const {
+    [[nodiscard]] Floats look_up_among(Ints index) const {
         return value[index];
     }
 };
-/// Pairs of integers by vertex.
 template <unsigned groups>
-using PairTable = Table<groups, Ints>;
+using PairTable = PairTableIn<Table<groups>>;
 
 #include <runtime/lanes/strip_corners_portable.inl>
 #include <runtime/lanes/leaves.inl>

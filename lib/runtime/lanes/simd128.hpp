@@ -30,7 +30,7 @@ inline Floats to_floats(Ints a) {
     return wasm_f32x4_convert_i32x4(a);
 }
 
-#include <runtime/lanes/vectors.inl>
+#include <runtime/lanes/arithmetic.inl>
 
 inline AxisInts round_to_integers(Axes a) { return AxisInts(wasm_i32x4_trunc_sat_f32x4(wasm_f32x4_nearest(a))); }
 

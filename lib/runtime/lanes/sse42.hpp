@@ -34,7 +34,7 @@ inline Ints shuffle_bytes(const std::byte* bytes, const std::uint8_t* numbers) {
 /// Of numbers below 2^31.
 inline Floats to_floats(Ints a) { return _mm_cvtepi32_ps(__m128i(a)); }
 
-#include <runtime/lanes/vectors.inl>
+#include <runtime/lanes/arithmetic.inl>
 
 // GCC makes more than one instruction of a comparison with a constant.
 inline Axes smaller(Axes a, Axes b) { return Axes(_mm_min_ps(a, b)); }
