@@ -133,12 +133,20 @@ public:
     }
     /// Calls the callable with a triangle whose corners are looked up at a storage index if it takes them.
     constexpr Visit operator()(TriangleId triangle, const detail::BlobData& blob, std::uint32_t reference) const {
-        return takes_corners() ? with_corners_(triangle, corners_at_(blob, reference)) : without_corners_(triangle);
+        return takes_corners() ? look_up_corners(triangle, blob, reference) : without_corners_(triangle);
     }
 
 private:
-    WithCorners with_corners_;
-    WithoutCorners without_corners_;
+    /// Has a frame of its own: queries need no room for the corners.
+    [[gnu::noinline]] constexpr Visit look_up_corners(TriangleId triangle, const detail::BlobData& blob,
+                                                      std::uint32_t reference) const {
+        return with_corners_(triangle, corners_at_(blob, reference));
+    }
+
+    union {
+        WithCorners with_corners_;  // if it takes corners
+        WithoutCorners without_corners_;
+    };
     detail::CornersAt corners_at_ = nullptr;  // a program without visitors that take corners does not link it
 };
 

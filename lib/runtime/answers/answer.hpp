@@ -53,11 +53,12 @@ struct Each : Answer {
 
     const BlobData& blob;
     IsFirst is_first;  ///< returns whether a triangle comes at this duplicate reference; null: at each of them
-    Visitor<TriangleId, std::uint32_t> visit;  ///< takes the triangle and the storage index of the reference to it
-    ReachedChildren reached;                   ///< the walk, for triangles with duplicate references
+    const TriangleVisitor& visit;
+    std::uint32_t visited_last = 0;  ///< the storage index of the reference whose triangle the visitor took last
+    ReachedChildren reached;         ///< the walk, for triangles with duplicate references
 
     /// Without `with_first` a triangle comes at each reference: a program then does not link the search for the first.
-    Each(const BlobData& from, Visitor<TriangleId, std::uint32_t> with_each, IsFirst with_first = is_first_reference)
+    Each(const BlobData& from, const TriangleVisitor& with_each, IsFirst with_first = is_first_reference)
         : Answer([](Answer& self, const Found& found) { return static_cast<Each&>(self).take(found); }),
           blob(from),
           is_first(with_first),
@@ -65,7 +66,8 @@ struct Each : Answer {
     Visit take(const Found& found) {
         if (is_first != nullptr && found.reference != found.index && !is_first(blob, found.reference, reached))
             return Visit::next;
-        return visit(TriangleId{found.index}, found.reference);
+        visited_last = found.reference;
+        return visit(TriangleId{found.index}, blob, found.reference);
     }
 };
 

@@ -8,10 +8,12 @@ namespace espalier::detail {
 
 namespace {
 
+constexpr auto stop = [](TriangleId) { return Visit::stop; };
+constexpr TriangleVisitor stop_at_first(stop);  // takes no stack
+
 YesNo find_any(const BlobData& blob, AnyShape shape, const WalkAccuracy& accuracy) {
     if (blob.bytes == nullptr) return YesNo();
-    const auto stop = [](TriangleId, std::uint32_t) { return Visit::stop; };
-    Each any(blob, stop, nullptr);
+    Each any(blob, stop_at_first, nullptr);
     const QueryStatus status = shape.find(blob, shape.shape, any, accuracy);
     return is_refused(status) ? YesNo(status) : YesNo::of(status == QueryStatus::stopped);
 }
@@ -27,10 +29,7 @@ YesNo overlaps(const Blob& blob, AnyShape shape, Accuracy accuracy, QueryCounter
 QueryStatus for_each_overlap(const Blob& blob, AnyShape shape, TriangleVisitor visit) noexcept {
     const BlobData& data = data_of(blob);
     if (data.bytes == nullptr) return QueryStatus::not_open;
-    const auto with_each = [&](TriangleId triangle, std::uint32_t reference) {
-        return visit(triangle, data, reference);
-    };
-    Each each(data, with_each);
+    Each each(data, visit);
     return shape.find(data, shape.shape, each, exactly);
 }
 
@@ -38,18 +37,19 @@ Filled collect_overlaps(const Blob& blob, AnyShape shape, std::span<TriangleId> 
     const BlobData& data = data_of(blob);
     Filled filled = {0, from, QueryStatus::not_open};
     if (data.bytes == nullptr) return filled;
-    const auto write = [&](TriangleId triangle, std::uint32_t reference) {
-        if (filled.count == out.size()) {
-            filled.next = {{reference}};
-            return Visit::stop;
-        }
+    const auto write = [&](TriangleId triangle) {
+        if (filled.count == out.size()) return Visit::stop;
         out[filled.count++] = triangle;
         return Visit::next;
     };
-    Each each(data, write);
+    const TriangleVisitor visit(write);
+    Each each(data, visit);
     each.first = from.place[0];
     filled.status = shape.find(data, shape.shape, each, exactly);
-    if (filled.status == QueryStatus::stopped) filled.status = QueryStatus::output_full;
+    if (filled.status == QueryStatus::stopped) {
+        filled.status = QueryStatus::output_full;
+        filled.next = {{each.visited_last}};
+    }
     if (filled.status == QueryStatus::ok) filled.next = {{data.triangle_count}};
     return filled;
 }

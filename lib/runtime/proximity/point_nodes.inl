@@ -36,15 +36,15 @@ inline unsigned distance_test(const Node& node, const RoundedPoint& point, const
 template <class Node>
 inline unsigned overlap_test(const Node& node, const RoundedPoint& point, const BlobData& blob, unsigned& inside) {
     const auto boxes = boxes_of(node, blob);
-    unsigned mask = 0;
-    inside = 0;
+    unsigned mask = 0, clearly_inside = 0;
     // mutant(< -> <=) equivalent: tests one more child from the bytes behind the node and masks it out
     for (unsigned first = 0; first < Node::max_children; first += lanes) {
         Floats low[3], high[3];
         planes_from_point(boxes, point, first, low, high);
         mask |= at_most(squared_distance(low, high), splat(point.limit)) << first;
         // mutant(|= nothing) work: tests each triangle of a box that is wholly inside, with the same result
-        inside |= at_most(squared_distance_of_far_corner(low, high), splat(point.inner_limit)) << first;
+        clearly_inside |= at_most(squared_distance_of_far_corner(low, high), splat(point.inner_limit)) << first;
     }
+    inside = clearly_inside;
     return mask & all_children(node);
 }

@@ -33,7 +33,8 @@ template <class SomeAnswer, class Shape>
 inline bool find_each(const BlobData& blob, Shape& shape, Each& answer, const WalkAccuracy& accuracy) {
     auto& some_answer = static_cast<SomeAnswer&>(answer);
     if constexpr (reads_duplicate_references) {
-        auto reached = [&, again = shape](const PlainNode& node, unsigned children) mutable {
+        const auto reached = [&](const PlainNode& node, unsigned children) {
+            Shape again = shape;  // the walk's own may remember a node
             alignas(register_alignment) float keys[PlainNode::max_children];
             return again.cull(node, answer.limit, keys) & children;
         };

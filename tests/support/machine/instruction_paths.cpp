@@ -55,8 +55,8 @@ bool InstructionPath::any_overlap(const detail::BlobData& blob, const detail::Ro
 
 bool InstructionPath::every_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere,
                                     std::uint32_t first, FunctionRef<Visit(TriangleId)> visit) const {
-    const auto with_each = [&](TriangleId triangle, std::uint32_t) { return visit(triangle); };
-    detail::Each each(blob, with_each);
+    const TriangleVisitor visit_triangle(visit);
+    detail::Each each(blob, visit_triangle);
     each.first = first;
     return !find_overlaps(blob, sphere, each, detail::exactly);
 }
@@ -78,8 +78,9 @@ std::size_t InstructionPath::closest_triangles(const detail::BlobData& blob, con
 
 bool InstructionPath::may_overlap(const detail::BlobData& blob, const detail::RoundedPoint& sphere, std::int32_t steps,
                                   QueryCounters& counters) const {
-    const auto stop = [](TriangleId, std::uint32_t) { return Visit::stop; };
-    detail::Each any(blob, stop);
+    const auto stop = [](TriangleId) { return Visit::stop; };
+    const TriangleVisitor visit(stop);
+    detail::Each any(blob, visit);
     return find_overlaps(blob, sphere, any, {steps, &counters});
 }
 
