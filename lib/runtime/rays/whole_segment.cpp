@@ -8,7 +8,10 @@ namespace espalier::detail {
 
 namespace {
 
-std::uint32_t magnitude(std::int32_t a) { return static_cast<std::uint32_t>(a < 0 ? -a : a); }
+std::uint32_t magnitude(std::int32_t a) {
+    const auto bits = static_cast<std::uint32_t>(a);  // -2^31 has no positive counterpart
+    return a < 0 ? 0u - bits : bits;
+}
 
 int width_of(std::uint32_t a) { return 32 - std::countl_zero(a); }
 
