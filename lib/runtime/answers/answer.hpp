@@ -53,9 +53,8 @@ struct Each : Answer {
 
     const BlobData& blob;
     IsFirst is_first;  ///< returns whether a triangle comes at this duplicate reference; null: at each of them
-    const TriangleVisitor& visit;
-    std::uint32_t visited_last = 0;  ///< the storage index of the reference whose triangle the visitor took last
-    ReachedChildren reached;         ///< the walk, for triangles with duplicate references
+    TriangleVisitor visit;
+    ReachedChildren reached;  ///< the walk, for triangles with duplicate references
 
     /// Without `with_first` a triangle comes at each reference: a program then does not link the search for the first.
     Each(const BlobData& from, const TriangleVisitor& with_each, IsFirst with_first = is_first_reference)
@@ -66,7 +65,7 @@ struct Each : Answer {
     Visit take(const Found& found) {
         if (is_first != nullptr && found.reference != found.index && !is_first(blob, found.reference, reached))
             return Visit::next;
-        visited_last = found.reference;
+        first = found.reference;  // where the next page begins if the visitor stops here
         return visit(TriangleId{found.index}, blob, found.reference);
     }
 };

@@ -10,11 +10,12 @@ namespace {
 
 constexpr int fine = Rounded<Box>::fraction_bits - 1;
 
-/// From and to, in units of 2^-fine steps.
+/// From and to, in units of 2^-fine steps: at most a step beyond the asset's box, so that bounds need no clamp.
 void set_sides(Rounded<Box>& box, int k, std::int64_t low, std::int64_t high) {
     box.center[k] = low + high;
     box.half[k] = high - low;
-    box.set_bounds(k, low, high, fine);
+    box.bounds.low[k] = static_cast<std::int32_t>(-(-low >> fine));
+    box.bounds.high[k] = static_cast<std::int32_t>(high >> fine);
     box.depth_inside = 0;
 }
 

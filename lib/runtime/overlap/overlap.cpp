@@ -37,18 +37,19 @@ Filled collect_overlaps(const Blob& blob, AnyShape shape, std::span<TriangleId> 
     const BlobData& data = data_of(blob);
     Filled filled = {0, from, QueryStatus::not_open};
     if (data.bytes == nullptr) return filled;
-    const auto write = [&](TriangleId triangle) {
-        if (filled.count == out.size()) return Visit::stop;
-        out[filled.count++] = triangle;
+    TriangleId *next = out.data(), *const end = next + out.size();
+    const auto write = [&next, end](TriangleId triangle) {
+        if (next == end) return Visit::stop;
+        *next++ = triangle;
         return Visit::next;
     };
-    const TriangleVisitor visit(write);
-    Each each(data, visit);
+    Each each(data, write);
     each.first = from.place[0];
     filled.status = shape.find(data, shape.shape, each, exactly);
+    filled.count = static_cast<std::size_t>(next - out.data());
     if (filled.status == QueryStatus::stopped) {
         filled.status = QueryStatus::output_full;
-        filled.next = {{each.visited_last}};
+        filled.next = {{each.first}};
     }
     if (filled.status == QueryStatus::ok) filled.next = {{data.triangle_count}};
     return filled;
