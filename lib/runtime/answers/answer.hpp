@@ -65,8 +65,9 @@ struct Each : Answer {
     Visit take(const Found& found) {
         if (is_first != nullptr && found.reference != found.index && !is_first(blob, found.reference, reached))
             return Visit::next;
-        first = found.reference;  // where the next page begins if the visitor stops here
-        return visit(TriangleId{found.index}, blob, found.reference);
+        const Visit next = visit(TriangleId{found.index}, blob, found.reference);
+        if (next == Visit::stop) first = found.reference;  // where the next page begins
+        return next;
     }
 };
 
