@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
@@ -106,6 +107,35 @@ Ray make_ray(Random& random, const std::vector<GridTriangle>& triangles) {
     return ray;
 }
 
+/// A vertex as the filter sees it, in units of its integers.
+using GridPair = std::array<int, 2>;
+
+int magnitudes(const GridPair& at) { return std::abs(at[0]) + std::abs(at[1]); }
+std::int64_t cross(const GridPair& p, const GridPair& q) {
+    return std::int64_t{p[0]} * q[1] - std::int64_t{p[1]} * q[0];
+}
+
+/// The filter of leaves with many vertices, which keeps each as two small integers.
+class PairFilter {
+public:
+    /// Of a leaf of 2^size_bits steps, 13 for integers of one step each.
+    PairFilter(unsigned size_bits, float shear_error) {
+        leaf_.size_bits = static_cast<std::uint8_t>(size_bits);
+        ray_.shear_error = shear_error;
+    }
+    [[nodiscard]] bool allows(const GridPair& a, const GridPair& b, const GridPair& c, bool is_mirrored) const {
+        detail::scalar::PairVertices<4> vertices(leaf_, ray_);
+        const GridPair* const corners[3] = {&a, is_mirrored ? &c : &b, is_mirrored ? &b : &c};
+        for (unsigned i = 0; i < 3; ++i)
+            vertices.set(i, static_cast<float>((*corners[i])[0]), static_cast<float>((*corners[i])[1]));
+        return vertices.allow({0, 1, 2}) != 0;
+    }
+
+private:
+    detail::PlainLeaf leaf_{};
+    detail::LatticeRay ray_{};
+};
+
 }  // namespace
 
 TEST_SUITE("leaf filter") {
@@ -143,19 +173,73 @@ TEST_SUITE("leaf filter") {
                 ray.shear_error = delta;
                 detail::PlainLeaf leaf{};
                 leaf.size_bits = static_cast<std::uint8_t>(std::bit_width(size) - 1);
-                const auto is_allowed = [&](double unclear, float sign) {
+                const auto is_allowed = [&](double unclear, float sign, bool is_turned) {
                     // Corners (-far, 0), (-unclear, -1), (0, 1): edge functions -unclear, far and far, or the opposite.
                     const float far = 4.0f * static_cast<float>(bound);
                     detail::scalar::FloatVertices<4> vertices(leaf, ray);
-                    vertices.set(0, -far * sign, 0.0f);
-                    vertices.set(1, -static_cast<float>(unclear) * sign, -1.0f);
-                    vertices.set(2, 0.0f, 1.0f);
+                    const auto set = [&](unsigned number, float x, float y) {
+                        vertices.set(number, is_turned ? -y : x, is_turned ? x : y);  // by a quarter
+                    };
+                    set(0, -far * sign, 0.0f);
+                    set(1, -static_cast<float>(unclear) * sign, -1.0f);
+                    set(2, 0.0f, 1.0f);
                     return vertices.allow({0, 1, 2}) != 0;
                 };
                 for (const float sign : {1.0f, -1.0f}) {
-                    CHECK(is_allowed(bound * 0.999, sign));
-                    CHECK_FALSE(is_allowed(bound * 1.001, sign));
+                    for (const bool is_turned : {false, true}) {
+                        CHECK(is_allowed(bound * 0.999, sign, is_turned));
+                        CHECK_FALSE(is_allowed(bound * 1.001, sign, is_turned));
+                    }
                 }
             }
+    }
+
+    TEST_CASE("ray: the filter of small integers is unclear within its documented bound and hardly beyond it") {
+        // The filter cuts off both parts of its bound to whole numbers: with these errors by nearly one or by nearly
+        // nothing. The last one is nearly the largest.
+        std::uint64_t unclear = 0, clear = 0;
+        for (const float shear_error : {0.0f, 0.0292f, 0.0295f, 0.187f, 1.4f, 20.0f, 511.4f}) {
+            const double error = double(shear_error + 0.5f);
+            const double share = 34.0 / 32.0 * error;
+            const int height = static_cast<int>(4.0 * share) + 8;
+            const PairFilter filter(13, shear_error);
+            for (const int length : {1, 2, 7, 30, 500, 12000, 16383}) {
+                for (int times = 0; times < 3 * share + 3; times += 1 + times / 16) {
+                    // Where the edge function of b and c, length * times + rest, is the bound.
+                    const double part = share * (3 * length + 3 + height + times) + 2.125 * error * error + 1.0;
+                    const int middle = static_cast<int>((part - times * length) / (1.0 + share));
+                    for (int rest = std::max(0, middle - 40); rest < length;
+                         rest += rest < middle + 40 ? 1 : length / 32 + 1) {
+                        const GridPair a = {0, -height}, b = {length, 1}, c = {rest - 2 * length, -times - 2};
+                        const std::int64_t products[3] = {cross(b, c), cross(c, a), cross(a, b)};
+                        const std::int64_t area = std::min(-*std::min_element(products, products + 3),
+                                                           *std::max_element(products, products + 3));
+                        const double sum = magnitudes(a) + magnitudes(b) + magnitudes(c);
+                        const double bound = share * sum + 2.125 * error * error + 1.0;
+                        CAPTURE(error);
+                        CAPTURE(length);
+                        CAPTURE(area);
+                        for (const bool is_mirrored : {false, true}) {
+                            const bool is_allowed = filter.allows(a, b, c, is_mirrored);
+                            if (double(area) <= bound) REQUIRE(is_allowed);
+                            if (double(area) > bound + sum / 32.0 + 1.0) REQUIRE_FALSE(is_allowed);
+                            ++(is_allowed ? unclear : clear);
+                        }
+                    }
+                }
+            }
+        }
+        MESSAGE(unclear, " unclear, ", clear, " clear");
+        CHECK(unclear > 1000);
+        CHECK(clear > 1000);
+    }
+
+    TEST_CASE("ray: the filter of small integers rejects nothing from an error of 512 on") {
+        for (const float error : {511.0f, 511.9375f, 512.0f, 512.0625f, 70000.0f, 0x1p40f}) {
+            // Edge functions of half the largest integers.
+            const PairFilter filter(13, error - 0.5f);
+            for (const bool is_mirrored : {false, true})
+                CHECK(filter.allows({20000, -20000}, {20000, 20000}, {1, -30000}, is_mirrored) == (error >= 512.0f));
+        }
     }
 }
