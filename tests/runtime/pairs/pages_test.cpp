@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <espalier/pair.hpp>
+#include <espalier/walk.hpp>
 
 #include "contacts.hpp"
 #include "support/base/profiles.hpp"
@@ -110,6 +111,31 @@ TEST_SUITE("pages") {
             refused += filled.status == QueryStatus::invalid_argument ? 1u : 0u;
         }
         CHECK(refused > 0);
+    }
+
+    TEST_CASE("pair: a cursor whose triangles are in boxes that are apart is refused on the way to them") {
+        const OpenedBlob sphere(make_icosphere(4, 1.0, {0.0f, 0.0f, 0.0f}));
+        const PlacedBlob other(sphere.blob, {{}, {0.5f, 0.25f, 0.125f}, 1.0f});
+        TriangleId low, high;  // the triangles with the lowest corner and with the highest one
+        float least = 2.0f, most = -2.0f;
+        (void)for_each_triangle(sphere.blob, [&](TriangleId triangle, const Triangle& corners) {
+            if (corners.a.x < least) least = corners.a.x, low = triangle;
+            if (corners.a.x > most) most = corners.a.x, high = triangle;
+            return Visit::next;
+        });
+        REQUIRE(least < -0.9f);
+        REQUIRE(most > 0.9f);
+        // The way takes a step at most for each level of either tree; a walk to the end, many more.
+        const WorkLimit enough(2 * sphere.blob.depth());
+        Contacts page(10);
+        const auto resume = [&](TriangleId a, TriangleId b) {
+            return collect_contacts(sphere.blob, other, page, enough, {{a.index, b.index, 1}});
+        };
+        for (const Filled& filled : {resume(low, high), resume(high, low), resume(low, low)}) {
+            CHECK(filled.status == QueryStatus::invalid_argument);
+            CHECK(filled.count == 0);
+        }
+        CHECK(collect_contacts(sphere.blob, other, page, enough).status == QueryStatus::work_limit);
     }
 
     TEST_CASE("pair: a work limit is kept and the contacts found are part of the whole") {
