@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""mutate.py --check: checks that all of CLAIMS exist, and each excuse as `instrument.py --check` does.
+"""mutate.py --check: checks that all of CLAIMS exist, that each test of the runtime is there or in LEFT_OUT, and each
+excuse as `instrument.py --check` does.
 mutate.py BUILD [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--most N] [--claims TEXT...] [--publish]:
 breaks the library in every way that instrument.py knows, one at a time, and prints what no claim noticed. PART is
 verifier, decode, quantiser, traversal, rounding, small (what microcontrollers have of their own), queries (what they do
@@ -50,13 +51,16 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/blob/open_predicted_strips", "runtime/blob/open_unchecked", "runtime/blob/weird_blob",
     "runtime/traversal/statistics", "runtime/traversal/work", "runtime/traversal/node_boxes",
     "runtime/rays/traversal", "runtime/lattice/round_ray", "runtime/lattice/round_point",
-    "runtime/lattice/step_queries", "runtime/lattice/steps", "runtime/asset/identity", "runtime/proximity/nearest",
-    "runtime/overlap/overlap", "runtime/overlap/volume", "runtime/overlap/volume_edges",
+    "runtime/lattice/step_queries", "runtime/lattice/steps", "runtime/asset/identity", "runtime/asset/bounds",
+    "runtime/asset/contact", "runtime/asset/contents", "runtime/proximity/nearest", "runtime/proximity/inside",
+    "runtime/proximity/inside_loop", "runtime/overlap/overlap", "runtime/overlap/volume",
+    "runtime/overlap/volume_edges", "runtime/overlap/cone",
     "runtime/traversal/approximate", "runtime/traversal/walk", "runtime/lattice/rounding",
     "runtime/lattice/rounding_error", "runtime/lattice/rounding_formula", "runtime/rays/rounded_ray",
     "runtime/rays/rounded_ray_borders", "runtime/rays/seam_rays", "runtime/rays/seen_ray",
     "runtime/traversal/small_boxes", "runtime/rays/leaf_filter", "runtime/rays/ray", "runtime/rays/batch",
     "runtime/rays/closest_hits", "runtime/rays/far_query", "runtime/rays/every_hit", "runtime/rays/extreme_rays",
+    "runtime/rays/leak", "runtime/sweeps/slide",
     "runtime/pairs/pair", "runtime/pairs/distance_work", "runtime/pairs/frame", "runtime/pairs/loop",
     "runtime/pairs/pages", "runtime/proximity/closest_pair", "runtime/sweeps/sweep", "runtime/transforms/transform",
     "runtime/base/float_bits", "runtime/base/wide_integer", "runtime/kernels/ray_triangle",
@@ -65,10 +69,16 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/kernels/moving_sphere", "runtime/kernels/moving_capsule", "runtime/kernels/moving_box",
     "runtime/blob/duplicate_references", "runtime/overlap/duplicate_references",
     "runtime/traversal/packed_walk", "baker/quantise/lattice", "baker/quantise/lattice_borders",
-    "baker/error/fit_lattice", "baker/build/tree", "baker/collapse/strip", "baker/sections/bounds",
+    "baker/error/fit_lattice", "baker/build/tree", "baker/collapse/strip", "baker/collapse/leaf_size",
+    "baker/sections/bounds",
     "baker/sections/edge_flags", "baker/base/edge_table", "baker/error/error", "baker/quantise/drop",
     "baker/build/spatial", "baker/few_triangles", "baker/input/input", "baker/quantise/closed", "baker/quantise/seams",
     "baker/encode/remap", "baker/encode/id_kinds", "oracle/slab_test")]
+# The other tests of the runtime, and why no mutant is shown to them.
+LEFT_OUT = {
+    "runtime/blob/hostile_test.cpp": "takes a minute",
+    "runtime/pairs/real_meshes_test.cpp": "takes half a minute, and reads meshes that the programs here do not find",
+    "runtime/traversal/triangle_loop_test.cpp": "judges the loop that other tests use, not the library"}
 QUESTIONS = [5, 100]  # of a kind and blob
 BUILDS = {"build": "", "build_small_code": "ON"}
 
@@ -317,6 +327,13 @@ def check():
     missing = [claim for claim in CLAIMS if not (ROOT / "tests" / claim).exists()]
     if missing:
         raise SystemExit(f"mutate.py, CLAIMS: no such file in tests: {', '.join(missing)}")
+    there = {str(path.relative_to(ROOT / "tests")) for path in (ROOT / "tests" / "runtime").rglob("*_test.cpp")}
+    unlisted = there - LEFT_OUT.keys() - set(CLAIMS)
+    if unlisted:
+        raise SystemExit(f"mutate.py: neither in CLAIMS nor in LEFT_OUT: {', '.join(sorted(unlisted))}")
+    needless = LEFT_OUT.keys() & set(CLAIMS) | LEFT_OUT.keys() - there
+    if needless:
+        raise SystemExit(f"mutate.py, LEFT_OUT: in CLAIMS, or no such file: {', '.join(sorted(needless))}")
     check_excuses(ROOT / "lib")
 
 
