@@ -84,6 +84,7 @@ ESPALIER_SHARED_CODE constexpr float scale_by_power_of_two(float x, int exponent
     biased += exponent;
     if (biased >= 255) return std::bit_cast<float>(sign | infinity_bits);
     if (biased < 1) {  // without a digit before the point, and fewer behind it
+        // mutant(< -> <=) equivalent: both sides are equal then
         const int shift = biased < -24 ? 25 : 1 - biased;
         mantissa = (mantissa + (1u << (shift - 1)) - 1u + (mantissa >> shift & 1u)) >> shift;
         biased = 1;
@@ -97,15 +98,18 @@ ESPALIER_SHARED_CODE inline float round_to_integer(float x) {
     const float big =
         std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) & 0x80000000u) | 0x4B000000u);  // 2^23, x's sign
     const float rounded = (x + big) - big;
+    // mutant(< -> <=) equivalent: x is 2^23 then, or its opposite, and rounds to itself
     return magnitude_bits(x) < 0x4B000000u ? rounded : x;
 }
 
 /// x cut off towards zero; |x| < 2^63. Small cores have no instruction for it, and compilers bring all of double
 /// arithmetic along.
 ESPALIER_SHARED_CODE inline std::int64_t to_integer(float x) {
+    // mutant(never) work: computes the same integer without the instruction
     if (takes_shortcut()) return static_cast<std::int64_t>(x);
     const std::uint64_t mantissa = (magnitude_bits(x) & 0x007FFFFFu) | 0x00800000u;
     const int shift = exponent_of(x) - 23;
+    // mutant(>= -> >, > -> >=) equivalent: a shift by 0 changes nothing, and one by 24 leaves nothing of the mantissa
     const std::uint64_t magnitude = shift >= 0 ? mantissa << shift : shift > -24 ? mantissa >> -shift : 0;
     return static_cast<std::int64_t>(is_negative(x) ? 0 - magnitude : magnitude);
 }
@@ -119,6 +123,8 @@ ESPALIER_SHARED_CODE inline std::int64_t to_integer(float x) {
         top = static_cast<std::int32_t>(words[--count]);
         below = count != 0 ? words[count - 1] : 0;
     } while (count != 0 && top == static_cast<std::int32_t>(below) >> 31);
+    // mutant(>> -> one less) equivalent: where the top two bits differ, bit 0 changes, and the leading zeros are the
+    // same
     const int shift = std::countl_zero(static_cast<std::uint32_t>(top ^ top >> 31)) - 1;
     const int exponent = 32 * count - shift;
     rest = below << shift;
@@ -149,7 +155,9 @@ constexpr std::int64_t negate_if(std::int64_t a, bool condition) {
 }
 
 /// Where either order is right: the second operand when one is not a number, as x86's instructions do.
+// mutant(< -> <=) equivalent: equal numbers differ in the sign of 0 alone, which no caller passes on
 inline float minimum(float a, float b) { return a < b ? a : b; }
+// mutant(> -> >=) equivalent: equal numbers differ in the sign of 0 alone, which no caller passes on
 inline float maximum(float a, float b) { return a > b ? a : b; }
 inline float absolute(float x) { return __builtin_fabsf(x); }  // one instruction, and no call anywhere
 
@@ -167,6 +175,8 @@ inline float square_root_in_integers(float x) {
     // radicand * 2^25 lies in [2^48, 2^50): its root has 25 bits, one more than float keeps, and is never a tie.
     radicand <<= 25;
     std::uint64_t root = 0;
+    // mutant(<< -> one more) equivalent: the square of 2^25 is above every radicand
+    // mutant(<= -> <) equivalent: an exact root is even, and one less rounds up to the same
     for (std::uint64_t bit = std::uint64_t{1} << 24; bit != 0; bit >>= 1)
         if ((root | bit) * (root | bit) <= radicand) root |= bit;
     const std::uint32_t rounded = static_cast<std::uint32_t>((root >> 1) + (root & 1));

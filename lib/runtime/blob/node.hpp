@@ -183,6 +183,7 @@ inline LatticeTriangle triangle_of(const Leaf& leaf, LeafCorners corners) {
     LatticeTriangle triangle;
     for (int k = 0; k < 3; ++k) {
         const std::int32_t from = leaf.anchor(k);
+        // mutant(< -> <=) sanitizer: a fourth corner is behind the end of an array
         for (int corner = 0; corner < 3; ++corner)
             triangle.corner[corner][k] = from + leaf.offset(k, corners.vertex[corner]);
     }

@@ -115,7 +115,6 @@ void decode_predicted_marks(const BlobData& blob, PackedNode node, unsigned numb
     const auto predicted = static_cast<unsigned>(std::popcount(predicted_entries(leaf.windows) & leaf.first_uses));
     leaf.predicted.numbers_at = static_cast<std::uint16_t>(leaf.predicted.choices_at + 3 * predicted);
     unsigned longest = 0;
-    // mutant(< -> <=) sanitizer: a fourth axis is behind the end of an array
     for (int k = 0; k < 3; ++k) {
         const unsigned width = decode_axis(leaf, k);
         // mutant(> -> >=) equivalent: both sides are equal then
@@ -126,6 +125,7 @@ void decode_predicted_marks(const BlobData& blob, PackedNode node, unsigned numb
 
 bool decode_predicted_vertices(const StripLeaf& leaf, PredictedVertices& vertices) {
     // mutant(never) work: decodes axis by axis what fits into words
+    // mutant(without 1) work: small code decodes by words, too, and gets the same vertices
     if (takes_shortcut() && vertex_word::fit_into_words(leaf)) return decode_words(leaf, vertices);
     const ResidualWidths widths(leaf);
     PredictedEntries entries(leaf);

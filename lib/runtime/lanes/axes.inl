@@ -10,6 +10,7 @@ inline AxisInts load_shifts(const PackedNode& node) {
 }
 inline Axes load_scales(const PackedNode& node) { return __builtin_bit_cast(Axes, load_shifts(node) + (127 << 23)); }
 /// In the units that bases count in.
+// mutant(+ -> -, + -> right side dropped) equivalent: base_at is 0
 inline Axes load_bases(const PackedNode& node) { return words_to_axes(node.bytes + format::packed_node::base_at); }
 
 /// The three axes to all lanes each.

@@ -109,5 +109,7 @@ template <unsigned max_vertices, unsigned groups, class Function>
 /// name, or that of the largest leaf.
 template <unsigned max_vertices, class Function>
 constexpr auto with_table_groups(unsigned vertex_count, Function function) {
+    // mutant(> -> >= 1) work: with four lanes, leaves of up to four vertices take a smaller table
+    // mutant(> -> <= 1, > -> >= 2, > -> <= 2) compiler: with one lane the tables never become large enough
     return with_groups_from<max_vertices, (lanes > 4 ? 1 : lanes > 1 ? 2 : max_vertices)>(vertex_count, function);
 }

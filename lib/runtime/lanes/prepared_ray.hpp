@@ -22,7 +22,6 @@ struct alignas(8) PlaneOrder {
 /// By the signs of the direction: bit k is set where axis k runs down.
 constexpr std::array<PlaneOrder, 8> order_planes(std::size_t lo_at, std::size_t hi_at, std::size_t row_bytes) {
     std::array<PlaneOrder, 8> orders{};
-    // mutant(< -> <= 1) compiler: writes behind a table at compile time, which is an error
     for (unsigned signs = 0; signs < 8; ++signs)
         for (unsigned k = 0; k < 3; ++k) {
             const bool down = (signs >> k & 1u) != 0;
@@ -108,6 +107,7 @@ template <class Node>
 using RayLanesOf = typename RayLanesFor<Node>::Type;
 
 inline void set_zero(LatticeRay& ray) {
+    // mutant(< -> <=) sanitizer: reads behind an array; the fourth element is unused
     for (unsigned k = 0; k < 3; ++k) ray.zero[k] = -origin_steps(ray, k);
 }
 
@@ -126,7 +126,6 @@ template <class Lanes>
 inline bool prepare_ray(const BlobData& blob, const RayOnLattice& given, PreparedRayIn<Lanes>& prepared) {
     static_cast<IntegerRay&>(prepared.ray) = given.ray;
     float origin[3];
-    // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
     for (unsigned k = 0; k < 3; ++k) origin[k] = origin_steps(given.ray, k);
     RaySlope slope;
     set_slope(prepared.ray, std::bit_cast<float>(lattice_ray::reach_bits(origin, blob)), slope);

@@ -50,9 +50,11 @@ inline SignedInts cross_pairs(Ints p, Ints q) {
 inline SignedInts weigh_magnitudes(Ints a, Ints b, Ints c, std::int32_t weight) {
     const auto magnitudes = [](Ints pair) {
         const std::int32_t x = static_cast<std::int16_t>(pair), y = static_cast<std::int32_t>(pair) >> 16;
+        // mutant(< -> <= 1, < -> <= 2) equivalent: 0 is its own opposite
         return (x < 0 ? -x : x) + (y < 0 ? -y : y);
     };
     const std::int32_t sum = magnitudes(a) + magnitudes(b) + magnitudes(c);
+    // mutant(< -> <=) equivalent: both sides are equal then
     return (sum < 0xFFFF ? sum : 0xFFFF) * weight;
 }
 inline Numbers load_numbers(const std::byte* bytes) { return load_bytes(bytes); }

@@ -9,7 +9,6 @@ class PairLevels {
 public:
     /// The step from two boxes to a child of one of them, beside which others wait.
     void push(const OpenedBox& opened, unsigned, unsigned waiting, const PairOfBoxes& at) {
-        // mutant(never) work: pushes an empty set, which is popped again
         if (waiting == 0) return;
         node_[size_] = opened.node;
         other_and_side_[size_] = at.items[1 - opened.side].packed | (opened.side != 0 ? side_bit : 0u);

@@ -68,7 +68,9 @@ public:
         const SignedInts u = cross_pairs(b, c), v = cross_pairs(c, a), w = negate(cross_pairs(b, a));
         const SignedInts least = smaller(u, smaller(v, w)), most = larger(u, larger(v, w));
         if constexpr (lanes == 1) {  // nearly always clear without looking at the triangle's own size
+            // mutant(>> -> one less) work: fewer triangles are clear without their own size, which decides then
             const SignedInts largest = splat_integer((0xFFFF * weight_ >> 5) + always_allowed_);
+            // mutant(never) work: each triangle's own size decides, which allows no more
             if ((at_most(negate(largest), least) | at_most(most, largest)) == 0) return 0;
         }
         const SignedInts above =
@@ -112,6 +114,8 @@ public:
     [[gnu::always_inline]] void unpack_vertices(unsigned groups) {
         if (has_vertices()) return;
         for (unsigned k = 0; k < 3; ++k)
+            // mutant(< -> <=) equivalent: with one lane or four it fills room that is replaced or not read, from bytes
+            // that are there
             for (unsigned group = 0; group < groups; ++group)
                 store(steps_[k] + group * lanes, offsets_of(static_cast<const Leaf&>(*this), k, group));
     }
@@ -210,6 +214,7 @@ template <unsigned groups, class SomeLeaf>
     }
     typename SomeLeaf::Slots mask = 0;
     auto corners = leaf.corners_in_lanes();
+    // mutant(< -> <=) sanitizer: looks up vertices behind the end of a table, for slots that are not used
     for (unsigned first = 0; first < leaf.slot_count; first += lanes) {
         const typename SomeLeaf::Slots hit = vertices.allow(corners.next());
         mask |= hit << first;
@@ -246,8 +251,10 @@ template <class Leaf, class... Hit>
 [[gnu::noinline]] inline bool hits_slot_of_large_leaf(const Leaf& leaf, unsigned slot, const LatticeRay& ray,
                                                       Hit&... hit) {
     using namespace ray_triangle;
+    // mutant(> -> >=) work: wider numbers give the same answer
     if (leaf.size_bits > middle_bits) return hits_slot_of_huge_leaf(leaf, slot, ray, hit...);
     const OriginRelative t = relative_to(ray, leaf.triangle(slot));
+    // mutant(never) work: wider numbers give the same answer
     if (edges_are_below<narrow_bits>(t)) return hits<std::int64_t, std::int64_t>(ray, t, hit...);
     return hits<std::int64_t, Int128>(ray, t, hit...);
 }
@@ -256,6 +263,7 @@ template <class Leaf, class... Hit>
     using namespace ray_triangle;
     count_decision();
     if constexpr (has_native_int128) {
+        // mutant(> -> >=) work: looks at the edges, which are short, and takes the same kernel
         if (leaf.size_bits > narrow_bits) return hits_slot_of_large_leaf(leaf, slot, ray, hit...);
         return hits<std::int64_t, std::int64_t>(ray, relative_to(ray, leaf.triangle(slot)), hit...);
     } else if constexpr (sizeof...(hit) != 0) {
@@ -271,6 +279,7 @@ inline constexpr bool decides_by_signs = true;
 template <class Leaf>
 inline bool is_hit(const Leaf& leaf, unsigned slot, const LatticeRay& ray) {
     // By the bits: both are 0 or more.
+    // mutant(never) work: compares tau with a window that excludes nothing
     if (std::bit_cast<std::uint32_t>(ray.tau_min) == 0 && std::bit_cast<std::uint32_t>(ray.tau_max) == infinity_bits)
         return hits_slot(leaf, slot, ray);
     TriangleHit hit;

@@ -20,7 +20,10 @@ struct FirstReference {
         unsigned mask = children_within(node, blob.bits, bounds);
         // Subtrees are runs of indices: those that end before the owner need no visit.
         for (unsigned child = node.node_children(); child-- > 1;) {
+            // mutant(> -> >=) work: visits subtrees that end before the owner, which hold no reference to it
             if (first_below<PlainLeaf>(blob, node.first_child() + child) > owner) continue;
+            // mutant(<< -> one less, &= everything) work: visits subtrees that end before the owner, which hold no
+            // reference to it
             mask &= ~0u << child;
             break;
         }
