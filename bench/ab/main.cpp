@@ -38,7 +38,7 @@ Mesh mesh_named(const std::string& word) {
 }
 
 /// Whether the mesh, in that pose, touches itself. Without such a query poses are as they come.
-bool collides_with_itself(const Instance& instance, const Transform& pose) {
+bool collides_with_itself(const bench::Instance& instance, const Transform& pose) {
     const EspalierSideKind* kind = instance.calls().kind("collides");
     if (kind == nullptr) return false;
     const Memory question(kind->question_bytes), answer(kind->answer_bytes);

@@ -2,13 +2,14 @@
  *
  * Each header of espalier/c is the counterpart of the C++ header of the same name. It states what each call does; the
  * C++ header (ray.hpp for ray.h) has arguments, refusals, costs and numerics, which hold for both. Functions that C++
- * overloads end in their shape (espalier_overlaps_box), those with a filter in _filtered.
+ * overloads end in their shape (espalier_overlaps_box), those with a filter in _filtered. Those of a scene begin with
+ * espalier_scene_ and take a mask, and most a filter.
  *
- * Threads. Any number of threads may query one blob. Functions use no heap.
+ * Threads. Any number of threads may query one blob or scene. Functions use no heap.
  *
- * Structures. They have the fields of the C++ ones and no destructor. A blob is a value too: put it on the stack, into
- * static storage or into a structure of yours, and copy it freely. It is aligned to 16 bytes, as its type states;
- * malloc of 32-bit machines aligns to 8. Enumerations are integers of one byte; visitors return an int.
+ * Structures. They have the fields of the C++ ones and no destructor. A blob is a value too, and so is a scene: put it
+ * on the stack, into static storage or into a structure of yours, and copy it freely. It is aligned to 16 bytes, as its
+ * type states; malloc of 32-bit machines aligns to 8. Enumerations are integers of one byte; visitors return an int.
  *
  * Arguments. Any number and any value of an enumeration is safe. Pointers must be valid, and results must not overlap
  * arguments. Null is valid only for `user`, which is passed on; for arrays without elements; for the counters of
@@ -30,8 +31,8 @@
 #include <espalier/c/overlap.h>
 #include <espalier/c/pair.h>
 #include <espalier/c/ray.h>
-#include <espalier/c/rounded_ray.h>
 #include <espalier/c/rounding.h>
+#include <espalier/c/scene.h>
 #include <espalier/c/shapes.h>
 #include <espalier/c/statistics.h>
 #include <espalier/c/status.h>

@@ -13,8 +13,8 @@
 #include <espalier/overlap.hpp>
 #include <espalier/pair.hpp>
 #include <espalier/ray.hpp>
-#include <espalier/rounded_ray.hpp>
 #include <espalier/rounding.hpp>
+#include <espalier/scene.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/sweep.hpp>

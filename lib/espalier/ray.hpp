@@ -100,4 +100,4 @@ Filled occluded(const Blob& blob, std::span<const Ray> rays, std::span<YesNo> an
 // rounding_error() returns how far a ray moves; docs/numerics.md has the bounds.
 //
 // How a ray is rounded depends on the blob: its origin, its extent and its distance. Round it once for several blobs
-// that meet: rounded_ray.hpp.
+// that meet: rounding.hpp.

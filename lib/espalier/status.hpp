@@ -29,6 +29,9 @@ enum class [[nodiscard]] OpenStatus : std::uint8_t{
     misaligned = 13,          ///< in C only: the address of the espalier_blob is no multiple of 16
     not_a_remap = 15,         ///< read_remap() only: not a remap file of this version, or a damaged one
     other_blob = 16,          ///< read_remap() only: the remap file belongs to another blob
+    not_a_scene = 17,         ///< open_scene() only: the first four bytes are not "ESPS"
+    bad_instance = 18,        ///< open_scene() only: an instance breaks the rules of docs/format.md
+    too_few_meshes = 19,      ///< open_scene() only: an array for meshes or tiles is too small
 };
 
 /// Returns one English sentence without a full stop: static, never null, for any value.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparing.hpp"
+#include "expecting.hpp"
 #include "support/base/profiles.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/meshes/makers.hpp"
@@ -41,6 +42,26 @@ TEST_SUITE("answers") {
         }
     }
 
+    TEST_CASE("c api: every query of a scene gives the bits of C++") {
+        const std::vector<std::byte> bytes = bake_instances(some_instances());
+        const SceneOfBoth both(bytes);
+        REQUIRE(both.c_status == ESPALIER_OPEN_OK);
+        REQUIRE(both.scene);
+        REQUIRE(both.meshes.size() > 2);
+        Random random(12);
+        std::uint64_t hits = 0, contacts = 0;
+        const std::uint64_t rounds = scaled(500);
+        for (std::uint64_t i = 0; i < rounds; ++i) {
+            const question asked = some_question(both.scene, random);
+            compare_scenes(both.c_scene, both.scene, asked);
+            const Vec3 from = cpp(asked.points[0]), way = cpp(asked.directions[0]);
+            hits += raycast(both.scene, {.origin = from, .direction = way}) ? 1u : 0u;
+            contacts += sweep(both.scene, Sphere{from, asked.lengths[0]}, way) ? 1u : 0u;
+        }
+        if (asks_enough()) CHECK(hits > rounds / 16);
+        if (asks_enough()) CHECK(contacts > rounds / 16);
+    }
+
     TEST_CASE("c api: a blob filled with zeros is the empty blob") {
         espalier_blob zero;
         std::memset(&zero, 0, sizeof zero);
@@ -54,6 +75,23 @@ TEST_SUITE("answers") {
             compare_all(zero, zero, empty, empty, asked);
             compare_all(zero, c_opened, empty, opened.blob, asked);
             compare_all(c_opened, zero, opened.blob, empty, asked);
+        }
+    }
+
+    TEST_CASE("c api: a scene filled with zeros is the empty scene") {
+        espalier_scene zero;
+        std::memset(&zero, 0, sizeof zero);
+        static const BakedScene empty;  // static, so that what lies between its fields is zero too
+        CHECK(std::memcmp(&zero, static_cast<const void*>(&empty), sizeof zero) == 0);
+        const OpenedBlob opened = blob_with_everything(Profile::fast);
+        const std::vector<std::byte> bytes = bake_instances({});
+        const SceneOfBoth nothing(bytes);
+        REQUIRE(nothing.c_status == ESPALIER_OPEN_OK);
+        Random random(13);
+        for (std::uint64_t i = 0; i < scaled(50); ++i) {
+            const question asked = some_question(opened.blob, random);
+            compare_scenes(zero, empty, asked);
+            compare_scenes(nothing.c_scene, nothing.scene, asked);
         }
     }
 
@@ -93,6 +131,22 @@ TEST_SUITE("answers") {
             REQUIRE(espalier_open_unchecked(bytes.data(), bytes.size(), &c_blob) ==
                     static_cast<espalier_open_status>(open_unchecked(bytes).status()));
             bytes[at] = was;
+        }
+    }
+    TEST_CASE("c api: opening a scene gives the status of C++ and no half-open scene") {
+        const std::vector<std::byte> good = bake_instances(some_instances());
+        CHECK(misbehaviour_of_open_scene(good.data(), good.size()) == 0);
+        const OpenedBlob blob = blob_with_everything(Profile::fast);
+        CHECK(SceneOfBoth(blob.bytes).c_status == ESPALIER_OPEN_NOT_A_SCENE);
+        std::vector<std::byte> bytes = good;
+        Random random(14);
+        for (int i = 0; i < 500; ++i) {
+            const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
+            bytes[at] ^= static_cast<std::byte>(1 + random.below(255));
+            const SceneOfBoth both(bytes);
+            REQUIRE(both.c_status == static_cast<espalier_open_status>(both.scene.status()));
+            REQUIRE(espalier_scene_status(&both.c_scene) == both.c_status);
+            bytes[at] = good[at];
         }
     }
 }

@@ -1,19 +1,5 @@
 #include "asking.h"
 
-static void tell_nearest(struct asking* asking, espalier_closest_point_result nearest) {
-    tell_point(asking, nearest.point);
-    tell_point(asking, nearest.on_shape);
-    tell_point(asking, nearest.face_normal);
-    tell_float(asking, nearest.distance);
-    tell_float(asking, nearest.u);
-    tell_float(asking, nearest.v);
-    tell(asking, nearest.triangle);
-    tell(asking, nearest.status);
-    tell(asking, nearest.feature);
-    tell(asking, nearest.side);
-    tell(asking, nearest.reserved);
-}
-
 static void tell_result(struct asking* asking, espalier_float_result result) {
     tell_float(asking, result.value);
     tell(asking, result.status);
@@ -55,21 +41,21 @@ void ask_points(struct asking* asking) {
     espalier_box box;
     espalier_filled filled;
     espalier_yes_no inside;
-    tell_nearest(asking, espalier_closest_point(blob, point, max_distance));
+    tell_closest_point(asking, espalier_closest_point(blob, point, max_distance));
     filled = espalier_closest_triangles(blob, point, some, 6, max_distance);
     tell(asking, (uint32_t)filled.count);
     tell(asking, filled.status);
-    for (size_t i = 0; i < filled.count; ++i) tell_nearest(asking, some[i]);
+    for (size_t i = 0; i < filled.count; ++i) tell_closest_point(asking, some[i]);
     segment.from = point;
     segment.to = question->points[1];
-    tell_nearest(asking, espalier_closest_point_segment(blob, &segment, question->lengths[1]));
+    tell_closest_point(asking, espalier_closest_point_segment(blob, &segment, question->lengths[1]));
     box.min = question->points[2];
     box.max = question->points[3];
-    tell_nearest(asking, espalier_closest_point_box(blob, &box, question->lengths[2]));
+    tell_closest_point(asking, espalier_closest_point_box(blob, &box, question->lengths[2]));
     inside = espalier_contains(blob, point);
     tell(asking, inside.status);
     tell(asking, espalier_yes(inside));
     tell(asking, espalier_no(inside));
-    tell_nearest(asking, espalier_signed_distance(blob, question->points[1], question->lengths[3]));
+    tell_closest_point(asking, espalier_signed_distance(blob, question->points[1], question->lengths[3]));
     ask_rounding(asking);
 }

@@ -1,16 +1,6 @@
 #include "asking.h"
 
-static void tell_hit(struct asking* asking, const espalier_ray_hit* hit) {
-    tell_float(asking, hit->t);
-    tell_float(asking, hit->u);
-    tell_float(asking, hit->v);
-    tell_point(asking, hit->normal);
-    tell(asking, hit->triangle);
-    tell(asking, hit->status);
-    tell(asking, hit->side);
-}
-
-static void tell_result(struct asking* asking, espalier_ray_hit hit) { tell_hit(asking, &hit); }
+static void tell_result(struct asking* asking, espalier_ray_hit hit) { tell_ray_hit(asking, &hit); }
 
 static void tell_original(struct asking* asking, espalier_original_hit original) {
     tell(asking, original.file);
@@ -45,7 +35,7 @@ static void ask_originals(struct asking* asking, const espalier_ray_hit* hits) {
 
 static espalier_visit visit_hit(const espalier_ray_hit* hit, void* user) {
     struct asking* asking = user;
-    tell_hit(asking, hit);
+    tell_ray_hit(asking, hit);
     return asking->visits-- == 0 ? 17 : ESPALIER_VISIT_NEXT; /* stops, as any value does that is not the other */
 }
 
@@ -61,10 +51,10 @@ static void ask_one_ray(struct asking* asking, const espalier_ray* ray) {
     memset(hits, 0, sizeof hits);
     count = espalier_closest_hits(blob, ray, hits, 5);
     tell_filled(asking, count);
-    for (size_t i = 0; i < count.count; ++i) tell_hit(asking, &hits[i]);
+    for (size_t i = 0; i < count.count; ++i) tell_ray_hit(asking, &hits[i]);
     count = espalier_closest_hits_filtered(blob, ray, hits, 2, counts, asking);
     tell_filled(asking, count);
-    for (size_t i = 0; i < count.count; ++i) tell_hit(asking, &hits[i]);
+    for (size_t i = 0; i < count.count; ++i) tell_ray_hit(asking, &hits[i]);
     asking->visits = asking->question->bits % 9u;
     tell(asking, espalier_for_each_hit(blob, ray, visit_hit, asking));
     tell_result(asking, espalier_raycast_counted(blob, ray, &counters));
@@ -80,6 +70,17 @@ static void ask_rounded_ray(struct asking* asking, const espalier_lattice* regio
     tell(asking, espalier_rounded_ray_status(&rounded));
     tell_result(asking, espalier_raycast_rounded(asking->blob, &rounded));
     tell(asking, espalier_occluded_rounded(asking->blob, &rounded).status);
+    tell_result(asking, espalier_raycast_rounded_filtered(asking->blob, &rounded, counts, asking));
+    tell(asking, espalier_occluded_rounded_filtered(asking->blob, &rounded, counts, asking).status);
+    asking->visits = asking->question->bits % 9u;
+    tell(asking, espalier_for_each_hit_rounded(asking->blob, &rounded, visit_hit, asking));
+    for (int whole = 0; whole < 2; ++whole) {
+        const espalier_transform transform = {
+            {0, 0, 0, 1}, {whole ? 64.0f : asking->question->lengths[0], 0, whole ? -128.0f : 0.0f}, 1};
+        const espalier_rounded_ray local = espalier_to_local_rounded_ray(&transform, &rounded);
+        tell(asking, espalier_rounded_ray_status(&local));
+        tell_result(asking, espalier_raycast_rounded(asking->blob, &local));
+    }
 }
 
 void ask_rays(struct asking* asking) {
@@ -103,7 +104,7 @@ void ask_rays(struct asking* asking) {
     }
     memset(hits, 0, sizeof hits);
     tell_filled(asking, espalier_raycast_batch(asking->blob, rays, hits, 18));
-    for (int i = 0; i < 18; ++i) tell_hit(asking, &hits[i]);
+    for (int i = 0; i < 18; ++i) tell_ray_hit(asking, &hits[i]);
     ask_originals(asking, hits);
     memset(answers, 0, sizeof answers);
     tell_filled(asking, espalier_occluded_batch(asking->blob, rays, answers, 18));

@@ -1,19 +1,9 @@
 #include "asking.h"
 
-static void tell_hit(struct asking* asking, espalier_sweep_hit hit) {
-    tell_float(asking, hit.t);
-    tell_point(asking, hit.point);
-    tell_point(asking, hit.normal);
-    tell_point(asking, hit.face_normal);
-    tell(asking, hit.triangle);
-    tell(asking, hit.status);
-    tell(asking, hit.starts_overlapping);
-}
-
-#define ASK(shape, value)                                                                              \
-    do {                                                                                               \
-        tell_hit(asking, espalier_sweep_##shape(asking->blob, value, way));                            \
-        tell_hit(asking, espalier_sweep_##shape##_filtered(asking->blob, value, way, counts, asking)); \
+#define ASK(shape, value)                                                                                    \
+    do {                                                                                                     \
+        tell_sweep_hit(asking, espalier_sweep_##shape(asking->blob, value, way));                            \
+        tell_sweep_hit(asking, espalier_sweep_##shape##_filtered(asking->blob, value, way, counts, asking)); \
     } while (0)
 
 void ask_sweeps(struct asking* asking) {

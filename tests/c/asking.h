@@ -22,6 +22,7 @@ struct question {
 struct asking {
     const espalier_blob* blob;
     const espalier_blob* other; /* of pairs */
+    const espalier_scene* scene;
     const struct question* question;
     void (*tell)(uint32_t word, void* log);
     void* log;
@@ -38,11 +39,15 @@ void ask_transforms(struct asking* asking);
 void ask_approximations(struct asking* asking);
 void ask_walks(struct asking* asking);
 void ask_steps(struct asking* asking);
+void ask_scenes(struct asking* asking);
 /* Null functions and arrays of no elements. */
 void ask_nothing(struct asking* asking);
+void ask_nothing_of_scenes(struct asking* asking);
 
 /* The number of what C does otherwise than espalier.h says, 0 when there is nothing. `bytes` are a blob. */
 int misbehaviour_of_open(const void* bytes, size_t size);
+/* The same of a scene, which has 2 to 16 meshes. */
+int misbehaviour_of_open_scene(const void* bytes, size_t size);
 
 static inline void tell(struct asking* asking, uint32_t word) { asking->tell(word, asking->log); }
 
@@ -58,6 +63,40 @@ static inline void tell_point(struct asking* asking, espalier_vec3 point) {
     tell_float(asking, point.x);
     tell_float(asking, point.y);
     tell_float(asking, point.z);
+}
+
+static inline void tell_ray_hit(struct asking* asking, const espalier_ray_hit* hit) {
+    tell_float(asking, hit->t);
+    tell_float(asking, hit->u);
+    tell_float(asking, hit->v);
+    tell_point(asking, hit->normal);
+    tell(asking, hit->triangle);
+    tell(asking, hit->status);
+    tell(asking, hit->side);
+}
+
+static inline void tell_closest_point(struct asking* asking, espalier_closest_point_result nearest) {
+    tell_point(asking, nearest.point);
+    tell_point(asking, nearest.on_shape);
+    tell_point(asking, nearest.face_normal);
+    tell_float(asking, nearest.distance);
+    tell_float(asking, nearest.u);
+    tell_float(asking, nearest.v);
+    tell(asking, nearest.triangle);
+    tell(asking, nearest.status);
+    tell(asking, nearest.feature);
+    tell(asking, nearest.side);
+    tell(asking, nearest.reserved);
+}
+
+static inline void tell_sweep_hit(struct asking* asking, espalier_sweep_hit hit) {
+    tell_float(asking, hit.t);
+    tell_point(asking, hit.point);
+    tell_point(asking, hit.normal);
+    tell_point(asking, hit.face_normal);
+    tell(asking, hit.triangle);
+    tell(asking, hit.status);
+    tell(asking, hit.starts_overlapping);
 }
 
 static inline void tell_original_triangle(struct asking* asking, espalier_original_triangle_result original) {

@@ -1,10 +1,13 @@
 // What tests of espalier.h have in common: blobs, questions, and the comparison of C's answers with C++'s.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include <espalier/espalier.h>
 #include <espalier/espalier.hpp>
+#include <espalier/scene.hpp>
 
 #include "asking.h"
 #include "support/base/random.hpp"
@@ -17,9 +20,14 @@ inline espalier_vec3 c(Vec3 v) { return {v.x, v.y, v.z}; }
 /// Makes a question whose points and lengths are near the blob or hostile.
 question some_question(const Blob& blob, Random& random);
 
-/// Requires the same answers to every query from C and from C++.
+/// Makes a question near the instances of a scene, at least one, or hostile.
+question some_question(const BakedScene& scene, Random& random);
+
+/// Requires the same answers to every query of blobs from C and from C++.
 void compare_all(const espalier_blob& c_blob, const espalier_blob& c_other, const Blob& blob, const Blob& other,
                  const question& asked);
+/// Requires the same answers to every query of scenes from C and from C++.
+void compare_scenes(const espalier_scene& c_scene, const BakedScene& scene, const question& asked);
 
 espalier_blob open_from_c(std::span<const std::byte> bytes);
 
@@ -27,5 +35,25 @@ espalier_blob open_from_c(std::span<const std::byte> bytes);
 OpenedBlob blob_with_everything(Profile profile);
 
 OpenedBlob blob_with_copies();
+
+/// A scene that was opened from C and from C++, each side with arrays of its own.
+struct SceneOfBoth {
+    explicit SceneOfBoth(std::span<const std::byte> bytes);
+    SceneOfBoth(const SceneOfBoth&) = delete;
+    SceneOfBoth& operator=(const SceneOfBoth&) = delete;
+    ~SceneOfBoth() = default;
+
+    std::vector<espalier_blob> c_meshes;
+    std::vector<espalier_scene> c_tiles;
+    std::vector<Blob> meshes;
+    std::vector<BakedScene> tiles;
+    espalier_scene c_scene;
+    espalier_open_status c_status;
+    BakedScene scene;
+};
+
+std::vector<Instance> some_instances();
+/// Bakes a scene of five meshes, one of each profile and one with duplicate references, and a tile of the same meshes.
+std::vector<std::byte> bake_instances(std::span<const Instance> instances);
 
 }  // namespace espalier::tests

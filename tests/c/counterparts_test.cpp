@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using Path = std::filesystem::path;
 
@@ -22,30 +23,31 @@ const char* const counterparts = R"(
     describe(QueryStatus)                                         espalier_describe_query_status
 
     is_refused(QueryStatus)                                       espalier_is_refused
-    yes()                                                         espalier_yes
-    no()                                                          espalier_no
-    value_or(bool)                                                -
-    of(bool)                                                      -
-    in(auto)                                                      -
+    YesNo::yes()                                                  espalier_yes
+    YesNo::no()                                                   espalier_no
+    YesNo::value_or(bool)                                         -
+    YesNo::of(bool)                                               -
+    YesNo::status()                                               -
+    Filled::in(auto)                                              -
     bool()                                                        -
 
     open(span<byte>)                                              espalier_open
     open_unchecked(span<byte>)                                    espalier_open_unchecked
-    status()                                                      espalier_blob_status
-    triangle_count()                                              espalier_blob_triangle_count
-    duplicate_reference_count()                                   espalier_blob_duplicate_reference_count
-    vertex_count()                                                espalier_blob_vertex_count
-    size()                                                        espalier_blob_size
-    checksum()                                                    espalier_blob_checksum
-    depth()                                                       espalier_blob_depth
-    profile()                                                     espalier_blob_profile
-    lattice()                                                     espalier_blob_lattice
-    max_error()                                                   espalier_blob_max_error
-    bounds()                                                      espalier_blob_bounds
-    is_closed()                                                   espalier_blob_is_closed
-    has_original_ids()                                            espalier_blob_has_original_ids
-    has_materials()                                               espalier_blob_has_materials
-    has_edge_flags()                                              espalier_blob_has_edge_flags
+    Blob::status()                                                espalier_blob_status
+    Blob::triangle_count()                                        espalier_blob_triangle_count
+    Blob::duplicate_reference_count()                             espalier_blob_duplicate_reference_count
+    Blob::vertex_count()                                          espalier_blob_vertex_count
+    Blob::size()                                                  espalier_blob_size
+    Blob::checksum()                                              espalier_blob_checksum
+    Blob::depth()                                                 espalier_blob_depth
+    Blob::profile()                                               espalier_blob_profile
+    Blob::lattice()                                               espalier_blob_lattice
+    Blob::max_error()                                             espalier_blob_max_error
+    Blob::bounds()                                                espalier_blob_bounds
+    Blob::is_closed()                                             espalier_blob_is_closed
+    Blob::has_original_ids()                                      espalier_blob_has_original_ids
+    Blob::has_materials()                                         espalier_blob_has_materials
+    Blob::has_edge_flags()                                        espalier_blob_has_edge_flags
     material(Blob, TriangleId)                                    espalier_material
 
     edge_kinds(Blob, TriangleId)                                  espalier_edge_kinds_of
@@ -55,7 +57,7 @@ const char* const counterparts = R"(
     oriented_bounds(Blob)                                         espalier_oriented_bounds
     k_dop_bounds(Blob)                                            espalier_k_dop_bounds
 
-    between(Vec3, Vec3)                                           espalier_ray_between
+    Ray::between(Vec3, Vec3)                                      espalier_ray_between
     raycast(Blob, Ray)                                            espalier_raycast
     raycast(Blob, Ray, TriangleFilter)                            espalier_raycast_filtered
     occluded(Blob, Ray)                                           espalier_occluded
@@ -71,7 +73,6 @@ const char* const counterparts = R"(
     original_hit(Blob, RayHit)                                    espalier_original_hit_of
     original_hit(Blob, span<RayHit>, span<OriginalHit>)           espalier_original_hit_of_batch
     original_hit(span<OriginalTriangle>, RayHit)                  espalier_original_hit_by_remap
-    bool()                                                        -
     read_remap(span<byte>, Blob, span<OriginalTriangle>)          espalier_read_remap
 
     overlaps(Blob, Sphere)   espalier_overlaps_sphere
@@ -122,8 +123,8 @@ const char* const counterparts = R"(
     sweep(Blob, Capsule, Vec3, TriangleFilter)                    espalier_sweep_capsule
     sweep(Blob, Box, Vec3, TriangleFilter)                        espalier_sweep_box
 
-    blob()                                                        -
-    transform()                                                   -
+    PlacedBlob::blob()                                            -
+    PlacedBlob::transform()                                       -
     to_local(Transform, Vec3)                                     espalier_to_local_point
     to_local(Transform, Segment)                                  espalier_to_local_segment
     to_local(Transform, Sphere)                                   espalier_to_local_sphere
@@ -150,8 +151,8 @@ const char* const counterparts = R"(
     translated(Ray, Vec3)                                         espalier_translated_ray
     transform_from_matrix(float (rows)[3][4])                     espalier_transform_from_matrix
 
-    unlimited()                                                   -
-    visits()                                                      -
+    WorkLimit::unlimited()                                        -
+    WorkLimit::visits()                                           -
     overlaps(PlacedBlob, PlacedBlob, WorkLimit)                   espalier_overlaps_blob
     first_contact(PlacedBlob, PlacedBlob, WorkLimit)              espalier_first_contact
     for_each_contact(PlacedBlob, PlacedBlob, Visitor<PairContact>, WorkLimit) espalier_for_each_contact
@@ -160,10 +161,10 @@ const char* const counterparts = R"(
     within_distance(PlacedBlob, PlacedBlob, float, WorkLimit)     espalier_within_distance
 
     raycast(Blob, Ray, QueryCounters)                             espalier_raycast_counted
-    count_node()                                                  -
-    count_leaf()                                                  -
-    count_triangles(unsigned)                                     -
-    count_candidates(unsigned)                                    -
+    QueryCounters::count_node()                                   -
+    QueryCounters::count_leaf()                                   -
+    QueryCounters::count_triangles(unsigned)                      -
+    QueryCounters::count_candidates(unsigned)                     -
     overlaps(Blob, Sphere, Accuracy, QueryCounters)   espalier_overlaps_sphere_approximate
     overlaps(Blob, Box, Accuracy, QueryCounters)   espalier_overlaps_box_approximate
     occluded(Blob, Ray, Accuracy, QueryCounters)                  espalier_occluded_approximate
@@ -178,16 +179,67 @@ const char* const counterparts = R"(
     to_local(Lattice, LatticePoint)                               espalier_to_local
     lattice_of(span<Blob>)                                        espalier_lattice_of_blobs
     round_ray(Lattice, Ray)                                       espalier_round_ray
-    data()                                                        -
+    RoundedRay::data()                                            -
+    RoundedRay::status()                                          espalier_rounded_ray_status
     raycast(Blob, RoundedRay)                                     espalier_raycast_rounded
     occluded(Blob, RoundedRay)                                    espalier_occluded_rounded
+    raycast(Blob, RoundedRay, TriangleFilter)                     espalier_raycast_rounded_filtered
+    occluded(Blob, RoundedRay, TriangleFilter)                    espalier_occluded_rounded_filtered
+    for_each_hit(Blob, RoundedRay, Visitor<RayHit>)               espalier_for_each_hit_rounded
+    to_local(Transform, RoundedRay)                               espalier_to_local_rounded_ray
     raycast(Blob, Segment)                                        espalier_raycast_lattice_segment
     occluded(Blob, Segment)                                       espalier_occluded_lattice_segment
+
+    mesh_count_of_scene(span<byte>)                               espalier_scene_mesh_count
+    tile_count_of_scene(span<byte>)                               espalier_scene_tile_count
+    open_scene(span<byte>, span<Blob>, span<BakedScene>)          espalier_open_scene
+    BakedScene::status()                                          espalier_scene_status
+    BakedScene::instance_count()                                  espalier_scene_instance_count
+    BakedScene::meshes()                                          espalier_scene_meshes
+    BakedScene::tiles()                                           espalier_scene_tiles
+    BakedScene::size()                                            espalier_scene_size
+    BakedScene::max_error()                                       espalier_scene_max_error
+    BakedScene::bounds()                                          espalier_scene_bounds
+    BakedScene::common_lattice()                                  espalier_scene_common_lattice
+    instance_at(BakedScene, InstanceId)                           espalier_scene_instance_at
+    mesh_at(BakedScene, InstanceId)                               espalier_scene_mesh_at
+    is_on_common_lattice(BakedScene, InstanceId)                  espalier_scene_is_on_common_lattice
+    SceneFilter::mask()                                           -
+    SceneFilter::keep()                                           -
+    raycast(BakedScene, Ray, SceneFilter)                         espalier_scene_raycast
+    raycast(BakedScene, Ray, RoundedRay, SceneFilter)             espalier_scene_raycast_rounded
+    raycast(BakedScene, span<Ray>, span<InScene<RayHit>>, SceneFilter) espalier_scene_raycast_batch
+    occluded(BakedScene, Ray, SceneFilter)                        espalier_scene_occluded
+    occluded(BakedScene, Ray, RoundedRay, SceneFilter)            espalier_scene_occluded_rounded
+    for_each_hit(BakedScene, Ray, Visitor<InstanceId, RayHit>, SceneFilter) espalier_scene_for_each_hit
+    for_each_hit(BakedScene, Ray, RoundedRay, Visitor<InstanceId, RayHit>, SceneFilter)
+        espalier_scene_for_each_hit_rounded
+    closest_point(BakedScene, Vec3, float, uint32_t)              espalier_scene_closest_point
+    sweep(BakedScene, Sphere, Vec3, SceneFilter)                  espalier_scene_sweep_sphere
+    sweep(BakedScene, Capsule, Vec3, SceneFilter)                 espalier_scene_sweep_capsule
+    for_each_candidate(BakedScene, Box, Visitor<InstanceId>, uint32_t) espalier_scene_for_each_candidate
+    overlaps(BakedScene, Sphere, SceneFilter)                     espalier_scene_overlaps_sphere
+    overlaps(BakedScene, Capsule, SceneFilter)                    espalier_scene_overlaps_capsule
+    overlaps(BakedScene, Box, SceneFilter)                        espalier_scene_overlaps_box
+    overlaps(BakedScene, OrientedBox, SceneFilter)                espalier_scene_overlaps_oriented_box
+    overlaps(BakedScene, Cone, SceneFilter)                       espalier_scene_overlaps_cone
+    overlaps(BakedScene, Triangle, SceneFilter)                   espalier_scene_overlaps_triangle
+    for_each_overlap(BakedScene, Sphere, Visitor<InstanceId, TriangleId>, SceneFilter)
+        espalier_scene_for_each_overlap_sphere
+    for_each_overlap(BakedScene, Capsule, Visitor<InstanceId, TriangleId>, SceneFilter)
+        espalier_scene_for_each_overlap_capsule
+    for_each_overlap(BakedScene, Box, Visitor<InstanceId, TriangleId>, SceneFilter)
+        espalier_scene_for_each_overlap_box
+    for_each_overlap(BakedScene, OrientedBox, Visitor<InstanceId, TriangleId>, SceneFilter)
+        espalier_scene_for_each_overlap_oriented_box
+    for_each_overlap(BakedScene, Cone, Visitor<InstanceId, TriangleId>, SceneFilter)
+        espalier_scene_for_each_overlap_cone
+    for_each_overlap(BakedScene, Triangle, Visitor<InstanceId, TriangleId>, SceneFilter)
+        espalier_scene_for_each_overlap_triangle
 )";
 
 /// What C has instead of the defaults of C++ structures.
-const std::set<std::string> only_in_c = {"espalier_abi", "espalier_default_ray", "espalier_identity",
-                                         "espalier_rounded_ray_status"};
+const std::set<std::string> only_in_c = {"espalier_abi", "espalier_default_ray", "espalier_identity"};
 /// Headers without queries: the baker's, the bytes of a blob, a type of parameters, numbers.
 const std::set<std::string> other_headers = {"bake.hpp", "format.hpp", "function_ref.hpp", "version.hpp"};
 
@@ -256,7 +308,27 @@ std::set<std::string> shapes_of(const std::string& code) {
     return shapes.empty() ? shapes_of(text_of(project / "lib/espalier/shapes.hpp")) : shapes;
 }
 
-/// Every function that a header declares, "overlaps(Blob, Sphere)".
+/// The class around a place in the code and "::"; nothing for a friend, and where there is no class.
+std::string class_around(const std::string& code, std::size_t place) {
+    const std::regex type("(?:^|> )(?:class|struct) (?:\\[\\[\\w+\\]\\] )?(\\w+)$");
+    std::vector<std::string> open;
+    std::size_t begin = 0;  // of a declaration or statement
+    for (std::size_t i = 0; i < place; ++i) {
+        std::smatch match;
+        if (code[i] == '{') {
+            const std::string head = replaced(code.substr(begin, i - begin), "^ +| +$", "");
+            open.push_back(std::regex_search(head, match, type) ? match[1].str() + "::" : "");
+        } else if (code[i] == '}' && !open.empty()) {
+            open.pop_back();
+        }
+        if (code[i] == '{' || code[i] == '}' || code[i] == ';') begin = i + 1;
+    }
+    if (code.substr(begin, place - begin).find("friend ") != std::string::npos) return {};
+    while (!open.empty() && open.back().empty()) open.pop_back();
+    return open.empty() ? std::string() : open.back();
+}
+
+/// Every function that a header declares, "overlaps(Blob, Sphere)", "Blob::size()". Conversions have no class.
 std::set<std::string> functions_of(const Path& header) {
     const std::string code = plain_code(header);
     const std::regex name("([A-Za-z_0-9>&*]+) ([a-z_0-9]+)\\(");
@@ -266,7 +338,9 @@ std::set<std::string> functions_of(const Path& header) {
         const auto first = static_cast<std::size_t>(match->position() + match->length());
         const std::size_t last = end_of_brackets(code, first);
         if (!std::regex_search(code.substr(last, 24), std::regex("^( const)?( noexcept)? ?[;{]"))) continue;
-        const std::string function = (*match)[2].str() + '(' + types_of(code.substr(first, last - first - 1)) + ')';
+        std::string function = (*match)[2].str() + '(' + types_of(code.substr(first, last - first - 1)) + ')';
+        if ((*match)[1] != "operator")
+            function = class_around(code, static_cast<std::size_t>(match->position())) + function;
         if (!std::regex_search(function, std::regex(", Shape\\b"))) functions.insert(function);
         else
             for (const std::string& shape : shapes_of(code))
@@ -292,10 +366,10 @@ std::set<std::string> c_functions() {
     return functions;
 }
 
-/// The table above.
+/// The table above. A line that ends in a bracket goes on in the next one.
 std::map<std::string, std::string> listed() {
     std::map<std::string, std::string> result;
-    std::istringstream lines(counterparts);
+    std::istringstream lines(replaced(counterparts, "\\)\n", ") "));
     for (std::string line; std::getline(lines, line);) {
         const std::size_t first = line.find_first_not_of(' ');
         if (first == std::string::npos) continue;

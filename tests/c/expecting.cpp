@@ -181,6 +181,20 @@ void Expecting::rounded_ray(const Lattice& region, const Ray& ray) {
     tell(rounded.status());
     tell(raycast(blob_, rounded));
     tell(occluded(blob_, rounded));
+    const auto counts = [&](TriangleId triangle) { return this->counts(triangle); };
+    tell(raycast(blob_, rounded, counts));
+    tell(occluded(blob_, rounded, counts));
+    visits_ = asked_.bits % 9;
+    tell(for_each_hit(blob_, rounded, [&](const RayHit& hit) {
+        tell(hit);
+        return visit_one();
+    }));
+    for (const bool whole : {false, true}) {
+        const Transform transform = {{}, {whole ? 64.0f : length(0), 0.0f, whole ? -128.0f : 0.0f}, 1.0f};
+        const RoundedRay local = to_local(transform, rounded);
+        tell(local.status());
+        tell(raycast(blob_, local));
+    }
 }
 
 void Expecting::rays() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
+#include <espalier/scene.hpp>
 
 #include "asking.h"
 
@@ -20,7 +21,8 @@ inline LatticePoint bits_of(espalier_vec3 v) {
 
 class Expecting {
 public:
-    Expecting(const Blob& blob, const Blob& other, const question& asked) : blob_(blob), other_(other), asked_(asked) {}
+    Expecting(const Blob& blob, const Blob& other, const BakedScene& scene, const question& asked)
+        : blob_(blob), other_(other), scene_(scene), asked_(asked) {}
 
     void lookups();
     void rays();
@@ -33,6 +35,8 @@ public:
     void walks();
     void steps();
     void nothing();
+    void scenes();
+    void nothing_of_scenes();
 
     [[nodiscard]] const std::vector<std::uint32_t>& words() const { return words_; }
 
@@ -78,6 +82,15 @@ private:
     void moving(const Shape& shape);
     void placed(const Transform& own_placement, const Transform& placement, WorkLimit limit);
     void placing(const Transform& transform);
+    template <class Hit>
+    void tell(const InScene<Hit>& found);
+    void tell(InstanceId id);
+    void instance(InstanceId id);
+    void scene_itself();
+    void rays_in_scene(const SceneFilter& filter);
+    void shapes_in_scene(const SceneFilter& filter);
+    template <class Shape>
+    void shape_in_scene(const Shape& shape, const SceneFilter& filter);
 
     [[nodiscard]] Vec3 point(int i) const { return cpp(asked_.points[i]); }
     [[nodiscard]] Vec3 direction(int i) const { return cpp(asked_.directions[i]); }
@@ -98,6 +111,7 @@ private:
 
     const Blob& blob_;
     const Blob& other_;
+    const BakedScene& scene_;
     const question& asked_;
     std::uint32_t visits_ = 0;
     std::vector<std::uint32_t> words_;

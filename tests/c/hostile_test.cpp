@@ -278,4 +278,38 @@ TEST_SUITE("hostile") {
             CHECK(espalier_collect_overlaps_sphere(&blob, &sphere, nullptr, 0, from).count == 0);
         }
     }
+    TEST_CASE("c api: a damaged scene with its checksum repaired opens as in C++ and gives the same bits") {
+        const std::vector<std::byte> good = bake_instances(some_instances());
+        const SceneOfBoth whole(good);
+        Random random(15);
+        std::uint64_t opened = 0;
+        for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
+            ExactBuffer buffer(good, random.below(16));
+            const auto size = static_cast<std::uint32_t>(buffer.bytes().size());
+            const std::uint32_t behind_meshes = size - 4'000;  // nodes and instances
+            for (std::uint32_t changes = 1 + random.below(3); changes > 0; --changes) {
+                const std::uint32_t at = random.below(4) == 0 ? random.below(200) : behind_meshes + random.below(4'000);
+                buffer.bytes()[at] ^= static_cast<std::byte>(1 + random.below(255));
+            }
+            repair_checksum(buffer.bytes());
+            const SceneOfBoth both(buffer.bytes());
+            REQUIRE(both.c_status == static_cast<espalier_open_status>(both.scene.status()));
+            opened += both.scene ? 1u : 0u;
+            compare_scenes(both.c_scene, both.scene, some_question(whole.scene, random));
+        }
+        CHECK(opened > 0);
+    }
+
+    TEST_CASE("c api: any bits are safe as a question about a scene") {
+        const std::vector<std::byte> bytes = bake_instances(some_instances());
+        const SceneOfBoth both(bytes);
+        const espalier_scene empty = {};
+        const BakedScene in_cpp;
+        Random random(16);
+        for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
+            const auto asked = any_bits<question>(random);
+            compare_scenes(both.c_scene, both.scene, asked);
+            compare_scenes(empty, in_cpp, asked);
+        }
+    }
 }

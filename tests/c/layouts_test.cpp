@@ -36,8 +36,8 @@ constexpr std::size_t initialisers() {
     else return initialisers<T, count - 1>();
 }
 
-/// Returns whether one passes for the other. Where it fails for espalier_blob, give that the size of Blob, for pointers
-/// of 4 and of 8 bytes. Classes with private members have no initialisers.
+/// Returns whether one passes for the other. Where it fails for espalier_blob or espalier_scene, give that the size of
+/// Blob or BakedScene, for pointers of 4 and of 8 bytes. Classes with private members have no initialisers.
 template <class C, class Cpp>
 constexpr bool same_layout() {
     static_assert(std::is_same_v<Twin<C>, Cpp> && std::is_same_v<Twin<Cpp>, C>);
@@ -200,6 +200,21 @@ SAME_FIELD(espalier_lattice_hit, reserved);
 SAME_RESULT(espalier_lattice_point_result);
 SAME_RESULT(espalier_lattice_box_result);
 SAME_RESULT(espalier_lattice_result);
+SAME_FIELD(espalier_instance, transform);
+SAME_FIELD(espalier_instance, mesh);
+SAME_FIELD(espalier_instance, mask);
+SAME_FIELD(espalier_instance, user);
+SAME_FIELD(espalier_instance, source);
+SAME_RESULT(espalier_instance_result);
+SAME_FIELD(espalier_instance_id, index);
+SAME_FIELD(espalier_instance_id, in_tile);
+SAME_RESULT(espalier_mesh_result);
+SAME_FIELD(espalier_scene_ray_hit, hit);
+SAME_FIELD(espalier_scene_ray_hit, instance);
+SAME_FIELD(espalier_scene_closest_point_result, hit);
+SAME_FIELD(espalier_scene_closest_point_result, instance);
+SAME_FIELD(espalier_scene_sweep_hit, hit);
+SAME_FIELD(espalier_scene_sweep_hit, instance);
 
 // ---- enumerations and numbers -------------------------------------------------------------------------------------
 
@@ -222,6 +237,9 @@ SAME_VALUE(ESPALIER_OPEN_NOT_OPENED, OpenStatus::not_opened);
 SAME_VALUE(ESPALIER_OPEN_MISALIGNED, OpenStatus::misaligned);
 SAME_VALUE(ESPALIER_OPEN_NOT_A_REMAP, OpenStatus::not_a_remap);
 SAME_VALUE(ESPALIER_OPEN_OTHER_BLOB, OpenStatus::other_blob);
+SAME_VALUE(ESPALIER_OPEN_NOT_A_SCENE, OpenStatus::not_a_scene);
+SAME_VALUE(ESPALIER_OPEN_BAD_INSTANCE, OpenStatus::bad_instance);
+SAME_VALUE(ESPALIER_OPEN_TOO_FEW_MESHES, OpenStatus::too_few_meshes);
 
 static_assert(sizeof(espalier_query_status) == sizeof(QueryStatus));
 SAME_VALUE(ESPALIER_QUERY_OK, QueryStatus::ok);
@@ -279,6 +297,7 @@ SAME_VALUE(ESPALIER_VERSION_MAJOR, library_version_major);
 SAME_VALUE(ESPALIER_VERSION_MINOR, library_version_minor);
 SAME_VALUE(ESPALIER_VERSION_PATCH, library_version_patch);
 static_assert(ESPALIER_NO_TRIANGLE == no_triangle.index);
+static_assert(ESPALIER_NO_INSTANCE == no_instance.index);
 static_assert(ESPALIER_WORK_UNLIMITED == WorkLimit::unlimited().visits());
 
 }  // namespace espalier::detail
@@ -318,6 +337,8 @@ TEST_SUITE("layouts") {
         CHECK(sizes.version_minor == espalier::library_version_minor);
         CHECK(sizes.version_patch == espalier::library_version_patch);
         CHECK(sizes.blob == sizeof(espalier::Blob));
+        CHECK(sizes.instance_id == sizeof(espalier::InstanceId));
+        CHECK(sizes.scene == sizeof(espalier::BakedScene));
         CHECK(sizes.vec3 == sizeof(espalier::Vec3));
         CHECK(sizes.rounded_ray == sizeof(espalier::RoundedRay));
     }

@@ -100,8 +100,9 @@ check_layers(runtime "<espalier/[a-z_]+\\.h(pp)?>|${plain_headers}|${machine_hea
   "sweeps: ${walks} rays"
   "transforms: base"
   "pairs: ${walks} transforms"
+  "scenes: ${walks} open rays proximity transforms"
   "asset: base lattice blob traversal"
-  "instruction_sets: ${walks} rays rays/batch proximity pairs"
+  "instruction_sets: ${walks} rays rays/batch proximity pairs scenes"
   "c:")
 
 # The baker's folders, in the order of its stages.
@@ -115,7 +116,8 @@ check_layers(baker "<espalier/[a-z_]+\\.hpp>|<runtime/(base|lattice|blob)/[a-z_0
   "collapse: base input quantise build"
   "sections: base input quantise build collapse"
   "encode: base input quantise build collapse sections"
-  "verify: base input quantise build collapse sections")
+  "verify: base input quantise build collapse sections"
+  "scenes: base encode verify")
 
 file(GLOB baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
 check("a file of the baker's root includes public and standard headers and the baker's own only"

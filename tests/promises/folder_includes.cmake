@@ -83,9 +83,10 @@ check_folder_includes(tools
   "layout: base report"
   "bake: base import/base import/guards import report files layout"
   "trade: base import/base report bake"
+  "scenes: base import/base report layout bake"
   "query: base report files"
   "render: base"
-  "commands: base import/base import report files layout bake trade query render"
+  "commands: base import/base import report files layout bake trade scenes query render"
   "command_line: base query commands"
   ".: base report commands command_line")
 
@@ -107,7 +108,7 @@ check_folder_includes(tests
   "support/exact: support/base support/format support/queries oracle"
   "platform:"
   "platform/other:"
-  "firmware: platform support/meshes"
+  "firmware: platform support/base support/meshes"
   "firmware/image: platform firmware"
   "firmware/plugin:"
   "mutation:"
@@ -128,6 +129,7 @@ check_folder_includes(tests
   "runtime/sweeps: ${support}"
   "runtime/transforms: ${support}"
   "runtime/pairs: ${support} support/exact"
+  "runtime/scenes: ${support}"
   "runtime/asset: ${support} oracle"
   "baker: ${support}"
   "baker/base: ${support} baker"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -14,6 +15,12 @@ namespace espalier::baker {
     auto rounded = static_cast<float>(value);
     if (double(rounded) < value) rounded = std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) + 1);
     return rounded != 0.0f ? std::max(rounded, std::numeric_limits<float>::min()) : rounded;
+}
+
+/// The greatest float32 that is at most a value.
+[[nodiscard]] inline float round_down_to_float(double value) {
+    const auto rounded = static_cast<float>(value);
+    return double(rounded) > value ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
 }
 
 }  // namespace espalier::baker

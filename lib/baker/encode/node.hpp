@@ -29,6 +29,9 @@ struct NodeToWrite {
     std::span<const ChildBox> boxes;
 };
 
+/// Writes the frame and the planes of a packed node into its zeroed `bytes`.
+void put_packed_boxes(std::span<const ChildBox> boxes, unsigned bits, std::byte* bytes);
+
 /// Write into the node's zeroed `bytes`, and append its leaves to the leaf section.
 void put_packed_node(const NodeToWrite& from, std::byte* bytes, std::vector<std::byte>& leaves);
 void put_plain_node(const NodeToWrite& from, std::byte* bytes, std::vector<std::byte>& leaves);

@@ -55,6 +55,17 @@ Frame put_axis(std::span<const ChildBox> boxes, std::size_t axis, unsigned bits,
     return frame;
 }
 
+std::array<Frame, 3> put_boxes(std::span<const ChildBox> boxes, unsigned bits, std::byte* bytes) {
+    std::array<Frame, 3> frames;
+    std::uint32_t shifts = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        frames[axis] = put_axis(boxes, axis, bits, bytes);
+        shifts |= frames[axis].shift << (5 * axis);
+    }
+    set_u16(bytes + layout::shifts_at, shifts);
+    return frames;
+}
+
 void put_leaf_block(const NodeToWrite& from, const std::array<Frame, 3>& frames, std::vector<std::byte>& bytes) {
     using namespace format::strip_leaf;
     const WideNode& node = from.node;
@@ -88,15 +99,13 @@ void put_leaf_block(const NodeToWrite& from, const std::array<Frame, 3>& frames,
 
 }  // namespace
 
+void put_packed_boxes(std::span<const ChildBox> boxes, unsigned bits, std::byte* bytes) {
+    put_boxes(boxes, bits, bytes);
+}
+
 void put_packed_node(const NodeToWrite& from, std::byte* bytes, std::vector<std::byte>& leaves) {
     const WideNode& node = from.node;
-    std::array<Frame, 3> frames;
-    std::uint32_t shifts = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        frames[axis] = put_axis(from.boxes, axis, from.mesh.lattice.bits, bytes);
-        shifts |= frames[axis].shift << (5 * axis);
-    }
-    set_u16(bytes + layout::shifts_at, shifts);
+    const std::array<Frame, 3> frames = put_boxes(from.boxes, from.mesh.lattice.bits, bytes);
     set_u32(bytes + layout::children_at,
             node.first_child | std::uint32_t{node.node_children} << 24 | std::uint32_t{node.leaves} << 28);
     if (node.leaves == 0) return;

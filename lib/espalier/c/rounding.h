@@ -1,12 +1,17 @@
-/* Rounding bounds: how far a query moves when it is rounded. Counterpart of rounding.hpp. */
+/* Rounding: a bound on how far a query moves when it is rounded, and rays that are rounded once for several blobs.
+ * Counterpart of rounding.hpp. */
 #ifndef ESPALIER_C_ROUNDING_H
 #define ESPALIER_C_ROUNDING_H
+
+#include <stddef.h>
+#include <stdint.h>
 
 #include <espalier/c/attributes.h>
 #include <espalier/c/blob.h>
 #include <espalier/c/ray.h>
 #include <espalier/c/shapes.h>
 #include <espalier/c/status.h>
+#include <espalier/c/transform.h>
 #include <espalier/c/types.h>
 
 #ifdef __cplusplus
@@ -36,6 +41,40 @@ espalier_float_result espalier_rounding_error_sweep_capsule(const espalier_blob*
                                                             espalier_vec3 displacement);
 espalier_float_result espalier_rounding_error_sweep_box(const espalier_blob* blob, const espalier_box* box,
                                                         espalier_vec3 displacement);
+
+/* A ray in whole numbers on the lattice of a region. Its content may change. Any bits are safe: those that are no
+ * rounded ray are refused. */
+typedef struct ESPALIER_SHARED_ espalier_rounded_ray {
+    uint32_t opaque_[21];
+} espalier_rounded_ray;
+
+/* The value counts only if the status is ESPALIER_QUERY_OK. */
+typedef struct ESPALIER_SHARED_ espalier_lattice_result {
+    espalier_lattice value;
+    espalier_query_status status;
+} espalier_lattice_result;
+
+/* Returns the region around all blobs that have triangles. */
+espalier_lattice_result espalier_lattice_of_blobs(const espalier_blob* blobs, size_t count);
+/* Returns the ray rounded for all blobs within the region. */
+espalier_rounded_ray espalier_round_ray(const espalier_lattice* region, const espalier_ray* ray);
+/* Returns ESPALIER_QUERY_OK, or why the ray was refused: every query of it returns that again. */
+espalier_query_status espalier_rounded_ray_status(const espalier_rounded_ray* ray);
+/* Returns the closest hit, as espalier_raycast() does. */
+espalier_ray_hit espalier_raycast_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray);
+/* Returns whether the ray hits any triangle. */
+espalier_yes_no espalier_occluded_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray);
+/* Return the same of the triangles that the filter keeps. */
+espalier_ray_hit espalier_raycast_rounded_filtered(const espalier_blob* blob, const espalier_rounded_ray* ray,
+                                                   espalier_triangle_filter filter, void* user);
+espalier_yes_no espalier_occluded_rounded_filtered(const espalier_blob* blob, const espalier_rounded_ray* ray,
+                                                   espalier_triangle_filter filter, void* user);
+/* Calls the visitor with each hit, as espalier_for_each_hit() does. */
+espalier_query_status espalier_for_each_hit_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray,
+                                                    espalier_hit_visitor visit, void* user);
+/* Returns the ray in the local space of a transform that only moves by whole steps of its region's lattice. */
+espalier_rounded_ray espalier_to_local_rounded_ray(const espalier_transform* transform,
+                                                   const espalier_rounded_ray* ray);
 
 #ifdef __cplusplus
 }

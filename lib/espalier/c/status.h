@@ -31,7 +31,10 @@ enum {
     ESPALIER_OPEN_NOT_OPENED = 12,
     ESPALIER_OPEN_MISALIGNED = 13,
     ESPALIER_OPEN_NOT_A_REMAP = 15,
-    ESPALIER_OPEN_OTHER_BLOB = 16
+    ESPALIER_OPEN_OTHER_BLOB = 16,
+    ESPALIER_OPEN_NOT_A_SCENE = 17,
+    ESPALIER_OPEN_BAD_INSTANCE = 18,
+    ESPALIER_OPEN_TOO_FEW_MESHES = 19
 };
 
 /* The result of a query. Below 16 it was answered, at least in part; from 16 on it was refused and computed nothing.

@@ -37,6 +37,13 @@ const char* describe(OpenStatus status) noexcept {
             return "these bytes are not a remap file that this library reads, or they are damaged";
         case OpenStatus::other_blob:
             return "the remap file belongs to another blob, or the array has another size than it";
+        case OpenStatus::not_a_scene:
+            return "these bytes are not an Espalier scene: they do not begin with ESPS";
+        case OpenStatus::bad_instance:
+            return "an instance of the scene breaks the format's rules";
+        case OpenStatus::too_few_meshes:
+            return "an array for the meshes or tiles of the scene is too small: mesh_count_of_scene and "
+                   "tile_count_of_scene return their sizes";
     }
     return "not a status of this library";
 }

@@ -42,7 +42,11 @@ namespace espalier::detail {
     twin(tree_child, TreeChild) twin(tree_node, TreeNode)                                                     \
     twin(lattice_point, LatticePoint) twin(lattice_box, LatticeBox) twin(lattice_segment, LatticeSegment)     \
     twin(lattice_point_result, Result<LatticePoint>) twin(lattice_box_result, Result<LatticeBox>)             \
-    twin(lattice_hit, LatticeHit) twin(lattice_result, Result<Lattice>) twin(rounded_ray, RoundedRay)
+    twin(lattice_hit, LatticeHit) twin(lattice_result, Result<Lattice>) twin(rounded_ray, RoundedRay)         \
+    twin(instance_id, InstanceId) twin(instance, Instance) twin(instance_result, Result<Instance>)            \
+    twin(mesh_result, Result<Blob>) twin(scene, BakedScene)                                                   \
+    twin(scene_ray_hit, InScene<RayHit>) twin(scene_closest_point_result, InScene<ClosestPoint>)              \
+    twin(scene_sweep_hit, InScene<SweepHit>)
 // clang-format on
 
 // Overloads without a body: what they return is the twin of what they take.
@@ -102,6 +106,7 @@ constexpr std::uint8_t c(Enumeration value) requires(std::is_enum_v<Enumeration>
 
 /// Returns what C++ passes to a visitor as C takes it: an id as a number, other objects by their address.
 constexpr espalier_triangle_id passed(TriangleId triangle) { return triangle.index; }
+constexpr espalier_instance_id passed(InstanceId instance) { return {instance.index, instance.in_tile}; }
 template <class T>
 const Twin<T>* passed(const T& value) {
     return twin(&value);

@@ -1,4 +1,4 @@
-// espalier/c/ray.h, rounded_ray.h and statistics.h: rays.
+// espalier/c/ray.h, statistics.h, and of rounding.h what casts rays that are rounded once.
 #include <runtime/c/abi.hpp>
 
 using namespace espalier::detail;
@@ -77,4 +77,25 @@ espalier_ray_hit espalier_raycast_rounded(const espalier_blob* blob, const espal
 
 espalier_yes_no espalier_occluded_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray) {
     return c(occluded(cpp(blob), cpp(ray)));
+}
+
+espalier_ray_hit espalier_raycast_rounded_filtered(const espalier_blob* blob, const espalier_rounded_ray* ray,
+                                                   espalier_triangle_filter filter, void* user) {
+    return c(raycast(cpp(blob), cpp(ray), Filter{filter, user}));
+}
+
+espalier_yes_no espalier_occluded_rounded_filtered(const espalier_blob* blob, const espalier_rounded_ray* ray,
+                                                   espalier_triangle_filter filter, void* user) {
+    return c(occluded(cpp(blob), cpp(ray), Filter{filter, user}));
+}
+
+espalier_query_status espalier_for_each_hit_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray,
+                                                    espalier_hit_visitor visit, void* user) {
+    if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;
+    return c(for_each_hit(cpp(blob), cpp(ray), visitor(visit, user)));
+}
+
+espalier_rounded_ray espalier_to_local_rounded_ray(const espalier_transform* transform,
+                                                   const espalier_rounded_ray* ray) {
+    return c(to_local(cpp(transform), cpp(ray)));
 }

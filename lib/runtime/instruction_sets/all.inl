@@ -14,3 +14,4 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/pairs/all.inl>
+#include <runtime/scenes/instance_walk.inl>

@@ -23,6 +23,7 @@ using avx2::RayLanesOf;  // the slab test of packed nodes is found by its argume
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/rays/batch/batch.inl>
+#include <runtime/scenes/instance_walk.inl>
 }  // namespace espalier::detail::avx512
 ESPALIER_END_TARGET
 #endif

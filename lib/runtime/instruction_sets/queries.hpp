@@ -5,3 +5,4 @@
 #include <runtime/proximity/point_queries.hpp>
 #include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
+#include <runtime/scenes/instance_walk.hpp>

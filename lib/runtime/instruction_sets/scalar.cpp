@@ -14,6 +14,7 @@ using scalar_walk::find_nearest_first;
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/pairs/all.inl>
+#include <runtime/scenes/instance_walk.inl>
 
 RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters& counters) {
     return find_closest_hit(blob, world, nullptr, WalkAccuracy{-1, &counters});

@@ -138,7 +138,8 @@ inline RayHit to_ray_hit(const TriangleHit& hit, std::uint32_t index) {
 }
 
 /// Returns a hit as the caller receives it: t within 4 ulp and in the ray's window.
-inline RayHit to_ray_hit(const IntegerRay& ray, const Ray& world, const TriangleHit& hit, std::uint32_t index) {
+template <class Caller>
+inline RayHit to_ray_hit(const IntegerRay& ray, const Caller& world, const TriangleHit& hit, std::uint32_t index) {
     RayHit result = to_ray_hit(hit, index);
     result.t = to_t(ray, hit.whole_tau, world);
     return result;

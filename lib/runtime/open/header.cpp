@@ -38,14 +38,13 @@ struct Bytes {
 
 }  // namespace
 
-OpenStatus read_version_and_size(const std::byte* h, std::size_t size, BlobData& blob) {
+OpenStatus read_version_and_size(const std::byte* h, std::size_t size, BlobData& blob, const FileKind& kind) {
     using namespace format::header;
     if (size < format::header::bytes) return OpenStatus::too_short;
     blob.bytes = h;
     static_assert(magic_at == 0);
-    if (load_u32(h) != format::magic) return OpenStatus::not_a_blob;
-    if (load_u16(h + version_major_at) != format::version_major ||
-        load_u16(h + version_minor_at) > format::version_minor)
+    if (load_u32(h) != kind.magic) return kind.refusal;
+    if (load_u16(h + version_major_at) != kind.version_major || load_u16(h + version_minor_at) > kind.version_minor)
         return OpenStatus::unsupported_version;
     blob.size = load_u32(h + total_bytes_at);
     if (blob.size > size) return OpenStatus::too_short;

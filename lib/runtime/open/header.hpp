@@ -2,14 +2,26 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <espalier/blob.hpp>
 #include <espalier/status.hpp>
 
 namespace espalier::detail {
 
+/// What the first fields of a file of this library must be.
+struct FileKind {
+    std::uint32_t magic;
+    std::uint16_t version_major;
+    std::uint16_t version_minor;
+    OpenStatus refusal;  ///< of bytes with another magic
+};
+inline constexpr FileKind blob_file = {format::magic, format::version_major, format::version_minor,
+                                       OpenStatus::not_a_blob};
+
 /// Reads the fields that give the others a meaning: magic, version, size. The checksum is read and not compared.
-OpenStatus read_version_and_size(const std::byte* bytes, std::size_t size, BlobData& blob);
+OpenStatus read_version_and_size(const std::byte* bytes, std::size_t size, BlobData& blob,
+                                 const FileKind& kind = blob_file);
 /// Reads the rest of the header, checks each rule of it, and locates the sections.
 OpenStatus read_header(BlobData& blob);
 /// Sets the pointers to the sections, which together are the blob. Of their contents it reads only the number of copies

@@ -11,6 +11,7 @@
 #include <runtime/blob/id_steps.hpp>
 #include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/base/options.hpp>
+#include <runtime/open/check_tree.hpp>
 #include <runtime/open/checks.hpp>
 #include <runtime/open/header.hpp>
 #include <runtime/traversal/scalar_walk.hpp>
@@ -19,70 +20,22 @@ namespace espalier {
 namespace detail {
 namespace {
 
-/// A box for each child. There is at least one, and there are no more than a node holds.
-[[maybe_unused]] bool has_sound_boxes(const PackedNode& node, unsigned children, const BlobData&) {
-    using namespace format::packed_node;
-    if (load_u16(node.bytes + shifts_at) >> 15 != 0) return false;
-    for (unsigned shifts = load_u16(node.bytes + shifts_at); shifts != 0; shifts >>= 5)
-        if ((shifts & 31u) > max_shift) return false;
-    for (unsigned plane = 0; plane < 3 * max_children; ++plane) {
-        const std::uint32_t low = load_u8(node.bytes + lo_at + plane);
-        const std::uint32_t high = load_u8(node.bytes + hi_at + plane);
-        if (low > high || (plane % max_children >= children && high != 0)) return false;
-    }
-    return true;
-}
-[[maybe_unused]] bool has_sound_boxes(const PlainNode& node, unsigned children, const BlobData& blob) {
-    using namespace format::plain_node;
-    for (int k = 0; k < 3; ++k) {
-        const std::uint32_t most = static_cast<std::uint32_t>(blob.extent[k]) >> format::unit_shift(blob.bits);
-        for (unsigned child = 0; child < max_children; ++child) {
-            const std::uint32_t low = load_u16(node.low_planes(k) + 2 * std::size_t{child});
-            const std::uint32_t high = load_u16(node.high_planes(k) + 2 * std::size_t{child});
-            if (low > high || high > (child < children ? most : 0)) return false;
-        }
-    }
-    return is_zero(node.bytes + reserved_at, bytes - reserved_at);
-}
-
-/// Every node exactly once, children after their parents, in depth-first order with a stack as deep as the format
-/// allows.
+/// The blocks of leaves, in the order of the nodes.
 template <class Node>
-OpenStatus check_tree(const BlobData& blob) {
-    struct Siblings {
-        std::uint32_t next;
-        std::uint32_t end;
-    };
-    Siblings stack[format::max_depth + 1];
-    OpenProgress seen = {blob};
-    std::uint32_t seen_nodes = 1;  // the root, then every block of siblings when their parent is reached
-    unsigned seen_depth = 0;
-    unsigned depth = 1;
-    stack[1 - 1] = {0, 1};
-    while (depth != 0) {
-        Siblings& siblings = stack[depth - 1];
-        if (siblings.next == siblings.end) {
-            --depth;
-            continue;
-        }
-        if (depth > blob.depth) return OpenStatus::bad_node;
-        // mutant(> -> >=) equivalent: both sides are equal then
-        seen_depth = depth > seen_depth ? depth : seen_depth;
-        const auto node = node_at<Node>(blob, siblings.next++);
-        const unsigned nodes = node.node_children();
-        const unsigned leaves = node.leaf_children();
-        const unsigned children = nodes + leaves;
-        if (children == 0 || children > Node::max_children || !has_sound_boxes(node, children, blob) ||
-            node.first_child() != (nodes == 0 ? 0 : seen_nodes) || nodes > blob.node_count - seen_nodes ||
-            node.leaf_block_place() != (leaves == 0 ? 0 : seen.leaf_bytes / 4))
-            return OpenStatus::bad_node;
-        if (!take_leaves(node, seen)) return OpenStatus::bad_leaf;
-        stack[depth++] = {seen_nodes, seen_nodes + nodes};
-        seen_nodes += nodes;
-    }
-    if (seen_nodes != blob.node_count || seen_depth != blob.depth) return OpenStatus::bad_node;
-    if (seen.triangles != blob.triangle_count || seen.leaf_bytes != blob.leaf_bytes) return OpenStatus::bad_leaf;
-    return OpenStatus::ok;
+struct LeafBlocks {
+    OpenProgress seen;
+
+    [[nodiscard]] std::uint32_t next() const { return seen.leaf_bytes / 4; }
+    OpenStatus take(const Node& node) { return take_leaves(node, seen) ? OpenStatus::ok : OpenStatus::bad_leaf; }
+};
+
+template <class Node>
+OpenStatus check_tree_of(const BlobData& blob) {
+    LeafBlocks<Node> blocks = {{blob}};
+    const OpenStatus status = check_tree<Node>(blob, blocks);
+    if (status != OpenStatus::ok) return status;
+    const bool are_all_seen = blocks.seen.triangles == blob.triangle_count && blocks.seen.leaf_bytes == blob.leaf_bytes;
+    return are_all_seen ? OpenStatus::ok : OpenStatus::bad_leaf;
 }
 
 /// Whether a block's bits end before `bit_count`, and every number that they lead to is one that the sources can have.
@@ -202,8 +155,8 @@ bool are_bounds_sound(const BlobData& blob) {
 OpenStatus check_sections(BlobData& blob) {
     if (!is_zero(blob.leaves + blob.leaf_bytes, format::guard_bytes)) return OpenStatus::bad_section;
     if (blob.triangle_count != 0)
-        if (const OpenStatus status =
-                scalar_walk::with_leaves_of(blob, [&]<class Leaf>() { return check_tree<typename Leaf::Node>(blob); });
+        if (const OpenStatus status = scalar_walk::with_leaves_of(
+                blob, [&]<class Leaf>() { return check_tree_of<typename Leaf::Node>(blob); });
             status != OpenStatus::ok)
             return status;
     return are_optional_sections_sound(blob) ? locate_sections(blob, true) : OpenStatus::bad_section;

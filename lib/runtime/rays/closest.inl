@@ -162,6 +162,6 @@ Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits
     });
 }
 
-RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) {
-    return find_closest_hit(blob, ray, nullptr);
+RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter) {
+    return find_closest_hit(blob, ray, filter);
 }

@@ -88,15 +88,17 @@ template <class SomeAnswer, class Caller, class... Filter>
                   __attribute__((always_inline)) { return any_hit_in<Leaf, SomeAnswer>(blob, world, filter...); });
 }
 
-}  // namespace
-
-YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
+template <class Caller>
+[[gnu::always_inline]] inline YesNo find_any_kept_hit(const BlobData& blob, const Caller& world,
+                                                      const TriangleFilter* filter) {
     if constexpr (decides_by_signs)
         if (filter == nullptr) return find_any_hit<AnyHit>(blob, world);
     return find_any_hit<AnyKeptHit>(blob, world, filter);
 }
 
-QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
+template <class Caller>
+[[gnu::always_inline]] inline QueryStatus list_every_hit(const BlobData& blob, const Caller& world,
+                                                         const Visitor<const RayHit&>& visit) {
     const YesNo is_stopped = visit_every_hit(blob, world, [&](const LatticeRay& ray, const FoundHit& found) {
         if (is_duplicate_reference(blob, found.index) && !is_first_reference(blob, found.index, ray))
             return Visit::next;
@@ -105,7 +107,21 @@ QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayH
     return is_stopped.yes() ? QueryStatus::stopped : of_list(is_stopped.status());
 }
 
-YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray) { return find_any_hit<AnyHit>(blob, ray); }
+}  // namespace
+
+YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter) {
+    return find_any_kept_hit(blob, world, filter);
+}
+YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter) {
+    return find_any_kept_hit(blob, ray, filter);
+}
+
+QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
+    return list_every_hit(blob, world, visit);
+}
+QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit) {
+    return list_every_hit(blob, ray, visit);
+}
 
 /// Also one that passes through a small box.
 YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy) {

@@ -17,8 +17,9 @@
     YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                             \
     QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);                     \
     YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy);                             \
-    RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray);                                    \
-    YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray);                                         \
+    RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);      \
+    YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);           \
+    QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);   \
     }
 
 namespace espalier::detail {

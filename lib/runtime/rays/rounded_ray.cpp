@@ -1,9 +1,11 @@
 // Rays rounded once for several blobs on one lattice, and moved onto each by whole steps.
-#include <espalier/rounded_ray.hpp>
+#include <espalier/rounding.hpp>
+#include <espalier/transform.hpp>
 
 #include <bit>
 
 #include <runtime/lanes/select.hpp>
+#include <runtime/lattice/region.hpp>
 #include <runtime/lattice/round_ray.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/rays/queries.hpp>
@@ -13,28 +15,6 @@ namespace espalier {
 using namespace detail;
 
 namespace {
-
-constexpr std::int32_t most_steps = (1 << format::max_bits) - 1;
-
-/// How many steps `to` is beyond `from`, of two multiples of the step. False below 0 and beyond most_steps; in between
-/// float32 holds the difference exactly.
-bool whole_steps(float from, float to, float steps_per_unit, std::int32_t& steps) {
-    const float difference = (to - from) * steps_per_unit;
-    if (!(difference >= 0.0f && difference <= static_cast<float>(most_steps))) return false;
-    steps = static_cast<std::int32_t>(difference);
-    return true;
-}
-
-bool is_region(const Lattice& region) {
-    if (region.step_exponent < format::min_step_exponent || region.step_exponent > format::max_step_exponent)
-        return false;
-    const Vec3& o = region.origin;
-    for (const float origin : {o.x, o.y, o.z})
-        if (!is_finite(origin) || !is_multiple_of_power(origin, region.step_exponent)) return false;
-    for (const std::int32_t extent : region.extent)
-        if (extent < 0 || extent > most_steps) return false;
-    return true;
-}
 
 /// As a blob that fills the region, of which rounding needs no more.
 BlobData asset_of(const Lattice& region) {
@@ -86,13 +66,8 @@ QueryStatus check(const RoundedRayData& ray) {
 
 /// Moves the ray so that it counts from lattice point 0 0 0 of the blob. Writes it only if it may hit the region.
 QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattice& moved) {
-    if (blob.step_exponent != ray.region.step_exponent) return QueryStatus::invalid_argument;
-    const float region[3] = {ray.region.origin.x, ray.region.origin.y, ray.region.origin.z};
     std::int32_t steps[3] = {};
-    for (int k = 0; k < 3; ++k)
-        if (!whole_steps(region[k], blob.origin[k], blob.steps_per_unit, steps[k]) ||
-            steps[k] + blob.extent[k] > ray.region.extent[k])
-            return QueryStatus::out_of_range;
+    if (const QueryStatus status = find_in_region(blob, ray.region, steps); status != QueryStatus::ok) return status;
     // mutant(never) sanitizer: shifts by words of a handle that nothing has tested
     if (ray.may_hit == 0) return QueryStatus::ok;
     // mutant(< -> <=) sanitizer: reads or writes behind an array, where a later value belongs
@@ -188,18 +163,49 @@ RoundedRay round_ray(const Lattice& region, const Ray& ray) noexcept {
     return result;
 }
 
-RayHit raycast(const Blob& blob, const RoundedRay& ray) noexcept {
+RayHit raycast(const Blob& blob, const RoundedRay& ray) noexcept { return raycast(blob, ray, {}); }
+
+RayHit raycast(const Blob& blob, const RoundedRay& ray, TriangleFilter filter) noexcept {
     RayOnLattice moved;
     const QueryStatus status = begin(blob, ray.data(), moved);
     if (status != QueryStatus::ok) return miss_with(status);
-    return ESPALIER_DISPATCH_RAY(closest_hit_on_lattice, data_of(blob), moved);
+    return ESPALIER_DISPATCH_RAY(closest_hit_on_lattice, data_of(blob), moved, filter ? &filter : nullptr);
 }
 
-YesNo occluded(const Blob& blob, const RoundedRay& ray) noexcept {
+YesNo occluded(const Blob& blob, const RoundedRay& ray) noexcept { return occluded(blob, ray, {}); }
+
+YesNo occluded(const Blob& blob, const RoundedRay& ray, TriangleFilter filter) noexcept {
     RayOnLattice moved;
     const QueryStatus status = begin(blob, ray.data(), moved);
     if (status != QueryStatus::ok) return YesNo(status);
-    return ESPALIER_DISPATCH_RAY(any_hit_on_lattice, data_of(blob), moved);
+    return ESPALIER_DISPATCH_RAY(any_hit_on_lattice, data_of(blob), moved, filter ? &filter : nullptr);
+}
+
+QueryStatus for_each_hit(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept {
+    RayOnLattice moved;
+    const QueryStatus status = begin(blob, ray.data(), moved);
+    if (status != QueryStatus::ok) return of_list(status);
+    return ESPALIER_DISPATCH_RAY(every_hit_on_lattice, data_of(blob), moved, visit);
+}
+
+RoundedRay to_local(const Transform& transform, const RoundedRay& ray) noexcept {
+    RoundedRay moved = ray;
+    if (!ray) return moved;
+    RoundedRayData& data = moved.data_;
+    data.status = move_region(transform, data.region);
+    return data.status == QueryStatus::ok ? moved : RoundedRay(data.status);
+}
+
+void detail::shorten(RoundedRay& ray, float t_max) noexcept {
+    RoundedRayData& data = ray.data_;
+    if (!(t_max < data.t_max) || data.may_hit == 0) return;
+    const float tau_max = lattice_ray::to_tau(t_max, data.t_exponent) - data.tau_offset;
+    if (tau_max < data.tau_min) {
+        data.may_hit = 0;
+        return;
+    }
+    data.tau_max = minimum(tau_max, data.tau_max);
+    data.t_max = t_max;
 }
 
 }  // namespace espalier

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <espalier/ray.hpp>
-#include <espalier/rounded_ray.hpp>
+#include <espalier/rounding.hpp>
 
 #include "every_hit.hpp"
 #include "support/base/same_bits.hpp"

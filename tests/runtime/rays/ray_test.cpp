@@ -9,7 +9,7 @@
 
 #include <espalier/approximate.hpp>
 #include <espalier/ray.hpp>
-#include <espalier/rounded_ray.hpp>
+#include <espalier/rounding.hpp>
 #include <espalier/statistics.hpp>
 
 #include "every_hit.hpp"

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <espalier/rounded_ray.hpp>
+#include <espalier/rounding.hpp>
 
 #include "rounded_ray_loop.hpp"
 #include "support/base/hostile_values.hpp"

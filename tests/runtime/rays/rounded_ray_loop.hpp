@@ -3,11 +3,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
-#include <espalier/rounded_ray.hpp>
+#include <espalier/rounding.hpp>
 #include <runtime/kernels/ray_triangle.hpp>
 
 #include "support/base/same_bits.hpp"
@@ -74,18 +76,41 @@ inline detail::RayOnLattice moved(const RoundedRay& rounded, const std::int32_t 
     return result;
 }
 
+/// Requires that the closest hit is listed and none before it, and the same of a filter that drops it.
+inline void require_list_and_filter(const Blob& blob, const RoundedRay& ray, const RayHit& closest) {
+    std::vector<RayHit> hits;
+    const QueryStatus status = for_each_hit(blob, ray, [&](const RayHit& hit) { hits.push_back(hit); });
+    REQUIRE(status == (is_refused(closest.status) ? closest.status : QueryStatus::ok));
+    // Of hits that round to one t the closest may be any: t is compared before it is rounded.
+    const auto require_first = [&](const RayHit& first) {
+        REQUIRE(hits.empty() == !first);
+        const auto is_first = [&](const RayHit& hit) { return same_bits(hit, first); };
+        const auto is_closer = [&](const RayHit& hit) { return hit.t < first.t; };
+        if (first) REQUIRE(std::any_of(hits.begin(), hits.end(), is_first));
+        if (first) REQUIRE(std::none_of(hits.begin(), hits.end(), is_closer));
+    };
+    require_first(closest);
+    if (!closest) return;
+    const auto keep = [&](TriangleId triangle) { return triangle != closest.triangle; };
+    std::erase_if(hits, [&](const RayHit& hit) { return hit.triangle == closest.triangle; });
+    const RayHit next = raycast(blob, ray, keep);
+    require_first(next);
+    REQUIRE(occluded(blob, ray, keep).status() == next.status);
+}
+
 /// Requires the loop's bits of a ray in the blob's own region, from the public calls and on every instruction set.
 inline void require_answers_of_the_loop(const DecodedBlob& decoded, const Blob& blob, const RoundedRay& ray) {
     constexpr std::int32_t nothing_before[3] = {};
     const RayHit expected = loop_over_triangles(decoded, nothing_before, ray);
     REQUIRE(same_bits(raycast(blob, ray), expected));
     REQUIRE(occluded(blob, ray).status() == expected.status);
+    require_list_and_filter(blob, ray, expected);
     if (ray.data().may_hit == 0) return;
     const detail::RayOnLattice on_blob = moved(ray, nothing_before);
     for (const InstructionPath& path : instruction_paths()) {
-        const RayHit path_hit = path.closest_hit_on_lattice(detail::data_of(blob), on_blob);
+        const RayHit path_hit = path.closest_hit_on_lattice(detail::data_of(blob), on_blob, nullptr);
         REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
-        REQUIRE(path.any_hit_on_lattice(detail::data_of(blob), on_blob).status() == expected.status);
+        REQUIRE(path.any_hit_on_lattice(detail::data_of(blob), on_blob, nullptr).status() == expected.status);
     }
 }
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include <espalier/rounded_ray.hpp>
+#include <espalier/rounding.hpp>
 
 #include "rounded_ray_loop.hpp"
 #include "support/base/hostile_values.hpp"
@@ -71,9 +71,9 @@ TEST_SUITE("rounded ray") {
                 const detail::RayOnLattice on_blob = moved(rounded, before);
                 for (const InstructionPath& path : instruction_paths()) {
                     const detail::BlobData& data = detail::data_of(blob.opened.blob);
-                    const RayHit path_hit = path.closest_hit_on_lattice(data, on_blob);
+                    const RayHit path_hit = path.closest_hit_on_lattice(data, on_blob, nullptr);
                     REQUIRE_MESSAGE(same_bits(path_hit, expected), std::string(path.name));
-                    REQUIRE_MESSAGE(path.any_hit_on_lattice(data, on_blob).status() == expected.status,
+                    REQUIRE_MESSAGE(path.any_hit_on_lattice(data, on_blob, nullptr).status() == expected.status,
                                     std::string(path.name));
                 }
             }

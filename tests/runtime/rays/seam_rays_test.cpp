@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <espalier/rounded_ray.hpp>
+#include <espalier/rounding.hpp>
 
 #include "support/base/same_bits.hpp"
 #include "support/base/test_scale.hpp"

@@ -1,0 +1,329 @@
+// Scenes: one file with a few meshes and many instances of them, and queries over all instances.
+//
+// An instance is a mesh with a Transform, its place in the world. A scene stores each mesh once, as an ordinary blob,
+// and a tree over the boxes of the instances. Queries take shapes in world space and return results in world space.
+//
+// A tile is a scene that is an instance of another one, in place of a mesh: a part of a world that is baked alone. The
+// scene holds its bytes whole, and queries it as a mesh is queried. Tiles hold no tiles.
+//
+// Answers are exact: they equal, bit for bit, those of a loop over all instances that moves the shape into the local
+// space of each one with to_local(), queries the blob or the tile, and moves the result back with to_world() and
+// normal_to_world(). Of equally good triangles the one in the lowest instance counts, then the lowest triangle.
+//
+// Thread safety: any number of threads may query one scene. No call allocates. Numerics are described at the end of
+// this file.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <espalier/blob.hpp>
+#include <espalier/distance.hpp>
+#include <espalier/function_ref.hpp>
+#include <espalier/overlap.hpp>
+#include <espalier/ray.hpp>
+#include <espalier/rounding.hpp>
+#include <espalier/shapes.hpp>
+#include <espalier/status.hpp>
+#include <espalier/sweep.hpp>
+#include <espalier/transform.hpp>
+#include <espalier/types.hpp>
+
+namespace espalier {
+
+/// The number of an instance in its scene: 0 .. BakedScene::instance_count() - 1. If that is a tile, `in_tile` is the
+/// number of an instance in the tile. The default is no instance.
+struct InstanceId {
+    std::uint32_t index = 0xFFFFFFFFu;
+    std::uint32_t in_tile = 0xFFFFFFFFu;  ///< none for an instance of a mesh, and for a tile as a whole
+    friend constexpr auto operator<=>(const InstanceId&, const InstanceId&) = default;
+};
+
+/// The id that belongs to no instance: a miss has it.
+inline constexpr InstanceId no_instance = {};
+
+/// A mesh or a tile at a place in the world.
+struct Instance {
+    Transform transform;              ///< from the mesh's local space to the world
+    std::uint32_t mesh = 0;           ///< the number of its mesh in the scene; tiles are numbered after the meshes
+    std::uint32_t mask = 0xFFFFFFFF;  ///< queries with a mask that shares no bit with it pass the instance over
+    std::uint32_t user = 0;           ///< the caller's: never read by the library
+    std::uint32_t source = 0;         ///< its number in the list that was given to bake_scene()
+};
+
+class BakedScene;
+
+namespace detail {
+
+/// The facts that open_scene() proved about the bytes. All are zero in a scene that was never opened.
+struct SceneData {
+    BlobData tree;  ///< nodes and lattice of the tree over the instances; its leaves are the records of instances
+    const Blob* meshes = nullptr;
+    const BakedScene* tiles = nullptr;
+    std::uint32_t mesh_count = 0;
+    std::uint32_t tile_count = 0;
+    std::uint32_t instance_count = 0;
+    Lattice common;  ///< the region of the instances that are moved by whole steps, if there is one
+    bool has_common = false;
+    float coarsest_step = 0.0f;  ///< the largest lattice step of any instance, in world units
+    float largest_scale = 0.0f;
+};
+
+constexpr const SceneData& data_of(const BakedScene& scene) noexcept;
+
+}  // namespace detail
+
+/// A view of a baked scene. Copied freely. The bytes and the arrays of meshes and tiles must outlive it and stay
+/// unchanged. A default BakedScene was never opened: it has no instances, and queries refuse it with
+/// QueryStatus::not_open.
+class [[nodiscard]] BakedScene {
+public:
+    constexpr BakedScene() noexcept = default;
+
+    /// Returns ok, not_opened, or why open_scene() refused the bytes.
+    [[nodiscard]] constexpr OpenStatus status() const noexcept {
+        if (data_.tree.bytes != nullptr) return OpenStatus::ok;
+        return data_.tree.refusal == OpenStatus::ok ? OpenStatus::not_opened : data_.tree.refusal;
+    }
+    /// Returns whether the scene is open.
+    [[nodiscard]] explicit constexpr operator bool() const noexcept { return data_.tree.bytes != nullptr; }
+
+    [[nodiscard]] constexpr std::uint32_t instance_count() const noexcept { return data_.instance_count; }
+    /// Returns the meshes, each an open blob; without those of the tiles.
+    [[nodiscard]] constexpr std::span<const Blob> meshes() const noexcept { return {data_.meshes, data_.mesh_count}; }
+    /// Returns the tiles, each an open scene.
+    [[nodiscard]] constexpr std::span<const BakedScene> tiles() const noexcept;
+    /// Returns the size in bytes, meshes and tiles included.
+    [[nodiscard]] constexpr std::uint32_t size() const noexcept { return data_.tree.size; }
+    /// Returns the largest distance between the surface of any instance and its source, in world units.
+    [[nodiscard]] constexpr float max_error() const noexcept { return data_.tree.max_error; }
+    /// Returns a box around the boxes and the local origins of all instances, each coordinate rounded to float. Both
+    /// corners are zero if there are no instances.
+    [[nodiscard]] Box bounds() const noexcept;
+
+    /// Returns the region that holds the instances which lie on one lattice: whose transforms move by whole steps and
+    /// do nothing else, such as the tiles of a world. Rays are rounded once for all of them. Not found if there are
+    /// none.
+    [[nodiscard]] constexpr Result<Lattice> common_lattice() const noexcept {
+        if (data_.tree.bytes == nullptr) return {{}, QueryStatus::not_open};
+        return {data_.common, data_.has_common ? QueryStatus::ok : QueryStatus::not_found};
+    }
+
+private:
+    friend constexpr const detail::SceneData& detail::data_of(const BakedScene& scene) noexcept;
+    friend BakedScene open_scene(std::span<const std::byte> bytes, std::span<Blob> meshes,
+                                 std::span<BakedScene> tiles) noexcept;
+    detail::SceneData data_;
+};
+
+constexpr std::span<const BakedScene> BakedScene::tiles() const noexcept { return {data_.tiles, data_.tile_count}; }
+
+namespace detail {
+
+/// Returns the inner data of a scene: for the library's own parts and its tests. Its layout may change.
+constexpr const SceneData& data_of(const BakedScene& scene) noexcept { return scene.data_; }
+
+}  // namespace detail
+
+/// Returns the number of meshes that a scene states in its header, those of its tiles included: the size of the array
+/// that open_scene() needs. Returns 0 for bytes that are no scene or too few for so many. Reads the header only.
+[[nodiscard]] std::uint32_t mesh_count_of_scene(std::span<const std::byte> bytes) noexcept;
+/// Returns the number of tiles that a scene states in its header, which open_scene() needs room for as well.
+[[nodiscard]] std::uint32_t tile_count_of_scene(std::span<const std::byte> bytes) noexcept;
+
+/// Proves that every query on `bytes` is safe and returns a view of them. Writes an open Blob for each mesh to
+/// `meshes`, which must have at least mesh_count_of_scene() elements, and an open scene for each tile to `tiles`, which
+/// must have at least tile_count_of_scene() (else too_few_meshes).
+///
+/// Takes any bytes at any alignment. Reads only inside `bytes`, without heap and recursion, in time proportional to the
+/// size. After a refusal the elements of both arrays are open or empty. It does not prove that the tree holds its
+/// instances: verify_scene() does.
+BakedScene open_scene(std::span<const std::byte> bytes, std::span<Blob> meshes,
+                      std::span<BakedScene> tiles = {}) noexcept;
+
+/// Returns an instance; with `in_tile`, one of a tile, whose transform leads to the tile's local space. Refuses a scene
+/// that is not open (not_open) and an id out of range (invalid_argument). O(1).
+Result<Instance> instance_at(const BakedScene& scene, InstanceId instance) noexcept;
+
+/// Returns the mesh of an instance. Refuses what instance_at() refuses, and a tile as a whole (invalid_argument). O(1).
+Result<Blob> mesh_at(const BakedScene& scene, InstanceId instance) noexcept;
+
+/// Returns whether rays are rounded once for this instance and others: its transform only moves it, by whole steps of
+/// common_lattice(), and its mesh lies within that region; so does the common lattice of a tile. With `in_tile`, both
+/// the tile and the instance in it must. Refuses what instance_at() refuses. O(1).
+YesNo is_on_common_lattice(const BakedScene& scene, InstanceId instance) noexcept;
+
+/// A callable that decides which triangles of which instances count: true keeps one. The default keeps all.
+using SceneTriangleFilter = FunctionRef<bool(InstanceId, TriangleId)>;
+
+/// Selects the instances and triangles that a query takes into account: those of instances whose mask shares a bit with
+/// `mask`, and of these the triangles that the callable keeps. A parameter type: it refers to the callable.
+class SceneFilter {
+public:
+    constexpr SceneFilter() noexcept = default;
+    // NOLINTNEXTLINE(google-explicit-constructor): a parameter type
+    constexpr SceneFilter(std::uint32_t mask) noexcept : mask_(mask) {}
+    template <class Callable>
+    // NOLINTNEXTLINE(google-explicit-constructor): a parameter type
+    constexpr SceneFilter(Callable&& keep ESPALIER_LIFETIMEBOUND) noexcept
+        requires(std::is_invocable_r_v<bool, Callable&, InstanceId, TriangleId>)
+        : keep_(std::forward<Callable>(keep)) {}
+    constexpr SceneFilter(std::uint32_t mask, SceneTriangleFilter keep) noexcept : mask_(mask), keep_(keep) {}
+
+    [[nodiscard]] constexpr std::uint32_t mask() const noexcept { return mask_; }
+    [[nodiscard]] constexpr const SceneTriangleFilter& keep() const noexcept { return keep_; }
+
+private:
+    std::uint32_t mask_ = 0xFFFFFFFF;
+    SceneTriangleFilter keep_;
+};
+
+/// The result of a query over a scene: that of a query over a blob, in world space, and the instance. Converts to true
+/// if something was found.
+template <class Hit>
+struct [[nodiscard]] InScene {
+    Hit hit;
+    InstanceId instance;
+
+    explicit constexpr operator bool() const noexcept { return hit.status == QueryStatus::ok; }
+    constexpr const Hit& operator*() const noexcept { return hit; }
+    constexpr const Hit* operator->() const noexcept { return &hit; }
+};
+
+/// Returns the hit with the smallest t; of equal t the one in the lowest instance, then the lowest triangle.
+///
+/// Refuses as raycast() of a blob does, but an origin that is too far away (out_of_range) only if it is so for an
+/// instance near the ray. Cost: expected O(log n) for n instances, and the queries of the few blobs whose boxes the ray
+/// passes; O(n) for a direction shorter than 2^-70, or than that times the largest scale.
+InScene<RayHit> raycast(const BakedScene& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
+
+/// Returns the same for a ray that is rounded for a region around common_lattice(), so that several scenes meet one
+/// ray: the instances on that lattice take `rounded`, the others `ray`. Refuses a region that lacks such an instance
+/// (out_of_range, invalid_argument). Both are of one ray.
+InScene<RayHit> raycast(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded,
+                        const SceneFilter& filter = {}) noexcept;
+
+/// Writes to hits[i] what raycast() returns for rays[i]. Refuses spans of different sizes (invalid_argument).
+Filled raycast(const BakedScene& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
+               const SceneFilter& filter = {}) noexcept;
+
+/// Returns whether the ray hits any triangle. Refuses as raycast() does.
+YesNo occluded(const BakedScene& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
+YesNo occluded(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded,
+               const SceneFilter& filter = {}) noexcept;
+
+/// Calls the visitor with each hit in ascending order of instances, and of triangles within one. Status: ok; stopped by
+/// the visitor; or why the ray was refused.
+QueryStatus for_each_hit(const BakedScene& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
+                         const SceneFilter& filter = {}) noexcept;
+QueryStatus for_each_hit(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded,
+                         Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter = {}) noexcept;
+
+/// Returns the closest point of any surface within max_distance; of equally close ones that in the lowest instance,
+/// then the lowest triangle. Refuses as closest_point() of a blob does.
+InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float max_distance = __builtin_inff(),
+                                    std::uint32_t mask = 0xFFFFFFFF) noexcept;
+
+/// Returns the first contact of the shape as it moves by `displacement`; of equally early ones that with the lowest
+/// instance. Refuses as sweep() of a blob does.
+InScene<SweepHit> sweep(const BakedScene& scene, const Sphere& sphere, Vec3 displacement,
+                        const SceneFilter& filter = {}) noexcept;
+InScene<SweepHit> sweep(const BakedScene& scene, const Capsule& capsule, Vec3 displacement,
+                        const SceneFilter& filter = {}) noexcept;
+
+/// Calls the visitor with each instance whose box in the tree touches the box, in ascending order; of a tile, with each
+/// instance in it whose box does. The boxes of the tree are larger than their instances: by up to 1/255 of their
+/// siblings' extent. For queries of your own.
+QueryStatus for_each_candidate(const BakedScene& scene, const Box& box, Visitor<InstanceId> visit,
+                               std::uint32_t mask = 0xFFFFFFFF) noexcept;
+
+/// A shape that overlaps() and for_each_overlap() of a scene take.
+template <class Shape>
+concept SceneShape = std::same_as<Shape, Sphere> || std::same_as<Shape, Capsule> || std::same_as<Shape, Box> ||
+    std::same_as<Shape, OrientedBox> || std::same_as<Shape, Triangle> || std::same_as<Shape, Cone>;
+
+namespace detail {
+
+/// A box around a shape, seen from one of its points, and whether queries take the shape.
+struct ShapeBounds {
+    Vec3 anchor;
+    Vec3 low;                              ///< from the anchor
+    Vec3 high;                             ///< from the anchor
+    QueryStatus status = QueryStatus::ok;  ///< not_found for a shape without any point
+};
+ShapeBounds bounds_of(const Sphere& sphere) noexcept;
+ShapeBounds bounds_of(const Capsule& capsule) noexcept;
+ShapeBounds bounds_of(const Box& box) noexcept;
+ShapeBounds bounds_of(const OrientedBox& box) noexcept;
+ShapeBounds bounds_of(const Triangle& triangle) noexcept;
+ShapeBounds bounds_of(const Cone& cone) noexcept;
+
+/// A shape of any type in world space, with the queries of one blob and of one tile for it.
+struct AnySceneShape {
+    const void* shape;
+    ShapeBounds bounds;
+    QueryStatus (*visit)(const Blob& blob, const Transform& transform, const void* shape, TriangleVisitor visit);
+    YesNo (*test)(const Blob& blob, const Transform& transform, const void* shape);
+    QueryStatus (*visit_tile)(const BakedScene& tile, const Transform& transform, const void* shape,
+                              Visitor<InstanceId, TriangleId> visit, const SceneFilter& filter);
+    YesNo (*test_tile)(const BakedScene& tile, const Transform& transform, const void* shape,
+                       const SceneFilter& filter);
+
+    template <SceneShape Shape>
+    explicit AnySceneShape(const Shape& any) noexcept;
+};
+
+YesNo overlaps(const BakedScene& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept;
+QueryStatus for_each_overlap(const BakedScene& scene, const AnySceneShape& shape, Visitor<InstanceId, TriangleId> visit,
+                             const SceneFilter& filter) noexcept;
+
+template <SceneShape Shape>
+AnySceneShape::AnySceneShape(const Shape& any) noexcept
+    : shape(&any),
+      bounds(bounds_of(any)),
+      visit([](const Blob& blob, const Transform& transform, const void* from, TriangleVisitor visit_triangle) {
+          return espalier::for_each_overlap(blob, to_local(transform, *static_cast<const Shape*>(from)),
+                                            visit_triangle);
+      }),
+      test([](const Blob& blob, const Transform& transform, const void* from) {
+          return espalier::overlaps(blob, to_local(transform, *static_cast<const Shape*>(from)));
+      }),
+      visit_tile([](const BakedScene& tile, const Transform& transform, const void* from,
+                    Visitor<InstanceId, TriangleId> visit_triangle, const SceneFilter& filter) {
+          const auto local = to_local(transform, *static_cast<const Shape*>(from));
+          return for_each_overlap(tile, AnySceneShape(local), visit_triangle, filter);
+      }),
+      test_tile([](const BakedScene& tile, const Transform& transform, const void* from, const SceneFilter& filter) {
+          const auto local = to_local(transform, *static_cast<const Shape*>(from));
+          return overlaps(tile, AnySceneShape(local), filter);
+      }) {}
+
+}  // namespace detail
+
+/// Returns whether any triangle touches the shape. Refuses as overlaps() of a blob does.
+template <SceneShape Shape>
+[[nodiscard]] YesNo overlaps(const BakedScene& scene, const Shape& shape, const SceneFilter& filter = {}) noexcept {
+    return detail::overlaps(scene, detail::AnySceneShape(shape), filter);
+}
+
+/// Visits every triangle that touches the shape: in ascending order of instances, and within one in the order of
+/// for_each_overlap() of a blob. Returns ok, stopped, or a refusal.
+template <SceneShape Shape>
+QueryStatus for_each_overlap(const BakedScene& scene, const Shape& shape, Visitor<InstanceId, TriangleId> visit,
+                             const SceneFilter& filter = {}) noexcept {
+    return detail::for_each_overlap(scene, detail::AnySceneShape(shape), visit, filter);
+}
+
+}  // namespace espalier
+
+// Numerics
+//
+// t of rays and sweeps is that of the local query, since to_local() keeps it. Points are those of to_world(), normals
+// those of normal_to_world(), distances local ones times the scale of the instance, rounded once.
+// closest_point() passes max_distance / scale to the query of the blob. What a tile returns is moved once more.
+//
+// The tree is conservative: it widens each box by what to_local() and the lattice of the instance may move a shape by
+// (docs/numerics.md, Scenes), so that it never changes an answer. Between two instances that share an edge in the
+// world a gap can remain that is as wide as that motion: each instance rounds the ray for itself.

@@ -1,0 +1,145 @@
+// The walks over the instances of a scene, and what a query does at each of them.
+#pragma once
+
+#include <espalier/function_ref.hpp>
+#include <espalier/scene.hpp>
+#include <runtime/answers/answer.hpp>
+#include <runtime/lanes/select.hpp>
+#include <runtime/scenes/instances.hpp>
+#include <runtime/scenes/passage.hpp>
+
+namespace espalier::detail {
+
+/// An instance that a walk visits, with what a query needs of it: a mesh or a tile.
+struct VisitedInstance {
+    InstanceId id;
+    const Blob* mesh;        ///< null for a tile
+    const BakedScene* tile;  ///< null for a mesh
+    Transform transform;
+
+    /// Returns the id of what a query of the instance has found.
+    [[nodiscard]] InstanceId id_of(InstanceId in_tile) const { return {id.index, in_tile.index}; }
+    /// Returns what a query returns for the mesh or the tile.
+    template <class Query>
+    auto query(Query query) const {
+        return mesh != nullptr ? query(*mesh) : query(*tile);
+    }
+};
+
+/// Called with an instance and the walk's limit, which it may lower. Stop ends a walk in order.
+using InstanceVisitor = FunctionRef<Visit(const VisitedInstance&, float&)>;
+
+/// Calls a visitor with instances, as the leaves of a walk. Only those whose mask shares a bit with the given one.
+struct InstanceAnswer {
+    const SceneData& scene;
+    std::uint32_t mask;
+    float limit;
+    const InstanceVisitor& visit;
+
+    Visit take(const InstancePlace& place) {
+        const InstanceId id = instance_of(place);
+        const std::byte* const record = record_of(scene, id);
+        if ((mask_of(record) & mask) == 0) return Visit::next;
+        const std::uint32_t mesh = mesh_of(record);
+        const bool is_tile = mesh >= scene.mesh_count;
+        return visit({id, is_tile ? nullptr : scene.meshes + mesh,
+                      is_tile ? scene.tiles + (mesh - scene.mesh_count) : nullptr, transform_of(record)},
+                     limit);
+    }
+};
+
+#define ESPALIER_DECLARE_INSTANCE_WALKS(instruction_set)                          \
+    namespace instruction_set {                                                   \
+    void instances_nearest_first(const Passage& passage, InstanceAnswer& answer); \
+    void instances_around(const RoundedPoint& point, InstanceAnswer& answer);     \
+    Visit instances_in_order(const Passage& passage, InstanceAnswer& answer);     \
+    }
+ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_INSTANCE_WALKS)
+#undef ESPALIER_DECLARE_INSTANCE_WALKS
+
+/// Visits the instances whose boxes a passage meets up to the limit, the nearest first.
+inline void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const Passage& passage, float limit,
+                                    const InstanceVisitor& visit) {
+    if (scene.instance_count == 0) return;
+    InstanceAnswer answer = {scene, mask, limit, visit};
+    ESPALIER_DISPATCH(instances_nearest_first, passage, answer);
+}
+
+/// Visits the instances whose boxes are within a squared distance of a point, in steps, the nearest first.
+inline void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const RoundedPoint& point, float limit,
+                                    const InstanceVisitor& visit) {
+    if (scene.instance_count == 0) return;
+    InstanceAnswer answer = {scene, mask, limit, visit};
+    ESPALIER_DISPATCH(instances_around, point, answer);
+}
+
+/// Visits those whose boxes a passage meets in ascending order. Returns stop if the visitor does.
+inline Visit visit_instances(const SceneData& scene, std::uint32_t mask, const Passage& passage, float limit,
+                             const InstanceVisitor& visit) {
+    if (scene.instance_count == 0) return Visit::next;
+    InstanceAnswer answer = {scene, mask, limit, visit};
+    return ESPALIER_DISPATCH(instances_in_order, passage, answer);
+}
+
+/// Returns a limit for the query of an instance, a little above the best result so far. A result that is clamped to it
+/// is then worse than the best one, and one that is as good is not clamped.
+inline float limit_above(float best) { return best * (1.0f + 0x1p-20f) + 0x1p-100f; }
+
+/// The triangles of one instance that a filter keeps, as the filter of a query of its mesh or tile.
+struct FilterOfInstance {
+    const SceneFilter& filter;
+    const VisitedInstance& instance;
+
+    bool operator()(TriangleId triangle) const { return filter.keep()(instance.id, triangle); }
+    bool operator()(InstanceId in_tile, TriangleId triangle) const {
+        return filter.keep()(instance.id_of(in_tile), triangle);
+    }
+    /// Returns the filter of a query of a mesh. It refers to this one.
+    [[nodiscard]] TriangleFilter of(const Blob&) const {
+        return filter.keep() ? TriangleFilter(*this) : TriangleFilter();
+    }
+    /// Returns the filter of a query of a tile. It refers to this one.
+    [[nodiscard]] SceneFilter of(const BakedScene&) const {
+        return {filter.mask(), filter.keep() ? SceneTriangleFilter(*this) : SceneTriangleFilter()};
+    }
+};
+
+/// Keeps the best result of a query over instances.
+template <class Hit>
+class BestInScene {
+public:
+    explicit BestInScene(QueryStatus status) { best_.hit.status = status; }
+    explicit BestInScene(const Hit& miss) : best_{miss, {}} {}
+
+    [[nodiscard]] explicit operator bool() const { return static_cast<bool>(best_); }
+    [[nodiscard]] const Hit* operator->() const { return &best_.hit; }
+    /// Returns whether the result is better: has a lower key, or an equal one and a lower instance. Notes a refusal.
+    bool is_better(const Hit& hit, InstanceId instance, float Hit::*key) {
+        if (is_refused(hit.status)) refusal_ = hit.status;
+        if (hit.status != QueryStatus::ok) return false;
+        return !best_ || hit.*key < best_.hit.*key || (hit.*key == best_.hit.*key && instance < best_.instance);
+    }
+    void set(const Hit& hit, InstanceId instance) { best_ = {hit, instance}; }
+    [[nodiscard]] InScene<Hit> result() const {
+        if (refusal_ == QueryStatus::ok) return best_;
+        InScene<Hit> refused;
+        refused.hit.status = refusal_;
+        return refused;
+    }
+
+private:
+    InScene<Hit> best_;
+    QueryStatus refusal_ = QueryStatus::ok;
+};
+
+/// Returns the result of a mesh or of a tile as that of a tile.
+template <class Hit>
+InScene<Hit> in_tile(const Hit& hit) {
+    return {hit, {}};
+}
+template <class Hit>
+InScene<Hit> in_tile(const InScene<Hit>& hit) {
+    return hit;
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,51 @@
+// The records of instances, which are the leaves of the tree over them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/scene.hpp>
+#include <runtime/base/bits.hpp>
+#include <runtime/blob/node.hpp>
+#include <runtime/lattice/region.hpp>
+
+namespace espalier::detail {
+
+/// A leaf of the tree: an instance.
+using InstancePlace = LeafPlace<PackedNode>;
+
+inline InstanceId instance_of(const InstancePlace& place) { return {place.node.leaf_block_place() + place.number}; }
+
+/// Returns the record of an instance, whose number must be below the count.
+inline const std::byte* record_of(const SceneData& scene, InstanceId instance) {
+    return scene.tree.leaves + format::scene::instance_bytes * std::size_t{instance.index};
+}
+
+inline Transform transform_of(const std::byte* record) {
+    using namespace format::scene;
+    const auto number = [&](std::size_t at, std::size_t i) { return load_f32(record + at + 4 * i); };
+    return {{number(rotation_at, 0), number(rotation_at, 1), number(rotation_at, 2), number(rotation_at, 3)},
+            {number(translation_at, 0), number(translation_at, 1), number(translation_at, 2)},
+            number(scale_at, 0)};
+}
+
+inline std::uint32_t mesh_of(const std::byte* record) { return load_u32(record + format::scene::mesh_at); }
+inline std::uint32_t mask_of(const std::byte* record) { return load_u32(record + format::scene::mask_at); }
+
+/// Returns whether a ray that is rounded for the common lattice meets what lies on a lattice of its own at that place:
+/// a mesh, or the instances of a tile that lie on the tile's common lattice.
+inline bool is_on_common_lattice(const SceneData& scene, const Lattice& lattice, const Transform& transform) {
+    if (!scene.has_common || lattice.step_exponent != scene.common.step_exponent) return false;
+    Lattice region = scene.common;
+    std::int32_t steps[3] = {};
+    return move_region(transform, region) == QueryStatus::ok &&
+           find_in_region(lattice, region, steps) == QueryStatus::ok;
+}
+inline bool is_on_common_lattice(const SceneData& scene, const Blob& mesh, const Transform& transform) {
+    return scene.has_common && is_on_common_lattice(scene, mesh.lattice(), transform);
+}
+inline bool is_on_common_lattice(const SceneData& scene, const BakedScene& tile, const Transform& transform) {
+    return data_of(tile).has_common && is_on_common_lattice(scene, data_of(tile).common, transform);
+}
+
+}  // namespace espalier::detail

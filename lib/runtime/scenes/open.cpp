@@ -1,0 +1,257 @@
+// The proof that every query on a scene is safe, in one pass over the bytes.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <espalier/scene.hpp>
+#include <runtime/base/bits.hpp>
+#include <runtime/blob/checksum.hpp>
+#include <runtime/open/check_tree.hpp>
+#include <runtime/open/checks.hpp>
+#include <runtime/open/header.hpp>
+#include <runtime/scenes/instances.hpp>
+#include <runtime/transforms/rotation.hpp>
+
+namespace espalier {
+namespace detail {
+namespace {
+
+using namespace format::scene;
+
+constexpr FileKind scene_file = {magic, version_major, version_minor, OpenStatus::not_a_scene};
+static_assert(magic_at == format::header::magic_at && total_bytes_at == format::header::total_bytes_at);
+
+Lattice common_lattice_of(const std::byte* header) {
+    Lattice lattice;
+    lattice.step_exponent = load_i16(header + common_step_exponent_at);
+    lattice.origin = {load_f32(header + common_origin_at), load_f32(header + common_origin_at + 4),
+                      load_f32(header + common_origin_at + 8)};
+    for (std::size_t k = 0; k < 3; ++k)
+        lattice.extent[k] = static_cast<std::int32_t>(load_u32(header + common_extent_at + 4 * k));
+    return lattice;
+}
+
+OpenStatus read_scene_header(SceneData& scene) {
+    BlobData& tree = scene.tree;
+    const std::byte* const h = tree.bytes;
+    const std::uint32_t features = load_u32(h + features_at);
+    if ((features & ~has_common_lattice) != 0) return OpenStatus::unsupported_feature;
+    tree.profile = Profile::balanced;
+    tree.bits = bits;
+    tree.step_exponent = load_i16(h + step_exponent_at);
+    scene.mesh_count = load_u32(h + mesh_count_at);
+    scene.tile_count = load_u32(h + tile_count_at);
+    scene.instance_count = load_u32(h + instance_count_at);
+    tree.node_count = load_u32(h + node_count_at);
+    const std::uint32_t depth = load_u16(h + depth_at);
+    tree.depth = static_cast<std::uint8_t>(depth);
+    if (tree.step_exponent < format::min_step_exponent || tree.step_exponent > format::max_step_exponent ||
+        scene.mesh_count > max_meshes || scene.tile_count > max_meshes || scene.instance_count > max_instances ||
+        tree.node_count > format::max_nodes || depth > format::max_depth ||
+        (scene.instance_count == 0) != (tree.node_count == 0) || (tree.node_count == 0) != (depth == 0))
+        return OpenStatus::bad_header;
+    if (load_u32(h + max_error_at) >= infinity_bits) return OpenStatus::bad_header;
+    tree.max_error = load_f32(h + max_error_at);
+    for (std::size_t k = 0; k < 3; ++k) {
+        tree.origin[k] = load_f32(h + origin_at + 4 * k);
+        const std::uint32_t extent = load_u32(h + extent_at + 4 * k);
+        if (!is_finite(tree.origin[k]) || load_u32(h + origin_at + 4 * k) == 0x80000000u ||
+            !is_multiple_of_power(tree.origin[k], tree.step_exponent) || extent >> bits != 0)
+            return OpenStatus::bad_header;
+        tree.extent[k] = static_cast<std::int32_t>(extent);
+    }
+    if (!is_zero(h + zeros_at, header_bytes - zeros_at)) return OpenStatus::bad_header;
+    scene.has_common = features != 0;
+    scene.common = common_lattice_of(h);
+    if (scene.has_common ? !is_region(scene.common) || load_u16(h + common_step_exponent_at + 2) != 0
+                         : !is_zero(h + common_origin_at, tile_mesh_count_at - common_origin_at))
+        return OpenStatus::bad_header;
+    tree.derive();
+    return OpenStatus::ok;
+}
+
+/// Takes parts off the front of the bytes. Offsets are 64-bit numbers: no sum of them overflows.
+class Parts {
+public:
+    explicit Parts(const BlobData& tree) : bytes_(tree.bytes), size_(tree.size) {}
+
+    /// Returns where the next part begins, or null if it does not fit in.
+    const std::byte* take(std::uint64_t size) {
+        if (size > size_ - at_) return nullptr;
+        const std::byte* const part = bytes_ + at_;
+        at_ += static_cast<std::size_t>(size);
+        return part;
+    }
+    /// Skips the zeros before the next multiple of the alignment. Returns whether they are zeros.
+    bool align() {
+        const std::size_t padding = aligned(at_) - at_;
+        const std::byte* const zeros = take(padding);
+        return zeros != nullptr && is_zero(zeros, padding);
+    }
+    [[nodiscard]] bool is_at_end() const { return at_ == size_; }
+
+private:
+    const std::byte* bytes_;
+    std::size_t size_;
+    std::size_t at_ = header_bytes;
+};
+
+/// Takes the next mesh or tile, of the size at a place. Returns no bytes if there is none.
+std::span<const std::byte> take_part(Parts& parts, const std::byte* size_at) {
+    const std::uint32_t size = load_u32(size_at);
+    const std::byte* const part = parts.align() ? parts.take(size) : nullptr;
+    return {part, part != nullptr ? size : 0};
+}
+
+/// Reads the header and opens the meshes that are not in tiles. `sizes` receives where the sizes of the tiles are.
+OpenStatus open_header_and_meshes(SceneData& scene, Parts& parts, std::span<Blob> meshes, const std::byte*& sizes) {
+    const OpenStatus status = read_scene_header(scene);
+    if (status != OpenStatus::ok) return status;
+    const std::uint64_t count = std::uint64_t{scene.mesh_count} + scene.tile_count;
+    sizes = parts.take(count * part_size_bytes);
+    // Each part has a header of its own.
+    if (sizes == nullptr || count > scene.tree.size / header_bytes) return OpenStatus::bad_section;
+    if (meshes.size() < scene.mesh_count) return OpenStatus::too_few_meshes;
+    scene.meshes = meshes.data();
+    for (Blob& mesh : meshes.first(scene.mesh_count)) {
+        const std::span<const std::byte> bytes = take_part(parts, sizes);
+        if (bytes.data() == nullptr) return OpenStatus::bad_section;
+        mesh = open(bytes);
+        if (!mesh) return mesh.status();
+        sizes += part_size_bytes;
+    }
+    return OpenStatus::ok;
+}
+
+/// The instances, in the order of the nodes.
+struct InstanceBlocks {
+    std::uint32_t seen = 0;
+    std::uint32_t count;
+
+    [[nodiscard]] std::uint32_t next() const { return seen; }
+    OpenStatus take(const PackedNode& node) {
+        if (node.leaf_children() > count - seen) return OpenStatus::bad_node;
+        seen += node.leaf_children();
+        return OpenStatus::ok;
+    }
+};
+
+OpenStatus check_instances(SceneData& scene) {
+    for (std::uint32_t i = 0; i < scene.instance_count; ++i) {
+        const std::byte* const record = record_of(scene, {i});
+        const Transform transform = transform_of(record);
+        const std::uint32_t mesh = mesh_of(record);
+        if (!is_valid(transform) || transform.scale < least_coordinate || transform.scale > greatest_scale ||
+            mesh >= scene.mesh_count + scene.tile_count)
+            return OpenStatus::bad_instance;
+        const SceneData* const tile =
+            mesh >= scene.mesh_count ? &data_of(scene.tiles[mesh - scene.mesh_count]) : nullptr;
+        const float step = tile != nullptr
+                               ? transform.scale * tile->coarsest_step
+                               : scale_by_power_of_two(transform.scale, data_of(scene.meshes[mesh]).step_exponent);
+        scene.coarsest_step = maximum(step, scene.coarsest_step);
+        const float scale_in_tile = tile != nullptr ? maximum(tile->largest_scale, 1.0f) : 1.0f;
+        scene.largest_scale = maximum(transform.scale * scale_in_tile, scene.largest_scale);
+    }
+    return OpenStatus::ok;
+}
+
+/// Checks what follows the meshes and tiles.
+OpenStatus check_tree_and_instances(SceneData& scene, Parts& parts) {
+    if (!parts.align()) return OpenStatus::bad_section;
+    scene.tree.nodes = parts.take(std::uint64_t{scene.tree.node_count} * PackedNode::size);
+    scene.tree.leaves = parts.take(std::uint64_t{scene.instance_count} * instance_bytes);
+    if (scene.tree.nodes == nullptr || scene.tree.leaves == nullptr || !parts.is_at_end())
+        return OpenStatus::bad_section;
+    if (scene.instance_count != 0) {
+        InstanceBlocks blocks = {0, scene.instance_count};
+        OpenStatus status = check_tree<PackedNode>(scene.tree, blocks);
+        if (status == OpenStatus::ok && blocks.seen != scene.instance_count) status = OpenStatus::bad_node;
+        if (status != OpenStatus::ok) return status;
+    }
+    return check_instances(scene);
+}
+
+OpenStatus read_start(std::span<const std::byte> bytes, SceneData& scene) {
+    const OpenStatus status = read_version_and_size(bytes.data(), bytes.size(), scene.tree, scene_file);
+    if (status != OpenStatus::ok) return status;
+    return scene.tree.checksum == checksum_of_blob(bytes) ? OpenStatus::ok : OpenStatus::bad_checksum;
+}
+
+OpenStatus open_tile(std::span<const std::byte> bytes, SceneData& tile, std::span<Blob> meshes) {
+    OpenStatus status = read_start(bytes, tile);
+    if (status != OpenStatus::ok) return status;
+    Parts parts(tile.tree);
+    const std::byte* sizes = nullptr;
+    status = open_header_and_meshes(tile, parts, meshes, sizes);
+    if (status != OpenStatus::ok) return status;
+    if (tile.tile_count != 0) return OpenStatus::bad_header;
+    return check_tree_and_instances(tile, parts);
+}
+
+}  // namespace
+}  // namespace detail
+
+using namespace detail;
+
+namespace {
+
+bool is_scene(std::span<const std::byte> bytes) {
+    BlobData header;
+    return read_version_and_size(bytes.data(), bytes.size(), header, scene_file) == OpenStatus::ok;
+}
+
+/// Returns a count of meshes or tiles, or 0 if the bytes are too few for it: each part has a header of its own.
+std::uint32_t possible_count(std::uint64_t count, std::span<const std::byte> bytes) {
+    return count <= bytes.size() / header_bytes ? static_cast<std::uint32_t>(count) : 0;
+}
+
+}  // namespace
+
+std::uint32_t mesh_count_of_scene(std::span<const std::byte> bytes) noexcept {
+    if (!is_scene(bytes)) return 0;
+    const std::byte* const h = bytes.data();
+    return possible_count(std::uint64_t{load_u32(h + mesh_count_at)} + load_u32(h + tile_mesh_count_at), bytes);
+}
+
+std::uint32_t tile_count_of_scene(std::span<const std::byte> bytes) noexcept {
+    return is_scene(bytes) ? possible_count(load_u32(bytes.data() + tile_count_at), bytes) : 0;
+}
+
+BakedScene open_scene(std::span<const std::byte> bytes, std::span<Blob> meshes, std::span<BakedScene> tiles) noexcept {
+    BakedScene scene;
+    // A function of its own would have to be a friend.
+    const auto open_all = [&](SceneData& data) {
+        OpenStatus status = read_start(bytes, data);
+        if (status != OpenStatus::ok) return status;
+        Parts parts(data.tree);
+        const std::byte* sizes = nullptr;
+        status = open_header_and_meshes(data, parts, meshes, sizes);
+        if (status != OpenStatus::ok) return status;
+        if (tiles.size() < data.tile_count) return OpenStatus::too_few_meshes;
+        std::size_t used = data.mesh_count;
+        for (BakedScene& tile : tiles.first(data.tile_count)) {
+            tile = {};
+            const std::span<const std::byte> part = take_part(parts, sizes);
+            if (part.data() == nullptr) return OpenStatus::bad_section;
+            status = open_tile(part, tile.data_, meshes.subspan(used));
+            if (status != OpenStatus::ok) {
+                tile = {};
+                return status;
+            }
+            used += tile.data_.mesh_count;
+            sizes += part_size_bytes;
+        }
+        data.tiles = tiles.data();
+        if (used - data.mesh_count != load_u32(data.tree.bytes + tile_mesh_count_at)) return OpenStatus::bad_header;
+        return check_tree_and_instances(data, parts);
+    };
+    const OpenStatus status = open_all(scene.data_);
+    if (status != OpenStatus::ok) {
+        scene.data_ = {};
+        scene.data_.tree.refusal = status;
+    }
+    return scene;
+}
+
+}  // namespace espalier

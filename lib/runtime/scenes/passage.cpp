@@ -1,0 +1,52 @@
+#include <runtime/scenes/passage.hpp>
+
+#include <bit>
+
+#include <runtime/base/bits.hpp>
+#include <runtime/transforms/rotation.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// Along an axis with a smaller part of the scaled displacement a box stays: its way there is less than the slack.
+constexpr float least_way = 0x1p-60f;
+/// From farther away the slack exceeds the scene: every box may be met.
+constexpr float farthest_reach = 0x1p42f;
+
+/// Returns the exponent of a number's highest bit, from the bits of its magnitude, which are not 0.
+int highest_bit_of(std::uint32_t magnitude) {
+    return magnitude >= 0x00800000u ? static_cast<int>(magnitude >> 23) - 127 : 31 - std::countl_zero(magnitude) - 149;
+}
+
+}  // namespace
+
+Passage::Passage(const SceneData& scene, const ShapeBounds& bounds) : Passage(scene, bounds, {}, 0.0f) {}
+
+Passage::Passage(const SceneData& scene, const ShapeBounds& bounds, const Vec3& displacement, float magnitude) {
+    const SceneAround around = scene_around(scene, bounds, magnitude);
+    const std::int32_t step_exponent = scene.tree.step_exponent;
+    const float low[3] = {bounds.low.x, bounds.low.y, bounds.low.z};
+    const float high[3] = {bounds.high.x, bounds.high.y, bounds.high.z};
+    // to_local() takes parts below 2^-100 for zero.
+    const float way[3] = {without_tiny(displacement.x), without_tiny(displacement.y), without_tiny(displacement.z)};
+    std::uint32_t longest = 0;
+    for (int k = 0; k < 3; ++k) longest = magnitude_bits(way[k]) > longest ? magnitude_bits(way[k]) : longest;
+    const int way_exponent = longest != 0 ? highest_bit_of(longest) : 0;
+    t_exponent_ = way_exponent - step_exponent;
+    const auto steps = [&](float length) { return scale_by_power_of_two(length, -step_exponent); };
+    const bool meets_all = !(steps(around.reach) < farthest_reach);
+    for (int k = 0; k < 3; ++k) {
+        const float scaled = scale_by_power_of_two(way[k], -way_exponent);
+        inverse_[k] = meets_all ? 0.0f : 1.0f / (absolute(scaled) < least_way ? least_way : scaled);
+        // Up to coordinate 0: by how much the box is below it at first, and how far it can go before it is above.
+        const float below = steps(around.offset[k] - around.slack - high[k]);
+        const float room = steps(around.offset[k] + around.slack - low[k]);
+        near_offset_[k] = meets_all ? 0.0f : (inverse_[k] < 0.0f ? room : below) * inverse_[k];
+        far_offset_[k] = meets_all ? infinity : (inverse_[k] < 0.0f ? below : room) * inverse_[k];
+    }
+}
+
+float Passage::key_of(float t) const { return scale_by_power_of_two(t, t_exponent_) + 0.0f; }
+
+}  // namespace espalier::detail

@@ -1,0 +1,20 @@
+// A scene as seen from a shape: where its tree is, and how far rounding may move the shape.
+#pragma once
+
+#include <espalier/scene.hpp>
+
+namespace espalier::detail {
+
+/// The tree of a scene, as seen from the anchor of a shape.
+struct SceneAround {
+    float offset[3];  ///< of the tree's lattice point 0 0 0 from the anchor
+    float reach;      ///< at least each coordinate, from the anchor, of the scene's corners and of the shape's way
+    /// More than to_local(), the lattice of any instance and the arithmetic of the walk move any point of the shape
+    /// along an axis (docs/numerics.md, Scenes).
+    float slack;
+};
+
+/// Returns the scene as seen from a shape. `magnitude` is at least the length of the way that it moves.
+SceneAround scene_around(const SceneData& scene, const ShapeBounds& bounds, float magnitude = 0.0f);
+
+}  // namespace espalier::detail

@@ -1,0 +1,160 @@
+// What opening and querying a scene take: no heap, and little more stack than the query of a blob. The budgets are of
+// this machine; those of queries of blobs are in tests/promises/stack_test.cpp.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <espalier/scene.hpp>
+
+#include "maker.hpp"
+#include "support/base/sanitized.hpp"
+#include "support/machine/allocation_counter.hpp"
+#include "support/machine/chosen_instruction_set.hpp"
+#include "support/machine/stack_use.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+/// Calls `call` with each scene and a maker of shapes, some times over.
+template <class Call>
+void for_each_query(int times, Call call) {
+    for (const TestScene& test : test_scenes()) {
+        SceneQueryMaker maker(test, 21);
+        for (int i = 0; i < times; ++i) call(test.opened.scene, maker);
+    }
+}
+
+/// The deepest stack in scenes of meshes alone, and in those with tiles.
+struct StackUse {
+    std::size_t of_meshes = 0;
+    std::size_t of_tiles = 0;
+};
+
+template <class Call>
+StackUse most_stack(Call call) {
+    StackUse most;
+    on_each_instruction_set([&] {
+        for_each_query(40, [&](const BakedScene& scene, SceneQueryMaker& maker) {
+            std::size_t& own = scene.tiles().empty() ? most.of_meshes : most.of_tiles;
+            own = std::max(own, call(scene, maker));
+        });
+    });
+    return most;
+}
+
+/// The stack of both queries about overlaps with the shapes that `make` makes.
+template <class Make>
+StackUse most_stack_of_overlaps(Make make) {
+    return most_stack([&](const BakedScene& scene, SceneQueryMaker& maker) {
+        const auto shape = make(maker);
+        return stack_use([&] {
+            (void)overlaps(scene, shape);
+            (void)for_each_overlap(scene, shape, [](InstanceId, TriangleId) {});
+        });
+    });
+}
+
+template <class Query>
+StackUse most_stack_of_rays(Query query) {
+    return most_stack([&](const BakedScene& scene, SceneQueryMaker& maker) {
+        const Ray ray = maker.ray();
+        return stack_use([&] { query(scene, ray); });
+    });
+}
+
+}  // namespace
+
+TEST_SUITE("cost") {
+    TEST_CASE("scene: opening and every query allocate nothing") {
+        std::uint64_t allocations = 0;
+        std::vector<Blob> meshes(32);
+        std::vector<BakedScene> tiles(4);
+        for_each_query(40, [&](const BakedScene& scene, SceneQueryMaker& maker) {
+            const Ray ray = maker.ray();
+            const Sphere sphere = maker.sphere();
+            const Capsule capsule = maker.capsule();
+            const Vec3 displacement = maker.displacement();
+            const Box box = maker.box();
+            const std::byte* const bytes = detail::data_of(scene).tree.bytes;
+            const std::uint64_t before = allocation_count();
+            REQUIRE(open_scene({bytes, scene.size()}, meshes, tiles));
+            (void)raycast(scene, ray)->t;
+            (void)occluded(scene, ray);
+            (void)for_each_hit(scene, ray, [](InstanceId, const RayHit&) {});
+            (void)closest_point(scene, sphere.center)->distance;
+            (void)overlaps(scene, sphere);
+            (void)for_each_overlap(scene, box, [](InstanceId, TriangleId) {});
+            (void)for_each_candidate(scene, box, [](InstanceId) {});
+            (void)sweep(scene, sphere, displacement)->t;
+            (void)sweep(scene, capsule, displacement)->t;
+            allocations += allocation_count() - before;
+        });
+        CHECK(allocations == 0);
+    }
+
+    TEST_CASE("scene: opening and every query stay within their stack budget") {
+        if (sanitized) {
+            MESSAGE("SKIPPED: the sanitizers give frames other sizes");
+            return;
+        }
+        std::vector<Blob> meshes(32);
+        std::vector<BakedScene> tiles(4);
+        struct Row {
+            const char* query;
+            std::size_t budget;
+            StackUse most;
+        };
+        constexpr std::size_t of_a_tile = 1536;  // one more walk
+        const Row rows[] = {
+            {"open_scene", 3456, most_stack([&](const BakedScene& scene, SceneQueryMaker&) {
+                 return stack_use([&] {
+                     (void)open_scene({detail::data_of(scene).tree.bytes, scene.size()}, meshes, tiles);
+                 });
+             })},
+            {"raycast", 4352,
+             most_stack_of_rays([](const BakedScene& scene, const Ray& ray) { (void)raycast(scene, ray)->t; })},
+            {"occluded", 4096,
+             most_stack_of_rays([](const BakedScene& scene, const Ray& ray) { (void)occluded(scene, ray); })},
+            {"for_each_hit", 4352, most_stack_of_rays([](const BakedScene& scene, const Ray& ray) {
+                 (void)for_each_hit(scene, ray, [](InstanceId, const RayHit&) {});
+             })},
+            {"closest_point", 5120, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+                 const Vec3 point = maker.point();
+                 return stack_use([&] { (void)closest_point(scene, point)->distance; });
+             })},
+            {"overlaps, a sphere", 5376, most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.sphere(); })},
+            {"overlaps, a capsule", 5632,
+             most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.capsule(); })},
+            {"overlaps, a box", 5888, most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.box(); })},
+            {"overlaps, an oriented box", 5888,
+             most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.oriented_box(); })},
+            {"overlaps, a triangle", 5120,
+             most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.triangle(); })},
+            {"overlaps, a cone", 5632, most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.cone(); })},
+            {"sweep, a sphere", 4864, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+                 const Sphere sphere = maker.sphere();
+                 const Vec3 way = maker.displacement();
+                 return stack_use([&] { (void)sweep(scene, sphere, way)->t; });
+             })},
+            {"sweep, a capsule", 4864, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+                 const Capsule capsule = maker.capsule();
+                 const Vec3 way = maker.displacement();
+                 return stack_use([&] { (void)sweep(scene, capsule, way)->t; });
+             })},
+            {"for_each_candidate", 768, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+                 const Box box = maker.box();
+                 return stack_use([&] { (void)for_each_candidate(scene, box, [](InstanceId) {}); });
+             })},
+        };
+        for (const Row& row : rows) {
+            MESSAGE(std::string(row.query), ": ", row.most.of_meshes, " bytes of stack, budget ", row.budget,
+                    "; with tiles ", row.most.of_tiles);
+            CHECK_MESSAGE(row.most.of_meshes <= row.budget, std::string(row.query));
+            CHECK_MESSAGE(row.most.of_tiles <= row.budget + of_a_tile, std::string(row.query));
+        }
+    }
+}

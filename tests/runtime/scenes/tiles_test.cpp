@@ -1,0 +1,213 @@
+// Claims about instances that are moved by whole steps of one lattice: the tiles of a world.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include <espalier/rounding.hpp>
+#include <espalier/scene.hpp>
+
+#include "maker.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+constexpr int cells = 4;  ///< along a side of a tile
+
+/// The height of the ground at a vertex: equal on opposite borders of a tile.
+float height_at(int x, int z) { return static_cast<float>((7 * (x % cells) + 13 * (z % cells)) % 16) / 16.0f; }
+
+/// A tile of a hilly ground. Its lattice holds every vertex exactly.
+Mesh make_tile() {
+    Mesh mesh;
+    for (int z = 0; z <= cells; ++z)
+        for (int x = 0; x <= cells; ++x)
+            mesh.positions.push_back({static_cast<float>(x), height_at(x, z), static_cast<float>(z)});
+    for (int z = 0; z < cells; ++z)
+        for (int x = 0; x < cells; ++x) {
+            const auto a = static_cast<std::uint32_t>(z * (cells + 1) + x), b = a + cells + 1;
+            mesh.triangles.push_back({a, b, a + 1});
+            mesh.triangles.push_back({a + 1, b, b + 1});
+        }
+    return mesh;
+}
+
+/// A ground of so many tiles along each side, in a scene.
+struct Ground {
+    std::vector<OpenedBlob> blobs;
+    std::vector<Instance> instances;
+    OpenedScene opened;
+
+    explicit Ground(int side, Vec3 from = {})
+        : blobs(make_blobs()), instances(place(side, from)), opened(blobs, instances) {}
+
+private:
+    static std::vector<OpenedBlob> make_blobs() {
+        std::vector<OpenedBlob> blobs;
+        BakeOptions options = with_profile(Profile::balanced);
+        options.resolution = Resolution::step(-8);
+        blobs.emplace_back(make_tile(), options);
+        return blobs;
+    }
+    static std::vector<Instance> place(int side, Vec3 from) {
+        std::vector<Instance> instances;
+        for (int z = 0; z < side; ++z)
+            for (int x = 0; x < side; ++x) {
+                Instance instance;
+                instance.transform.translation = {from.x + static_cast<float>(cells * x), from.y,
+                                                  from.z + static_cast<float>(cells * z)};
+                instances.push_back(instance);
+            }
+        return instances;
+    }
+};
+
+/// A ray from above, aimed at a vertex on a border between two tiles, or at a point of an edge there.
+Ray aimed_at_border(Random& random, int side, const Vec3& from) {
+    const auto below = [&](int limit) { return static_cast<int>(random.below(static_cast<std::uint32_t>(limit))); };
+    const int border = cells * (1 + below(side - 1)), along = 1 + below(cells * side - 2);
+    const float part = random.coin() ? 0.0f : random.unit();
+    const bool is_along_x = random.coin();
+    const auto vertex = [&](int place) {
+        const int x = is_along_x ? place : border, z = is_along_x ? border : place;
+        return Vec3{static_cast<float>(x), height_at(x, z), static_cast<float>(z)};
+    };
+    const Vec3 a = vertex(along), b = vertex(along + 1);
+    const Vec3 to = {from.x + a.x + part * (b.x - a.x), from.y + a.y + part * (b.y - a.y),
+                     from.z + a.z + part * (b.z - a.z)};
+    const float height = std::ldexp(1.0f + random.unit(), random.between(1, 9));
+    const float slope = random.below(4) == 0 ? 0.0f : 0.3f;
+    const Vec3 eye = {to.x + slope * height * random.signed_unit(), to.y + height,
+                      to.z + slope * height * random.signed_unit()};
+    Ray ray = Ray::between(eye, to);
+    ray.t_max = __builtin_inff();
+    return ray;
+}
+
+}  // namespace
+
+TEST_SUITE("tiles") {
+    TEST_CASE("scene: instances that are moved by whole steps share a lattice") {
+        const Ground ground(5);
+        const BakedScene& scene = ground.opened.scene;
+        const Result<Lattice> lattice = scene.common_lattice();
+        REQUIRE(lattice);
+        CHECK(lattice->step_exponent == -8);
+        CHECK(lattice->extent[0] == 5 * cells * 256);
+        for (std::uint32_t i = 0; i < scene.instance_count(); ++i) CHECK(is_on_common_lattice(scene, {i}).yes());
+        CHECK(is_on_common_lattice(scene, {25}).status() == QueryStatus::invalid_argument);
+        CHECK(is_on_common_lattice(BakedScene(), {0}).status() == QueryStatus::not_open);
+        CHECK(BakedScene().common_lattice().status == QueryStatus::not_open);
+    }
+
+    TEST_CASE("scene: instances that rotate or scale or move by part of a step share no lattice") {
+        std::vector<Instance> instances = Ground(2).instances;
+        instances[0].transform.rotation = {0.0f, 1.0f, 0.0f, 0.0f};
+        instances[1].transform.scale = 2.0f;
+        instances[2].transform.translation.x += 0x1p-9f;
+        const Ground ground(2);
+        const OpenedScene apart(ground.blobs, instances);
+        CHECK(apart.scene.common_lattice().status == QueryStatus::not_found);
+        instances.push_back(Instance{});
+        const OpenedScene two(ground.blobs, instances);
+        CHECK(two.scene.common_lattice().status == QueryStatus::ok);
+        std::uint32_t count = 0;
+        for (std::uint32_t i = 0; i < two.scene.instance_count(); ++i)
+            count += is_on_common_lattice(two.scene, {i}).yes() ? 1u : 0u;
+        CHECK(count == 2);
+    }
+
+    TEST_CASE("scene: rays aimed at the borders of tiles pass between none") {
+        for (const Vec3 from : {Vec3{}, Vec3{-4096.0f, 512.0f, 12288.0f}}) {
+            constexpr int side = 6;
+            const Ground ground(side, from);
+            Random random(22);
+            for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+                const Ray ray = aimed_at_border(random, side, from);
+                CAPTURE(i);
+                REQUIRE(raycast(ground.opened.scene, ray));
+                REQUIRE(occluded(ground.opened.scene, ray).yes());
+            }
+        }
+    }
+
+    TEST_CASE("scene: rays aimed at the borders of tiles that are scenes pass between none") {
+        constexpr int side = 3;
+        const Ground tile(2);
+        std::vector<OpenedScene> tiles;
+        tiles.emplace_back(tile.blobs, tile.instances);
+        std::vector<Instance> instances;
+        for (int z = 0; z < side; ++z)
+            for (int x = 0; x < side; ++x) {
+                Instance instance;
+                instance.mesh = 1;
+                instance.transform.translation = {static_cast<float>(2 * cells * x), 0.0f,
+                                                  static_cast<float>(2 * cells * z)};
+                instances.push_back(instance);
+            }
+        const OpenedScene world(tile.blobs, instances, tiles);
+        CHECK(is_on_common_lattice(world.scene, {0}).yes());
+        CHECK(is_on_common_lattice(world.scene, {8, 3}).yes());
+        const Ground whole(2 * side);
+        Random random(24);
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            const Ray ray = aimed_at_border(random, 2 * side, {});
+            CAPTURE(i);
+            const InScene<RayHit> hit = raycast(world.scene, ray);
+            REQUIRE(hit);
+            REQUIRE(hit.instance.in_tile < 4);
+            // The same ground without tiles has the same region, so the same rounded ray.
+            const InScene<RayHit> in_whole = raycast(whole.opened.scene, ray);
+            REQUIRE(hit->t == in_whole->t);
+            REQUIRE(occluded(world.scene, ray).yes());
+        }
+    }
+
+    TEST_CASE("scene: several scenes that take one rounded ray leave no gap between them") {
+        constexpr int side = 2;
+        const Ground left(side), right(side, {static_cast<float>(side * cells), 0.0f, 0.0f});
+        Lattice both = left.opened.scene.common_lattice().value;
+        both.extent[0] *= 2;
+        Random random(25);
+        for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
+            const Ray ray = aimed_at_border(random, side, {static_cast<float>(cells), 0.0f, 0.0f});
+            const RoundedRay rounded = round_ray(both, ray);
+            CAPTURE(i);
+            const bool hits_left = static_cast<bool>(raycast(left.opened.scene, ray, rounded));
+            const bool hits_right = static_cast<bool>(raycast(right.opened.scene, ray, rounded));
+            REQUIRE((hits_left || hits_right));
+            REQUIRE(occluded(left.opened.scene, ray, rounded).yes() == hits_left);
+            std::size_t listed = 0;
+            const auto count = [&](InstanceId, const RayHit&) { ++listed; };
+            REQUIRE(for_each_hit(right.opened.scene, ray, rounded, count) == QueryStatus::ok);
+            REQUIRE((listed != 0) == hits_right);
+        }
+    }
+
+    TEST_CASE("scene: a ground that is moved by whole steps has the same hits") {
+        constexpr int side = 4;
+        const Vec3 by = {1024.0f, -256.0f, 65536.0f};
+        const Ground here(side), there(side, by);
+        Random random(23);
+        for (std::uint64_t i = 0; i < scaled(5'000); ++i) {
+            Ray ray = aimed_at_border(random, side, {});
+            // A grid that both places hold exactly.
+            for (float* const x : {&ray.origin.x, &ray.origin.y, &ray.origin.z}) *x = std::round(*x * 64.0f) / 64.0f;
+            const Ray moved = translated(ray, by);
+            const InScene<RayHit> a = raycast(here.opened.scene, ray), b = raycast(there.opened.scene, moved);
+            CAPTURE(i);
+            REQUIRE(a->status == b->status);
+            REQUIRE(a->t == b->t);
+            REQUIRE(a->triangle == b->triangle);
+            const Result<Instance> at = instance_at(here.opened.scene, a.instance);
+            const Result<Instance> at_moved = instance_at(there.opened.scene, b.instance);
+            REQUIRE(at.status == at_moved.status);
+            if (at) REQUIRE(at->source == at_moved->source);
+        }
+    }
+}

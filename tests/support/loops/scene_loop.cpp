@@ -1,0 +1,236 @@
+#include "scene_loop.hpp"
+
+#include <vector>
+
+#include <espalier/rounding.hpp>
+
+#include "support/base/same_bits.hpp"
+
+namespace espalier::tests {
+
+namespace {
+
+/// An instance, its blob, and the triangles of it that count.
+struct InstanceInLoop {
+    InstanceId id;
+    Blob blob;
+    Transform outer;         ///< that of the instance, or of the tile it is in
+    const BakedScene* tile;  ///< null if it is in none
+    Transform inner;         ///< within the tile
+    const SceneFilter& filter;
+
+    [[nodiscard]] bool keeps(TriangleId triangle) const { return !filter.keep() || filter.keep()(id, triangle); }
+
+    /// Calls a function with the shape in the local space of the blob.
+    template <class Shape, class Function>
+    auto in_local(const Shape& shape, Function function) const {
+        const auto local = to_local(outer, shape);
+        return tile == nullptr ? function(local) : function(to_local(inner, local));
+    }
+    [[nodiscard]] Vec3 direction_in_local(const Vec3& direction) const {
+        const Vec3 local = direction_to_local(outer, direction);
+        return tile == nullptr ? local : direction_to_local(inner, local);
+    }
+    [[nodiscard]] Vec3 in_world(const Vec3& point) const {
+        return to_world(outer, tile == nullptr ? point : to_world(inner, point));
+    }
+    [[nodiscard]] Vec3 normal_in_world(const Vec3& normal) const {
+        return normal_to_world(outer, tile == nullptr ? normal : normal_to_world(inner, normal));
+    }
+};
+
+/// The loop, which counts the instances that refuse a query.
+class SceneLoop {
+public:
+    SceneLoop(const BakedScene& scene, const SceneFilter& filter) : scene_(scene), filter_(filter) {}
+
+    /// Calls `visit` with the instances that share a bit with the mask, in ascending order.
+    template <class OnInstance>
+    void for_each_instance(OnInstance visit) const {
+        const std::size_t meshes = scene_.meshes().size();
+        for (std::uint32_t i = 0; i < scene_.instance_count(); ++i) {
+            const Instance outer = *instance_at(scene_, {i});
+            if ((outer.mask & filter_.mask()) == 0) continue;
+            if (outer.mesh < meshes) {
+                visit(InstanceInLoop{{i}, scene_.meshes()[outer.mesh], outer.transform, nullptr, {}, filter_});
+                continue;
+            }
+            const BakedScene& tile = scene_.tiles()[outer.mesh - meshes];
+            for (std::uint32_t j = 0; j < tile.instance_count(); ++j) {
+                const Instance inner = *instance_at(tile, {j});
+                if ((inner.mask & filter_.mask()) == 0) continue;
+                visit(InstanceInLoop{
+                    {i, j}, tile.meshes()[inner.mesh], outer.transform, &tile, inner.transform, filter_});
+            }
+        }
+    }
+
+    /// Returns the result with the least key; of equal ones the first. `query` returns that of an instance in its local
+    /// space, and `to_world` moves it from there.
+    template <class Hit, class Query, class ToWorld>
+    InScene<Hit> best(float Hit::*key, Query query, ToWorld to_world) {
+        InScene<Hit> best;
+        best.hit.status = QueryStatus::not_found;
+        for_each_instance([&](const InstanceInLoop& instance) {
+            const Hit hit = query(instance);
+            note(hit.status);
+            if (hit && (!best || hit.*key < best.hit.*key)) best = {to_world(instance, hit), instance.id};
+        });
+        return best;
+    }
+
+    void note(QueryStatus status) { has_refusal_ |= is_refused(status); }
+    /// Returns whether the scene refused what an instance refuses.
+    [[nodiscard]] bool may_be_refused(QueryStatus status) const { return is_refused(status) && has_refusal_; }
+
+private:
+    const BakedScene& scene_;
+    const SceneFilter& filter_;
+    bool has_refusal_ = false;
+};
+
+struct Overlap {
+    InstanceId instance;
+    TriangleId triangle;
+    friend bool operator==(const Overlap&, const Overlap&) = default;
+};
+
+bool same(const SweepHit& a, const SweepHit& b) {
+    return same_bits(a.t, b.t) && same_bits(a.point, b.point) && same_bits(a.normal, b.normal) &&
+           same_bits(a.face_normal, b.face_normal) && a.triangle == b.triangle && a.status == b.status &&
+           a.starts_overlapping == b.starts_overlapping;
+}
+
+}  // namespace
+
+SceneComparison compare_rays(const BakedScene& scene, const Ray& ray, const SceneFilter& filter) {
+    SceneLoop loop(scene, filter);
+    const RoundedRay rounded = round_ray(scene.common_lattice().value, ray);
+    const auto cast = [&](const InstanceInLoop& instance) {
+        const auto keep = [&](TriangleId triangle) { return instance.keeps(triangle); };
+        const auto query = [&](const auto& local) { return raycast(instance.blob, local, keep); };
+        if (is_on_common_lattice(scene, instance.id).yes()) return instance.in_local(rounded, query);
+        // A tile that lies on no lattice with others rounds for its own instances.
+        if (instance.tile != nullptr && !is_on_common_lattice(scene, {instance.id.index}).yes() &&
+            is_on_common_lattice(*instance.tile, {instance.id.in_tile}).yes()) {
+            const RoundedRay in_tile = round_ray(instance.tile->common_lattice().value, to_local(instance.outer, ray));
+            return query(to_local(instance.inner, in_tile));
+        }
+        return instance.in_local(ray, query);
+    };
+    const auto move = [](const InstanceInLoop& instance, RayHit hit) {
+        hit.normal = instance.normal_in_world(hit.normal);
+        return hit;
+    };
+    const InScene<RayHit> expected = loop.best(&RayHit::t, cast, move);
+    const InScene<RayHit> hit = raycast(scene, ray, filter);
+    SceneComparison result;
+    result.is_found = static_cast<bool>(hit);
+    if (!loop.may_be_refused(hit->status) && !(same_bits(*hit, *expected) && hit.instance == expected.instance))
+        result.fault = "the closest hit is another one than in the loop";
+    const YesNo any = occluded(scene, ray, filter);
+    if (!loop.may_be_refused(any.status()) && any != YesNo::of(static_cast<bool>(expected)))
+        result.fault = "any hit differs from the loop";
+    bool is_listed = !expected, is_sorted = true;
+    InstanceId last = {0, 0};
+    const auto see = [&](InstanceId instance, const RayHit& each) {
+        is_sorted = is_sorted && instance >= last;
+        last = instance;
+        is_listed |= instance == expected.instance && same_bits(each, *expected);
+    };
+    const QueryStatus list = for_each_hit(scene, ray, see, filter);
+    if (!loop.may_be_refused(list) && !(list == QueryStatus::ok && is_listed && is_sorted))
+        result.fault = "the list of hits lacks the closest one or is not sorted by instances";
+    return result;
+}
+
+SceneComparison compare_closest_points(const BakedScene& scene, const Vec3& point, float max_distance,
+                                       std::uint32_t mask) {
+    const SceneFilter filter(mask);
+    SceneLoop loop(scene, filter);
+    const auto approach = [&](const InstanceInLoop& instance) {
+        const float outer = instance.outer.scale, inner = instance.tile != nullptr ? instance.inner.scale : 1.0f;
+        ClosestPoint nearest = instance.in_local(point, [&](const Vec3& local) {
+            return closest_point(instance.blob, local, max_distance / outer / inner);
+        });
+        nearest.distance = nearest.distance * inner * outer;
+        return nearest;
+    };
+    const auto move = [&](const InstanceInLoop& instance, ClosestPoint nearest) {
+        nearest.point = instance.in_world(nearest.point);
+        nearest.on_shape = point;
+        nearest.face_normal = instance.normal_in_world(nearest.face_normal);
+        return nearest;
+    };
+    const InScene<ClosestPoint> expected = loop.best(&ClosestPoint::distance, approach, move);
+    const InScene<ClosestPoint> nearest = closest_point(scene, point, max_distance, mask);
+    SceneComparison result;
+    result.is_found = static_cast<bool>(nearest);
+    if (!loop.may_be_refused(nearest->status) &&
+        !(same_bits(*nearest, *expected) && nearest.instance == expected.instance))
+        result.fault = "the closest point is another one than in the loop";
+    return result;
+}
+
+template <class Shape>
+SceneComparison compare_overlaps(const BakedScene& scene, const Shape& shape, const SceneFilter& filter) {
+    SceneLoop loop(scene, filter);
+    std::vector<Overlap> expected, listed;
+    loop.for_each_instance([&](const InstanceInLoop& instance) {
+        const auto list = [&](TriangleId triangle) {
+            if (instance.keeps(triangle)) expected.push_back({instance.id, triangle});
+        };
+        loop.note(
+            instance.in_local(shape, [&](const auto& local) { return for_each_overlap(instance.blob, local, list); }));
+    });
+    const QueryStatus list = for_each_overlap(
+        scene, shape,
+        [&](InstanceId instance, TriangleId triangle) {
+            listed.push_back({instance, triangle});
+        },
+        filter);
+    SceneComparison result;
+    result.is_found = !listed.empty();
+    if (!loop.may_be_refused(list) && !(list == QueryStatus::ok && listed == expected))
+        result.fault = "the list of overlaps differs from the loop";
+    const YesNo any = overlaps(scene, shape, filter);
+    if (!loop.may_be_refused(any.status()) && any != YesNo::of(!expected.empty()))
+        result.fault = "whether anything overlaps differs from the loop";
+    return result;
+}
+template SceneComparison compare_overlaps(const BakedScene&, const Sphere&, const SceneFilter&);
+template SceneComparison compare_overlaps(const BakedScene&, const Capsule&, const SceneFilter&);
+template SceneComparison compare_overlaps(const BakedScene&, const Box&, const SceneFilter&);
+template SceneComparison compare_overlaps(const BakedScene&, const OrientedBox&, const SceneFilter&);
+template SceneComparison compare_overlaps(const BakedScene&, const Triangle&, const SceneFilter&);
+template SceneComparison compare_overlaps(const BakedScene&, const Cone&, const SceneFilter&);
+
+template <class Shape>
+SceneComparison compare_sweeps(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
+                               const SceneFilter& filter) {
+    SceneLoop loop(scene, filter);
+    const auto sweep_in = [&](const InstanceInLoop& instance) {
+        const auto keep = [&](TriangleId triangle) { return instance.keeps(triangle); };
+        return instance.in_local(shape, [&](const Shape& local) {
+            return sweep(instance.blob, local, instance.direction_in_local(displacement), keep);
+        });
+    };
+    const auto move = [](const InstanceInLoop& instance, SweepHit hit) {
+        hit.point = instance.in_world(hit.point);
+        hit.normal = instance.normal_in_world(hit.normal);
+        hit.face_normal = instance.normal_in_world(hit.face_normal);
+        return hit;
+    };
+    InScene<SweepHit> expected = loop.best(&SweepHit::t, sweep_in, move);
+    if (!expected) expected.hit.t = 1.0f;
+    const InScene<SweepHit> hit = sweep(scene, shape, displacement, filter);
+    SceneComparison result;
+    result.is_found = static_cast<bool>(hit);
+    if (!loop.may_be_refused(hit->status) && !(same(*hit, *expected) && hit.instance == expected.instance))
+        result.fault = "the first contact is another one than in the loop";
+    return result;
+}
+template SceneComparison compare_sweeps(const BakedScene&, const Sphere&, const Vec3&, const SceneFilter&);
+template SceneComparison compare_sweeps(const BakedScene&, const Capsule&, const Vec3&, const SceneFilter&);
+
+}  // namespace espalier::tests
