@@ -56,9 +56,10 @@ Import* importer_of(const std::string& path) {
     char begin[5] = {};
     std::ifstream(path, std::ios::binary).read(begin, sizeof(begin));
     const std::string_view content(begin, sizeof(begin));
-    if (content.starts_with("ESPL")) {
+    if (content.starts_with("ESPL") || content.starts_with("ESPS")) {
         throw CommandError(ExitCode::unsupported,
-                           text("'", printable(path), "' is a blob already. Give the mesh that it was baked from."),
+                           text("'", printable(path), "' is a ", content[3] == 'L' ? "blob" : "scene",
+                                " already. Give the mesh that it was baked from."),
                            {.file = path});
     }
     if (content.starts_with("ply\n") || content.starts_with("ply\r")) return import_ply;

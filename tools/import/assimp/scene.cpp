@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -77,7 +78,7 @@ private:
                              node.mMeshes[i], " of ", scene_.mNumMeshes, ". The file is broken; export it again."),
                         {.file = file_.path});
                 }
-                add_mesh(*scene_.mMeshes[node.mMeshes[i]], placement);
+                add_mesh(node.mMeshes[i], placement);
             }
             for (unsigned i = node.mChildren == nullptr ? 0 : node.mNumChildren; i-- > 0;) {
                 if (node.mChildren[i] != nullptr) waiting.push_back({node.mChildren[i], placement});
@@ -89,18 +90,43 @@ private:
         file_.warnings.push_back({kind, text("'", printable(file_.path), "': ", message), file_.path, {}, {}});
     }
 
-    void add_mesh(const aiMesh& source, const Placement& placement) {
+    /// A mesh that was imported for its first place, and what of it was left out.
+    struct ImportedOnce {
+        std::uint32_t mesh;
+        std::uint64_t points_and_lines;
+        std::uint64_t faces_without_corners;
+    };
+
+    void add_mesh(unsigned number, const Placement& placement) {
+        const aiMesh& source = *scene_.mMeshes[number];
+        const auto found = imported_.find(number);
+        if (found != imported_.end()) {
+            const ImportedOnce& once = found->second;
+            meshes_.add_place(once.mesh, meshes_.begin(source.mName.C_Str(), 0), placement);
+            file_.points_and_lines += once.points_and_lines;
+            faces_without_corners_ += once.faces_without_corners;
+            return;
+        }
+        const std::uint64_t lines_before = file_.points_and_lines;
+        const std::uint64_t empty_before = faces_without_corners_;
+        const std::uint32_t mesh = add_new_mesh(source, placement);
+        if (!meshes_.keeps_places()) return;
+        imported_[number] = {mesh, file_.points_and_lines - lines_before, faces_without_corners_ - empty_before};
+    }
+
+    std::uint32_t add_new_mesh(const aiMesh& source, const Placement& placement) {
         ImportedMesh mesh = meshes_.begin(source.mName.C_Str(), source.mNumFaces);
+        const Placement applied = meshes_.applied(placement);
         if (source.mVertices != nullptr) {
             mesh.positions.reserve(source.mNumVertices);
             for (unsigned i = 0; i < source.mNumVertices; ++i) {
                 const aiVector3D& position = source.mVertices[i];
-                mesh.positions.push_back(placement(Vec3{position.x, position.y, position.z}));
+                mesh.positions.push_back(applied(Vec3{position.x, position.y, position.z}));
             }
         }
         // A mirrored mesh must keep its front outside: its corners run the other way.
-        add_triangles(source, placement.mirrors(), mesh);
-        meshes_.add(std::move(mesh), source.mMaterialIndex);
+        add_triangles(source, applied.mirrors(), mesh);
+        return meshes_.add(std::move(mesh), source.mMaterialIndex, placement);
     }
 
     // Indices are not checked against the vertices here: the baker does that, as its options choose.
@@ -197,6 +223,7 @@ private:
     ImportedFile& file_;
     MeshCollector meshes_;
     std::uint64_t faces_without_corners_ = 0;
+    std::map<unsigned, ImportedOnce> imported_;  ///< by the scene's number; empty unless places are kept
 };
 
 }  // namespace

@@ -1,10 +1,12 @@
-// What an importer returns: triangles in the asset's units and axes, and a record of each file.
+// What an importer returns: triangles in the asset's units and axes, or the places that lead there, and a record of
+// each file.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <espalier/bake.hpp>
@@ -28,6 +30,9 @@ struct ImportOptions {
     /// The axis that points up in the files; it is turned to +Y. Without it the axes stay as they are.
     std::optional<Axis> up;
     bool materials = false;  ///< keep the numbers of materials, and warn of what changes them
+    /// Keeps a mesh that a file places several times once, where its own space has it, and lists its places. Without it
+    /// each place has a mesh of its own, in the asset's units and axes.
+    bool keep_places = false;
     /// Called now and then with what is read and how much of it is done, 0..1.
     std::function<void(const char* stage, double done)> progress;
     /// Called with each warning about a file when the file is read; not called when empty.
@@ -39,7 +44,8 @@ struct ImportOptions {
     std::function<std::string(const CommandError& error)> failure_document;
 };
 
-/// One mesh at one place of the scene: a mesh that is placed twice is there twice.
+/// One mesh at one place of the scene: a mesh that is placed twice is there twice. With ImportOptions::keep_places a
+/// mesh in its own space, with the numbers of its first place.
 struct ImportedMesh {
     std::vector<Vec3> positions;
     std::vector<TriangleVertices> triangles;
@@ -47,6 +53,14 @@ struct ImportedMesh {
     std::uint32_t file = 0;
     std::uint32_t mesh = 0;
     std::string name;  ///< "level.obj, mesh 3 (walls)"
+};
+
+/// A place of a mesh, with ImportOptions::keep_places.
+struct ImportedPlace {
+    std::uint32_t mesh = 0;  ///< index into Imported::meshes
+    std::uint32_t file = 0;
+    std::uint32_t number = 0;  ///< of the mesh at this place, in its file: each place has its own
+    Placement placement;       ///< from the mesh's own space to the asset's units and axes
 };
 
 /// What was found in one file.
@@ -67,9 +81,13 @@ struct ImportedFile {
 
 struct Imported {
     std::vector<ImportedMesh> meshes;
+    std::vector<ImportedPlace> places;  ///< of all meshes, in the order of their numbers; empty unless they are kept
     std::vector<ImportedFile> files;
 
     [[nodiscard]] std::vector<MeshView> views() const;
 };
+
+/// Returns the name of a mesh in messages: "level.obj, mesh 3 (walls)". `name` comes from the file, or is empty.
+std::string words_for_mesh(const ImportedFile& file, std::uint32_t number, std::string_view name);
 
 }  // namespace espalier::tools

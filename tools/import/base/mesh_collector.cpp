@@ -9,12 +9,17 @@
 
 namespace espalier::tools {
 
+namespace {
+
+/// One instance is left for the meshes that are merged.
+constexpr std::uint64_t most_places = format::scene::max_instances - 1;
+
+}  // namespace
+
 MeshCollector::MeshCollector(const ImportOptions& options, ImportedFile& file, Imported& imported)
     : options_(options), file_(file), imported_(imported) {
-    for (const ImportedFile& earlier : imported.files) {
-        first_material_ += earlier.materials;
-        triangles_before_ += earlier.triangles;
-    }
+    for (const ImportedFile& earlier : imported.files) first_material_ += earlier.materials;
+    for (const ImportedMesh& mesh : imported.meshes) triangles_ += mesh.triangles.size();
 }
 
 Placement MeshCollector::asset_placement() const {
@@ -23,10 +28,15 @@ Placement MeshCollector::asset_placement() const {
 }
 
 void MeshCollector::require_room(std::uint64_t triangles, std::string_view words) const {
-    const std::uint64_t earlier = triangles_before_ + file_.triangles;
-    if (triangles <= format::max_triangles && earlier + triangles <= format::max_triangles) return;
+    if (triangles <= format::max_triangles && triangles_ + triangles <= format::max_triangles) return;
     throw CommandError(ExitCode::unsupported, text(words, ": with it the files have more than ", format::max_triangles,
                                                    " triangles, the most a blob can hold. Bake them in parts."));
+}
+
+void MeshCollector::require_places(std::uint64_t places, std::string_view words) const {
+    if (places <= most_places && imported_.places.size() + places <= most_places) return;
+    throw CommandError(ExitCode::unsupported, text(words, ": with it the files place meshes more than ", most_places,
+                                                   " times, the most that a scene can hold. Bake them in parts."));
 }
 
 ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles) {
@@ -34,21 +44,37 @@ ImportedMesh MeshCollector::begin(std::string_view name, std::uint64_t triangles
     mesh.file = static_cast<std::uint32_t>(imported_.files.size());
     mesh.mesh = file_.meshes++;
     file_.mesh_names.emplace_back(name);
-    mesh.name = text(printable(file_.path), ", mesh ", mesh.mesh);
-    if (!name.empty()) mesh.name += text(" (", printable(name), ")");
+    mesh.name = words_for_mesh(file_, mesh.mesh, name);
     require_room(triangles, mesh.name);
     return mesh;
 }
 
-void MeshCollector::add(ImportedMesh mesh, std::uint64_t material) {
+std::uint32_t MeshCollector::add(ImportedMesh mesh, std::uint64_t material, const Placement& placement) {
     mesh.materials.assign(mesh.triangles.size(), static_cast<std::uint32_t>(material));
-    add(std::move(mesh));
+    return add(std::move(mesh), placement);
 }
 
-void MeshCollector::add(ImportedMesh mesh) {
+std::uint32_t MeshCollector::add(ImportedMesh mesh, const Placement& placement) {
+    const auto index = static_cast<std::uint32_t>(imported_.meshes.size());
     for (std::uint32_t& material : mesh.materials) material += static_cast<std::uint32_t>(first_material_);
-    file_.triangles += mesh.triangles.size();
+    triangles_ += mesh.triangles.size();
     imported_.meshes.push_back(std::move(mesh));
+    if (keeps_places()) {
+        add_place(index, imported_.meshes[index], placement);
+    } else {
+        file_.triangles += imported_.meshes[index].triangles.size();
+    }
+    return index;
+}
+
+void MeshCollector::add_place(std::uint32_t mesh, const ImportedMesh& numbered, const Placement& placement) {
+    require_places(1, numbered.name);
+    file_.triangles += imported_.meshes[mesh].triangles.size();
+    imported_.places.push_back({mesh, numbered.file, numbered.mesh, placement});
+}
+
+std::string words_for_mesh(const ImportedFile& file, std::uint32_t number, std::string_view name) {
+    return text(printable(file.path), ", mesh ", number, name.empty() ? "" : text(" (", printable(name), ")"));
 }
 
 }  // namespace espalier::tools

@@ -17,23 +17,35 @@ public:
 
     /// Returns the transform from the file's units and axes to the asset's. `file.metres_per_unit` is final before.
     [[nodiscard]] Placement asset_placement() const;
+    /// Returns whether meshes stay in their own space, with a list of places (ImportOptions::keep_places).
+    [[nodiscard]] bool keeps_places() const { return options_.keep_places; }
+    /// Returns what a reader applies to the positions of a mesh at that place: nothing if places are kept.
+    [[nodiscard]] Placement applied(const Placement& placement) const {
+        return keeps_places() ? Placement{} : placement;
+    }
     /// Throws CommandError (unsupported) when `triangles` more of them exceed what a blob can hold: called before
-    /// anything is allocated, since a small file can place one mesh a million times. `words` name their origin.
+    /// anything is allocated, since a small file can place one mesh a million times. `words` name their origin. Where
+    /// places are kept, a mesh counts once.
     void require_room(std::uint64_t triangles, std::string_view words) const;
     /// Returns a mesh without triangles that has the file's next number. `name` comes from the file, or is empty.
     /// Throws CommandError (unsupported) without room for `triangles`.
     [[nodiscard]] ImportedMesh begin(std::string_view name, std::uint64_t triangles);
-    /// Appends the mesh that begin() returned. `material` is the number within the file.
-    void add(ImportedMesh mesh, std::uint64_t material);
+    /// Throws CommandError (unsupported) when `places` more of them exceed what a scene can hold.
+    void require_places(std::uint64_t places, std::string_view words) const;
+    /// Appends the mesh that begin() returned, to whose positions applied(placement) was applied. `material` is the
+    /// number within the file. Returns its index.
+    std::uint32_t add(ImportedMesh mesh, std::uint64_t material, const Placement& placement);
     /// Appends the mesh that begin() returned, with a material within the file for each triangle.
-    void add(ImportedMesh mesh);
+    std::uint32_t add(ImportedMesh mesh, const Placement& placement);
+    /// Appends a further place of the mesh with that index. `numbered` is what begin() returned for it.
+    void add_place(std::uint32_t mesh, const ImportedMesh& numbered, const Placement& placement);
 
 private:
     const ImportOptions& options_;
     ImportedFile& file_;
     Imported& imported_;
     std::uint64_t first_material_ = 0;
-    std::uint64_t triangles_before_ = 0;
+    std::uint64_t triangles_ = 0;  ///< of the meshes so far, each counted once
 };
 
 }  // namespace espalier::tools

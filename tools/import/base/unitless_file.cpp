@@ -29,12 +29,13 @@ void UnitlessFile::add(const std::string& name, std::vector<Vec3> positions, std
                        std::vector<std::uint32_t> materials) {
     ImportedMesh mesh = meshes_.begin(name, triangles.size());
     const Placement placement = meshes_.asset_placement();
-    for (Vec3& position : positions) position = placement(position);
+    const Placement applied = meshes_.applied(placement);
+    for (Vec3& position : positions) position = applied(position);
     materials.resize(triangles.size());
     mesh.positions = std::move(positions);
     mesh.triangles = std::move(triangles);
     mesh.materials = std::move(materials);
-    meshes_.add(std::move(mesh));
+    meshes_.add(std::move(mesh), placement);
 }
 
 void UnitlessFile::warn(const char* kind, const std::string& message) {

@@ -79,17 +79,26 @@ private:
     /// All that the accessors claim, before the first of it is read.
     void require_room() {
         std::uint64_t triangles = 0;
+        std::uint64_t places = 0;
         std::map<std::size_t, std::uint64_t> of_mesh;
         for (const std::size_t number : nodes_.in_scene) {
             const GltfObject node = gltf_node(root_, number);
             const auto mesh = node.index("mesh", root_.size_of("meshes"));
             if (!mesh) continue;
-            if (of_mesh.count(*mesh) == 0) of_mesh[*mesh] = claimed_triangles(mesh_object(*mesh));
+            const bool is_new = of_mesh.count(*mesh) == 0;
+            if (is_new) of_mesh[*mesh] = claimed_triangles(mesh_object(*mesh));
             const std::uint64_t instances = count_gltf_instances(node, accessors_);
             // Each factor and each sum is refused long before 64 bits overflow.
-            meshes_.require_room(instances, node.words());
-            meshes_.require_room(instances * of_mesh[*mesh], node.words());
-            triangles += instances * of_mesh[*mesh];
+            if (meshes_.keeps_places()) {
+                meshes_.require_places(instances, node.words());
+                places += instances * mesh_object(*mesh).size_of("primitives");
+                meshes_.require_places(places, node.words());
+                triangles += is_new ? of_mesh[*mesh] : 0;
+            } else {
+                meshes_.require_room(instances, node.words());
+                meshes_.require_room(instances * of_mesh[*mesh], node.words());
+                triangles += instances * of_mesh[*mesh];
+            }
             meshes_.require_room(triangles, node.words());
         }
     }
@@ -116,7 +125,7 @@ private:
             node.refuse("it is skinned and instanced, which glTF leaves open. Export it without one of these.");
         }
         const Placement placement = combine(asset_, nodes_.global[number]);
-        const std::vector<GltfPrimitive>& primitives = primitives_of(*mesh_number, mesh);
+        std::vector<GltfPrimitive>& primitives = primitives_of(*mesh_number, mesh);
         for (const Placement& instance : gltf_instances(node, accessors_)) {
             for (std::size_t i = 0; i < primitives.size(); ++i) {
                 std::string name = mesh.text_of("name");
@@ -135,7 +144,7 @@ private:
     }
 
     /// The primitives of a mesh stay until its last node is done.
-    const std::vector<GltfPrimitive>& primitives_of(std::size_t number, const GltfObject& mesh) {
+    std::vector<GltfPrimitive>& primitives_of(std::size_t number, const GltfObject& mesh) {
         const auto found = primitives_.find(number);
         if (found != primitives_.end()) return found->second;
         std::vector<GltfPrimitive>& result = primitives_[number];
@@ -146,9 +155,9 @@ private:
         return result;
     }
 
-    void add_mesh(const GltfObject& node, const GltfObject& owner, const GltfPrimitive& primitive,
-                  const std::string& name, const Placement& placement, const std::vector<Placement>* joints) {
-        ImportedMesh mesh = meshes_.begin(name, primitive.triangles.size());
+    void add_mesh(const GltfObject& node, const GltfObject& owner, GltfPrimitive& primitive, const std::string& name,
+                  const Placement& placement, const std::vector<Placement>* joints) {
+        ImportedMesh mesh = meshes_.begin(name, primitive.imported ? 0 : primitive.triangles.size());
         file_.points_and_lines += primitive.points_and_lines;
         if (primitive.left_over_corners > 0) left_over_.add(mesh);
         if (!primitive.has_positions) without_positions_.add(mesh);
@@ -157,10 +166,12 @@ private:
         const bool is_skinned = joints != nullptr && !primitive.influences.empty();
         if (is_skinned) skinned_.add(mesh);
         if (joints != nullptr && !is_skinned) unweighted_.add(mesh);
+        if (primitive.imported && !is_skinned) return meshes_.add_place(*primitive.imported, mesh, placement);
 
         const std::vector<double> weights = morph_weights(node, owner, primitive);
         const std::vector<GltfAccessor> displacements = primitive.displacements(weights, accessors_);
         mesh.positions.reserve(primitive.vertices.size());
+        const Placement applied = meshes_.applied(placement);
         std::vector<bool> mirrors(is_skinned ? primitive.vertices.size() : 0);
         for (const std::uint32_t vertex : primitive.vertices) {
             const std::array<double, 3> position = primitive.position(vertex, weights, displacements);
@@ -170,19 +181,23 @@ private:
                 mirrors[mesh.positions.size()] = skinned.mirrors();
                 mesh.positions.push_back(skinned(position));
             } else {
-                mesh.positions.push_back(placement(position));
+                mesh.positions.push_back(applied(position));
             }
         }
         // A mirrored mesh must keep its front outside: its corners run the other way.
         mesh.triangles = primitive.triangles;
-        const bool is_mirrored = placement.mirrors();
+        const bool is_mirrored = applied.mirrors();
         for (TriangleVertices& triangle : mesh.triangles) {
             const auto turned = [&](std::uint32_t vertex) { return vertex < mirrors.size() && mirrors[vertex]; };
             const int turned_corners = turned(triangle[0]) + turned(triangle[1]) + turned(triangle[2]);
             if (is_skinned ? turned_corners >= 2 : is_mirrored) std::swap(triangle[1], triangle[2]);
         }
         const std::size_t materials = root_.size_of("materials");
-        meshes_.add(std::move(mesh), primitive.object.index("material", materials).value_or(materials));
+        const std::uint32_t index =
+            meshes_.add(std::move(mesh), primitive.object.index("material", materials).value_or(materials),
+                        is_skinned ? Placement{} : placement);
+        // A skin and a node's weights give each place a shape of its own.
+        if (meshes_.keeps_places() && !is_skinned && !primitive.is_morphed()) primitive.imported = index;
     }
 
     /// The node's weights, else the mesh's, else zeros: one for each morph target.

@@ -145,7 +145,7 @@ std::vector<GltfAccessor> GltfPrimitive::displacements(const std::vector<double>
 
 GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views) {
     PrimitiveReader reader(object, accessors, views);
-    GltfPrimitive result{object, {}, {}, 0, 0, false, false, {}, {}};
+    GltfPrimitive result{object, {}, {}, 0, 0, false, false, {}, {}, {}};
     const std::uint64_t mode = object.whole("mode").value_or(gltf_triangles);
     if (reader.is_packed() && mode != gltf_triangles) object.fail("Draco packs triangles, and its mode is another one");
     if (!reader.has("POSITION")) return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <espalier/types.hpp>
@@ -22,7 +23,8 @@ struct GltfPrimitive {
     bool has_positions = false;
     bool differs_from_accessors = false;  ///< Draco packs other numbers of corners or vertices than accessors state
     GltfAccessor positions;
-    GltfInfluences influences;  ///< empty: no skin moves it
+    GltfInfluences influences;              ///< empty: no skin moves it
+    std::optional<std::uint32_t> imported;  ///< the mesh that its places share, once there is one
 
     /// Returns where a vertex is in the mesh's space: its position and the morph targets' parts of it.
     [[nodiscard]] std::array<double, 3> position(std::uint32_t vertex, const std::vector<double>& weights,
