@@ -28,7 +28,7 @@ namespace {
 
 void add_embed(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<EmbedArguments>();
-    CLI::App* verb = add_verb(app, "embed", "Make a blob into a source file, to be linked into a program");
+    CLI::App* verb = add_verb(app, "embed", "Make a blob or a scene into a source file, to be linked into a program");
     add_blob(verb, arguments->blob);
     verb->add_option("-o,--output", arguments->output,
                      "The source to write: an array for C and C++ (.c, .cpp), or assembler (.S) that includes the blob "
@@ -55,7 +55,7 @@ void add_embed(CLI::App& app, Chosen& chosen) {
 
 void add_info(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<InfoArguments>();
-    CLI::App* verb = add_verb(app, "info", "Say what is inside a blob");
+    CLI::App* verb = add_verb(app, "info", "Say what is inside a blob or a scene");
     add_blob(verb, arguments->blob);
     add_json(verb, arguments->json);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_info(*arguments); }; });
@@ -63,7 +63,7 @@ void add_info(CLI::App& app, Chosen& chosen) {
 
 void add_verify(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<VerifyArguments>();
-    CLI::App* verb = add_verb(app, "verify", "Prove that a blob is sound; exit status 3 when it is not");
+    CLI::App* verb = add_verb(app, "verify", "Prove that a blob or a scene is sound; exit status 3 when it is not");
     add_blob(verb, arguments->blob);
     verb->add_flag("--deep", arguments->deep, "Also that every box contains all below it, and that the header is true");
     verb->add_option("--source", arguments->sources,
@@ -80,13 +80,14 @@ void add_verify(CLI::App& app, Chosen& chosen) {
 
 void add_render(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* verb = add_verb(app, "render", "Draw a blob by casting rays at it");
+    CLI::App* verb = add_verb(app, "render", "Draw a blob or a scene by casting rays at it");
     add_blob(verb, arguments->blob);
     verb->add_option("-o,--output", arguments->output, "The PNG to write")->required()->type_name("PNG");
     verb->add_option("--size", arguments->size, "Pixels")->capture_default_str()->type_name("WIDTHxHEIGHT");
     const Choices<bool> heatmaps{{"steps", true}};
-    add_choice(verb, "--heatmap", arguments->heatmap, heatmaps,
-               "Colour by work instead of by light: steps are the nodes and triangles visited for a pixel");
+    add_choice(
+        verb, "--heatmap", arguments->heatmap, heatmaps,
+        "Colour by work instead of by light: steps are the nodes and triangles visited for a pixel; of blobs only");
     add_choice(verb, "--up", arguments->up, axes, "The axis that points up in the picture; y without it");
     verb->add_option("--azimuth", arguments->azimuth, "Where the eye stands around the up axis, in degrees")
         ->capture_default_str()
@@ -109,7 +110,7 @@ void add_render(CLI::App& app, Chosen& chosen) {
 
 void add_dump(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<DumpArguments>();
-    CLI::App* verb = add_verb(app, "dump", "Every byte of a blob, with its meaning");
+    CLI::App* verb = add_verb(app, "dump", "Every byte of a blob or a scene, with its meaning");
     add_blob(verb, arguments->blob);
     verb->add_option("--limit", arguments->limit,
                      "At most so many lines, and a last one that counts the bytes left out")

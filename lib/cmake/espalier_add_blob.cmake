@@ -23,7 +23,7 @@ set_property(GLOBAL PROPERTY ESPALIER_BLOB_VERSION "${espalier_VERSION}")
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_FLAGS IDS MATERIALS DROP_BAD_TRIANGLES STRICT ALLOW_EMPTY)
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_VALUES TOLERANCE BITS STEP LATTICE_OF MAX_BYTES FASTEST_UNDER MAX_ERROR PROFILE LEAF_SIZE
   BYTE_PRICE BUILDER DUPLICATE_BUDGET UNIT SCALE UP FLAT_ANGLE BOUNDS EFFORT THREADS MAX_DROPPED EXPECT_SIZE IMPORT_MEMORY IMPORT_SECONDS
-  REMAP REORDER)
+  REMAP REORDER INSTANCES)
 
 function(espalier_add_blob target)
   get_property(bake_flags GLOBAL PROPERTY ESPALIER_BAKE_FLAGS)
@@ -72,6 +72,9 @@ function(espalier_add_blob target)
   # A folder for each blob, so that what is included by name is found in one place only.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/espalier_blobs/${target})
   set(blob ${folder}/${target}.espl)
+  if(blob_INSTANCES AND NOT blob_INSTANCES STREQUAL "off")
+    set(blob ${folder}/${target}.esps) # a scene
+  endif()
   if(blob_OUTPUT)
     cmake_path(ABSOLUTE_PATH blob_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE OUTPUT_VARIABLE blob)
   endif()

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include <baker/input/zero_area.hpp>
 
@@ -22,6 +24,16 @@ struct Range {
     }
 };
 
+struct Bounds {
+    std::array<Range, 3> axes;
+
+    void add(Vec3 point) {
+        axes[0].add(point.x);
+        axes[1].add(point.y);
+        axes[2].add(point.z);
+    }
+};
+
 bool is_sound(const ImportedMesh& mesh, const TriangleVertices& triangle) {
     const auto is_finite = [&mesh](std::uint32_t vertex) {
         if (vertex >= mesh.positions.size()) return false;
@@ -32,23 +44,34 @@ bool is_sound(const ImportedMesh& mesh, const TriangleVertices& triangle) {
            !baker::has_zero_area(mesh.positions[triangle[0]], mesh.positions[triangle[1]], mesh.positions[triangle[2]]);
 }
 
+/// Returns the vertices of triangles with an area, ascending.
+std::vector<std::uint32_t> sound_vertices(const ImportedMesh& mesh) {
+    std::vector<bool> is_used(mesh.positions.size());
+    for (const TriangleVertices& triangle : mesh.triangles) {
+        if (!is_sound(mesh, triangle)) continue;
+        for (const std::uint32_t vertex : triangle) is_used[vertex] = true;
+    }
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t vertex = 0; vertex < is_used.size(); ++vertex)
+        if (is_used[vertex]) result.push_back(vertex);
+    return result;
+}
+
 }  // namespace
 
 AssetSize asset_size(const Imported& imported) {
-    std::array<Range, 3> bounds;
-    for (const ImportedMesh& mesh : imported.meshes) {
-        for (const TriangleVertices& triangle : mesh.triangles) {
-            if (!is_sound(mesh, triangle)) continue;
-            for (const std::uint32_t vertex : triangle) {
-                const Vec3 point = mesh.positions[vertex];
-                bounds[0].add(point.x);
-                bounds[1].add(point.y);
-                bounds[2].add(point.z);
-            }
-        }
+    std::vector<std::vector<std::uint32_t>> vertices;
+    for (const ImportedMesh& mesh : imported.meshes) vertices.push_back(sound_vertices(mesh));
+    Bounds bounds;
+    for (const ImportedPlace& place : imported.places) {
+        for (const std::uint32_t vertex : vertices[place.mesh])
+            bounds.add(place.placement(imported.meshes[place.mesh].positions[vertex]));
+    }
+    for (std::size_t i = 0; imported.places.empty() && i < vertices.size(); ++i) {
+        for (const std::uint32_t vertex : vertices[i]) bounds.add(imported.meshes[i].positions[vertex]);
     }
     AssetSize size;
-    for (const Range& range : bounds) {
+    for (const Range& range : bounds.axes) {
         if (range.low > range.high) continue;
         const double low = static_cast<double>(range.low);
         const double high = static_cast<double>(range.high);

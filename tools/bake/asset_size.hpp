@@ -11,6 +11,7 @@ struct AssetSize {
     double uncertainty = 0.0;  ///< how far `extent` may be off, because corners were rounded to float32
 };
 
+/// Returns the size of all meshes, or of all places if they are kept.
 AssetSize asset_size(const Imported& imported);
 
 }  // namespace espalier::tools

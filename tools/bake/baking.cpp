@@ -56,7 +56,11 @@ ErrorDetails details_of(const SourcePlace& place, const Imported& imported) {
 }
 
 BakeResult bake_or_throw(const Imported& imported, const BakeOptions& options) {
-    return sound_or_throw(bake(imported.views(), options), imported);
+    return bake_or_throw(imported.views(), imported, options);
+}
+
+BakeResult bake_or_throw(std::span<const MeshView> meshes, const Imported& imported, const BakeOptions& options) {
+    return sound_or_throw(bake(meshes, options), imported);
 }
 
 BakeResult bake_trial_or_throw(const Imported& imported, const BakeOptions& options) {

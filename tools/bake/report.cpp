@@ -80,12 +80,16 @@ void say_import(const Console& console, const BakeArguments& arguments, const Im
                                     : std::string("axes: as imported (--up turns another axis to +Y)"));
 }
 
-void say_report(const Console& console, const BakeReport& report) {
+void say_findings(const Console& console, const BakeReport& report) {
     for (const NamedFinding& found : findings_of(report)) {
         if (found.finding.count == 0) continue;
         console.say(text("dropped ", counted(found.finding.count, "triangle"), ' ', found.what,
                          "; first: ", found.finding.first));
     }
+}
+
+void say_report(const Console& console, const BakeReport& report) {
+    say_findings(console, report);
     if (report.tree.triangles == 0) {
         console.say(text(report.source.triangles == 0 ? "the input has no triangles" : "no triangle is left",
                          "; the blob is valid and empty, and every query of it finds nothing"));
@@ -110,8 +114,7 @@ void say_report(const Console& console, const BakeReport& report) {
     }
 }
 
-Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
-               std::span<const Warning> warnings) {
+Json input_json(const BakeArguments& arguments, const Imported& imported) {
     Json document = json_document();
     document["output"] = arguments.output;
     Json inputs = Json::array();
@@ -128,16 +131,26 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
     document["inputs"] = std::move(inputs);
     document["scale"] = arguments.source.scale;
     document["up"] = arguments.source.up ? Json(axis_name(*arguments.source.up)) : Json(nullptr);
-    document["source_triangles"] = report.source.triangles;
-    document["source_vertices"] = report.source.vertices;
-    document["triangles"] = report.tree.triangles;
-    document["vertices"] = report.tree.vertices;
+    return document;
+}
+
+Json findings_json(const BakeReport& report) {
     Json findings = Json::object();
     for (const NamedFinding& found : findings_of(report)) {
         findings[found.key] = {{"count", found.finding.count},
                                {"first", found.finding.count == 0 ? Json(nullptr) : Json(found.finding.first)}};
     }
-    document["findings"] = std::move(findings);
+    return findings;
+}
+
+Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
+               std::span<const Warning> warnings) {
+    Json document = input_json(arguments, imported);
+    document["source_triangles"] = report.source.triangles;
+    document["source_vertices"] = report.source.vertices;
+    document["triangles"] = report.tree.triangles;
+    document["vertices"] = report.tree.vertices;
+    document["findings"] = findings_json(report);
     document["bounds"] = {{"min", json_point(report.bounds.min)}, {"max", json_point(report.bounds.max)}};
     Json volumes = Json::object();
     if (report.bounds.volumes.box > 0.0) volumes["box"] = report.bounds.volumes.box;

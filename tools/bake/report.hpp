@@ -16,9 +16,14 @@ namespace espalier::tools {
 
 /// Where the coordinates come from and what was done to them: unit, axes, skipped elements, for each file.
 void say_import(const Console& console, const BakeArguments& arguments, const Imported& imported);
+/// What was dropped, with a line for each reason.
+void say_findings(const Console& console, const BakeReport& report);
 /// What was wrong with the input, what became of it, and the result in numbers.
 void say_report(const Console& console, const BakeReport& report);
 
+/// The keys of a bake that describe its input: output, inputs, scale, up.
+Json input_json(const BakeArguments& arguments, const Imported& imported);
+Json findings_json(const BakeReport& report);
 Json bake_json(const BakeArguments& arguments, const Imported& imported, const BakeReport& report, const Blob& blob,
                std::span<const Warning> warnings);
 

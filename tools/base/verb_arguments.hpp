@@ -26,12 +26,20 @@ struct SourceArguments {
     bool verbose = false;           ///< print what importers report
 };
 
+/// Which meshes of a bake become instances.
+enum class Instancing : std::uint8_t {
+    off,        ///< none: one blob
+    automatic,  ///< those that are repeated and take fewer bytes so
+    all,
+};
+
 struct BakeArguments {
     std::vector<std::string> inputs;
     std::string output;
     std::string depfile;  ///< empty: none
     std::string remap;    ///< empty: none
     std::string reorder;  ///< a mesh file; empty: none
+    Instancing instancing = Instancing::off;
     SourceArguments source;
     std::string tolerance;   ///< a length; empty: bits or a step decide
     std::string step;        ///< a power of two; empty: none
@@ -59,7 +67,7 @@ struct BakeArguments {
 };
 
 struct EmbedArguments {
-    std::string blob;
+    std::string blob;  ///< or a scene, as in all verbs below
     std::string output;
     std::string header;   ///< empty: none
     std::string symbol;   ///< empty: named after the output
@@ -107,6 +115,7 @@ struct VerifyArguments {
 struct QueryArguments {
     std::string blob;
     std::vector<std::string> words;  ///< the arguments after the kind
+    std::string mask;                ///< 32 bits, for scenes; empty: all
     std::string t_min = "0";
     std::string t_max = "inf";
     FaceCulling culling = FaceCulling::none;

@@ -17,7 +17,7 @@ CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& de
 }
 
 void add_blob(CLI::App* verb, std::string& blob) {
-    verb->add_option("blob", blob, "A blob")->required()->type_name("BLOB");
+    verb->add_option("blob", blob, "A blob or a scene")->required()->type_name("BLOB");
 }
 
 void add_json(CLI::App* verb, bool& json) { verb->add_flag("--json", json, "The result as one JSON object on stdout"); }

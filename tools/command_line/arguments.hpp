@@ -77,7 +77,7 @@ void refuse_empty_values(CLI::App& verb);
 
 /// A verb whose help ends with the exit codes.
 CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& description);
-/// The blob that a verb reads.
+/// The blob or the scene that a verb reads.
 void add_blob(CLI::App* verb, std::string& blob);
 void add_json(CLI::App* verb, bool& json);
 void add_quiet(CLI::App* verb, bool& quiet);

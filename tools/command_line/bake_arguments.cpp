@@ -38,7 +38,7 @@ void add_picking(CLI::App* verb, BakeArguments& arguments, const std::vector<CLI
 
 void add_bake(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<BakeArguments>();
-    CLI::App* verb = add_verb(app, "bake", "Make one blob out of mesh files");
+    CLI::App* verb = add_verb(app, "bake", "Make one blob or scene out of mesh files");
     verb->add_option(
             "inputs", arguments->inputs,
             "Mesh files in the order of their file numbers: glTF 2.0, OBJ, PLY, STL and RAW, which the command "
@@ -46,7 +46,16 @@ void add_bake(CLI::App& app, Chosen& chosen) {
             "applied; animated meshes are taken in the pose that the file stores")
         ->required()
         ->type_name("MESH");
-    verb->add_option("-o,--output", arguments->output, "The blob to write")->required()->type_name("BLOB");
+    verb->add_option("-o,--output", arguments->output, "The blob to write; with --instances, the scene")
+        ->required()
+        ->type_name("BLOB");
+    const Choices<Instancing> instancing{
+        {"off", Instancing::off}, {"auto", Instancing::automatic}, {"all", Instancing::all}};
+    add_choice(
+        verb, "--instances", arguments->instancing, instancing,
+        "Make a scene, in which a repeated mesh is stored once. auto merges meshes that are not repeated, or too "
+        "small to save bytes; all makes every mesh an instance. A tolerance holds in the world, --bits for each "
+        "mesh. Without it off: one blob");
     verb->add_option("--depfile", arguments->depfile,
                      "Also write which files were read, those that a mesh refers to included, as a rule that Make, "
                      "Ninja and CMake understand")

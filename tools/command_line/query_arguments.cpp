@@ -31,7 +31,8 @@ void exclude_each_other(const std::vector<CLI::Option*>& options) {
 }
 
 void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& arguments) {
-    const auto takes = [&kind](QueryOption option) { return (kind.options & option) != 0; };
+    const unsigned options = kind.options | kind.scene_options.value_or(0);
+    const auto takes = [options](QueryOption option) { return (options & option) != 0; };
     std::vector<CLI::Option*> modes;
     if (takes(option_any)) modes.push_back(verb->add_flag("--any", arguments.any, "Only whether there is any"));
     if (takes(option_all)) modes.push_back(verb->add_flag("--all", arguments.all, "Every hit, in storage order"));
@@ -75,6 +76,12 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
             ->type_name("DISTANCE");
     }
     if (takes(option_placement)) add_placement(verb, arguments);
+    if (takes(option_mask)) {
+        verb->add_option(
+                "--mask", arguments.mask,
+                "Of scenes: pass over instances whose mask has no bit in common with this one; without it none")
+            ->type_name("BITS");
+    }
     if (takes(option_depth)) {
         verb->add_option("--depth", arguments.depth, "Nodes down to this level; 1 is the root's")->type_name("LEVELS");
     }
@@ -95,7 +102,7 @@ void add_words(CLI::App* verb, const QueryKind& kind, QueryArguments& arguments)
 
 void add_query(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<QueryArguments>();
-    CLI::App* query = add_verb(app, "query", "Answer one query of a blob");
+    CLI::App* query = add_verb(app, "query", "Answer one query of a blob or a scene");
     add_blob(query, arguments->blob);
     add_json(query, arguments->json);  // before the kind as well as after it
     query->require_subcommand(1);
@@ -104,7 +111,8 @@ void add_query(CLI::App& app, Chosen& chosen) {
                     "or count in the asset's own; inf and nan are numbers.\n") +
         exit_code_help);
     for (const QueryKind& kind : query_kinds()) {
-        CLI::App* verb = add_verb(*query, kind.name, kind.help);
+        const bool is_of_both = kind.scene_options && !kind.is_of_scenes_only;
+        CLI::App* verb = add_verb(*query, kind.name, text(kind.help, is_of_both ? " (also of scenes)" : ""));
         verb->group(kind.family);
         add_words(verb, kind, *arguments);
         add_options(verb, kind, *arguments);

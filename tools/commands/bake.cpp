@@ -1,12 +1,14 @@
-// bake: meshes in, one blob out.
+// bake: meshes in, one blob or one scene out.
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bake/asset_size.hpp"
 #include "bake/baking.hpp"
 #include "bake/lattice_step.hpp"
+#include "bake/outputs.hpp"
 #include "bake/policy.hpp"
 #include "bake/reordered_mesh.hpp"
 #include "bake/report.hpp"
@@ -16,12 +18,13 @@
 #include "base/lengths.hpp"
 #include "base/numbers.hpp"
 #include "commands.hpp"
-#include "files/depfile.hpp"
-#include "files/output_file.hpp"
 #include "files/output_names.hpp"
+#include "files/scene_file.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
 #include "report/failure.hpp"
+#include "scenes/baking.hpp"
+#include "scenes/report.hpp"
 #include "trade/pick.hpp"
 #include "trade/pick_report.hpp"
 
@@ -102,28 +105,26 @@ std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
     return goal;
 }
 
-std::string depfile_of(const BakeArguments& arguments, const Imported& imported) {
-    std::vector<std::string> sources;
-    for (const ImportedFile& file : imported.files) {
-        sources.insert(sources.end(), file.opened.begin(), file.opened.end());
-    }
-    if (!arguments.lattice_of.empty() && arguments.lattice_of != "-") sources.push_back(arguments.lattice_of);
-    return depfile_text(arguments.output, sources);
-}
-
-/// The depfile is renamed before the blob: were it the other way round and the second failed, a change of a file that
-/// is new to the list would go unnoticed.
-void write_outputs(const BakeArguments& arguments, const Imported& imported, const BakeResult& baked) {
-    const std::string rule = arguments.depfile.empty() ? std::string() : depfile_of(arguments, imported);
+void write_blob(const BakeArguments& arguments, const Imported& imported, const BakeResult& baked) {
     const std::vector<std::byte> remap = arguments.remap.empty() ? std::vector<std::byte>() : remap_file(baked);
     const std::vector<std::byte> reordered =
         arguments.reorder.empty() ? std::vector<std::byte>() : reordered_mesh(arguments.reorder, imported, baked.remap);
-    OutputFiles files;
-    if (!arguments.depfile.empty()) files.add(arguments.depfile, std::as_bytes(std::span(rule)));
-    if (!arguments.remap.empty()) files.add(arguments.remap, remap);
-    if (!arguments.reorder.empty()) files.add(arguments.reorder, reordered);
-    files.add(arguments.output, baked.bytes);
-    files.commit();
+    write_outputs(arguments, imported, {baked.bytes, remap, reordered});
+}
+
+/// Throws CommandError (usage) for options that make sense for a single blob only.
+void refuse_options_of_blobs(const BakeArguments& arguments) {
+    if (arguments.instancing == Instancing::off) return;
+    const std::pair<const char*, bool> given[] = {{"--remap", !arguments.remap.empty()},
+                                                  {"--reorder", !arguments.reorder.empty()},
+                                                  {"--max-bytes", arguments.max_bytes.has_value()},
+                                                  {"--fastest-under", arguments.fastest_under.has_value()},
+                                                  {"--max-error", arguments.max_error.has_value()}};
+    for (const auto& [option, is_given] : given) {
+        if (!is_given) continue;
+        throw CommandError(ExitCode::usage, text(option, " is for one blob, and --instances makes a scene of several. ",
+                                                 "Leave one of them out."));
+    }
 }
 
 /// Prints what was picked; for the rest of the verb it is a bake like any other.
@@ -139,6 +140,54 @@ BakeResult bake_or_pick(const Imported& imported, const BakeArguments& arguments
     return std::move(picked.baked);
 }
 
+/// What a bake needs once its meshes are read.
+struct Baking {
+    const BakeArguments& arguments;
+    const BakePolicy& policy;
+    const Console& console;
+    const Imported& imported;
+    const BakeOptions& options;
+};
+
+ExitCode bake_blob(const Baking& baking, std::vector<Warning>& warnings) {
+    const auto& [arguments, policy, console, imported, options] = baking;
+    Json picked_json;
+    const BakeResult baked = bake_or_pick(imported, arguments, options, console, picked_json);
+    give(bake_warnings(baked.report, policy, imported), warnings);
+    enforce(policy, imported, baked.report, warnings);
+    say_report(console, baked.report);
+    write_blob(arguments, imported, baked);
+    for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
+        if (!written.empty()) console.say(text("wrote ", printable(written)));
+    if (arguments.json) {
+        Json document = bake_json(arguments, imported, baked.report, opened(baked), warnings);
+        if (!picked_json.is_null()) document["picked"] = std::move(picked_json);
+        print_json(document);
+    }
+    return ExitCode::ok;
+}
+
+SceneBake bake_scene_with_progress(const Baking& baking) {
+    Progress progress(baking.arguments.quiet);
+    BakeOptions options = baking.options;
+    options.progress = [&progress](const char* stage, double done) { progress.show(stage, done); };
+    return bake_scene_or_throw(baking.imported, baking.arguments.instancing, options);
+}
+
+ExitCode bake_scene(const Baking& baking, std::vector<Warning>& warnings) {
+    const auto& [arguments, policy, console, imported, options] = baking;
+    SceneBake baked = bake_scene_with_progress(baking);
+    baked.total.bounds.extent = asset_size(imported).extent;
+    give(bake_warnings(baked.total, policy, imported), warnings);
+    enforce(policy, imported, baked.total, warnings);
+    const SceneFile file = opened_scene(arguments.output, baked.bytes);
+    say_scene(console, baked, file.scene);
+    write_outputs(arguments, imported, {.result = baked.bytes, .remap = {}, .reordered = {}});
+    console.say(text("wrote ", printable(arguments.output)));
+    if (arguments.json) print_json(scene_json(arguments, imported, baked, file.scene, warnings));
+    return ExitCode::ok;
+}
+
 ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
     const NamedOutput outputs[] = {{"-o", arguments.output},
@@ -148,12 +197,14 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
     refuse_one_file_for_two(outputs);
     for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
     refuse_to_overwrite_input(outputs, arguments.lattice_of);
+    refuse_options_of_blobs(arguments);
     require_writable_mesh(arguments.reorder);
     require_writable(outputs);
     if (arguments.json) refuse_standard_output(outputs);
     const BakePolicy policy = bake_policy(arguments);
     ImportOptions source = import_options(arguments.source, arguments.json, warnings);
     source.materials = arguments.materials;
+    source.keep_places = arguments.instancing != Instancing::off;
     const BakeOptions options = bake_options(arguments);  // reports typing errors before a long import
     static_cast<void>(pick_goal(arguments));
 
@@ -161,20 +212,8 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
     for (const ImportedFile& file : imported.files)
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
-    Json picked_json;
-    const BakeResult baked = bake_or_pick(imported, arguments, options, console, picked_json);
-    give(bake_warnings(baked.report, policy, imported), warnings);
-    enforce(policy, imported, baked.report, warnings);
-    say_report(console, baked.report);
-    write_outputs(arguments, imported, baked);
-    for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
-        if (!written.empty()) console.say(text("wrote ", printable(written)));
-    if (arguments.json) {
-        Json document = bake_json(arguments, imported, baked.report, opened(baked), warnings);
-        if (!picked_json.is_null()) document["picked"] = std::move(picked_json);
-        print_json(document);
-    }
-    return ExitCode::ok;
+    const Baking baking{arguments, policy, console, imported, options};
+    return arguments.instancing == Instancing::off ? bake_blob(baking, warnings) : bake_scene(baking, warnings);
 }
 
 }  // namespace

@@ -1,335 +1,51 @@
-// dump: every byte of a blob, with its meaning.
+// dump: every byte of a blob or a scene, with its meaning.
 #include <algorithm>
-#include <functional>
-#include <iostream>
+#include <span>
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <runtime/blob/id_steps.hpp>
 
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
-#include "layout/blob_layout.hpp"
+#include "files/scene_file.hpp"
+#include "layout/blob_listing.hpp"
 #include "layout/byte_listing.hpp"
-#include "layout/leaf_listing.hpp"
+#include "layout/scene_listing.hpp"
 
 namespace espalier::tools {
 
 namespace {
 
 using Bytes = std::span<const std::byte>;
+using ListHeader = void(Bytes bytes, ByteListing& listing);
 
-struct HeaderField {
-    std::size_t at;
-    std::size_t bytes;
-    const char* name;
-    enum class Kind { integer, signed_integer, real, hexadecimal, text, vector, point, zero } kind;
-};
-
-constexpr HeaderField header_fields[] = {
-    {format::header::magic_at, 4, "magic", HeaderField::Kind::text},
-    {format::header::version_major_at, 2, "format version, major", HeaderField::Kind::integer},
-    {format::header::version_minor_at, 2, "format version, minor", HeaderField::Kind::integer},
-    {format::header::total_bytes_at, 4, "bytes in all", HeaderField::Kind::integer},
-    {format::header::checksum_at, 4, "checksum", HeaderField::Kind::hexadecimal},
-    {format::header::features_at, 4, "features", HeaderField::Kind::hexadecimal},
-    {format::header::profile_at, 1, "profile", HeaderField::Kind::integer},
-    {format::header::bits_at, 1, "lattice bits", HeaderField::Kind::integer},
-    {format::header::step_exponent_at, 2, "step exponent", HeaderField::Kind::signed_integer},
-    {format::header::triangle_count_at, 4, "triangles", HeaderField::Kind::integer},
-    {format::header::vertex_count_at, 4, "vertices", HeaderField::Kind::integer},
-    {format::header::node_count_at, 4, "nodes", HeaderField::Kind::integer},
-    {format::header::leaf_bytes_at, 4, "bytes of leaves", HeaderField::Kind::integer},
-    {format::header::origin_at, 12, "origin", HeaderField::Kind::point},
-    {format::header::extent_at, 12, "extent in steps", HeaderField::Kind::vector},
-    {format::header::max_error_at, 4, "max error", HeaderField::Kind::real},
-    {format::header::depth_at, 1, "depth", HeaderField::Kind::integer},
-    {format::header::id_kind_bits_at, 1, "bits of the kind of an id's step", HeaderField::Kind::integer},
-    {format::header::id_kind_bits_at + 1, 2, "reserved", HeaderField::Kind::zero},
-    {format::header::source_count_at, 4, "source meshes", HeaderField::Kind::integer},
-    {format::header::source_triangles_at, 4, "source triangles", HeaderField::Kind::integer},
-    {format::header::id_step_bytes_at, 4, "bytes of the steps of ids", HeaderField::Kind::integer},
-    {format::header::reserved_at, format::header::bytes - format::header::reserved_at, "reserved",
-     HeaderField::Kind::zero},
-};
-
-std::string value_of(Bytes bytes, const HeaderField& field) {
-    const auto integer = [&](std::size_t at, std::size_t width) {
-        return width == 1 ? read_u8(bytes, at) : width == 2 ? read_u16(bytes, at) : read_u32(bytes, at);
-    };
-    switch (field.kind) {
-        case HeaderField::Kind::integer:
-            return text(' ', integer(field.at, field.bytes));
-        case HeaderField::Kind::signed_integer:
-            return text(' ', static_cast<int>(static_cast<std::int16_t>(read_u16(bytes, field.at))));
-        case HeaderField::Kind::real:
-            return text(' ', read_f32(bytes, field.at));
-        case HeaderField::Kind::hexadecimal:
-            return text(' ', checksum_text(read_u32(bytes, field.at)));
-        case HeaderField::Kind::text:
-            return text(" \"", printable({reinterpret_cast<const char*>(bytes.data()) + field.at, field.bytes}), '"');
-        case HeaderField::Kind::vector:
-            return text(' ', read_u32(bytes, field.at), ' ', read_u32(bytes, field.at + 4), ' ',
-                        read_u32(bytes, field.at + 8));
-        case HeaderField::Kind::point:
-            return text(' ', read_f32(bytes, field.at), ' ', read_f32(bytes, field.at + 4), ' ',
-                        read_f32(bytes, field.at + 8));
-        case HeaderField::Kind::zero:
-            return {};
-    }
-    return {};
-}
-
-/// As far as there are bytes: a refused blob may end within its header.
-void list_header(Bytes bytes, ByteListing& listing) {
-    listing.heading("header");
-    for (const HeaderField& field : header_fields) {
-        if (field.at + field.bytes > bytes.size()) {
-            listing.field_up_to(bytes.size(), field.name);
-            listing.heading(text("cut short: a header has ", format::header::bytes, " bytes"));
-            return;
-        }
-        listing.field(field.bytes, field.name + value_of(bytes, field));
-    }
-}
-
-/// A row of planes for each axis, of `plane_bytes` each.
-void list_planes(Bytes bytes, const char* side, unsigned children, std::size_t row_bytes, std::size_t plane_bytes,
-                 ByteListing& listing) {
-    for (const char axis : {'x', 'y', 'z'}) {
-        std::string planes;
-        for (std::size_t i = 0; i < children; ++i) {
-            const std::size_t at = listing.at() + plane_bytes * i;
-            planes += text(' ', plane_bytes == 1 ? read_u8(bytes, at) : read_u16(bytes, at));
-        }
-        listing.field(row_bytes, text(side, ' ', axis, planes));
-    }
-}
-
-void list_plain_node(Bytes bytes, const Blob& blob, std::size_t number, ByteListing& listing) {
-    namespace field = format::plain_node;
-    const NodeFields node = read_node(bytes, blob, number);
-    const unsigned children = node.node_children + node.leaves;
-    listing.heading(text("node ", number));
-    list_planes(bytes, "low", children, field::row_bytes, 2, listing);
-    list_planes(bytes, "high", children, field::row_bytes, 2, listing);
-    listing.field(4, text("first child node ", node.first_child, ", ", node.node_children, " node children"));
-    listing.field(4, text("leaf block at 4 x ", node.leaf_block));
-    for (unsigned i = 0; i < node.leaves; ++i) {
-        const LeafFields leaf = read_leaf(bytes, blob, node.at, i);
-        listing.field(
-            format::plain_leaf::descriptor_bytes,
-            text("leaf ", i, ": data at 4 x ", leaf.data_offset, " of the block, ", counted(leaf.triangles, "triangle"),
-                 ", ", counted(leaf.vertices, "vertex"), ", size below 2^", leaf.size_bits));
-    }
-    listing.field_up_to(node.at + field::leaf_children_at, "no more leaves");
-    listing.field(1, text(node.leaves, " leaves"));
-    listing.field_up_to(node.at + field::bytes, "reserved");
-}
-
-void list_packed_node(Bytes bytes, const Blob& blob, std::size_t number, ByteListing& listing) {
-    namespace field = format::packed_node;
-    const NodeFields node = read_node(bytes, blob, number);
-    const unsigned children = node.node_children + node.leaves;
-    const auto base = [&](unsigned axis) { return read_u16(bytes, node.at + field::base_at + 2 * axis); };
-    const auto shift = [&](unsigned axis) { return read_shift(bytes, node.at, axis); };
-    listing.field(6, text("node ", number, ": base ", base(0), ' ', base(1), ' ', base(2)));
-    listing.field(2, text("shifts ", shift(0), ' ', shift(1), ' ', shift(2)));
-    listing.field(4, text("first child node ", node.first_child, ", ", node.node_children, " node children, ",
-                          node.leaves, " leaves"));
-    listing.field(4, text("leaf block at 4 x ", node.leaf_block));
-    list_planes(bytes, "low", children, field::row_bytes, 1, listing);
-    list_planes(bytes, "high", children, field::row_bytes, 1, listing);
-}
-
-void list_nodes(Bytes bytes, const Blob& blob, ByteListing& listing) {
-    const auto list_node = format::has_plain_nodes(blob.profile()) ? list_plain_node : list_packed_node;
-    for (std::size_t node = 0; node < detail::data_of(blob).node_count && !listing.full(); ++node)
-        list_node(bytes, blob, node, listing);
-}
-
-void list_leaves(Bytes bytes, const Blob& blob, const Section& leaves, ByteListing& listing) {
-    struct Block {
-        std::size_t at;
-        std::size_t node;
-    };
-    std::vector<Block> blocks;
-    for (std::size_t node = 0; node < detail::data_of(blob).node_count; ++node) {
-        const NodeFields fields = read_node(bytes, blob, node);
-        if (fields.leaves > 0) blocks.push_back({leaves.at + std::size_t{4} * fields.leaf_block, node});
-    }
-    std::sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.at < b.at; });
-    for (const Block& block : blocks) {
-        if (listing.full()) return;
-        listing.field_up_to(block.at, "padding");
-        list_leaf_block(bytes, blob, block.node, listing);
-    }
-    listing.field_up_to(leaves.at + leaves.bytes, "padding");
-}
-
-/// Fields of one width, eight to a line: they end on a byte. `value` is the text of the one that begins at a bit.
-void list_numbers(const Section& section, std::uint32_t count, unsigned width, const char* name,
-                  const std::function<std::string(std::size_t)>& value, ByteListing& listing) {
-    for (std::uint32_t first = 0; first < count && !listing.full(); first += 8) {
-        const std::uint32_t here = std::min(count - first, 8u);
-        std::string values;
-        for (std::uint32_t i = 0; i < here; ++i) values += text(' ', value(listing.at() * 8 + i * width));
-        listing.field((std::size_t{here} * width + 7) / 8, text(name, " of triangles from ", first, ':', values));
-    }
-    listing.field_up_to(section.at + section.bytes, "padding");
-}
-
-void list_ids(Bytes bytes, const detail::BlobData& data, ByteListing& listing) {
-    using namespace format::ids;
-    for (unsigned kind = 0; kind >> data.id_kind_bits == 0 && !listing.full(); ++kind) {
-        const std::size_t at = listing.at();
-        listing.field(kind_bytes, text("kind ", kind, ": prefix ", read_u8(bytes, at + prefix_at), " bits, field ",
-                                       read_u8(bytes, at + width_at), " bits, offset ", read_u32(bytes, at + offset_at),
-                                       " from recent number ", read_u8(bytes, at + from_at), ", replaces ",
-                                       read_u8(bytes, at + replaced_at)));
-    }
-    const std::size_t steps_begin = listing.at();
-    const auto end_of_block = [&](std::uint32_t block) {
-        const bool is_last = block + 1 == block_count(data.triangle_count);
-        const auto next = static_cast<std::size_t>(detail::id_block(data, block + 1) - data.bytes);
-        return steps_begin + read_u32(bytes, is_last ? format::header::id_step_bytes_at : next);
-    };
-    const std::uint32_t factor = corner_factor(data.profile);
-    for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles) {
-        std::string values;
-        for (std::uint32_t i = first; i < std::min(first + block_triangles, data.triangle_count); ++i) {
-            const std::uint32_t number = detail::number_of(data, i);
-            values += text(' ', number / factor, factor == 1 ? "" : text('.', number % factor));
-        }
-        listing.field_up_to(end_of_block(first / block_triangles),
-                            text(factor == 1 ? "ids" : "ids.first corners", " of triangles from ", first, ':', values));
-    }
-    listing.field_up_to(static_cast<std::size_t>(detail::id_block(data, 0) - data.bytes), "padding");
-    for (std::uint32_t first = 0; first < data.triangle_count && !listing.full(); first += block_triangles)
-        listing.field(block_bytes,
-                      text("block of triangles from ", first, ": at byte ", read_u32(bytes, listing.at())));
-}
-
-void list_materials(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
-    const unsigned width = (data.features & format::feature::materials_16) != 0 ? 16 : 8;
-    const auto value = [&](std::size_t bit) { return text(read_bits(bytes, bit, width)); };
-    list_numbers(section, data.triangle_count, width, "materials", value, listing);
-}
-
-void list_sources(Bytes bytes, std::uint32_t count, ByteListing& listing) {
-    for (std::uint32_t i = 0; i < count && !listing.full(); ++i) {
-        const std::size_t at = listing.at();
-        listing.field(format::source::bytes,
-                      text("source ", i, ": ids from ", read_u32(bytes, at + format::source::first_at), ", file ",
-                           read_u32(bytes, at + format::source::file_at), ", mesh ",
-                           read_u32(bytes, at + format::source::mesh_at)));
-    }
-}
-
-void list_copies(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
-    namespace field = format::copies;
-    listing.field(field::blocks_at, text("copies ", data.copy_count));
-    const std::size_t owners_at =
-        section.at + field::blocks_at + static_cast<std::size_t>(field::blocks_bytes(data.triangle_count));
-    for (std::uint32_t first = 0; listing.at() < owners_at && !listing.full(); first += field::block_indices) {
-        const std::uint32_t before = read_u32(bytes, listing.at());
-        listing.field(field::block_bytes, text("copies among triangles from ", first, ", ", before, " before them"));
-    }
-    for (std::uint32_t i = 0; i < data.copy_count && !listing.full(); ++i) {
-        listing.field(field::owner_bytes, text("copy ", i, " is of triangle ", read_u32(bytes, listing.at())));
-    }
-}
-
-void list_edge_flags(Bytes bytes, const Section& section, const detail::BlobData& data, ByteListing& listing) {
-    listing.field(format::edge_flags::fields_at,
-                  text("squared sine of what is flat: ", read_u32(bytes, listing.at()), " / 2^24"));
-    const auto value = [&](std::size_t bit) {
-        std::string kinds;
-        for (unsigned edge = 0; edge < 3; ++edge)
-            kinds +=
-                "-^vo"[read_bits(bytes, bit + edge * format::edge_flags::edge_bits, format::edge_flags::edge_bits)];
-        return kinds;
-    };
-    list_numbers(section, data.triangle_count, format::edge_flags::triangle_bits,
-                 "edges (- flat, ^ convex, v concave, o open)", value, listing);
-}
-
-std::string signed_numbers(Bytes bytes, std::size_t at, unsigned count) {
-    std::string result;
-    for (unsigned i = 0; i < count; ++i) result += text(' ', static_cast<std::int32_t>(read_u32(bytes, at + 4 * i)));
-    return result;
-}
-
-void list_oriented_box(Bytes bytes, ByteListing& listing) {
-    std::string quaternion;
-    for (unsigned i = 0; i < 4; ++i)
-        quaternion += text(' ', static_cast<int>(static_cast<std::int16_t>(read_u16(bytes, listing.at() + 2 * i))));
-    listing.field(8, "quaternion w x y z" + quaternion);
-    listing.field(12, "low, in steps / 16" + signed_numbers(bytes, listing.at(), 3));
-    listing.field(12, "high, in steps / 16" + signed_numbers(bytes, listing.at(), 3));
-}
-
-void list_sphere(Bytes bytes, ByteListing& listing) {
-    listing.field(12, "center, in steps / 16" + signed_numbers(bytes, listing.at(), 3));
-    listing.field(4, "radius, in steps / 16" + signed_numbers(bytes, listing.at(), 1));
-}
-
-void list_k_dop(Bytes bytes, ByteListing& listing) {
-    for (const auto& d : format::bounds::k_dop_direction) {
-        listing.field(8, text("along ", int{d[0]}, ' ', int{d[1]}, ' ', int{d[2]}, ": low and high",
-                              signed_numbers(bytes, listing.at(), 2)));
-    }
-}
-
-void list_section(Bytes bytes, const Blob& blob, const Section& section, ByteListing& listing) {
-    const std::string_view name = section.name;
-    const detail::BlobData& data = detail::data_of(blob);
-    if (name == "header") return list_header(bytes, listing);
-    listing.heading(section.name);
-    if (name == "nodes") {
-        list_nodes(bytes, blob, listing);
-    } else if (name == "leaves") {
-        list_leaves(bytes, blob, section, listing);
-    } else if (name == "guard") {
-        listing.field(section.bytes, "zeros, so that wide loads stay inside");
-    } else if (name == "sources") {
-        list_sources(bytes, data.source_count, listing);
-    } else if (name == "original_ids") {
-        list_ids(bytes, data, listing);
-    } else if (name == "materials") {
-        list_materials(bytes, section, data, listing);
-    } else if (name == "copies") {
-        list_copies(bytes, section, data, listing);
-    } else if (name == "edge_flags") {
-        list_edge_flags(bytes, section, data, listing);
-    } else if (name == "oriented_box") {
-        list_oriented_box(bytes, listing);
-    } else if (name == "sphere") {
-        list_sphere(bytes, listing);
-    } else if (name == "k_dop") {
-        list_k_dop(bytes, listing);
-    }
+ExitCode dump_refused(const DumpArguments& arguments, Bytes bytes, OpenStatus status, ListHeader& list_header) {
+    static_assert(format::scene::header_bytes == format::header::bytes);
+    const Bytes shown = bytes.first(std::min(bytes.size(), format::header::bytes));
+    ByteListing listing(shown, arguments.limit, arguments.json);
+    list_header(shown, listing);
+    const CommandError refusal(exit_code_of(status),
+                               refusal_text(arguments.blob, status) + " Only its header was listed.",
+                               {.file = arguments.blob});
+    return listing.finish(&refusal);
 }
 
 }  // namespace
 
 ExitCode run_dump(const DumpArguments& arguments) {
     const std::vector<std::byte> bytes = read_file(arguments.blob);
+    if (is_scene(bytes)) {
+        const SceneFile file = try_open_scene(bytes);
+        if (!file.scene) return dump_refused(arguments, bytes, file.scene.status(), list_scene_header);
+        ByteListing listing(bytes, arguments.limit, arguments.json);
+        list_scene(bytes, file.scene, listing);
+        return listing.finish();
+    }
     const Blob blob = open(bytes);
-    if (!blob) {
-        const std::size_t shown = std::min(bytes.size(), format::header::bytes);
-        ByteListing listing(Bytes(bytes).first(shown), arguments.limit, arguments.json);
-        list_header(Bytes(bytes).first(shown), listing);
-        const CommandError refusal(exit_code_of(blob.status()),
-                                   refusal_text(arguments.blob, blob.status()) + " Only its header was listed.",
-                                   {.file = arguments.blob});
-        return listing.finish(&refusal);
-    }
+    if (!blob) return dump_refused(arguments, bytes, blob.status(), list_blob_header);
     ByteListing listing(bytes, arguments.limit, arguments.json);
-    for (const Section& section : sections_of(blob)) {
-        if (section.bytes > 0 && !listing.full()) list_section(bytes, blob, section, listing);
-    }
+    list_blob(bytes, blob, listing);
     return listing.finish();
 }
 

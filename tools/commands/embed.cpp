@@ -1,9 +1,10 @@
-// embed: one blob in, one source file out, and its header.
+// embed: one blob or scene in, one source file out, and its header.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "base/numbers.hpp"
 #include "commands.hpp"
@@ -11,6 +12,7 @@
 #include "files/embedding.hpp"
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
+#include "files/scene_file.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"
 
@@ -66,6 +68,12 @@ std::string blob_name(const EmbedArguments& arguments) {
                                              "assembler. Rename the blob, or write C."));
 }
 
+/// Throws CommandError when the bytes are neither a blob nor a scene that opens.
+void require_sound(const std::string& path, const std::vector<std::byte>& bytes) {
+    const OpenStatus status = is_scene(bytes) ? try_open_scene(bytes).scene.status() : open(bytes).status();
+    if (status != OpenStatus::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});
+}
+
 void refuse_to_meet(const EmbedArguments& arguments) {
     const NamedOutput outputs[] = {{"-o", arguments.output}, {"--header", arguments.header}};
     refuse_to_overwrite_input(outputs, arguments.blob);
@@ -85,12 +93,13 @@ ExitCode run_embed(const EmbedArguments& arguments) {
     embedding.section = section_of(arguments, embedding.symbol);
     embedding.alignment = alignment_of(arguments);
 
-    const BlobFile file = open_blob_file(arguments.blob);
-    if (file.bytes.size() > most_bytes) {
+    const std::vector<std::byte> bytes = read_file(arguments.blob);
+    require_sound(arguments.blob, bytes);
+    if (bytes.size() > most_bytes) {
         throw CommandError(ExitCode::unsupported, text("'", printable(arguments.blob), "' has more than ", most_bytes,
                                                        " bytes, too many to link. Map it from a file."));
     }
-    embedding.bytes = file.bytes;
+    embedding.bytes = bytes;
     if (!arguments.header.empty()) {
         const std::string header = header_text(embedding);
         write_output_file_if_changed(arguments.header, std::as_bytes(std::span(header)));

@@ -1,16 +1,20 @@
-// info: what is inside a blob.
+// info: what is inside a blob or a scene.
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <utility>
+#include <vector>
 
 #include <espalier/espalier.hpp>
 
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
+#include "files/scene_file.hpp"
 #include "layout/blob_layout.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"
+#include "scene_info.hpp"
 
 namespace espalier::tools {
 
@@ -132,7 +136,12 @@ void print_table(const InfoArguments& arguments, const BlobFile& file) {
 }  // namespace
 
 ExitCode run_info(const InfoArguments& arguments) {
-    const BlobFile file = open_blob_file(arguments.blob);
+    std::vector<std::byte> bytes = read_file(arguments.blob);
+    if (is_scene(bytes)) {
+        print_scene_info(arguments, bytes);
+        return ExitCode::ok;
+    }
+    const BlobFile file = open_blob(arguments.blob, std::move(bytes));
     if (arguments.json) {
         print_json_info(arguments, file);
     } else {

@@ -1,7 +1,9 @@
-// render: a picture of a blob, by casting rays at it.
+// render: a picture of a blob or a scene, by casting rays at it.
 #include <algorithm>
 #include <charconv>
+#include <memory>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <espalier/espalier.hpp>
@@ -12,10 +14,12 @@
 #include "files/blob_file.hpp"
 #include "files/output_file.hpp"
 #include "files/output_names.hpp"
+#include "files/scene_file.hpp"
 #include "render/camera.hpp"
 #include "render/image.hpp"
 #include "render/parallel_rows.hpp"
 #include "render/shading.hpp"
+#include "render/subject.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
 #include "report/failure.hpp"
@@ -62,9 +66,9 @@ Vec3 unit_vector(Axis axis) {
     return {axis == Axis::x ? 1.0f : 0.0f, axis == Axis::y ? 1.0f : 0.0f, axis == Axis::z ? 1.0f : 0.0f};
 }
 
-void draw_shaded(const Blob& blob, const Camera& camera, const RenderArguments& arguments, Image& image,
+void draw_shaded(const Subject& subject, const Camera& camera, const RenderArguments& arguments, Image& image,
                  Progress& progress) {
-    const Shading shading(blob, camera.view(), unit_vector(arguments.up));
+    const Shading shading(subject, camera.view(), unit_vector(arguments.up));
     const float weight = 1.0f / static_cast<float>(arguments.samples * arguments.samples);
     const auto draw_row = [&](unsigned row) {
         for (unsigned column = 0; column < image.width(); ++column) {
@@ -117,6 +121,41 @@ Work draw_heatmap(const Blob& blob, const Camera& camera, const RenderArguments&
     return work;
 }
 
+/// The file that is drawn.
+class Picture {
+public:
+    /// Throws CommandError when the file is neither a blob nor a scene, and for a heat map of a scene.
+    explicit Picture(const RenderArguments& arguments) : bytes_(read_file(arguments.blob)) {
+        if (is_scene(bytes_)) {
+            if (arguments.heatmap) {
+                throw CommandError(ExitCode::unsupported,
+                                   text("--heatmap: '", printable(arguments.blob),
+                                        "' is a scene, and steps are counted in blobs only. Leave --heatmap out."),
+                                   {.file = arguments.blob});
+            }
+            scene_ = open_scene_file(arguments.blob, bytes_);
+            subject_ = std::make_unique<SceneSubject>(scene_.scene);
+        } else {
+            blob_ = open_blob(arguments.blob, std::move(bytes_));
+            subject_ = std::make_unique<BlobSubject>(blob_.blob);
+        }
+    }
+    Picture(const Picture&) = delete;
+    Picture& operator=(const Picture&) = delete;
+
+    [[nodiscard]] const Subject& subject() const { return *subject_; }
+    [[nodiscard]] const Blob& blob() const { return blob_.blob; }
+    [[nodiscard]] bool is_empty() const {
+        return scene_.scene ? scene_.scene.instance_count() == 0 : blob_.blob.triangle_count() == 0;
+    }
+
+private:
+    std::vector<std::byte> bytes_;  ///< of a scene
+    BlobFile blob_;
+    SceneFile scene_;
+    std::unique_ptr<Subject> subject_;
+};
+
 ExitCode render_with_warnings(const RenderArguments& arguments, std::vector<Warning>& warnings) {
     const Console console(arguments.quiet);
     const PictureSize size = picture_size(arguments.size);
@@ -125,15 +164,16 @@ ExitCode render_with_warnings(const RenderArguments& arguments, std::vector<Warn
     if (arguments.json) refuse_standard_output(outputs);
     require_ending(outputs[0], ".png", "the picture is a PNG");
     require_writable(outputs);
-    const BlobFile file = open_blob_file(arguments.blob);
-    const Blob& blob = file.blob;
-    const Camera camera(blob, view_from(arguments.up, arguments.azimuth, arguments.elevation), size.width, size.height);
+    const Picture picture(arguments);
+    const Subject& subject = picture.subject();
+    const Camera camera(subject, view_from(arguments.up, arguments.azimuth, arguments.elevation), size.width,
+                        size.height);
     Image image(size.width, size.height);
     Json document = json_document();
     document["output"] = arguments.output;
     document["width"] = size.width;
     document["height"] = size.height;
-    if (blob.triangle_count() == 0) {
+    if (picture.is_empty()) {
         const Warning empty{
             "empty",
             text("'", printable(arguments.blob), "' has no triangles; the picture shows the background only."),
@@ -146,12 +186,12 @@ ExitCode render_with_warnings(const RenderArguments& arguments, std::vector<Warn
     {
         Progress progress(arguments.quiet);
         if (arguments.heatmap) {
-            const Work work = draw_heatmap(blob, camera, arguments, image, progress);
+            const Work work = draw_heatmap(picture.blob(), camera, arguments, image, progress);
             document["steps"] = {{"mean", work.mean}, {"most", work.most}, {"white", work.white}};
             console.say(text("steps a ray: ", rounded(work.mean, 4), " on average, ", rounded(work.most, 4),
                              " at most in a pixel; black is 0, white is ", rounded(work.white, 4), " and more"));
         } else {
-            draw_shaded(blob, camera, arguments, image, progress);
+            draw_shaded(subject, camera, arguments, image, progress);
         }
     }
     write_output_file(arguments.output, image.png());

@@ -1,4 +1,4 @@
-// verify: is this blob sound, and is it the mesh it was baked from?
+// verify: is this blob or scene sound, and is it the source it was baked from?
 #include <iostream>
 #include <optional>
 #include <span>
@@ -13,6 +13,7 @@
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
+#include "files/scene_file.hpp"
 #include "import/files.hpp"
 #include "report/console.hpp"
 #include "report/diagnostics.hpp"
@@ -32,14 +33,42 @@ struct Verification {
     std::string failure;
 };
 
-std::string source_failure(const Blob& blob, const SourceCheck& check) {
-    if (blob.triangle_count() == 0 && check.triangles_with_area > 0) {
-        return text("the blob is empty, but the source has ", counted(check.triangles_with_area, "triangle"),
-                    " with area. Is it this source?");
+/// The file that is verified: a blob or a scene.
+struct Verified {
+    std::vector<std::byte> bytes;
+    bool is_a_scene = false;
+    Blob blob;
+    SceneFile scene;
+
+    explicit Verified(const std::string& path) : bytes(read_file(path)), is_a_scene(is_scene(bytes)) {
+        if (is_a_scene) scene = try_open_scene(bytes);
+        else blob = open(bytes);
+    }
+    [[nodiscard]] OpenStatus status() const { return is_a_scene ? scene.scene.status() : blob.status(); }
+    [[nodiscard]] float max_error() const { return is_a_scene ? scene.scene.max_error() : blob.max_error(); }
+    [[nodiscard]] bool is_empty() const {
+        return is_a_scene ? scene.scene.instance_count() == 0 : blob.triangle_count() == 0;
+    }
+    [[nodiscard]] VerifyReport verify_deeply() const { return is_a_scene ? verify_scene(bytes) : verify(bytes); }
+    [[nodiscard]] SourceCheck check(const Imported& source) const {
+        return is_a_scene ? check_source(scene.scene, source) : check_source(blob, source);
+    }
+    [[nodiscard]] std::string content() const {
+        if (!is_a_scene) return counted(blob.triangle_count(), "triangle");
+        const std::size_t meshes = scene.scene.meshes().size(), tiles = scene.scene.tiles().size();
+        return text(counted(scene.scene.instance_count(), "instance"), " of ", meshes,
+                    meshes == 1 ? " mesh" : " meshes", tiles == 0 ? "" : text(" and ", counted(tiles, "tile")));
+    }
+};
+
+std::string source_failure(const Verified& file, const SourceCheck& check) {
+    if (file.is_empty() && check.triangles_with_area > 0) {
+        return text("the ", file.is_a_scene ? "scene" : "blob", " is empty, but the source has ",
+                    counted(check.triangles_with_area, "triangle"), " with area. Is it this source?");
     }
     if (check.too_far == 0) return {};
     return text(check.too_far, " of ", counted(check.checked, "source vertex"),
-                " lie farther from the baked surface than its max error ", shortest(blob.max_error()),
+                " lie farther from the baked surface than its max error ", shortest(file.max_error()),
                 "; the farthest, at ", rounded(check.worst_distance), ": ", check.worst,
                 ". Is it this source, with the --unit, --scale and --up that it was baked with?");
 }
@@ -62,13 +91,13 @@ Json result_json(const VerifyArguments& arguments, const Verification& result, s
     return document;
 }
 
-void print_result(const VerifyArguments& arguments, const BlobFile& file, const Verification& result) {
-    std::cout << printable(arguments.blob) << ": ok, " << counted(file.blob.triangle_count(), "triangle") << '\n';
+void print_result(const VerifyArguments& arguments, const Verified& file, const Verification& result) {
+    std::cout << printable(arguments.blob) << ": ok, " << file.content() << '\n';
     std::cout << "  opened: every query on it is safe\n";
     if (result.deep) std::cout << "  deep: every box contains what is below it, and the header's counts are true\n";
     if (result.source) {
         std::cout << "  source: " << counted(result.source->checked, "vertex") << " of " << result.source->vertices
-                  << " within max error " << shortest(file.blob.max_error()) << ", farthest "
+                  << " within max error " << shortest(file.max_error()) << ", farthest "
                   << rounded(result.source->worst_distance) << " (measured to "
                   << rounded(result.source->measuring_error, 2) << ")\n";
     }
@@ -76,25 +105,24 @@ void print_result(const VerifyArguments& arguments, const BlobFile& file, const 
 }
 
 ExitCode verify_with_warnings(const VerifyArguments& arguments, std::vector<Warning>& warnings) {
-    const ImportOptions options = import_options(arguments.source, arguments.json, warnings);
+    ImportOptions options = import_options(arguments.source, arguments.json, warnings);
     Verification result;
-    BlobFile file;
-    file.bytes = read_file(arguments.blob);
-    file.blob = open(file.bytes);
-    result.status = file.blob.status();
+    const Verified file(arguments.blob);
+    result.status = file.status();
     ExitCode code = exit_code_of(result.status);
     if (result.status != OpenStatus::ok) result.failure = refusal_text(arguments.blob, result.status);
     if (result.failure.empty() && arguments.deep) {
         result.deep = true;
-        const VerifyReport report = verify(file.bytes);
+        const VerifyReport report = file.verify_deeply();
         if (!report) result.failure = text("'", printable(arguments.blob), "': ", report.message, ". Bake it again.");
     }
     if (result.failure.empty() && !arguments.sources.empty()) {
+        options.keep_places = file.is_a_scene;
         const Imported source = import_files(arguments.sources, options);
         if (!arguments.source.allow_empty) refuse_empty_files(source);
         if (arguments.source.strict) refuse_warnings(warnings, source);
-        result.source = check_source(file.blob, source);
-        const std::string failure = source_failure(file.blob, *result.source);
+        result.source = file.check(source);
+        const std::string failure = source_failure(file, *result.source);
         if (!failure.empty()) result.failure = text("'", printable(arguments.blob), "': ", failure);
     }
     if (!result.failure.empty() && code == ExitCode::ok) code = ExitCode::invalid_input;

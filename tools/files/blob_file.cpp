@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "base/numbers.hpp"
+#include "scene_file.hpp"
 
 namespace espalier::tools {
 
@@ -83,9 +85,17 @@ std::string refusal_text(const std::string& path, OpenStatus status) {
                 advice);
 }
 
-BlobFile open_blob_file(const std::string& path) {
+BlobFile open_blob_file(const std::string& path) { return open_blob(path, read_file(path)); }
+
+BlobFile open_blob(const std::string& path, std::vector<std::byte> bytes) {
+    if (is_scene(bytes)) {
+        throw CommandError(
+            ExitCode::unsupported,
+            text("'", printable(path), "' is a scene, and a blob is needed here. Bake one without --instances."),
+            {.file = path});
+    }
     BlobFile file;
-    file.bytes = read_file(path);
+    file.bytes = std::move(bytes);
     file.blob = open(file.bytes);
     const OpenStatus status = file.blob.status();
     if (status != OpenStatus::ok) throw CommandError(exit_code_of(status), refusal_text(path, status), {.file = path});

@@ -28,6 +28,9 @@ struct BlobFile {
 /// Throws CommandError as read_file does, and (invalid_input or unsupported) when `open` refuses the bytes.
 BlobFile open_blob_file(const std::string& path);
 
+/// Opens the blob that was read from `path`. Throws CommandError as open_blob_file does, and (unsupported) for a scene.
+BlobFile open_blob(const std::string& path, std::vector<std::byte> bytes);
+
 /// Which exit code a refused blob has: newer than this program, or broken.
 ExitCode exit_code_of(OpenStatus status);
 

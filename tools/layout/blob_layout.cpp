@@ -79,6 +79,13 @@ const Section& section_named(const std::vector<Section>& sections, std::string_v
     throw CommandError(ExitCode::internal, "a section is missing: please report this blob.");
 }
 
+NodeFields read_packed_node(std::span<const std::byte> bytes, std::size_t at) {
+    namespace field = format::packed_node;
+    const std::uint32_t children = read_u32(bytes, at + field::children_at);
+    return {at, children & 0xFFFFFFu, (children >> 24) & 15u, children >> 28,
+            read_u32(bytes, at + field::leaf_block_at)};
+}
+
 NodeFields read_node(std::span<const std::byte> bytes, const Blob& blob, std::size_t node) {
     NodeFields fields{};
     fields.at = format::header::bytes + node * format::node_bytes(blob.profile());
@@ -90,12 +97,7 @@ NodeFields read_node(std::span<const std::byte> bytes, const Blob& blob, std::si
         fields.leaves = read_u8(bytes, fields.at + field::leaf_children_at);
         fields.leaf_block = read_u32(bytes, fields.at + field::leaf_block_at);
     } else {
-        namespace field = format::packed_node;
-        const std::uint32_t children = read_u32(bytes, fields.at + field::children_at);
-        fields.first_child = children & 0xFFFFFFu;
-        fields.node_children = (children >> 24) & 15u;
-        fields.leaves = children >> 28;
-        fields.leaf_block = read_u32(bytes, fields.at + field::leaf_block_at);
+        fields = read_packed_node(bytes, fields.at);
     }
     return fields;
 }

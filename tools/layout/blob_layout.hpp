@@ -42,6 +42,9 @@ struct NodeFields {
 
 NodeFields read_node(std::span<const std::byte> bytes, const Blob& blob, std::size_t node);
 
+/// The packed node whose bytes begin at `at`.
+NodeFields read_packed_node(std::span<const std::byte> bytes, std::size_t at);
+
 /// The shift of an axis of the packed node whose bytes begin at `at`.
 unsigned read_shift(std::span<const std::byte> bytes, std::size_t at, unsigned axis);
 /// How many lattice steps the box of a child of the packed node whose bytes begin at `at` reaches over.

@@ -52,7 +52,7 @@ void ByteListing::field(std::size_t count, const std::string& meaning) {
 }
 
 void ByteListing::field_up_to(std::size_t offset, const std::string& meaning) {
-    if (offset > at_) field(offset - at_, meaning);
+    if (offset > at()) field(offset - at(), meaning);
 }
 
 void ByteListing::line(std::size_t count, const std::string& meaning) {

@@ -100,6 +100,28 @@ Record& Record::triangle(const Blob& blob, TriangleId triangle, std::string_view
     return *this;
 }
 
+Record& Record::instance(const BakedScene& scene, InstanceId instance) {
+    const Instance at = *instance_at(scene, instance);
+    add_silently("instance", instance.index);
+    if (instance.in_tile != no_instance.in_tile) add_silently("in_tile", instance.in_tile);
+    const std::size_t meshes = scene.meshes().size();
+    const bool is_tile = instance.in_tile == no_instance.in_tile && at.mesh >= meshes;
+    if (is_tile) add_silently("tile", at.mesh - meshes);
+    else add_silently("mesh", at.mesh);
+    add_silently("user", at.user);
+    const std::string place = instance.in_tile == no_instance.in_tile
+                                  ? tools::text("instance ", instance.index)
+                                  : tools::text("instance ", instance.index, '.', instance.in_tile);
+    return title(is_tile ? tools::text(place, " of tile ", at.mesh - meshes)
+                         : tools::text(place, " of mesh ", at.mesh));
+}
+
+Record& Record::triangle(const BakedScene& scene, InstanceId instance, TriangleId triangle, std::string_view before) {
+    this->instance(scene, instance);
+    const std::string place = tools::text(before, title_, ", ");
+    return this->triangle(mesh_at(scene, instance).value, triangle, place);
+}
+
 std::string Record::text() const {
     std::string result = title_;
     for (const std::string& line : lines_) result += (result.empty() ? "  " : "\n  ") + line;

@@ -42,6 +42,11 @@ public:
     /// "triangle 5 (file 0, mesh 1, triangle 7), material 3" is the title, after `before`.
     Record& triangle(const Blob& blob, TriangleId triangle, std::string_view before = "");
 
+    /// "instance 4 of mesh 0, triangle 5" is the title, after `before`.
+    Record& triangle(const BakedScene& scene, InstanceId instance, TriangleId triangle, std::string_view before = "");
+    /// Names an instance: "instance 4 of mesh 0" is the title.
+    Record& instance(const BakedScene& scene, InstanceId instance);
+
     [[nodiscard]] const Json& json() const { return json_; }
     [[nodiscard]] std::string text() const;
     [[nodiscard]] bool as_json() const { return as_json_; }

@@ -15,6 +15,11 @@ const Choices<EdgeKind> edge_choices{{"flat", EdgeKind::flat},
                                      {"boundary", EdgeKind::boundary}};
 
 Answer bounds_answer(QueryCall& call) {
+    if (const BakedScene* scene = call.scene()) {
+        Answer answer(call);
+        answer.record.title("bounds").add("box", scene->bounds());
+        return answer;
+    }
     const Blob& blob = call.blob();
     Answer answer(call);
     Record& record = answer.record.title("bounds");
@@ -154,7 +159,7 @@ Answer tree_answer(QueryCall& call) {
 QueryKinds blob_kinds() {
     constexpr const char* family = "What the blob holds";
     return {
-        {family, "bounds", "The bounds of the whole asset, those that the blob carries", {}, 0, bounds_answer},
+        {family, "bounds", "The bounds of the whole asset, those that it carries", {}, 0, bounds_answer, false, 0},
         {family,
          "lattice",
          "Where the lattice begins, its step, and how many steps the asset is long",

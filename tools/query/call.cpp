@@ -1,6 +1,10 @@
 #include "call.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <system_error>
+#include <utility>
 
 #include "base/lengths.hpp"
 #include "base/numbers.hpp"
@@ -18,6 +22,38 @@ float length_argument(const std::string& input, std::string_view name) {
     const std::optional<float> value = parse_float(input);
     return value ? *value : static_cast<float>(parse_length(input, name));
 }
+
+namespace {
+
+std::uint32_t mask_argument(const std::string& input) {
+    const bool is_hexadecimal = input.starts_with("0x") || input.starts_with("0X");
+    const char* const begin = input.data() + (is_hexadecimal ? 2 : 0);
+    const char* const end = input.data() + input.size();
+    std::uint32_t mask = 0;
+    const auto [stopped, error] = std::from_chars(begin, end, mask, is_hexadecimal ? 16 : 10);
+    if (error == std::errc() && stopped == end) return mask;
+    throw CommandError(ExitCode::usage,
+                       text("--mask: '", printable(input), "' is no number of 32 bits. Write it as 6 or as 0x6."));
+}
+
+/// An option of which blobs and scenes do not all take the same.
+struct GivenOption {
+    unsigned option;
+    const char* name;
+    bool is_given;
+};
+
+std::array<GivenOption, 7> given_options(const QueryArguments& arguments) {
+    return {{{option_any, "--any", arguments.any},
+             {option_all, "--all", arguments.all},
+             {option_first, "--first", arguments.first.has_value()},
+             {option_accuracy, "--accuracy", !arguments.accuracy.empty()},
+             {option_limit, "--limit", arguments.limit.has_value()},
+             {option_from, "--from", arguments.from != 0},
+             {option_mask, "--mask", !arguments.mask.empty()}}};
+}
+
+}  // namespace
 
 QueryCall::QueryCall(const QueryKind& kind, const QueryArguments& arguments) : arguments_(arguments) {
     const unsigned count = word_count(kind);
@@ -37,7 +73,35 @@ QueryCall::QueryCall(const QueryKind& kind, const QueryArguments& arguments) : a
             }
         }
     }
-    file_ = open_blob_file(arguments.blob);
+    if (!arguments.mask.empty()) mask_ = mask_argument(arguments.mask);
+    open_asset(kind);
+}
+
+void QueryCall::open_asset(const QueryKind& kind) {
+    std::vector<std::byte> bytes = read_file(arguments_.blob);
+    const bool is_of_scene = is_scene(bytes);
+    const char* asset = is_of_scene ? "a scene" : "a blob";
+    if (is_of_scene ? !kind.scene_options : kind.is_of_scenes_only) {
+        throw CommandError(ExitCode::unsupported,
+                           text("query ", kind.name, ": '", printable(arguments_.blob), "' is ", asset,
+                                is_of_scene ? ", which does not answer this kind. 'query --help' lists those of scenes."
+                                            : ", and this kind is of scenes."),
+                           {.file = arguments_.blob});
+    }
+    const unsigned offered = is_of_scene ? *kind.scene_options : kind.options;
+    for (const auto& [option, name, is_given] : given_options(arguments_)) {
+        if (!is_given || (offered & option) != 0) continue;
+        throw CommandError(ExitCode::unsupported,
+                           text(name, ": '", printable(arguments_.blob), "' is ", asset, ", for which query ",
+                                kind.name, " does not take the option. Leave it out."),
+                           {.file = arguments_.blob});
+    }
+    if (is_of_scene) {
+        bytes_of_scene_ = std::move(bytes);
+        scene_ = open_scene_file(arguments_.blob, bytes_of_scene_);
+    } else {
+        file_ = open_blob(arguments_.blob, std::move(bytes));
+    }
 }
 
 void QueryCall::read_word(const std::string& input, const QueryWord& word) {

@@ -1,4 +1,4 @@
-// One question as it stands on the command line, read and checked, with the blob that it goes to.
+// One question as it stands on the command line, read and checked, with the blob or the scene that it goes to.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 
 #include "base/verb_arguments.hpp"
 #include "files/blob_file.hpp"
+#include "files/scene_file.hpp"
 
 namespace espalier::tools {
 
@@ -23,10 +24,16 @@ float number_argument(const std::string& input, std::string_view name);
 
 class QueryCall {
 public:
-    /// Reads all words, then opens the blob. Throws CommandError.
+    /// Reads all words, then opens the blob or the scene. Throws CommandError, also when that does not answer the kind
+    /// or one of the options.
     QueryCall(const QueryKind& kind, const QueryArguments& arguments);
 
+    /// Returns the blob; a default one for a query of a scene.
     [[nodiscard]] const Blob& blob() const { return file_.blob; }
+    /// Returns the scene, if the query is of one.
+    [[nodiscard]] const BakedScene* scene() const { return scene_.scene ? &scene_.scene : nullptr; }
+    /// Returns the mask for queries of a scene.
+    [[nodiscard]] std::uint32_t mask() const { return mask_; }
     [[nodiscard]] const QueryArguments& options() const { return arguments_; }
 
     // The words, one after another, in the order of the kind's table. Numbers, indices and names each have their own.
@@ -40,10 +47,14 @@ public:
     TriangleId next_triangle();
 
 private:
+    void open_asset(const QueryKind& kind);
     void read_word(const std::string& input, const QueryWord& word);
 
     const QueryArguments& arguments_;
     BlobFile file_;
+    std::vector<std::byte> bytes_of_scene_;
+    SceneFile scene_;
+    std::uint32_t mask_ = 0xFFFFFFFF;
     std::vector<float> numbers_;
     std::vector<std::uint32_t> indices_;
     std::vector<std::int32_t> steps_;

@@ -11,13 +11,29 @@ namespace {
 float max_distance(const QueryCall& call) { return length_argument(call.options().max_distance, "--max-distance"); }
 
 /// Adds the values of a closest point; of a segment or a box its own point too.
-void add_nearest(Record& record, const Blob& blob, const ClosestPoint& nearest, bool has_shape = false) {
-    record.triangle(blob, nearest.triangle, "nearest ");
+void add_values(Record& record, const ClosestPoint& nearest, bool has_shape) {
     record.add("distance", nearest.distance).add("point", nearest.point);
     if (has_shape) record.add("on_shape", nearest.on_shape);
     record.add("feature", name_in(feature_choices, nearest.feature)).add("u", nearest.u).add("v", nearest.v);
     record.add("face_normal", nearest.face_normal)
         .add("side", std::string(nearest.side == Side::front ? "front" : "back"));
+}
+
+void add_nearest(Record& record, const Blob& blob, const ClosestPoint& nearest, bool has_shape = false) {
+    add_values(record.triangle(blob, nearest.triangle, "nearest "), nearest, has_shape);
+}
+
+Answer nearest_in_scene(const QueryCall& call, const BakedScene& scene, Vec3 point) {
+    const InScene<ClosestPoint> nearest = closest_point(scene, point, max_distance(call), call.mask());
+    Answer answer(call);
+    if (is_refused(nearest->status)) {
+        answer.status = nearest->status;
+        return answer;
+    }
+    answer.record.title("nothing within that distance").add_silently("found", bool(nearest));
+    if (nearest)
+        add_values(answer.record.triangle(scene, nearest.instance, nearest->triangle, "nearest "), *nearest, false);
+    return answer;
 }
 
 Answer nearest_answer(const QueryCall& call, const ClosestPoint& nearest, bool has_shape = false) {
@@ -49,6 +65,7 @@ Answer bounds_answer(const QueryCall& call, Vec3 point, float limit) {
 
 Answer closest_point_answer(QueryCall& call) {
     const Vec3 point = call.next_vector();
+    if (const BakedScene* scene = call.scene()) return nearest_in_scene(call, *scene, point);
     const float limit = max_distance(call);
     if (!call.options().accuracy.empty()) return bounds_answer(call, point, limit);
     if (!call.options().first) return nearest_answer(call, closest_point(call.blob(), point, limit));
@@ -101,7 +118,9 @@ QueryKinds distance_kinds() {
          "The point of the surface that is closest to a point",
          {point_word("point")},
          option_max_distance | option_first | option_accuracy,
-         closest_point_answer},
+         closest_point_answer,
+         false,
+         option_max_distance | option_mask},
         {family,
          "closest-point-segment",
          "The closest pair of points of a segment and the surface",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "answer.hpp"
@@ -44,6 +45,7 @@ enum QueryOption : unsigned {
     option_max_distance = 1u << 9,
     option_placement = 1u << 10,  // and the limit of work
     option_depth = 1u << 11,
+    option_mask = 1u << 12,  // of scenes
 };
 
 struct QueryKind {
@@ -53,7 +55,9 @@ struct QueryKind {
     std::vector<QueryWord> words;
     unsigned options;
     Answer (*run)(QueryCall& call);
-    bool repeats_words = false;  ///< once or more
+    bool repeats_words = false;                            ///< once or more
+    std::optional<unsigned> scene_options = std::nullopt;  ///< those that scenes take; nothing if they do not answer
+    bool is_of_scenes_only = false;
 };
 
 /// Words as help and messages show them: "centre x y z, radius".
@@ -68,6 +72,7 @@ QueryKinds distance_kinds();
 QueryKinds sweep_kinds();
 QueryKinds pair_kinds();
 QueryKinds blob_kinds();
+QueryKinds scene_kinds();
 
 /// All of them, in the order in which help lists them.
 const QueryKinds& query_kinds();

@@ -37,8 +37,30 @@ Answer any_overlap(const QueryCall& call, const Shape& shape) {
     return Answer(call, refusal_of(any)).yes_or_no("overlaps", any.yes(), "overlaps", "does not overlap");
 }
 
+template <SceneShape Shape>
+Answer overlap_in_scene(const QueryCall& call, const BakedScene& scene, const Shape& shape) {
+    if (call.options().any) {
+        const YesNo any = overlaps(scene, shape, call.mask());
+        return Answer(call, refusal_of(any)).yes_or_no("overlaps", any.yes(), "overlaps", "does not overlap");
+    }
+    Answer answer(call);
+    bool is_full = false;
+    const auto visit = [&](InstanceId instance, TriangleId triangle) {
+        is_full = call.options().limit && answer.list.size() == *call.options().limit;
+        if (is_full) return Visit::stop;
+        answer.list.emplace_back(call.options().json).triangle(scene, instance, triangle);
+        return Visit::next;
+    };
+    answer.status = for_each_overlap(scene, shape, visit, call.mask());
+    if (is_full) answer.status = QueryStatus::output_full;
+    return answer.counted_list("triangles", "triangle");
+}
+
 template <class Shape>
 Answer overlap(const QueryCall& call, const Shape& shape) {
+    if constexpr (SceneShape<Shape>) {
+        if (const BakedScene* scene = call.scene()) return overlap_in_scene(call, *scene, shape);
+    }
     if constexpr (std::is_same_v<Shape, Sphere> || std::is_same_v<Shape, Box>) {
         if (!call.options().accuracy.empty()) {
             QueryCounters counters;
@@ -120,25 +142,32 @@ QueryKinds overlap_kinds() {
     constexpr const char* family = "Volumes that overlap triangles";
     constexpr unsigned options = option_any | option_limit | option_from;
     constexpr unsigned more_options = options | option_accuracy;
+    constexpr unsigned scene_options = option_any | option_limit | option_mask;
     return {
         {family,
          "sphere",
          "Which triangles a sphere touches",
          {point_word("center"), length_word("radius")},
          more_options,
-         sphere_answer},
+         sphere_answer,
+         false,
+         scene_options},
         {family,
          "capsule",
          "Which triangles are within a radius of a segment",
          {point_word("from"), point_word("to"), length_word("radius")},
          options,
-         capsule_answer},
+         capsule_answer,
+         false,
+         scene_options},
         {family,
          "box",
          "Which triangles an axis-aligned box touches",
          {point_word("min"), point_word("max")},
          more_options,
-         box_answer},
+         box_answer,
+         false,
+         scene_options},
         {family,
          "lattice-box",
          "Which triangles a box touches that is given in whole lattice steps",
@@ -150,19 +179,25 @@ QueryKinds overlap_kinds() {
          "Which triangles a box of any orientation touches; half axes lead from center to faces",
          {point_word("center"), point_word("half axis"), point_word("half axis"), point_word("half axis")},
          options,
-         oriented_box_answer},
+         oriented_box_answer,
+         false,
+         scene_options},
         {family,
          "cone",
          "Which triangles a cone touches; the axis leads from the apex to the middle of the base",
          {point_word("apex"), point_word("axis"), length_word("radius")},
          options,
-         cone_answer},
+         cone_answer,
+         false,
+         scene_options},
         {family,
          "triangle",
          "Which triangles a triangle touches",
          {point_word("a"), point_word("b"), point_word("c")},
          options,
-         triangle_answer},
+         triangle_answer,
+         false,
+         scene_options},
         {family,
          "convex-volume",
          "Which triangles reach into all half-spaces dot(normal, x) <= offset",

@@ -23,13 +23,21 @@ std::string name_of(Side side) { return side == Side::front ? "front" : "back"; 
 /// Returns the status of an answer that also has words for a miss: it is complete.
 QueryStatus complete(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
 
-void add_hit(Record& record, const Blob& blob, const Ray& ray, const RayHit& hit) {
-    record.triangle(blob, hit.triangle, "hit ");
+/// Adds the values of a hit of a triangle of that blob.
+void add_values(Record& record, const Blob& blob, const Ray& ray, const RayHit& hit) {
     record.add("t", hit.t).add("point", point_at(ray, hit.t)).add("normal", hit.normal).add("side", name_of(hit.side));
     record.add("u", hit.u).add("v", hit.v);
     if (const OriginalHit original = original_hit(blob, hit)) {
         record.add("original_u", original.u).add("original_v", original.v);
     }
+}
+
+void add_hit(Record& record, const Blob& blob, const Ray& ray, const RayHit& hit) {
+    add_values(record.triangle(blob, hit.triangle, "hit "), blob, ray, hit);
+}
+
+void add_hit(Record& record, const BakedScene& scene, const Ray& ray, const RayHit& hit, InstanceId instance) {
+    add_values(record.triangle(scene, instance, hit.triangle, "hit "), mesh_at(scene, instance).value, ray, hit);
 }
 
 Answer all_hits(const QueryCall& call, const Ray& ray) {
@@ -53,9 +61,27 @@ Answer is_occluded(const QueryCall& call, YesNo occluded) {
     return Answer(call, complete(occluded.status())).yes_or_no("occluded", occluded.yes(), "occluded", "not occluded");
 }
 
+Answer cast_in_scene(const QueryCall& call, const BakedScene& scene, const Ray& ray) {
+    if (call.options().any) return is_occluded(call, occluded(scene, ray, call.mask()));
+    Answer answer(call);
+    if (call.options().all) {
+        const auto visit = [&](InstanceId instance, const RayHit& hit) {
+            add_hit(answer.list.emplace_back(call.options().json), scene, ray, hit, instance);
+        };
+        answer.status = for_each_hit(scene, ray, visit, call.mask());
+        return answer.counted_list("hits", "hit");
+    }
+    const InScene<RayHit> found = raycast(scene, ray, call.mask());
+    answer.status = complete(found->status);
+    answer.record.title("no hit").add_silently("hit", bool(found));
+    if (found) add_hit(answer.record, scene, ray, *found, found.instance);
+    return answer;
+}
+
 Answer cast(const QueryCall& call, Ray ray) {
     const QueryArguments& options = call.options();
     ray.culling = options.culling;
+    if (const BakedScene* scene = call.scene()) return cast_in_scene(call, *scene, ray);
     if (options.all) return all_hits(call, ray);
     if (options.first) return first_hits(call, ray, *options.first);
     if (options.any) return is_occluded(call, occluded(call.blob(), ray));
@@ -106,19 +132,24 @@ Answer lattice_segment_answer(QueryCall& call) {
 
 QueryKinds ray_kinds() {
     constexpr unsigned options = option_culling | option_any | option_all | option_first | option_accuracy;
+    constexpr unsigned scene_options = option_any | option_all | option_mask;
     return {
         {"Rays",
          "ray",
          "What a ray hits first; t counts in the direction's length",
          {point_word("origin"), vector_word("direction")},
          options | option_t_range,
-         ray_answer},
+         ray_answer,
+         false,
+         scene_options},
         {"Rays",
          "segment",
          "What the way from one point to another hits first; t runs from 0 to 1",
          {point_word("from"), point_word("to")},
          options,
-         segment_answer},
+         segment_answer,
+         false,
+         scene_options},
         {"Rays",
          "lattice-segment",
          "The same between lattice points, given in whole steps; exact, and t is rounded down",

@@ -5,8 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include <espalier/walk.hpp>
-
 namespace espalier::tools {
 
 namespace {
@@ -58,7 +56,7 @@ View view_from(Axis up, double azimuth, double elevation) {
     return {turned(right, up), turned(cross(towards, right), up), turned(towards, up)};
 }
 
-Camera::Camera(const Blob& blob, const View& view, unsigned width, unsigned height)
+Camera::Camera(const Subject& subject, const View& view, unsigned width, unsigned height)
     : view_(view), width_(static_cast<float>(width)), height_(static_cast<float>(height)) {
     const float half = std::tan(0.5f * radians(field_of_view));
     const float shorter = std::min(width_, height_);
@@ -66,14 +64,12 @@ Camera::Camera(const Blob& blob, const View& view, unsigned width, unsigned heig
     half_height_ = half * height_ / shorter;
     Fit across(half_width_ / margin);
     Fit upwards(half_height_ / margin);
-    const Vec3 middle = 0.5f * (blob.bounds().min + blob.bounds().max);
-    (void)for_each_triangle(blob, [&](TriangleId, const Triangle& corners) {
-        for (const Vec3& corner : {corners.a, corners.b, corners.c}) {
-            const Vec3 offset = corner - middle;
-            across.include(dot(offset, view_.right), dot(offset, view_.towards));
-            upwards.include(dot(offset, view_.up), dot(offset, view_.towards));
-        }
-        return Visit::next;
+    const Box bounds = subject.bounds();
+    const Vec3 middle = 0.5f * (bounds.min + bounds.max);
+    subject.for_each_corner([&](Vec3 corner) {
+        const Vec3 offset = corner - middle;
+        across.include(dot(offset, view_.right), dot(offset, view_.towards));
+        upwards.include(dot(offset, view_.up), dot(offset, view_.towards));
     });
     const float distance = std::max(across.distance(), upwards.distance());
     eye_ = middle + across.sideways() * view_.right + upwards.sideways() * view_.up + distance * view_.towards;

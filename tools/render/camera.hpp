@@ -1,11 +1,11 @@
 // A pinhole eye that stands so that an asset just fills the picture.
 #pragma once
 
-#include <espalier/blob.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/types.hpp>
 
 #include "base/placement.hpp"
+#include "subject.hpp"
 
 namespace espalier::tools {
 
@@ -28,8 +28,8 @@ View view_from(Axis up, double azimuth, double elevation);
 
 class Camera {
 public:
-    /// Stands as near as shows every triangle, with the asset in the middle of the picture.
-    Camera(const Blob& blob, const View& view, unsigned width, unsigned height);
+    /// Stands as near as shows every corner, with the subject in the middle of the picture.
+    Camera(const Subject& subject, const View& view, unsigned width, unsigned height);
     /// Through the picture at column and row, which count pixels from the top left and may lie between them.
     [[nodiscard]] Ray ray(float column, float row) const;
     [[nodiscard]] const View& view() const { return view_; }

@@ -18,19 +18,20 @@ Colour filtered(Colour light, Colour by) { return {light.red * by.red, light.gre
 
 }  // namespace
 
-Shading::Shading(const Blob& blob, const View& view, Vec3 world_up)
-    : blob_(blob),
+Shading::Shading(const Subject& subject, const View& view, Vec3 world_up)
+    : subject_(subject),
       world_up_(world_up),
       main_light_(normalized(-0.55f * view.right + 0.75f * view.up + 0.60f * view.towards)),
       side_light_(normalized(0.90f * view.right + 0.10f * view.up + 0.35f * view.towards)) {
     // Off the surface by more than its own rounding: the hit point is a float, and the vertices are snapped.
-    const Vec3 low = blob.bounds().min;
-    const Vec3 high = blob.bounds().max;
+    const Box bounds = subject.bounds();
+    const Vec3 low = bounds.min;
+    const Vec3 high = bounds.max;
     const float farthest = std::max(
         {std::abs(low.x), std::abs(low.y), std::abs(low.z), std::abs(high.x), std::abs(high.y), std::abs(high.z)});
     const Vec3 diagonal = high - low;
     const float extent = std::max({diagonal.x, diagonal.y, diagonal.z});
-    shadow_offset_ = 2.0f * std::ldexp(1.0f, blob.lattice().step_exponent) + 1e-6f * farthest + 1e-4f * extent;
+    shadow_offset_ = 2.0f * subject.step() + 1e-6f * farthest + 1e-4f * extent;
 }
 
 Colour Shading::background(float height) { return mix({0.10f, 0.11f, 0.13f}, {0.42f, 0.48f, 0.55f}, height); }
@@ -39,11 +40,11 @@ bool Shading::in_shadow(Vec3 point, Vec3 normal) const {
     Ray ray;
     ray.origin = point + shadow_offset_ * normal;
     ray.direction = main_light_;
-    return occluded(blob_, ray).yes();
+    return subject_.is_hit(ray);
 }
 
 Colour Shading::colour(const Ray& ray, float height) const {
-    const RayHit hit = raycast(blob_, ray);
+    const RayHit hit = subject_.closest_hit(ray);
     if (!hit) return background(height);
     const Vec3 normal = hit.side == Side::front ? hit.normal : -1.0f * hit.normal;
     Colour light = mix(ground, sky, 0.5f + 0.5f * dot(normal, world_up_));

@@ -1,0 +1,1 @@
+"""Scenes: which meshes become instances, and what the verbs answer."""

@@ -1,0 +1,220 @@
+#include "scene_info.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <espalier/scene.hpp>
+
+#include "base/numbers.hpp"
+#include "files/scene_file.hpp"
+#include "layout/blob_layout.hpp"
+#include "layout/scene_layout.hpp"
+#include "report/console.hpp"
+#include "report/json_output.hpp"
+#include "scenes/sizes.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::size_t most_listed = 16;
+constexpr double bytes_around_flattened = format::header::bytes + format::guard_bytes;
+
+/// A mesh or a tile, and what all its instances come to.
+struct PartUse {
+    std::uint64_t instances = 0;
+    float least_scale = 0.0f;
+    float largest_scale = 0.0f;
+};
+
+struct SceneFigures {
+    SceneLayout layout;
+    std::vector<PartUse> uses;  ///< of each mesh, then of each tile
+    std::uint64_t triangles = 0;
+    double flattened_bytes = 0.0;
+};
+
+SceneFigures figures_of(std::span<const std::byte> bytes, const BakedScene& scene);
+
+/// Returns the bytes that the triangles of a mesh or of a tile take in a larger blob.
+double bytes_as_part_of_blob(std::span<const std::byte> bytes, const BakedScene& scene, std::size_t part) {
+    const std::size_t meshes = scene.meshes().size();
+    if (part < meshes) return bytes_as_part(bytes, scene.meshes()[part]);
+    return figures_of(bytes, scene.tiles()[part - meshes]).flattened_bytes - bytes_around_flattened;
+}
+
+/// Of a blob with the triangles of all instances: an estimate, for the steps that the meshes have.
+double flattened_bytes(std::span<const std::byte> bytes, const BakedScene& scene, const SceneFigures& figures) {
+    double sum = bytes_around_flattened;
+    for (std::size_t i = 0; i < figures.uses.size(); ++i) {
+        const ScenePart& part = figures.layout.parts[i];
+        sum += static_cast<double>(figures.uses[i].instances) *
+               bytes_as_part_of_blob(bytes.subspan(part.at, part.bytes), scene, i);
+    }
+    return std::round(sum);
+}
+
+std::uint64_t triangles_of(const BakedScene& scene, const Instance& instance) {
+    const std::size_t meshes = scene.meshes().size();
+    if (instance.mesh < meshes) return scene.meshes()[instance.mesh].triangle_count();
+    const BakedScene& tile = scene.tiles()[instance.mesh - meshes];
+    std::uint64_t sum = 0;
+    for (std::uint32_t i = 0; i < tile.instance_count(); ++i) sum += mesh_at(tile, {i})->triangle_count();
+    return sum;
+}
+
+SceneFigures figures_of(std::span<const std::byte> bytes, const BakedScene& scene) {
+    SceneFigures figures;
+    figures.layout = layout_of(bytes, scene);
+    figures.uses.resize(figures.layout.parts.size());
+    for (std::uint32_t i = 0; i < scene.instance_count(); ++i) {
+        const Instance instance = *instance_at(scene, {i});
+        PartUse& use = figures.uses[instance.mesh];
+        const float scale = instance.transform.scale;
+        use.least_scale = use.instances == 0 ? scale : std::min(use.least_scale, scale);
+        use.largest_scale = std::max(use.largest_scale, scale);
+        ++use.instances;
+        figures.triangles += triangles_of(scene, instance);
+    }
+    figures.flattened_bytes = flattened_bytes(bytes, scene, figures);
+    return figures;
+}
+
+std::string format_version(std::span<const std::byte> bytes) {
+    return text(read_u16(bytes, format::scene::version_major_at), '.',
+                read_u16(bytes, format::scene::version_minor_at));
+}
+
+float step_of(const BakedScene& scene) { return std::ldexp(1.0f, detail::data_of(scene).tree.step_exponent); }
+
+std::uint32_t node_count(const BakedScene& scene) { return detail::data_of(scene).tree.node_count; }
+
+struct NamedBytes {
+    const char* name;
+    std::size_t bytes;
+};
+
+std::vector<NamedBytes> sections_of(const SceneLayout& layout) {
+    return {{"header", format::scene::header_bytes},
+            {"part_sizes", layout.part_sizes.bytes},
+            {"meshes", layout.mesh_bytes()},
+            {"tiles", layout.tile_bytes()},
+            {"nodes", layout.nodes.bytes},
+            {"instances", layout.instances.bytes},
+            {"padding", layout.padding}};
+}
+
+void print_json_info(const InfoArguments& arguments, std::span<const std::byte> bytes, const BakedScene& scene) {
+    const SceneFigures figures = figures_of(bytes, scene);
+    Json document = json_document();
+    document["file"] = arguments.blob;
+    document["scene_version"] = format_version(bytes);
+    document["instances"] = scene.instance_count();
+    document["triangles"] = figures.triangles;
+    document["bytes"] = scene.size();
+    document["flattened_bytes"] = figures.flattened_bytes;
+    Json sections = Json::object();
+    for (const NamedBytes& section : sections_of(figures.layout)) sections[section.name] = section.bytes;
+    document["sections"] = std::move(sections);
+    document["step"] = json_number(step_of(scene));
+    document["max_error"] = json_number(scene.max_error());
+    document["bounds"] = {{"min", json_point(scene.bounds().min)}, {"max", json_point(scene.bounds().max)}};
+    document["depth"] = unsigned{detail::data_of(scene).tree.depth};
+    document["nodes"] = node_count(scene);
+    Json meshes = Json::array();
+    for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
+        const Blob& mesh = scene.meshes()[i];
+        const PartUse& use = figures.uses[i];
+        meshes.push_back({{"instances", use.instances},
+                          {"triangles", mesh.triangle_count()},
+                          {"bytes", mesh.size()},
+                          {"profile", name_of(mesh.profile())},
+                          {"step", json_number(std::ldexp(1.0f, mesh.lattice().step_exponent))},
+                          {"max_error", json_number(mesh.max_error())},
+                          {"least_scale", json_number(use.least_scale)},
+                          {"largest_scale", json_number(use.largest_scale)},
+                          {"checksum", checksum_text(mesh.checksum())}});
+    }
+    document["meshes"] = std::move(meshes);
+    Json tiles = Json::array();
+    for (std::size_t i = 0; i < scene.tiles().size(); ++i) {
+        const BakedScene& tile = scene.tiles()[i];
+        tiles.push_back({{"instances", figures.uses[scene.meshes().size() + i].instances},
+                         {"instances_in_tile", tile.instance_count()},
+                         {"meshes", tile.meshes().size()},
+                         {"bytes", tile.size()},
+                         {"max_error", json_number(tile.max_error())},
+                         {"checksum", checksum_text(detail::data_of(tile).tree.checksum)}});
+    }
+    document["tiles"] = std::move(tiles);
+    document["checksum"] = checksum_text(detail::data_of(scene).tree.checksum);
+    print_json(document);
+}
+
+void print_line(const std::string& name, const std::string& value) {
+    std::cout << "  " << std::left << std::setw(14) << name << value << '\n';
+}
+
+void print_meshes(const BakedScene& scene, const SceneFigures& figures) {
+    const std::size_t meshes = scene.meshes().size();
+    for (std::size_t i = 0; i < figures.uses.size() && i < most_listed; ++i) {
+        const PartUse& use = figures.uses[i];
+        if (i >= meshes) {
+            const BakedScene& tile = scene.tiles()[i - meshes];
+            print_line(text("tile ", i - meshes),
+                       text(counted(use.instances, "instance"), ", in it ", counted(tile.instance_count(), "instance"),
+                            " of ", tile.meshes().size(), tile.meshes().size() == 1 ? " mesh, " : " meshes, ",
+                            counted(tile.size(), "byte"), ", max error ", shortest(tile.max_error())));
+            continue;
+        }
+        const Blob& mesh = scene.meshes()[i];
+        const std::string scales = use.least_scale == use.largest_scale
+                                       ? text("scale ", use.least_scale)
+                                       : text("scales ", use.least_scale, " to ", use.largest_scale);
+        print_line(
+            text("mesh ", i),
+            text(counted(use.instances, "instance"), ", ", counted(mesh.triangle_count(), "triangle"), ", ",
+                 counted(mesh.size(), "byte"), ", step ", shortest(std::ldexp(1.0f, mesh.lattice().step_exponent)),
+                 ", max error ", shortest(mesh.max_error()), ", ", scales));
+    }
+    if (figures.uses.size() > most_listed) print_line("...", "--json lists all");
+}
+
+void print_table(const InfoArguments& arguments, std::span<const std::byte> bytes, const BakedScene& scene) {
+    const SceneFigures figures = figures_of(bytes, scene);
+    std::cout << printable(arguments.blob) << '\n';
+    print_line("format", text("scene ", format_version(bytes)));
+    print_line("instances", text(scene.instance_count()));
+    print_line("meshes", text(scene.meshes().size()));
+    if (!scene.tiles().empty()) print_line("tiles", text(scene.tiles().size()));
+    print_line("triangles", text(figures.triangles, " of all instances"));
+    print_line("bounds", text(shortest(scene.bounds().min), " to ", shortest(scene.bounds().max)));
+    print_line("max error", shortest(scene.max_error()));
+    print_line("tree", text(counted(node_count(scene), "node"), ", depth ", unsigned{detail::data_of(scene).tree.depth},
+                            ", step ", shortest(step_of(scene))));
+    print_line("checksum", checksum_text(detail::data_of(scene).tree.checksum));
+    print_line("flattened", text("about ", rounded(figures.flattened_bytes, 10),
+                                 " bytes as one blob with the steps of the meshes: an estimate"));
+    print_line("bytes", text(scene.size(), ", of which"));
+    for (const NamedBytes& section : sections_of(figures.layout)) {
+        std::cout << "    " << std::left << std::setw(14) << section.name << std::right << std::setw(12)
+                  << section.bytes << '\n';
+    }
+    print_meshes(scene, figures);
+    finish_standard_output();
+}
+
+}  // namespace
+
+void print_scene_info(const InfoArguments& arguments, std::span<const std::byte> bytes) {
+    const SceneFile file = open_scene_file(arguments.blob, bytes);
+    if (arguments.json) print_json_info(arguments, bytes, file.scene);
+    else print_table(arguments, bytes, file.scene);
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,219 @@
+#include "baking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include <espalier/blob.hpp>
+#include <espalier/format.hpp>
+#include <espalier/scene.hpp>
+
+#include "bake/baking.hpp"
+#include "base/exit_code.hpp"
+#include "base/numbers.hpp"
+#include "placed_mesh.hpp"
+#include "plan.hpp"
+#include "sizes.hpp"
+#include "total.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+/// The share of a tolerance that placing may take; the meshes have the rest.
+constexpr double placing_share = 0.25;
+
+double largest_placing_error(const Resolution& resolution) {
+    if (resolution.kind() == Resolution::Kind::tolerance) return placing_share * resolution.value();
+    return std::numeric_limits<double>::infinity();
+}
+
+/// The tolerance of a mesh with which all its instances keep that of the scene.
+Resolution resolution_of(const Variant& variant, const Resolution& resolution) {
+    if (resolution.kind() != Resolution::Kind::tolerance) return resolution;
+    double least = std::numeric_limits<double>::infinity();
+    for (const VariantUse& use : variant.uses)
+        least = std::min(least, (resolution.value() - use.fitted.error) / double(use.fitted.transform.scale));
+    return Resolution::tolerance(least * (1.0 - 0x1p-22));  // the error in world units is rounded up to float32
+}
+
+/// Bakes one mesh after the other and collects their instances.
+class SceneBaker {
+public:
+    SceneBaker(const Imported& imported, Instancing instancing, const BakeOptions& options)
+        : imported_(imported),
+          instancing_(instancing),
+          options_(options),
+          plan_(plan_scene(imported, instancing, largest_placing_error(options.resolution))) {
+        std::uint32_t meshes = 0;
+        for (const ImportedFile& file : imported.files)
+            first_user_.push_back(std::exchange(meshes, meshes + file.meshes));
+    }
+
+    SceneBake bake() {
+        std::vector<Baked> kept, small;
+        for (Variant& variant : plan_.meshes) {
+            Baked baked = bake_variant(variant);
+            (is_worth_it(baked) ? kept : small).push_back(std::move(baked));
+        }
+        if (is_worth_merging(small)) {
+            for (const Baked& baked : small)
+                for (const VariantUse& use : baked.variant->uses) plan_.merged.push_back(use.place);
+        } else {
+            std::move(small.begin(), small.end(), std::back_inserter(kept));
+            std::sort(kept.begin(), kept.end(), [](const Baked& a, const Baked& b) {
+                return a.variant->uses.front().place < b.variant->uses.front().place;
+            });
+        }
+        std::sort(plan_.merged.begin(), plan_.merged.end());
+        if (!plan_.merged.empty()) add_merged();
+        std::vector<std::pair<const VariantUse*, std::uint32_t>> uses;  // of a mesh
+        for (Baked& baked : kept) {
+            const std::uint32_t mesh =
+                add_mesh(words_for_place(imported_, place_of(*baked.variant)), baked.variant->uses.size(),
+                         baked.variant->uses.size(), std::move(baked.result));
+            if (is_empty(mesh)) continue;
+            for (const VariantUse& use : baked.variant->uses) uses.emplace_back(&use, mesh);
+        }
+        std::sort(uses.begin(), uses.end(),
+                  [](const auto& a, const auto& b) { return a.first->place < b.first->place; });
+        for (const auto& [use, mesh] : uses) add_instance(*use, mesh);
+        return joined();
+    }
+
+private:
+    struct Baked {
+        const Variant* variant;
+        BakeResult result;
+    };
+
+    [[nodiscard]] const ImportedPlace& place_of(const Variant& variant) const {
+        return imported_.places[variant.uses.front().place];
+    }
+    [[nodiscard]] bool is_empty(std::uint32_t mesh) const { return scene_.meshes[mesh].baked.tree.triangles == 0; }
+
+    BakeResult bake_views(std::span<const MeshView> views, const Resolution& resolution) {
+        BakeOptions options = options_;
+        options.resolution = resolution;
+        const double parts = static_cast<double>(plan_.meshes.size()) + 1.0;
+        if (options_.progress) {
+            options.progress = [this, parts](const char* stage, double done) {
+                options_.progress(stage, (static_cast<double>(done_) + done) / parts);
+            };
+        }
+        BakeResult result = bake_or_throw(views, imported_, options);
+        ++done_;
+        return result;
+    }
+
+    Baked bake_variant(const Variant& variant) {
+        const ImportedMesh mesh = placed_mesh(imported_, place_of(variant), variant.placement);
+        const MeshView view{mesh.positions, mesh.triangles, mesh.materials, mesh.file, mesh.mesh, mesh.name};
+        return {&variant, bake_views({&view, 1}, resolution_of(variant, options_.resolution))};
+    }
+
+    /// Returns how many bytes more the mesh takes as instances than as a part of another blob.
+    [[nodiscard]] static double bytes_lost(const Baked& baked) {
+        const Blob blob = opened(baked.result);
+        const std::uint64_t instances = baked.variant->uses.size();
+        return bytes_as_instances(blob, instances) -
+               static_cast<double>(instances) * bytes_as_part(baked.result.bytes, blob);
+    }
+
+    [[nodiscard]] bool is_worth_it(const Baked& baked) const {
+        return instancing_ == Instancing::all || bytes_lost(baked) < 0.0;
+    }
+
+    /// Returns whether meshes that lose bytes as instances lose more than a blob for them alone would take; there may
+    /// be one already.
+    [[nodiscard]] bool is_worth_merging(const std::vector<Baked>& small) const {
+        double lost = 0.0;
+        for (const Baked& baked : small) lost += bytes_lost(baked);
+        return !plan_.merged.empty() || lost > bytes_of_merging();
+    }
+
+    void add_merged() {
+        std::uint64_t triangles = 0;
+        for (const std::uint32_t place : plan_.merged) {
+            triangles += imported_.meshes[imported_.places[place].mesh].triangles.size();
+            if (triangles <= format::max_triangles) continue;
+            throw CommandError(
+                ExitCode::unsupported,
+                text(words_for_place(imported_, imported_.places[place]), ": with it more than ", format::max_triangles,
+                     " triangles are merged, the most a blob can hold. Give --instances all, or bake the "
+                     "files in parts."));
+        }
+        Imported merged;
+        for (const std::uint32_t place : plan_.merged)
+            merged.meshes.push_back(placed_mesh(imported_, imported_.places[place], imported_.places[place].placement));
+        const std::uint32_t mesh =
+            add_mesh({}, 1, plan_.merged.size(), bake_views(merged.views(), options_.resolution));
+        if (is_empty(mesh)) return;
+        note_error(scene_.meshes[mesh].baked.lattice.max_error, 0.0);
+        Instance instance;
+        instance.mesh = mesh;
+        instance.user = no_user;
+        instances_.push_back(instance);
+        scene_.places.emplace_back();
+    }
+
+    std::uint32_t add_mesh(std::string name, std::uint64_t instances, std::uint64_t places, BakeResult baked) {
+        const bool is_without = baked.report.tree.triangles == 0;
+        total_.add(baked.report, name, instances);
+        scene_.meshes.push_back({std::move(name), is_without ? 0 : instances, places, std::move(baked.report)});
+        blobs_.push_back(std::move(baked.bytes));
+        return static_cast<std::uint32_t>(blobs_.size() - 1);
+    }
+
+    void add_instance(const VariantUse& use, std::uint32_t mesh) {
+        const ImportedPlace& place = imported_.places[use.place];
+        Instance instance;
+        instance.transform = use.fitted.transform;
+        instance.mesh = mesh;
+        instance.user = first_user_[place.file] + place.number;
+        instances_.push_back(instance);
+        scene_.places.emplace_back(use.place);
+        note_error(scene_.meshes[mesh].baked.lattice.max_error * double(use.fitted.transform.scale), use.fitted.error);
+    }
+
+    void note_error(double of_mesh, double of_placing) {
+        scene_.placing_error = std::max(scene_.placing_error, of_placing);
+        scene_.max_error = std::max(scene_.max_error, of_mesh + of_placing);
+    }
+
+    SceneBake joined() {
+        const std::vector<std::span<const std::byte>> blobs(blobs_.begin(), blobs_.end());
+        SceneBakeResult result = bake_scene(blobs, instances_);
+        if (!result) {
+            const bool is_ours = result.status == BakeStatus::internal || result.status == BakeStatus::invalid_mesh;
+            throw CommandError(is_ours ? ExitCode::internal : ExitCode::unsupported,
+                               "the scene cannot be made: " + result.message + ". Nothing was written.");
+        }
+        scene_.bytes = std::move(result.bytes);
+        scene_.report = result.report;
+        scene_.total = total_.report();
+        return std::move(scene_);
+    }
+
+    const Imported& imported_;
+    Instancing instancing_;
+    const BakeOptions& options_;
+    ScenePlan plan_;
+    SceneBake scene_;
+    ReportTotal total_;
+    std::vector<std::uint32_t> first_user_;  ///< of each file
+    std::vector<std::vector<std::byte>> blobs_;
+    std::vector<Instance> instances_;
+    std::size_t done_ = 0;
+};
+
+}  // namespace
+
+SceneBake bake_scene_or_throw(const Imported& imported, Instancing instancing, const BakeOptions& options) {
+    return SceneBaker(imported, instancing, options).bake();
+}
+
+}  // namespace espalier::tools

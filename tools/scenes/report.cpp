@@ -1,0 +1,105 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "bake/report.hpp"
+#include "base/numbers.hpp"
+#include "layout/blob_layout.hpp"
+#include "report/diagnostics.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+constexpr std::size_t most_listed = 16;
+
+const char* words_for(std::uint64_t count, const char* one, const char* several) { return count == 1 ? one : several; }
+
+std::string words_for(const SceneMesh& mesh) {
+    if (mesh.name.empty()) return text("merged from ", mesh.places, words_for(mesh.places, " mesh", " meshes"));
+    return text(mesh.name, ", ", counted(mesh.instances, "instance"));
+}
+
+std::string checksum_of(const BakedScene& scene) { return checksum_text(detail::data_of(scene).tree.checksum); }
+
+}  // namespace
+
+void say_scene(const Console& console, const SceneBake& baked, const BakedScene& scene) {
+    say_findings(console, baked.total);
+    const SceneReport& report = baked.report;
+    if (report.instances == 0) {
+        console.say(text(baked.total.source.triangles == 0 ? "the input has no triangles" : "no triangle is left",
+                         "; the scene is valid and empty, and every query of it finds nothing"));
+    }
+    std::size_t listed = 0;
+    for (const SceneMesh& mesh : baked.meshes) {
+        if (mesh.instances == 0) continue;
+        if (listed++ == most_listed) {
+            console.say(text("...; --json lists all of the ", report.meshes, " meshes"));
+            break;
+        }
+        const BakeReport& of_mesh = mesh.baked;
+        console.say(text("mesh: ", words_for(mesh), "; ", counted(of_mesh.tree.triangles, "triangle"), ", ",
+                         counted(of_mesh.bytes, "byte"), ", ", of_mesh.lattice.bits, " bits, step ",
+                         rounded(of_mesh.lattice.step), ", max error ", rounded(of_mesh.lattice.max_error)));
+    }
+    const Box bounds = scene.bounds();
+    console.say(text("bounds: ", shortest(bounds.min), " to ", shortest(bounds.max), " (around boxes of instances)"));
+    console.say(text("max error: ", shortest(report.max_error),
+                     " of the meshes at their places; places differ from the source's by up to ",
+                     rounded(baked.placing_error), ", and surfaces by ", rounded(baked.max_error), " in all"));
+    console.say(text("scene: ", counted(report.instances, "instance"), " of ", report.meshes,
+                     words_for(report.meshes, " mesh", " meshes"), ", ", counted(report.triangles, "triangle"), ", ",
+                     counted(report.nodes, "node"), ", depth ", report.depth));
+    console.say(text("size: ", counted(report.bytes, "byte"), ", of which the meshes take ", report.mesh_bytes));
+}
+
+Json scene_json(const BakeArguments& arguments, const Imported& imported, const SceneBake& baked,
+                const BakedScene& scene, std::span<const Warning> warnings) {
+    const SceneReport& report = baked.report;
+    Json document = input_json(arguments, imported);
+    document["source_triangles"] = baked.total.source.triangles;
+    document["source_vertices"] = baked.total.source.vertices;
+    document["triangles"] = report.triangles;
+    document["findings"] = findings_json(baked.total);
+    document["bounds"] = {{"min", json_point(scene.bounds().min)}, {"max", json_point(scene.bounds().max)}};
+    document["max_error"] = json_number(report.max_error);
+    document["placing_error"] = baked.placing_error;
+    document["total_error"] = baked.max_error;
+    document["bytes"] = report.bytes;
+    document["mesh_bytes"] = report.mesh_bytes;
+    document["nodes"] = report.nodes;
+    document["depth"] = report.depth;
+    document["mesh_count"] = report.meshes;
+    document["instance_count"] = report.instances;
+    Json meshes = Json::array();
+    for (const SceneMesh& mesh : baked.meshes) {
+        meshes.push_back({{"name", mesh.name.empty() ? Json(nullptr) : Json(mesh.name)},
+                          {"places", mesh.places},
+                          {"instances", mesh.instances},
+                          {"triangles", mesh.baked.tree.triangles},
+                          {"bytes", mesh.baked.bytes},
+                          {"bits", mesh.baked.lattice.bits},
+                          {"step", mesh.baked.lattice.step},
+                          {"max_error", mesh.baked.lattice.max_error},
+                          {"closed", mesh.baked.closed}});
+    }
+    document["meshes"] = std::move(meshes);
+    Json sources = Json::array();
+    for (const std::optional<std::uint32_t>& number : baked.places) {
+        if (!number) {
+            sources.push_back(nullptr);
+            continue;
+        }
+        const ImportedPlace& place = imported.places[*number];
+        sources.push_back({{"file", place.file}, {"mesh", place.number}});
+    }
+    document["sources"] = std::move(sources);
+    document["checksum"] = checksum_of(scene);
+    document["warnings"] = warnings_json(warnings);
+    return document;
+}
+
+}  // namespace espalier::tools

@@ -1,0 +1,56 @@
+// The forms of one mesh that its instances need: what a Transform cannot do is done to the vertices before the bake.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "import/base/imported.hpp"
+#include "similarity.hpp"
+
+namespace espalier::tools {
+
+/// An instance of a variant.
+struct VariantUse {
+    std::uint32_t place = 0;  ///< index into Imported::places
+    FittedTransform fitted;
+};
+
+/// A mesh with a placement applied to its vertices, and where it stands then.
+struct Variant {
+    std::uint32_t mesh = 0;  ///< index into Imported::meshes
+    Placement placement;
+    PointBox box;  ///< around the vertices, in double precision
+    std::vector<VariantUse> uses;
+};
+
+/// Sorts the places of one mesh into variants. Places whose linear parts differ by a rotation and a uniform scale share
+/// a variant: the mesh at the size of the first of them, or, where that is sheared, mirrored or unequally scaled, with
+/// its whole linear part.
+class VariantSorter {
+public:
+    /// `largest_error` bounds the distance between an instance and the place that it stands for.
+    VariantSorter(const Imported& imported, std::uint32_t mesh, double largest_error)
+        : imported_(imported), mesh_(mesh), largest_error_(largest_error) {}
+
+    /// Returns false for a place that no Transform reaches within the error: it takes the vertices themselves there.
+    bool add(std::uint32_t place);
+    /// Returns the variants in the order of their first places.
+    [[nodiscard]] std::vector<Variant>& variants() { return variants_; }
+
+private:
+    [[nodiscard]] std::optional<FittedTransform> fit(const Variant& variant, const Placement& placement) const;
+    [[nodiscard]] bool is_near(const FittedTransform& fitted) const;
+
+    const Imported& imported_;
+    std::uint32_t mesh_;
+    double largest_error_;
+    std::vector<Variant> variants_;
+    std::multimap<double, std::size_t> by_shape_;
+};
+
+/// Returns the box around the vertices of a mesh at that placement.
+PointBox box_at(const ImportedMesh& mesh, const Placement& placement);
+
+}  // namespace espalier::tools
