@@ -136,12 +136,28 @@ def stack_table(rows):
     """The deepest of all meshes, because which branches run depends on them."""
     lines = []
     for core, profile in dict.fromkeys(key[:2] for key in rows.queries):
-        own = [row for key, row in rows.queries.items() if key[:2] == (core, profile)]
+        own = [row for key, row in rows.queries.items() if key[:2] == (core, profile) and key[2] != "scene"]
         deepest = {query: max(row["stack"] for row in own if row["query"] == query) for query in STACKS}
         others = max(own, key=lambda row: (row["query"] not in STACKS, row["stack"]))
         lines.append([CORES[core], f"`{profile}`"] + [thousands(deepest[query]) for query in STACKS] +
                      [f"{thousands(others['stack'])} ({call(others['query'])})"])
     return table(["core", "profile"] + list(STACKS.values()) + ["deepest of the others"], lines)
+
+
+SCENE = {"open_scene": "`open_scene`", "scene_raycast": "closest ray", "scene_occluded": "any hit of a ray",
+         "scene_overlaps_sphere": "sphere overlap", "scene_closest_point": "closest point"}
+
+
+def scenes_table(rows):
+    """Code of one query, and instructions and stack of each, in a scene of 64 instances."""
+    lines = []
+    for core, profile, mesh in rows.asked():
+        if mesh != "scene":
+            continue
+        cells = [rows.queries[core, profile, mesh, query] for query in SCENE]
+        lines.append([CORES[core], f"`{profile}`", thousands(rows.code[core, profile, "scene_ray"])] +
+                     [f"{thousands(cell['instructions'])}; {thousands(cell['stack'])}" for cell in cells])
+    return table(["core", "profile", "code of `open_scene` and closest ray"] + list(SCENE.values()), lines)
 
 
 def level_table(rows):
@@ -187,7 +203,7 @@ def outputs(files):
     conditions = (f"Rows: {links(files)}. GCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}. "
                   f"Writes outside the stack in all {sum(row['calls'] for row in rows.queries.values()):,} calls: {elsewhere}.")
     return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "profiles": profiles_table(rows), "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
-                                      "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows),
+                                      "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows), "scenes": scenes_table(rows),
                                       "largest": largest_table(rows), "queries": all_queries_table(rows)})}
 
 

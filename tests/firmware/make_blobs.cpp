@@ -1,13 +1,16 @@
 // make_blobs FOLDER: bakes what firmware is measured with, as MESH_PROFILE.espl: meshes that are made here, and bunny,
-// fandisk and dragon where the folder ESPALIER_MESHES has them.
+// fandisk and dragon where the folder ESPALIER_MESHES has them; and a scene of 64 instances.
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <espalier/bake.hpp>
+#include <espalier/scene.hpp>
 
+#include "support/base/random.hpp"
 #include "support/meshes/files.hpp"
 #include "support/meshes/level_maker.hpp"
 #include "support/meshes/makers.hpp"
@@ -16,6 +19,21 @@ namespace {
 
 using espalier::Profile;
 using namespace espalier::tests;
+
+bool write(const std::string& folder, const std::string& name, Profile profile, const std::vector<std::byte>& bytes,
+           std::uint64_t triangles) {
+    const std::string path = folder + "/" + name + (profile == Profile::fast ? "_fast.espl" : "_small.espl");
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) {
+        std::fprintf(stderr, "make_blobs: %s could not be written\n", path.c_str());
+        return false;
+    }
+    std::printf("%s %llu triangles %zu bytes\n", path.c_str(), static_cast<unsigned long long>(triangles),
+                bytes.size());
+    return true;
+}
 
 bool bake_to(const std::string& folder, const Mesh& mesh, const std::string& name, Profile profile, unsigned bits) {
     espalier::BakeOptions options;
@@ -27,16 +45,33 @@ bool bake_to(const std::string& folder, const Mesh& mesh, const std::string& nam
         std::fprintf(stderr, "make_blobs: %s: %s\n", name.c_str(), baked.message.c_str());
         return false;
     }
-    const std::string path = folder + "/" + name + (profile == Profile::fast ? "_fast.espl" : "_small.espl");
-    std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(baked.bytes.data()), static_cast<std::streamsize>(baked.bytes.size()));
-    file.close();
-    if (!file) {
-        std::fprintf(stderr, "make_blobs: %s could not be written\n", path.c_str());
+    return write(folder, name, profile, baked.bytes, baked.report.tree.triangles);
+}
+
+/// A scene of 64 turned tori of two sizes, at the points of a grid.
+bool bake_scene_to(const std::string& folder, Profile profile) {
+    const Mesh torus = make_torus(48, 16, 3.0, 1.0);
+    espalier::BakeOptions options;
+    options.profile = profile;
+    options.resolution = espalier::Resolution::bits(14);
+    const espalier::MeshView view = torus.view();
+    const auto mesh = espalier::bake(std::span(&view, 1), options);
+    std::vector<espalier::Instance> instances(64);
+    Random random(64);
+    for (std::uint32_t i = 0; i < 64; ++i) {
+        espalier::Transform& transform = instances[i].transform;
+        transform.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), 1.0f};
+        const auto at = [](std::uint32_t place) { return 7.0f * static_cast<float>(place); };
+        transform.translation = {at(i % 4), at(i / 4 % 4), at(i / 16)};
+        transform.scale = i % 3 == 0 ? 0.5f : 0.75f;
+    }
+    const std::span<const std::byte> bytes = mesh.bytes;
+    const auto scene = espalier::bake_scene(std::span(&bytes, 1), instances);
+    if (!scene) {
+        std::fprintf(stderr, "make_blobs: scene: %s\n", scene.message.c_str());
         return false;
     }
-    std::printf("%s %u triangles %zu bytes\n", path.c_str(), baked.report.tree.triangles, baked.bytes.size());
-    return true;
+    return write(folder, "scene", profile, scene.bytes, scene.report.triangles);
 }
 
 struct RealBlob {
@@ -57,7 +92,8 @@ bool bake_all(const std::string& folder) {
     const Mesh torus = make_torus(64, 24, 3.0, 1.0);
     bool all = bake_to(folder, level, "level", Profile::fast, 14) &&
                bake_to(folder, level, "level", Profile::small, 14) &&
-               bake_to(folder, torus, "torus", Profile::fast, 16);
+               bake_to(folder, torus, "torus", Profile::fast, 16) && bake_scene_to(folder, Profile::fast) &&
+               bake_scene_to(folder, Profile::small);
     for (const RealBlob& blob : real_blobs)
         if (const auto file = mesh_file(blob.file); file && all)
             all = bake_to(folder, read_mesh(*file), blob.name, blob.profile, blob.bits);

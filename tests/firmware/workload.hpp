@@ -13,6 +13,7 @@
 #include "../platform/fingerprint.hpp"
 #include "../platform/report.hpp"
 #include "measured_kinds.hpp"
+#include "question_maker.hpp"
 
 namespace espalier::firmware {
 
@@ -24,17 +25,10 @@ struct Counts {
 
 /// Asks the blob; `measure(kind, call)` runs each call. Every bit that comes back goes into the fingerprint.
 template <class Measure>
-class Workload {
+class Workload : QuestionMaker {
 public:
     Workload(std::span<const std::byte> bytes, const Blob& blob, const Measure& measure)
-        : bytes_(bytes), blob_(blob), measure_(measure) {
-        lattice_ = blob.lattice();
-        low_ = blob.bounds().min;
-        size_ = difference(blob.bounds().max, low_);
-        center_ = {low_.x + 0.5f * size_.x, low_.y + 0.5f * size_.y, low_.z + 0.5f * size_.z};
-        const float largest = size_.x > size_.y ? size_.x : size_.y;
-        extent_ = largest > size_.z ? largest : size_.z;
-    }
+        : QuestionMaker(blob.bounds()), bytes_(bytes), blob_(blob), measure_(measure), lattice_(blob.lattice()) {}
 
     /// Opening and the five usual queries.
     void ask_usual(const Counts& counts) {
@@ -54,16 +48,6 @@ public:
     [[nodiscard]] const platform::Fingerprint& answers() const { return answers_; }
 
 private:
-    std::uint32_t word() {  // xorshift32
-        state_ ^= state_ << 13;
-        state_ ^= state_ >> 17;
-        state_ ^= state_ << 5;
-        return state_;
-    }
-    float unit() { return static_cast<float>(word() >> 8) * 0x1p-24f; }
-    float symmetric() { return 2.0f * unit() - 1.0f; }
-    static Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
     /// Measures a call and returns its result. The call builds it in place, as in a program that keeps it: no copy is
     /// measured.
     template <class Call>
@@ -72,57 +56,6 @@ private:
         alignas(Answer) std::byte place[sizeof(Answer)];
         measure_(kind, [&] { ::new (static_cast<void*>(place)) Answer(call()); });
         return *std::launder(reinterpret_cast<const Answer*>(place));
-    }
-
-    Vec3 point_in_box() {
-        const float x = unit();
-        const float y = unit();
-        return {low_.x + size_.x * x, low_.y + size_.y * y, low_.z + size_.z * unit()};
-    }
-
-    /// Uniform on the unit sphere, without a square root: stereographic, with as many points thrown away as it
-    /// stretches.
-    Vec3 unit_vector() {
-        for (;;) {
-            const float a = symmetric();
-            const float b = symmetric();
-            const float squared = a * a + b * b;
-            const float scale = 1.0f / (1.0f + squared);
-            if (squared > 1.0f || unit() > scale * scale) continue;
-            const float z = (1.0f - squared) * scale;
-            return {2.0f * a * scale, 2.0f * b * scale, (word() & 1u) != 0 ? z : -z};
-        }
-    }
-
-    /// Incoherent, as in bench/rays.hpp: from a sphere around the box of 1.2 times its radius towards points in the
-    /// box.
-    Ray ray() {
-        const float radius = 1.2f * 0.5f * diagonal();
-        const Vec3 out = unit_vector();
-        const Vec3 from = {center_.x + radius * out.x, center_.y + radius * out.y, center_.z + radius * out.z};
-        return {.origin = from, .direction = difference(point_in_box(), from)};
-    }
-
-    /// Of the box, rounded up somewhat: the root is not worth a function.
-    [[nodiscard]] float diagonal() const {
-        const float squared = size_.x * size_.x + size_.y * size_.y + size_.z * size_.z;
-        float root = extent_ * 1.7320509f;
-        for (int i = 0; i < 4; ++i) root = 0.5f * (root + squared / root);
-        return root;
-    }
-
-    Sphere sphere() { return {point_in_box(), 0.02f * diagonal()}; }
-
-    Box box() {
-        const Vec3 at = point_in_box();
-        const float half = 0.02f * diagonal();
-        return {{at.x - half, at.y - half, at.z - half}, {at.x + half, at.y + half, at.z + half}};
-    }
-
-    Vec3 step() {  // a tenth of the box, in any direction
-        const Vec3 direction = unit_vector();
-        const float length = 0.1f * extent_;
-        return {direction.x * length, direction.y * length, direction.z * length};
     }
 
     void add(const RayHit& hit) {
@@ -225,7 +158,7 @@ private:
         Plane planes[4];
         for (Plane& plane : planes) {
             const Vec3 normal = unit_vector();
-            plane = {normal, normal.x * on.x + normal.y * on.y + normal.z * on.z + 0.02f * extent_};
+            plane = {normal, normal.x * on.x + normal.y * on.y + normal.z * on.z + 0.02f * extent()};
         }
         std::uint32_t number = 0;
         const auto count = [&](TriangleId) { return ++number, Visit::next; };
@@ -275,7 +208,7 @@ private:
         const Sphere sphere = this->sphere();
         const Box box = this->box();
         const Ray ray = this->ray();
-        const float accuracy = 0.01f * extent_;
+        const float accuracy = 0.01f * extent();
         bool answer = false;
         measure_(coarse_sphere, [&] { answer = overlaps(blob_, sphere, Accuracy{accuracy}).yes(); });
         answers_.add(answer);
@@ -305,11 +238,11 @@ private:
     void ask_pairs() {
         Transform placement;
         placement.rotation = {0.5f * symmetric(), 0.5f * symmetric(), 0.5f * symmetric(), 1.0f};
-        const Vec3 back = difference(center_, turned(placement.rotation, center_));
+        const Vec3 back = difference(center(), turned(placement.rotation, center()));
         const Vec3 direction = unit_vector();
         const auto aside = [&](float distance) {
-            return Vec3{back.x + direction.x * distance * size_.x, back.y + direction.y * distance * size_.y,
-                        back.z + direction.z * distance * size_.z};
+            return Vec3{back.x + direction.x * distance * size().x, back.y + direction.y * distance * size().y,
+                        back.z + direction.z * distance * size().z};
         };
         placement.translation = aside(0.5f);
         YesNo answer;
@@ -331,7 +264,7 @@ private:
         add(nearest.status);
         answers_.add(nearest.distance);
         measure_(two_within, [&] {
-            answer = within_distance(blob_, {blob_, placement}, 0.125f * extent_, WorkLimit::unlimited());
+            answer = within_distance(blob_, {blob_, placement}, 0.125f * extent(), WorkLimit::unlimited());
         });
         add(answer.status());
         answers_.add(answer.yes());
@@ -341,11 +274,6 @@ private:
     const Blob& blob_;
     const Measure& measure_;
     Lattice lattice_;
-    Vec3 low_;
-    Vec3 size_;
-    Vec3 center_;
-    float extent_ = 0.0f;
-    std::uint32_t state_ = 0x9E3779B9u;
     platform::Fingerprint answers_;
 };
 

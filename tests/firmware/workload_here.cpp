@@ -1,34 +1,61 @@
-// workload_here every|usual BLOB: asks on this machine what image/measure_main.cpp asks on a core, and prints the same
-// line.
+// workload_here every|usual|scene BLOB: asks on this machine what image/measure_main.cpp and measure_scene_main.cpp ask
+// on a core, and prints the same line.
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include <espalier/espalier.hpp>
 
 #include "../platform/report.hpp"
+#include "scene_workload.hpp"
 #include "workload.hpp"
 
+namespace {
+
+using namespace espalier;
+
+constexpr auto just_call = [](unsigned, FunctionRef<void()> call) { call(); };
+
+int finish(const char* path, OpenStatus status, const platform::Fingerprint& answers) {
+    if (status != OpenStatus::ok) {
+        std::fprintf(stderr, "workload_here: %s: %s\n", path, describe(status));
+        return 2;
+    }
+    std::fputs(firmware::workload_line(answers).c_str(), stdout);
+    return 0;
+}
+
+int ask_blob(const char* path, std::span<const std::byte> bytes, bool every) {
+    const Blob blob = open(bytes);
+    if (!blob) return finish(path, blob.status(), {});
+    firmware::Workload workload(bytes, blob, just_call);
+    workload.ask_usual({});
+    if (every) workload.ask_others({});
+    return finish(path, OpenStatus::ok, workload.answers());
+}
+
+int ask_scene(const char* path, std::span<const std::byte> bytes) {
+    std::vector<Blob> meshes(mesh_count_of_scene(bytes));
+    const BakedScene scene = open_scene(bytes, meshes);
+    if (!scene) return finish(path, scene.status(), {});
+    firmware::SceneWorkload workload(bytes, std::span(meshes), scene, just_call);
+    workload.ask(firmware::Counts{}.usual);
+    return finish(path, OpenStatus::ok, workload.answers());
+}
+
+}  // namespace
+
 int main(int argument_count, char** arguments) {
-    using namespace espalier;
-    const bool every = argument_count == 3 && std::strcmp(arguments[1], "every") == 0;
-    if (argument_count != 3 || (!every && std::strcmp(arguments[1], "usual") != 0)) {
-        std::fputs("usage: workload_here every|usual BLOB\n", stderr);
+    const std::string_view queries = argument_count == 3 ? arguments[1] : "";
+    if (queries != "every" && queries != "usual" && queries != "scene") {
+        std::fputs("usage: workload_here every|usual|scene BLOB\n", stderr);
         return 1;
     }
     std::ifstream file(arguments[2], std::ios::binary);
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-    const Blob blob = open(std::as_bytes(std::span(bytes)));
-    if (!blob) {
-        std::fprintf(stderr, "workload_here: %s: %s\n", arguments[2], describe(blob.status()));
-        return 2;
-    }
-    const auto just_call = [](unsigned, FunctionRef<void()> call) { call(); };
-    firmware::Workload workload(std::as_bytes(std::span(bytes)), blob, just_call);
-    workload.ask_usual({});
-    if (every) workload.ask_others({});
-    std::fputs(firmware::workload_line(workload.answers()).c_str(), stdout);
-    return 0;
+    const std::vector<char> characters{std::istreambuf_iterator<char>(file), {}};
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(characters));
+    return queries == "scene" ? ask_scene(arguments[2], bytes) : ask_blob(arguments[2], bytes, queries == "every");
 }
