@@ -15,8 +15,8 @@ import excuses
 
 PARTS = {
     "verifier": [
-        "runtime/open/open.cpp", "runtime/open/checks.hpp", "runtime/open/header.cpp", "runtime/open/leaves.cpp",
-        "runtime/open/unchecked.cpp"],
+        "runtime/open/open.cpp", "runtime/open/check_tree.hpp", "runtime/open/checks.hpp", "runtime/open/header.cpp",
+        "runtime/open/leaves.cpp", "runtime/open/unchecked.cpp"],
     "decode": [
         "runtime/base/bits.hpp", "runtime/blob/node.hpp", "runtime/blob/plain_leaf.hpp",
         "runtime/blob/strip_leaf.hpp", "runtime/blob/predicted_strip_leaf.hpp", "runtime/blob/predicted_strip_leaf.cpp",
@@ -52,6 +52,9 @@ PARTS = {
         "runtime/pairs/beam.inl", "runtime/traversal/walk.cpp", "runtime/traversal/find_triangle.cpp",
         "runtime/traversal/scalar_walk.hpp", "runtime/asset/original.cpp", "runtime/asset/remap.cpp",
         "runtime/rays/small_code/queries.cpp"],
+    "scenes": [
+        "runtime/scenes/open.cpp", "runtime/scenes/instances.cpp", "runtime/scenes/instances.hpp",
+        "runtime/lattice/region.hpp"],
     "ids": ["baker/encode/id_kinds.hpp", "baker/encode/id_kinds.cpp", "baker/encode/ids.cpp"],
     "edges": ["baker/base/edge_table.hpp"],
 }

@@ -4,10 +4,11 @@ excuse as `instrument.py --check` does.
 mutate.py BUILD [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--most N] [--claims TEXT...] [--publish]:
 breaks the library in every way that instrument.py knows, one at a time, and prints what no claim noticed. PART is
 verifier, decode, quantiser, traversal, rounding, small (what microcontrollers have of their own), queries (what they do
-at nodes and leaves, batches), ids (the section of original ids, as the baker writes it) or edges (the baker's table). --files chooses the mutants of
-some files of lib, --since those of files whose code has changed since a commit; all mutants when nothing is chosen. Exit
-status 1 when a mutant survives that no comment in the code excuses (excuses.py). --publish writes a row for
-each part that was run as a whole into the table of docs/testing.md.
+at nodes and leaves, batches), scenes (what opens them), ids (the section of original ids, as the baker writes it) or
+edges (the baker's table). --files chooses the mutants of some files of lib, --since those of files whose code has
+changed since a commit; all mutants when nothing is chosen. Exit status 1 when a mutant survives that no comment in the
+code excuses (excuses.py). --publish writes a row for each part that was run as a whole into the table of
+docs/testing.md.
 
 All mutants are compiled once, into the same programs, and again as small code (ESPALIER_SMALL_CODE); they are chosen
 when a program starts. A first run of every claim without any notes how long it takes and by which mutants it comes;
@@ -60,7 +61,8 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/rays/rounded_ray_borders", "runtime/rays/seam_rays", "runtime/rays/seen_ray",
     "runtime/traversal/small_boxes", "runtime/rays/leaf_filter", "runtime/rays/ray", "runtime/rays/batch",
     "runtime/rays/closest_hits", "runtime/rays/far_query", "runtime/rays/every_hit", "runtime/rays/extreme_rays",
-    "runtime/rays/leak", "runtime/sweeps/slide",
+    "runtime/rays/leak", "runtime/sweeps/slide", "runtime/scenes/scene", "runtime/scenes/hostile",
+    "runtime/scenes/loop", "runtime/scenes/tiles",
     "runtime/pairs/pair", "runtime/pairs/distance_work", "runtime/pairs/frame", "runtime/pairs/loop",
     "runtime/pairs/pages", "runtime/proximity/closest_pair", "runtime/sweeps/sweep", "runtime/transforms/transform",
     "runtime/base/float_bits", "runtime/base/wide_integer", "runtime/kernels/ray_triangle",
@@ -77,6 +79,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
 # The other tests of the runtime, and why no mutant is shown to them.
 LEFT_OUT = {
     "runtime/blob/hostile_test.cpp": "takes a minute",
+    "runtime/scenes/cost_test.cpp": "measures stacks, and the programs here have other frames",
     "runtime/pairs/real_meshes_test.cpp": "takes half a minute, and reads meshes that the programs here do not find",
     "runtime/traversal/triangle_loop_test.cpp": "judges the loop that other tests use, not the library"}
 QUESTIONS = [5, 100]  # of a kind and blob
