@@ -1,4 +1,4 @@
-// What every system is asked of many instances of a few meshes.
+// The interface of a system that casts rays at many instances of a few meshes.
 #pragma once
 
 #include <cstddef>
