@@ -35,7 +35,7 @@ struct BlobData {
     const std::byte* materials = nullptr;
     const std::byte* copies = nullptr;  // null without split references
     const std::byte* edge_flags = nullptr;
-    const std::byte* bounds = nullptr;  // the stored ones, in the order of format.hpp
+    const std::byte* bounds = nullptr;  // the stored ones, in the order of format/sections.hpp
     std::uint32_t size = 0;
     std::uint32_t features = 0;
     std::uint32_t triangle_count = 0;

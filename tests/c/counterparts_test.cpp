@@ -423,7 +423,7 @@ TEST_SUITE("counterparts") {
         const std::regex enumeration("enum class (?:\\[\\[nodiscard\\]\\] )?(\\w+) : std::uint8_t ?\\{([^}]*)\\}"),
             enumerator("\\w+");
         std::size_t enumerations = 0;
-        for (const auto& entry : std::filesystem::directory_iterator(project / "lib/espalier")) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "lib/espalier")) {
             const std::string header = entry.path().filename().string();
             if (entry.path().extension() != ".hpp" || header == "bake.hpp") continue;
             const std::string code = plain_code(entry.path());

@@ -21,7 +21,8 @@ PARTS = {
         "runtime/base/bits.hpp", "runtime/blob/node.hpp", "runtime/blob/plain_leaf.hpp",
         "runtime/blob/strip_leaf.hpp", "runtime/blob/predicted_strip_leaf.hpp", "runtime/blob/predicted_strip_leaf.cpp",
         "runtime/blob/vertex_word.hpp", "runtime/blob/duplicate_references.hpp",
-        "runtime/blob/id_steps.hpp", "espalier/format.hpp", "runtime/lanes/scalar.hpp", "runtime/lanes/axes.inl",
+        "runtime/blob/id_steps.hpp", "espalier/format/leaves.hpp", "espalier/format/nodes.hpp",
+        "espalier/format/sections.hpp", "runtime/lanes/scalar.hpp", "runtime/lanes/axes.inl",
         "runtime/lanes/leaves.inl", "runtime/lanes/strip_corners_portable.inl", "runtime/rays/leaf_filter.inl"],
     "quantiser": [
         "baker/quantise/lattice.hpp", "baker/quantise/lattice.cpp", "baker/error/fit_lattice.cpp",

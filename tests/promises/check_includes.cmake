@@ -22,11 +22,11 @@ set(plain_headers "<(array|bit|cfloat|climits|compare|concepts|cstddef|cstdint|l
 set(machine_headers "<(immintrin|arm_neon|wasm_simd128|arm_acle|cpuid)\\.h>")
 set(standard_headers "<[a-z_0-9]+(\\.h)?>")
 
-file(GLOB public_headers ${root}/lib/espalier/*.hpp)
+file(GLOB public_headers ${root}/lib/espalier/*.hpp ${root}/lib/espalier/format/*.hpp)
 set(baker_headers ${root}/lib/espalier/bake.hpp)
 list(REMOVE_ITEM public_headers ${baker_headers})
 check("a public header of the runtime includes public headers and freestanding ones only"
-  "<espalier/[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
+  "<espalier/(format/)?[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
 check("a public header of the baker includes public and standard headers only"
   "<espalier/[a-z_]+\\.hpp>|${standard_headers}" ${baker_headers})
 file(GLOB c_headers ${root}/lib/espalier/*.h ${root}/lib/espalier/c/*.h)

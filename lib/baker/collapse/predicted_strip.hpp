@@ -1,5 +1,5 @@
 // A strip as profile `tiny` stores it: what its vertices differ by from what the triangles before predict. The layout
-// is in format.hpp, at `predicted_strip`. Prediction by parallelograms goes back to Touma and Gotsman (1998).
+// is in format/leaves.hpp, at `predicted_strip`. Prediction by parallelograms goes back to Touma and Gotsman (1998).
 #pragma once
 
 #include <array>

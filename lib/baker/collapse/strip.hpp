@@ -1,5 +1,5 @@
 // A leaf's triangles as strips: paths from neighbour to neighbour, joined to one sequence of vertices. How a sequence
-// is read is in format.hpp, at `strip_leaf` and `predicted_strip`.
+// is read is in format/leaves.hpp, at `strip_leaf` and `predicted_strip`.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The bytes of nodes and leaves in every profile. The layout is in format.hpp and in docs/format.md, section 5.
+// The bytes of nodes and leaves in every profile. The layout is in espalier/format and in docs/format.md, section 5.
 #pragma once
 
 #include <cstddef>

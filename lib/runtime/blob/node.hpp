@@ -1,5 +1,5 @@
 // Nodes of both kinds, decoded to integers on the lattice, and what leaves of all kinds share: a place in a node, and
-// vertices by number. The layouts are in format.hpp. Each kind of node offers:
+// vertices by number. The layouts are in format/nodes.hpp. Each kind of node offers:
 // `node_children()`, `leaf_children()`, `first_child()`; the boxes of its children as `low(axis, child, bits)` and
 // `high(axis, child, bits)`; where the block of its leaves is.
 #pragma once
@@ -41,8 +41,8 @@ struct NodeBytes {
     }
 };
 
-// A node of profiles `balanced` and `small`, decoded: one cache line. The layout is in format.hpp. What comes out is
-// integers on the lattice: boxes as base + plane * 2^shift.
+// A node of profiles `balanced` and `small`, decoded: one cache line. The layout is in format/nodes.hpp. What comes out
+// is integers on the lattice: boxes as base + plane * 2^shift.
 
 /// Where the pieces of a node are.
 struct PackedNode : NodeBytes<format::packed_node::children_at, format::packed_node::leaf_block_at,
@@ -72,8 +72,8 @@ struct PackedNode : NodeBytes<format::packed_node::children_at, format::packed_n
     }
 };
 
-// A node of profile `fast`: numbers in whole bytes, which lanes load as they are. The layout is in format.hpp. What
-// comes out is integers on the lattice.
+// A node of profile `fast`: numbers in whole bytes, which lanes load as they are. The layout is in format/nodes.hpp.
+// What comes out is integers on the lattice.
 
 /// Where the pieces of a node are.
 struct PlainNode : NodeBytes<format::plain_node::children_at, format::plain_node::leaf_block_at,

@@ -1,5 +1,5 @@
 // The leaves of profile `fast`: coordinates and vertex numbers in whole bytes, which lanes load as they are. The layout
-// is in format.hpp. What comes out is integers on the lattice: triangles as corners.
+// is in format/leaves.hpp. What comes out is integers on the lattice: triangles as corners.
 #pragma once
 
 #include <cstddef>

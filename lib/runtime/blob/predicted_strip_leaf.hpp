@@ -1,5 +1,5 @@
 // Strips of profile `tiny`: most vertices are stored as what they differ by from a prediction, so a leaf is decoded as
-// a whole. The layout is in format.hpp.
+// a whole. The layout is in format/leaves.hpp.
 #pragma once
 
 #include <bit>

@@ -1,6 +1,6 @@
 // The leaves of profiles `balanced`, `small` and `tiny`, decoded: strips of triangles, each vertex stored once. The
-// layout is in format.hpp. Strips that turn either way by a bit go back to Deering (1995); that the pivot is the last
-// one marked is what lets all windows be decoded at once.
+// layout is in format/leaves.hpp. Strips that turn either way by a bit go back to Deering (1995); that the pivot is the
+// last one marked is what lets all windows be decoded at once.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// A decoder of blobs that was written from docs/format.md and format.hpp alone and shares no code with the runtime or
-// the baker: slow, plain, and the tests' second opinion on what the bytes mean.
+// A decoder of blobs that was written from docs/format.md and espalier/format alone and shares no code with the runtime
+// or the baker: slow, plain, and the tests' second opinion on what the bytes mean.
 #pragma once
 
 #include <array>

@@ -1,0 +1,121 @@
+// The sections of a blob but its nodes and leaves: source table, original ids, copies, edge flags, bounds. They lie in
+// this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4 bytes.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/format/header.hpp>
+
+namespace espalier::format {
+
+inline constexpr std::size_t guard_bytes = 64;  ///< zeros after the leaves, so that wide loads stay inside the blob
+
+namespace source {                          // one entry of the source table
+inline constexpr std::size_t first_at = 0;  // u32, original id of its first triangle; ascending, the first is 0
+inline constexpr std::size_t file_at = 4;   // u32
+inline constexpr std::size_t mesh_at = 8;   // u32
+inline constexpr std::size_t bytes = 12;
+}  // namespace source
+
+// The section of original ids. The number of a triangle is corner_factor * its original id + its first corner: which of
+// the original triangle's corners is stored first (0, 1 or 2; the others follow in its order). Numbers lie in blocks
+// of consecutive storage indices: the first in number_bits, then a step to each of the others. A step is the prefix of
+// a kind and a field; it leads to the recent number `from` + offset + field, modulo 2^number_bits. Recent numbers are
+// all the block's first one at its begin; then each new one is put in front, and the one at `replaced` is lost.
+// 2^id_kind_bits kinds: the next id_kind_bits bits are the number of the kind, its prefix is as many of them as the
+// kind has. Then the blocks' bits, in id_step_bytes together, low bits first, each block padded with zero bits to a
+// byte; then where each begins.
+namespace ids {
+inline constexpr unsigned max_kind_bits = 7;
+inline constexpr std::size_t offset_at = 0;    // u32, in a kind
+inline constexpr std::size_t width_at = 4;     // u8, at most number_bits
+inline constexpr std::size_t prefix_at = 5;    // u8, at most id_kind_bits
+inline constexpr std::size_t from_at = 6;      // u8, below recent_numbers
+inline constexpr std::size_t replaced_at = 7;  // u8, below recent_numbers
+inline constexpr std::size_t kind_bytes = 8;
+inline constexpr unsigned recent_numbers = 8;
+inline constexpr std::uint32_t block_triangles = 128;
+inline constexpr std::size_t block_bytes = 4;  // u32, where its bits begin, counted in bytes from the first block's
+constexpr std::uint32_t block_count(std::uint32_t triangle_count) {
+    return (triangle_count + block_triangles - 1) / block_triangles;
+}
+/// A strip begins a triangle where it needs to; a plain leaf keeps the source's first corner.
+constexpr std::uint32_t corner_factor(Profile profile) { return profile == Profile::fast ? 1 : 3; }
+/// Numbers are below this, which is at most 2^32.
+constexpr std::uint64_t number_limit(Profile profile, std::uint32_t source_triangles) {
+    return std::uint64_t{corner_factor(profile)} * source_triangles;
+}
+constexpr unsigned number_bits(std::uint64_t number_limit) {
+    return number_limit == 0 ? 0 : static_cast<unsigned>(std::bit_width(number_limit - 1));
+}
+}  // namespace ids
+
+// The section of split references: which storage indices are copies, and of which triangle. The lowest storage index of
+// a triangle is its owner; copies have the same corners in the same order, and lie in leaves whose boxes hold other
+// parts of it. u32 number of copies; a block for each started 256 storage indices: u32 copies before it, then a bit for
+// each index, low bits first, set for copies; then u32 owner for each copy, in storage order. Profile fast only.
+namespace copies {
+inline constexpr std::size_t count_at = 0;
+inline constexpr std::size_t blocks_at = 4;
+inline constexpr std::uint32_t block_indices = 256;
+inline constexpr std::size_t bits_at = 4;  // in a block
+inline constexpr std::size_t block_bytes = 36;
+inline constexpr std::size_t owner_bytes = 4;
+static_assert(bits_at + block_indices / 8 == block_bytes);
+constexpr std::uint32_t block_count(std::uint32_t triangle_count) {
+    return (triangle_count + block_indices - 1) / block_indices;
+}
+constexpr std::uint64_t blocks_bytes(std::uint32_t triangle_count) {
+    return std::uint64_t{block_count(triangle_count)} * block_bytes;
+}
+}  // namespace copies
+
+// The section of edge flags: u32 the squared sine of the largest angle that counts as flat, in 2^-24; then for each
+// storage index a field of 6 bits, 2 for each edge, from corner e to the next: flat, convex, concave,
+// boundary.
+namespace edge_flags {
+inline constexpr std::size_t flat_limit_at = 0;
+inline constexpr std::size_t fields_at = 4;
+inline constexpr unsigned edge_bits = 2;
+inline constexpr unsigned triangle_bits = 3 * edge_bits;
+inline constexpr std::uint32_t max_flat_limit = 1u << 24;
+}  // namespace edge_flags
+
+// Bounds of the whole asset, in this order, each with its own feature bit.
+namespace bounds {
+/// Lengths of the oriented box and the sphere are whole sixteenths of a lattice step. All numbers but the quaternion
+/// are within +-max_length.
+inline constexpr int units_per_step = 16;
+inline constexpr std::int32_t max_length = 1 << 29;
+
+// The oriented box: a rotation as a quaternion of integers w x y z, 4 x i16, whose matrix of integers has perpendicular
+// rows of length w^2 + x^2 + y^2 + z^2 (lib/runtime/blob/stored_bounds.hpp); then along each row lo and hi, 6 x i32.
+inline constexpr std::size_t quaternion_at = 0;
+inline constexpr std::size_t lo_at = 8;
+inline constexpr std::size_t hi_at = 20;
+inline constexpr std::size_t oriented_box_bytes = 32;
+inline constexpr std::int32_t max_quaternion = 2047;
+
+// The sphere: its center, 3 x i32, and its radius, u32.
+inline constexpr std::size_t center_at = 0;
+inline constexpr std::size_t radius_at = 12;
+inline constexpr std::size_t sphere_bytes = 16;
+
+// The 26-DOP: least and greatest value of each sum below over all vertices, in lattice steps, 2 x i32. The three axes
+// are in the header.
+inline constexpr unsigned k_dop_directions = 10;
+inline constexpr std::int8_t k_dop_direction[k_dop_directions][3] = {{1, 1, 0},  {1, -1, 0}, {1, 0, 1}, {1, 0, -1},
+                                                                     {0, 1, 1},  {0, 1, -1}, {1, 1, 1}, {1, 1, -1},
+                                                                     {1, -1, 1}, {1, -1, -1}};
+inline constexpr std::size_t k_dop_bytes = 8 * k_dop_directions;
+
+constexpr std::size_t bytes(std::uint32_t features) {
+    return ((features & feature::oriented_box) != 0 ? oriented_box_bytes : 0) +
+           ((features & feature::bounding_sphere) != 0 ? sphere_bytes : 0) +
+           ((features & feature::k_dop) != 0 ? k_dop_bytes : 0);
+}
+}  // namespace bounds
+
+}  // namespace espalier::format
