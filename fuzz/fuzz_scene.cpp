@@ -13,9 +13,9 @@
 #include <espalier/espalier.hpp>
 
 #include "judge.hpp"
+#include "opening.hpp"
 #include "support/base/checksum.hpp"
 #include "support/loops/scene_loop.hpp"
-#include "support/machine/exact_buffer.hpp"
 #include "target.hpp"
 
 using namespace espalier;
@@ -25,31 +25,15 @@ namespace {
 
 namespace layout = format::scene;
 
-std::uint32_t get(std::span<const std::byte> bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (unsigned i = 0; i < 4; ++i) value |= std::to_integer<std::uint32_t>(bytes[at + i]) << (8 * i);
-    return value;
-}
-
-void put(std::span<std::byte> bytes, std::size_t at, std::uint32_t value) {
-    for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::byte>(value >> (8 * i));
-}
-
-/// How many of the bytes are the scene: all, if the header does not say.
-std::size_t scene_size(std::span<const std::byte> bytes) {
-    if (bytes.size() < layout::header_bytes) return bytes.size();
-    const std::uint32_t stated = get(bytes, layout::total_bytes_at);
-    return stated >= layout::header_bytes && stated <= bytes.size() ? stated : bytes.size();
-}
-
 /// Calls `visit` with each mesh and tile that lies inside the scene and returns where what follows them begins.
 template <class Visit>
 std::size_t for_each_part(std::span<std::byte> scene, Visit visit) {
-    const std::size_t stated = std::size_t{get(scene, layout::mesh_count_at)} + get(scene, layout::tile_count_at);
+    const std::size_t stated =
+        std::size_t{fuzz::get(scene, layout::mesh_count_at)} + fuzz::get(scene, layout::tile_count_at);
     const std::size_t count = std::min<std::size_t>(stated, scene.size() / 4);
     std::size_t at = layout::header_bytes + layout::part_size_bytes * count;
     for (std::size_t i = 0; i < count && at <= scene.size(); ++i) {
-        const std::size_t size = get(scene, layout::header_bytes + layout::part_size_bytes * i);
+        const std::size_t size = fuzz::get(scene, layout::header_bytes + layout::part_size_bytes * i);
         at = layout::aligned(at);
         if (at > scene.size() || size > scene.size() - at) return scene.size();
         visit(scene.subspan(at, size));
@@ -58,19 +42,15 @@ std::size_t for_each_part(std::span<std::byte> scene, Visit visit) {
     return std::min(layout::aligned(at), scene.size());
 }
 
-/// So that only what is behind the first checks decides.
+/// Repairs the parts too, whose checksums are part of what the scene's own covers.
 void repair(std::span<std::byte> scene) {
-    put(scene, layout::magic_at, layout::magic);
-    put(scene, layout::version_major_at, layout::version_major | std::uint32_t{layout::version_minor} << 16);
-    put(scene, layout::total_bytes_at, static_cast<std::uint32_t>(scene.size()));
     for_each_part(scene, [](std::span<std::byte> part) {
-        const bool is_tile = part.size() >= layout::header_bytes && get(part, layout::magic_at) == layout::magic;
+        const bool is_tile = part.size() >= layout::header_bytes && fuzz::get(part, layout::magic_at) == layout::magic;
         if (is_tile) for_each_part(part, [](std::span<std::byte> mesh) { repair_checksum(mesh); });
         repair_checksum(part);
     });
-    repair_checksum(scene);  // where a blob has its own
+    fuzz::repair_header(scene, layout::magic, layout::version_major, layout::version_minor);
 }
-static_assert(layout::checksum_at == format::header::checksum_at);
 
 /// Shapes near a scene, from arguments that the fuzzer chooses.
 class Shapes {
@@ -171,39 +151,21 @@ void open_and_ask(std::span<const std::byte> bytes, std::span<const std::byte> a
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const auto all = std::as_bytes(std::span(data, size));
-    const std::size_t scene_bytes = scene_size(all);
-    const auto arguments = all.subspan(scene_bytes);
-    // The exact-size copy lies at an address that the input chooses.
-    ExactBuffer buffer(all.first(scene_bytes), size % 16);
-    open_and_ask(buffer.bytes(), arguments);
-    if (scene_bytes < layout::header_bytes) return 0;
-    repair(buffer.bytes());
-    if (!std::equal(buffer.bytes().begin(), buffer.bytes().end(), all.begin())) open_and_ask(buffer.bytes(), arguments);
+    fuzz::judge_repaired_too(std::as_bytes(std::span(data, size)), open_and_ask, repair);
     return 0;
 }
 
 #if defined(ESPALIER_FUZZ)
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
-
 namespace {
 
-constexpr std::uint32_t hostile_words[] = {0,          1,          2,          0xFF,       0xFFFFFF,   0x1000000,
-                                           0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x7F7FFFFF, 0x7F800000, 0x7FC00000,
-                                           0x00800000, 0x0D800000, 0x71800000, 0x3F800000, 0xBF800000};
-
-/// A word of the header, or of the nodes and records: one more, one less, a bit, or a number that breaks careless code.
+/// Changes a word of the header, or of the nodes and records.
 void change_a_word(std::span<std::byte> scene, Random& random) {
     const std::size_t from = random.below(4) == 0 ? 0 : for_each_part(scene, [](std::span<std::byte>) {});
     const std::size_t end = from == 0 ? layout::header_bytes + 16 : scene.size();
     if (end > scene.size() || end < from + 4) return;
     const std::size_t at = from + 4 * std::size_t{random.below(static_cast<std::uint32_t>((end - from) / 4))};
-    const std::uint32_t word = get(scene, at);
-    const std::uint32_t words[] = {word + 1, word - 1, word ^ 1u << random.below(32),
-                                   (word & 0xFFFFFF00u) | random.below(256),
-                                   hostile_words[random.below(std::size(hostile_words))]};
-    put(scene, at, words[random.below(std::size(words))]);
+    fuzz::put(scene, at, fuzz::changed_word(fuzz::get(scene, at), random));
 }
 
 }  // namespace
@@ -213,7 +175,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                unsigned seed) {
     Random random(seed);
     const auto bytes_of = [&](std::size_t count) { return std::as_writable_bytes(std::span(data, count)); };
-    const std::size_t scene_bytes = scene_size(bytes_of(size));
+    const std::size_t scene_bytes = fuzz::stated_size(bytes_of(size));
     if (scene_bytes < layout::header_bytes || random.below(8) == 0) return LLVMFuzzerMutate(data, size, max_size);
     if (random.below(3) == 0) {  // other arguments
         const std::size_t room = std::min<std::size_t>(max_size - scene_bytes, 512);
