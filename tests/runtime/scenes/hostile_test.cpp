@@ -1,6 +1,7 @@
 // Claims about scenes of any bytes: open_scene() refuses them, or every query on them is safe.
 #include <doctest/doctest.h>
 
+#include <span>
 #include <vector>
 
 #include <espalier/bake.hpp>
@@ -16,12 +17,13 @@ using namespace espalier::tests;
 
 namespace {
 
-void repair_checksum(std::vector<std::byte>& bytes) {
-    if (bytes.size() < format::scene::header_bytes) return;
-    const std::uint32_t checksum = detail::checksum_of_blob(bytes);
-    for (unsigned i = 0; i < 4; ++i) {
-        bytes[format::scene::checksum_at + i] = static_cast<std::byte>(checksum >> 8 * i);
-    }
+void put(std::span<std::byte> bytes, std::size_t at, std::uint32_t value) {
+    for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::byte>(value >> 8 * i);
+}
+
+void put_checksum(std::span<std::byte> scene) {
+    if (scene.size() >= format::scene::header_bytes)
+        put(scene, format::scene::checksum_at, detail::checksum_of_blob(scene));
 }
 
 /// Opens the bytes at the end of an allocation, and runs every query if they are accepted.
@@ -113,7 +115,7 @@ TEST_SUITE("hostile") {
                 const bool is_checksum = byte / 4 == format::scene::checksum_at / 4;
                 REQUIRE_FALSE(open_scene(bytes, meshes));
                 if (is_checksum) continue;
-                repair_checksum(bytes);
+                put_checksum(bytes);
                 ++tried;
                 accepted += exercise(bytes) ? 1u : 0u;
             }
@@ -133,8 +135,8 @@ TEST_SUITE("hostile") {
         const auto try_at = [&](std::size_t at) {
             for (const std::uint32_t value : values) {
                 std::vector<std::byte> bytes = original;
-                for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::byte>(value >> 8 * i);
-                repair_checksum(bytes);
+                put(bytes, at, value);
+                put_checksum(bytes);
                 exercise(bytes);
             }
         };
@@ -153,12 +155,9 @@ TEST_SUITE("hostile") {
             if (at >= format::scene::header_bytes + 64 && at < tile_at) continue;  // the mesh
             for (const std::uint32_t value : {0u, 1u, 2u, 0xFFFFFFu, 0x80000000u, 0xFFFFFFFFu, 0x7F800000u}) {
                 std::vector<std::byte> bytes = original;
-                for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::byte>(value >> 8 * i);
-                const std::span<std::byte> inner = std::span(bytes).subspan(tile_at, tile_size);
-                const std::uint32_t checksum = detail::checksum_of_blob(inner);
-                for (unsigned i = 0; i < 4; ++i)
-                    inner[format::scene::checksum_at + i] = static_cast<std::byte>(checksum >> 8 * i);
-                repair_checksum(bytes);
+                put(bytes, at, value);
+                put_checksum(std::span(bytes).subspan(tile_at, tile_size));
+                put_checksum(bytes);
                 ++tried;
                 accepted += exercise(bytes) ? 1u : 0u;
             }
@@ -190,7 +189,7 @@ TEST_SUITE("hostile") {
         std::byte& plane = bytes[nodes_at + format::packed_node::hi_at];
         REQUIRE(plane != bytes[nodes_at + format::packed_node::lo_at]);
         plane = bytes[nodes_at + format::packed_node::lo_at];
-        repair_checksum(bytes);
+        put_checksum(bytes);
         std::vector<Blob> meshes(8);
         REQUIRE(open_scene(bytes, meshes));
         const VerifyReport report = verify_scene(bytes);

@@ -29,95 +29,83 @@ SceneFilter any_filter(std::uint64_t i, Random& random) {
     return i % 5 == 0 ? SceneFilter(mask, keep) : SceneFilter(mask);
 }
 
+/// Calls `compare(scene, maker, i)` for each scene and i below `count`. Returns the sum of the results.
+template <class Compare>
+std::size_t count_found(std::uint64_t seed, std::uint64_t count, Compare compare) {
+    std::size_t found = 0;
+    for (const TestScene& test : test_scenes()) {
+        CAPTURE(test.name);
+        SceneQueryMaker maker(test, seed);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            CAPTURE(i);
+            found += compare(test.opened.scene, maker, i);
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 TEST_SUITE("loop") {
     TEST_CASE("scene: closest and any and every hit equal the loop over all instances") {
-        std::size_t hits = 0;
-        for (const TestScene& test : test_scenes()) {
-            CAPTURE(test.name);
-            SceneQueryMaker maker(test, 11);
-            for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
-                CAPTURE(i);
-                const Ray ray = maker.ray();
-                hits += checked(compare_rays(test.opened.scene, ray, any_filter(i, maker.random())));
-            }
-        }
-        CHECK(hits > scaled(2'000));
+        const auto compare = [](const BakedScene& scene, SceneQueryMaker& maker, std::uint64_t i) {
+            const Ray ray = maker.ray();
+            return checked(compare_rays(scene, ray, any_filter(i, maker.random())));
+        };
+        CHECK(count_found(11, scaled(2'000), compare) > scaled(2'000));
     }
 
     TEST_CASE("scene: rays of any length equal the loop over all instances") {
-        std::size_t hits = 0;
-        for (const TestScene& test : test_scenes()) {
-            CAPTURE(test.name);
-            SceneQueryMaker maker(test, 15);
-            for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
-                Ray ray = maker.ray();
-                const int exponent = maker.random().between(-140, 90);
-                ray.direction = {std::ldexp(ray.direction.x, exponent), std::ldexp(ray.direction.y, exponent),
-                                 std::ldexp(ray.direction.z, exponent)};
-                ray.t_max = std::ldexp(ray.t_max, -exponent);
-                if (i % 4 == 0) ray.direction.y = std::ldexp(ray.direction.y, -60);
-                if (ray.direction == Vec3{}) continue;
-                CAPTURE(i);
-                hits += checked(compare_rays(test.opened.scene, ray));
-            }
-        }
-        CHECK(hits > scaled(500));
+        const auto compare = [](const BakedScene& scene, SceneQueryMaker& maker, std::uint64_t i) {
+            Ray ray = maker.ray();
+            const int exponent = maker.random().between(-140, 90);
+            ray.direction = {std::ldexp(ray.direction.x, exponent), std::ldexp(ray.direction.y, exponent),
+                             std::ldexp(ray.direction.z, exponent)};
+            ray.t_max = std::ldexp(ray.t_max, -exponent);
+            if (i % 4 == 0) ray.direction.y = std::ldexp(ray.direction.y, -60);
+            return ray.direction == Vec3{} ? 0 : checked(compare_rays(scene, ray));
+        };
+        CHECK(count_found(15, scaled(1'000), compare) > scaled(500));
     }
 
     TEST_CASE("scene: closest points equal the loop over all instances") {
-        std::size_t found = 0;
-        for (const TestScene& test : test_scenes()) {
-            CAPTURE(test.name);
-            SceneQueryMaker maker(test, 12);
-            for (std::uint64_t i = 0; i < scaled(500); ++i) {
-                const Vec3 point = maker.point();
-                const float most = i % 2 == 0 ? __builtin_inff() : maker.sphere().radius;
-                const std::uint32_t mask = i % 3 == 0 ? maker.random().below(16) : 0xFFFFFFFF;
-                CAPTURE(i);
-                found += checked(compare_closest_points(test.opened.scene, point, most, mask));
-            }
-        }
-        CHECK(found > scaled(500));
+        const auto compare = [](const BakedScene& scene, SceneQueryMaker& maker, std::uint64_t i) {
+            const Vec3 point = maker.point();
+            const float most = i % 2 == 0 ? __builtin_inff() : maker.sphere().radius;
+            const std::uint32_t mask = i % 3 == 0 ? maker.random().below(16) : 0xFFFFFFFF;
+            return checked(compare_closest_points(scene, point, most, mask));
+        };
+        CHECK(count_found(12, scaled(500), compare) > scaled(500));
     }
 
     TEST_CASE("scene: overlaps of every shape equal the loop over all instances") {
-        std::size_t found = 0;
-        for (const TestScene& test : test_scenes()) {
-            CAPTURE(test.name);
-            SceneQueryMaker maker(test, 13);
-            for (std::uint64_t i = 0; i < scaled(100); ++i) {
-                CAPTURE(i);
-                const auto compare = [&](const auto& shape) {
-                    found += checked(compare_overlaps(test.opened.scene, shape, any_filter(i, maker.random())));
-                };
-                compare(maker.sphere());
-                compare(maker.capsule());
-                compare(maker.box());
-                compare(maker.oriented_box());
-                compare(maker.triangle());
-                compare(maker.cone());
-            }
-        }
-        CHECK(found > scaled(100));
+        const auto compare = [](const BakedScene& scene, SceneQueryMaker& maker, std::uint64_t i) {
+            std::size_t found = 0;
+            const auto add = [&](const auto& shape) {
+                found += checked(compare_overlaps(scene, shape, any_filter(i, maker.random())));
+            };
+            add(maker.sphere());
+            add(maker.capsule());
+            add(maker.box());
+            add(maker.oriented_box());
+            add(maker.triangle());
+            add(maker.cone());
+            return found;
+        };
+        CHECK(count_found(13, scaled(100), compare) > scaled(100));
     }
 
     TEST_CASE("scene: sweeps of spheres and capsules equal the loop over all instances") {
-        std::size_t found = 0;
-        for (const TestScene& test : test_scenes()) {
-            CAPTURE(test.name);
-            SceneQueryMaker maker(test, 14);
-            for (std::uint64_t i = 0; i < scaled(100); ++i) {
-                CAPTURE(i);
-                const auto compare = [&](const auto& shape, const Vec3& displacement) {
-                    const SceneFilter filter = any_filter(i, maker.random());
-                    found += checked(compare_sweeps(test.opened.scene, shape, displacement, filter));
-                };
-                compare(maker.sphere(), maker.displacement());
-                compare(maker.capsule(), maker.displacement());
-            }
-        }
-        CHECK(found > scaled(100));
+        const auto compare = [](const BakedScene& scene, SceneQueryMaker& maker, std::uint64_t i) {
+            std::size_t found = 0;
+            const auto add = [&](const auto& shape, const Vec3& displacement) {
+                const SceneFilter filter = any_filter(i, maker.random());
+                found += checked(compare_sweeps(scene, shape, displacement, filter));
+            };
+            add(maker.sphere(), maker.displacement());
+            add(maker.capsule(), maker.displacement());
+            return found;
+        };
+        CHECK(count_found(14, scaled(100), compare) > scaled(100));
     }
 }
