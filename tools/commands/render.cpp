@@ -134,10 +134,10 @@ public:
                                    {.file = arguments.blob});
             }
             scene_ = open_scene_file(arguments.blob, bytes_);
-            subject_ = std::make_unique<SceneSubject>(scene_.scene);
+            subject_ = subject_of(scene_.scene);
         } else {
             blob_ = open_blob(arguments.blob, std::move(bytes_));
-            subject_ = std::make_unique<BlobSubject>(blob_.blob);
+            subject_ = subject_of(blob_.blob);
         }
     }
     Picture(const Picture&) = delete;

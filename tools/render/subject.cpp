@@ -1,35 +1,36 @@
 #include "subject.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 #include <espalier/transform.hpp>
 #include <espalier/walk.hpp>
 
 namespace espalier::tools {
 
-RayHit BlobSubject::closest_hit(const Ray& ray) const { return raycast(blob_, ray); }
-bool BlobSubject::is_hit(const Ray& ray) const { return occluded(blob_, ray).yes(); }
-Box BlobSubject::bounds() const { return {blob_.bounds().min, blob_.bounds().max}; }
-float BlobSubject::step() const { return std::ldexp(1.0f, blob_.lattice().step_exponent); }
+namespace {
 
-void BlobSubject::for_each_corner(const std::function<void(Vec3)>& visit) const {
-    static_cast<void>(for_each_triangle(blob_, [&](TriangleId, const Triangle& corners) {
+RayHit hit_of(const Blob& blob, const Ray& ray) { return raycast(blob, ray); }
+RayHit hit_of(const BakedScene& scene, const Ray& ray) { return *raycast(scene, ray); }
+
+float step_of(const Blob& blob) { return std::ldexp(1.0f, blob.lattice().step_exponent); }
+float step_of(const BakedScene& scene) { return detail::data_of(scene).coarsest_step; }
+
+/// Visits the corners of all triangles.
+void visit_corners(const Blob& blob, const std::function<void(Vec3)>& visit) {
+    static_cast<void>(for_each_triangle(blob, [&](TriangleId, const Triangle& corners) {
         for (const Vec3& corner : {corners.a, corners.b, corners.c}) visit(corner);
         return Visit::next;
     }));
 }
 
-RayHit SceneSubject::closest_hit(const Ray& ray) const { return *raycast(scene_, ray); }
-bool SceneSubject::is_hit(const Ray& ray) const { return occluded(scene_, ray).yes(); }
-Box SceneSubject::bounds() const { return scene_.bounds(); }
-float SceneSubject::step() const { return detail::data_of(scene_).coarsest_step; }
-
-void SceneSubject::for_each_corner(const std::function<void(Vec3)>& visit) const {
-    for (std::uint32_t i = 0; i < scene_.instance_count(); ++i) {
-        const Instance instance = *instance_at(scene_, {i});
-        const Result<Blob> mesh = mesh_at(scene_, {i});
+/// Visits the corners of the boxes of all instances.
+void visit_corners(const BakedScene& scene, const std::function<void(Vec3)>& visit) {
+    for (std::uint32_t i = 0; i < scene.instance_count(); ++i) {
+        const Instance instance = *instance_at(scene, {i});
+        const Result<Blob> mesh = mesh_at(scene, {i});
         if (mesh && mesh->triangle_count() == 0) continue;
-        const Box bounds = mesh ? mesh->bounds() : scene_.tiles()[instance.mesh - scene_.meshes().size()].bounds();
+        const Box bounds = mesh ? mesh->bounds() : scene.tiles()[instance.mesh - scene.meshes().size()].bounds();
         const Vec3 low = bounds.min;
         const Vec3 high = bounds.max;
         for (unsigned corner = 0; corner < 8; ++corner) {
@@ -39,5 +40,26 @@ void SceneSubject::for_each_corner(const std::function<void(Vec3)>& visit) const
         }
     }
 }
+
+/// A subject that is a blob or a scene.
+template <class Surface>
+class SubjectOf final : public Subject {
+public:
+    explicit SubjectOf(const Surface& surface) : surface_(surface) {}
+
+    [[nodiscard]] RayHit closest_hit(const Ray& ray) const override { return hit_of(surface_, ray); }
+    [[nodiscard]] bool is_hit(const Ray& ray) const override { return occluded(surface_, ray).yes(); }
+    [[nodiscard]] Box bounds() const override { return surface_.bounds(); }
+    [[nodiscard]] float step() const override { return step_of(surface_); }
+    void for_each_corner(const std::function<void(Vec3)>& visit) const override { visit_corners(surface_, visit); }
+
+private:
+    const Surface& surface_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> subject_of(const Blob& blob) { return std::make_unique<SubjectOf<Blob>>(blob); }
+std::unique_ptr<Subject> subject_of(const BakedScene& scene) { return std::make_unique<SubjectOf<BakedScene>>(scene); }
 
 }  // namespace espalier::tools

@@ -1,8 +1,8 @@
 // What a picture shows: a blob or a scene.
 #pragma once
 
-#include <cstdint>
 #include <functional>
+#include <memory>
 
 #include <espalier/blob.hpp>
 #include <espalier/ray.hpp>
@@ -27,34 +27,8 @@ public:
     virtual void for_each_corner(const std::function<void(Vec3)>& visit) const = 0;
 };
 
-class BlobSubject : public Subject {
-public:
-    explicit BlobSubject(const Blob& blob) : blob_(blob) {}
-
-    [[nodiscard]] RayHit closest_hit(const Ray& ray) const override;
-    [[nodiscard]] bool is_hit(const Ray& ray) const override;
-    [[nodiscard]] Box bounds() const override;
-    [[nodiscard]] float step() const override;
-    /// Visits the corners of all triangles.
-    void for_each_corner(const std::function<void(Vec3)>& visit) const override;
-
-private:
-    const Blob& blob_;
-};
-
-class SceneSubject : public Subject {
-public:
-    explicit SceneSubject(const BakedScene& scene) : scene_(scene) {}
-
-    [[nodiscard]] RayHit closest_hit(const Ray& ray) const override;
-    [[nodiscard]] bool is_hit(const Ray& ray) const override;
-    [[nodiscard]] Box bounds() const override;
-    [[nodiscard]] float step() const override;
-    /// Visits the corners of the boxes of all instances.
-    void for_each_corner(const std::function<void(Vec3)>& visit) const override;
-
-private:
-    const BakedScene& scene_;
-};
+/// Return a view of a surface, which must outlive it.
+[[nodiscard]] std::unique_ptr<Subject> subject_of(const Blob& blob);
+[[nodiscard]] std::unique_ptr<Subject> subject_of(const BakedScene& scene);
 
 }  // namespace espalier::tools
