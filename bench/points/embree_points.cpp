@@ -1,10 +1,9 @@
 #include "embree_points.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <cmath>
-#include <cstring>
 #include <limits>
+
+#include "../embree.hpp"
 
 namespace espalier::bench {
 namespace {
@@ -72,8 +71,8 @@ bool keep_closest(RTCPointQueryFunctionArguments* arguments) {
 
 struct EmbreePoints::Scene {
     const Mesh& mesh;
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
+    EmbreeDevice device = {};
+    RTCScene scene = device.new_scene(mesh);
 
     void ask(Vec3 center, float radius, RTCPointQueryFunction function, Question& question) const {
         RTCPointQuery query = {center.x, center.y, center.z, 0.0f, radius};
@@ -83,26 +82,9 @@ struct EmbreePoints::Scene {
     }
 };
 
-EmbreePoints::EmbreePoints(const Mesh& mesh) : scene_(new Scene{mesh}) {
-    scene_->device = rtcNewDevice("threads=1,set_affinity=0");
-    scene_->scene = rtcNewScene(scene_->device);
-    RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* vertices =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size());
-    std::memcpy(vertices, mesh.positions.data(), 12 * mesh.positions.size());
-    void* indices =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size());
-    std::memcpy(indices, mesh.triangles.data(), 12 * mesh.triangles.size());
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_->scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene_->scene);
-}
+EmbreePoints::EmbreePoints(const Mesh& mesh) : scene_(new Scene{mesh}) { rtcCommitScene(scene_->scene); }
 
-EmbreePoints::~EmbreePoints() {
-    rtcReleaseScene(scene_->scene);
-    rtcReleaseDevice(scene_->device);
-}
+EmbreePoints::~EmbreePoints() { rtcReleaseScene(scene_->scene); }
 
 std::size_t EmbreePoints::count_within(Vec3 center, float radius) const {
     Question question = {&scene_->mesh, radius * radius, 0};

@@ -1,25 +1,22 @@
-#include <embree3/rtcore.h>
-#include <pmmintrin.h>
-#include <xmmintrin.h>
-
 #include <cstring>
 
+#include "../embree.hpp"
 #include "scene_system.hpp"
 
 namespace espalier::bench {
 namespace {
 
-// Bytes are what Embree's memory monitor states once everything is committed.
 class EmbreeScene final : public SceneSystem {
 public:
     explicit EmbreeScene(const Placed& placed) {
-        device_ = rtcNewDevice("threads=1,set_affinity=0");
-        rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, this);
-        for (const Mesh& mesh : placed.meshes) meshes_.push_back(commit(mesh));
+        for (const Mesh& mesh : placed.meshes) {
+            meshes_.push_back(device_.new_scene(mesh));
+            rtcCommitScene(meshes_.back());
+        }
         if (placed.instances.empty()) return;
-        scene_ = rtcNewScene(device_);
+        scene_ = rtcNewScene(device_.get());
         for (const Instance& instance : placed.instances) {
-            RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+            RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
             rtcSetGeometryInstancedScene(geometry, meshes_[instance.mesh]);
             rtcSetGeometryTimeStepCount(geometry, 1);
             float columns[12];
@@ -38,64 +35,23 @@ public:
     ~EmbreeScene() override {
         if (scene_ != nullptr) rtcReleaseScene(scene_);
         for (RTCScene mesh : meshes_) rtcReleaseScene(mesh);
-        rtcReleaseDevice(device_);
     }
     void closest(const std::vector<Ray>& rays, std::vector<float>& hits) override {
-        // Embree asks for flush-to-zero; the others are measured without.
-        const unsigned before = _mm_getcsr();
-        _mm_setcsr(before | 0x8040u);
+        const FlushToZero mode;
         RTCScene scene = scene_ != nullptr ? scene_ : meshes_.front();
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            const Ray& ray = rays[i];
-            RTCRayHit query;
-            query.ray = {ray.origin.x,
-                         ray.origin.y,
-                         ray.origin.z,
-                         ray.t_min,
-                         ray.direction.x,
-                         ray.direction.y,
-                         ray.direction.z,
-                         0.0f,
-                         ray.t_max,
-                         ~0u,
-                         0,
-                         0};
-            query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-            rtcIntersect1(scene, &context, &query);
-            hits[i] = query.hit.geomID != RTC_INVALID_GEOMETRY_ID ? query.ray.tfar : miss;
+            const RTCRayHit query = embree_closest_hit(scene, context, rays[i]);
+            hits[i] = is_hit(query) ? query.ray.tfar : miss;
         }
-        _mm_setcsr(before);
     }
-    [[nodiscard]] std::size_t bytes() const override { return static_cast<std::size_t>(bytes_); }
+    [[nodiscard]] std::size_t bytes() const override { return device_.bytes(); }
 
 private:
-    RTCScene commit(const Mesh& mesh) {
-        RTCScene scene = rtcNewScene(device_);
-        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        void* vertices =
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size());
-        std::memcpy(vertices, mesh.positions.data(), 12 * mesh.positions.size());
-        void* indices =
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size());
-        std::memcpy(indices, mesh.triangles.data(), 12 * mesh.triangles.size());
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene);
-        return scene;
-    }
-    static bool count_bytes(void* self, ssize_t bytes, bool) {
-        static_cast<EmbreeScene*>(self)->bytes_ += bytes;
-        return true;
-    }
-
-    RTCDevice device_ = nullptr;
+    EmbreeDevice device_;
     std::vector<RTCScene> meshes_;
     RTCScene scene_ = nullptr;
-    ssize_t bytes_ = 0;
 };
 
 }  // namespace

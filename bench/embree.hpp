@@ -1,0 +1,97 @@
+// Embree as every benchmark measures it: one thread, and meshes copied into its own buffers. Compiled where Embree is
+// installed.
+#pragma once
+
+#include <embree3/rtcore.h>
+#include <pmmintrin.h>
+#include <xmmintrin.h>
+
+#include <cstddef>
+#include <cstring>
+
+#include "rays.hpp"
+
+namespace espalier::bench {
+
+class EmbreeDevice {
+public:
+    EmbreeDevice() : device_(rtcNewDevice("threads=1,set_affinity=0")) {
+        rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, this);
+    }
+    ~EmbreeDevice() { rtcReleaseDevice(device_); }
+    EmbreeDevice(const EmbreeDevice&) = delete;
+    EmbreeDevice& operator=(const EmbreeDevice&) = delete;
+
+    [[nodiscard]] RTCDevice get() const { return device_; }
+    /// Returns what Embree's memory monitor states: trees, vertices and indices of the scenes that are committed.
+    [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(bytes_); }
+
+    /// Returns a scene with a copy of the mesh, to be committed and released by the caller.
+    [[nodiscard]] RTCScene new_scene(const Mesh& mesh) const {
+        RTCScene scene = rtcNewScene(device_);
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        void* vertices =
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size());
+        std::memcpy(vertices, mesh.positions.data(), 12 * mesh.positions.size());
+        void* indices =
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size());
+        std::memcpy(indices, mesh.triangles.data(), 12 * mesh.triangles.size());
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+        return scene;
+    }
+
+private:
+    static bool count_bytes(void* self, ssize_t bytes, bool) {
+        static_cast<EmbreeDevice*>(self)->bytes_ += bytes;
+        return true;
+    }
+
+    ssize_t bytes_ = 0;
+    RTCDevice device_;
+};
+
+/// The processor's mode that Embree requires for its rays, from construction to destruction. The other systems are
+/// measured without it.
+class FlushToZero {
+public:
+    FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040u); }
+    ~FlushToZero() { _mm_setcsr(before_); }
+    FlushToZero(const FlushToZero&) = delete;
+    FlushToZero& operator=(const FlushToZero&) = delete;
+
+private:
+    unsigned before_;
+};
+
+inline RTCRay embree_ray(const Ray& ray) {
+    RTCRay query;
+    query.org_x = ray.origin.x;
+    query.org_y = ray.origin.y;
+    query.org_z = ray.origin.z;
+    query.tnear = ray.t_min;
+    query.dir_x = ray.direction.x;
+    query.dir_y = ray.direction.y;
+    query.dir_z = ray.direction.z;
+    query.time = 0.0f;
+    query.tfar = ray.t_max;
+    query.mask = ~0u;
+    query.id = 0;
+    query.flags = 0;
+    return query;
+}
+
+/// Returns the result of the query for the closest hit: one without an id is a miss.
+inline RTCRayHit embree_closest_hit(RTCScene scene, RTCIntersectContext& context, const Ray& ray) {
+    RTCRayHit query;
+    query.ray = embree_ray(ray);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene, &context, &query);
+    return query;
+}
+
+inline bool is_hit(const RTCRayHit& query) { return query.hit.geomID != RTC_INVALID_GEOMETRY_ID; }
+
+}  // namespace espalier::bench
