@@ -1,4 +1,4 @@
-// What every system is asked of a mesh and a second one of the same kind.
+// The interface of a system that queries a mesh together with a second one of the same kind, in many poses.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A system under measurement: built on one mesh, then asked for many rays.
+// The interface of a system that is measured: built on one mesh, then queried with many rays.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,8 @@
 
 namespace espalier::bench {
 
-/// What every system is asked for. Who does not give one of them pays for its computation inside the measured time.
+/// The result of a ray, the same for every system. A value that a system does not return is computed from its result
+/// within the measured time.
 struct Hit {
     bool found = false;
     float t = 0.0f, u = 0.0f, v = 0.0f;
