@@ -1,30 +1,17 @@
 #include "asking.h"
 
-static void tell_counters(struct asking* asking, const espalier_query_counters* counters) {
-    tell(asking, (uint32_t)counters->nodes);
-    tell(asking, (uint32_t)counters->leaves);
-    tell(asking, (uint32_t)counters->groups);
-    tell(asking, (uint32_t)counters->triangles);
-    tell(asking, (uint32_t)counters->candidates);
-}
-
 void ask_approximations(struct asking* asking) {
     const espalier_blob* blob = asking->blob;
     const struct question* question = asking->question;
+    const struct asked_shapes shapes = shapes_of(question);
     const float accuracy = question->lengths[3];
     const espalier_ray ray = espalier_default_ray(question->points[1], question->directions[1]);
     espalier_query_counters counters = {0, 0, 0, 0, 0};
     espalier_query_counters* counting = question->bits % 3u == 0 ? NULL : &counters;
     espalier_distance_bounds_result bounds;
-    espalier_sphere sphere;
-    espalier_box box;
-    sphere.center = question->points[0];
-    sphere.radius = question->lengths[0];
-    tell_yes_no(asking, espalier_overlaps_sphere_approximate(blob, &sphere, accuracy, counting));
+    tell_yes_no(asking, espalier_overlaps_sphere_approximate(blob, &shapes.sphere, accuracy, counting));
     tell_counters(asking, &counters);
-    box.min = question->points[0];
-    box.max = question->points[1];
-    tell_yes_no(asking, espalier_overlaps_box_approximate(blob, &box, accuracy, counting));
+    tell_yes_no(asking, espalier_overlaps_box_approximate(blob, &shapes.box, accuracy, counting));
     tell_counters(asking, &counters);
     tell(asking, espalier_occluded_approximate(blob, &ray, accuracy, counting).status);
     tell_counters(asking, &counters);

@@ -9,36 +9,29 @@ static void ask_rounding(struct asking* asking) {
     const espalier_blob* blob = asking->blob;
     const struct question* question = asking->question;
     const espalier_vec3* points = question->points;
-    const espalier_segment segment = {points[0], points[1]};
-    const espalier_sphere sphere = {points[2], question->lengths[0]};
-    const espalier_capsule capsule = {points[2], points[3], question->lengths[1]};
-    const espalier_box box = {points[0], points[3]};
-    const espalier_oriented_box oriented = {
-        points[1], {question->directions[0], question->directions[1], question->directions[2]}};
-    const espalier_triangle triangle = {points[0], points[1], points[2]};
+    const struct asked_shapes shapes = shapes_of(question);
     const espalier_ray ray = espalier_default_ray(points[0], question->directions[0]);
     const espalier_vec3 way = question->directions[1];
     tell_result(asking, espalier_rounding_error_point(blob, points[0]));
     tell_result(asking, espalier_rounding_error_ray(blob, &ray));
-    tell_result(asking, espalier_rounding_error_segment(blob, &segment));
-    tell_result(asking, espalier_rounding_error_sphere(blob, &sphere));
-    tell_result(asking, espalier_rounding_error_capsule(blob, &capsule));
-    tell_result(asking, espalier_rounding_error_box(blob, &box));
-    tell_result(asking, espalier_rounding_error_oriented_box(blob, &oriented));
-    tell_result(asking, espalier_rounding_error_triangle(blob, &triangle));
-    tell_result(asking, espalier_rounding_error_sweep_sphere(blob, &sphere, way));
-    tell_result(asking, espalier_rounding_error_sweep_capsule(blob, &capsule, way));
-    tell_result(asking, espalier_rounding_error_sweep_box(blob, &box, way));
+    tell_result(asking, espalier_rounding_error_segment(blob, &shapes.segment));
+    tell_result(asking, espalier_rounding_error_sphere(blob, &shapes.sphere));
+    tell_result(asking, espalier_rounding_error_capsule(blob, &shapes.capsule));
+    tell_result(asking, espalier_rounding_error_box(blob, &shapes.box));
+    tell_result(asking, espalier_rounding_error_oriented_box(blob, &shapes.oriented_box));
+    tell_result(asking, espalier_rounding_error_triangle(blob, &shapes.triangle));
+    tell_result(asking, espalier_rounding_error_sweep_sphere(blob, &shapes.sphere, way));
+    tell_result(asking, espalier_rounding_error_sweep_capsule(blob, &shapes.capsule, way));
+    tell_result(asking, espalier_rounding_error_sweep_box(blob, &shapes.box, way));
 }
 
 void ask_points(struct asking* asking) {
     const espalier_blob* blob = asking->blob;
     const struct question* question = asking->question;
+    const struct asked_shapes shapes = shapes_of(question);
     const espalier_vec3 point = question->points[0];
     const float max_distance = question->lengths[0];
     espalier_closest_point_result some[6];
-    espalier_segment segment;
-    espalier_box box;
     espalier_filled filled;
     espalier_yes_no inside;
     tell_closest_point(asking, espalier_closest_point(blob, point, max_distance));
@@ -46,12 +39,8 @@ void ask_points(struct asking* asking) {
     tell(asking, (uint32_t)filled.count);
     tell(asking, filled.status);
     for (size_t i = 0; i < filled.count; ++i) tell_closest_point(asking, some[i]);
-    segment.from = point;
-    segment.to = question->points[1];
-    tell_closest_point(asking, espalier_closest_point_segment(blob, &segment, question->lengths[1]));
-    box.min = question->points[2];
-    box.max = question->points[3];
-    tell_closest_point(asking, espalier_closest_point_box(blob, &box, question->lengths[2]));
+    tell_closest_point(asking, espalier_closest_point_segment(blob, &shapes.segment, question->lengths[1]));
+    tell_closest_point(asking, espalier_closest_point_box(blob, &shapes.box, question->lengths[2]));
     inside = espalier_contains(blob, point);
     tell(asking, inside.status);
     tell(asking, espalier_yes(inside));

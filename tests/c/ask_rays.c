@@ -58,11 +58,7 @@ static void ask_one_ray(struct asking* asking, const espalier_ray* ray) {
     asking->visits = asking->question->bits % 9u;
     tell(asking, espalier_for_each_hit(blob, ray, visit_hit, asking));
     tell_result(asking, espalier_raycast_counted(blob, ray, &counters));
-    tell(asking, (uint32_t)counters.nodes);
-    tell(asking, (uint32_t)counters.leaves);
-    tell(asking, (uint32_t)counters.groups);
-    tell(asking, (uint32_t)counters.triangles);
-    tell(asking, (uint32_t)counters.candidates);
+    tell_counters(asking, &counters);
 }
 
 static void ask_rounded_ray(struct asking* asking, const espalier_lattice* region, const espalier_ray* ray) {
@@ -83,6 +79,19 @@ static void ask_rounded_ray(struct asking* asking, const espalier_lattice* regio
     }
 }
 
+void fill_rays(const struct question* question, espalier_ray* rays, int count) {
+    rays[0] = espalier_default_ray(question->points[0], question->directions[0]);
+    rays[1] = rays[0];
+    rays[1].t_min = question->lengths[0];
+    rays[1].t_max = question->lengths[1];
+    rays[1].culling = (espalier_face_culling)(question->bits % 4u); /* one value more than there are */
+    rays[2] = espalier_ray_between(question->points[0], question->points[1]);
+    for (int i = 3; i < count; ++i) {
+        rays[i] = rays[i % 3];
+        rays[i].origin = question->points[i % 4];
+    }
+}
+
 void ask_rays(struct asking* asking) {
     const struct question* question = asking->question;
     const espalier_blob blobs[2] = {*asking->blob, *asking->other};
@@ -91,17 +100,8 @@ void ask_rays(struct asking* asking) {
     espalier_ray rays[18];
     espalier_ray_hit hits[18];
     espalier_yes_no answers[18];
-    rays[0] = espalier_default_ray(question->points[0], question->directions[0]);
-    rays[1] = rays[0];
-    rays[1].t_min = question->lengths[0];
-    rays[1].t_max = question->lengths[1];
-    rays[1].culling = (espalier_face_culling)(question->bits % 4u); /* one value more than there are */
-    rays[2] = espalier_ray_between(question->points[0], question->points[1]);
+    fill_rays(question, rays, 18); /* a group, and strangers */
     for (int i = 0; i < 3; ++i) ask_one_ray(asking, &rays[i]);
-    for (int i = 3; i < 18; ++i) { /* a group, and strangers */
-        rays[i] = rays[i % 3];
-        rays[i].origin = question->points[i % 4];
-    }
     memset(hits, 0, sizeof hits);
     tell_filled(asking, espalier_raycast_batch(asking->blob, rays, hits, 18));
     for (int i = 0; i < 18; ++i) tell_ray_hit(asking, &hits[i]);

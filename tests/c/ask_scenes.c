@@ -35,14 +35,8 @@ static espalier_visit visit_kept(espalier_instance_id instance, espalier_triangl
 
 static void tell_instance(struct asking* asking, espalier_instance_id instance) {
     const espalier_instance_result result = espalier_scene_instance_at(asking->scene, instance);
-    const espalier_transform* transform = &result.value.transform;
     tell(asking, result.status);
-    tell_float(asking, transform->rotation.x);
-    tell_float(asking, transform->rotation.y);
-    tell_float(asking, transform->rotation.z);
-    tell_float(asking, transform->rotation.w);
-    tell_point(asking, transform->translation);
-    tell_float(asking, transform->scale);
+    tell_transform(asking, result.value.transform);
     tell(asking, result.value.mesh);
     tell(asking, result.value.mask);
     tell(asking, result.value.user);
@@ -100,16 +94,7 @@ static void ask_rays_of(struct asking* asking, uint32_t mask, espalier_scene_fil
     const espalier_scene* scene = asking->scene;
     espalier_ray rays[6];
     espalier_scene_ray_hit hits[6];
-    rays[0] = espalier_default_ray(question->points[0], question->directions[0]);
-    rays[1] = rays[0];
-    rays[1].t_min = question->lengths[0];
-    rays[1].t_max = question->lengths[1];
-    rays[1].culling = (espalier_face_culling)(question->bits % 4u); /* one value more than there are */
-    rays[2] = espalier_ray_between(question->points[0], question->points[1]);
-    for (int i = 3; i < 6; ++i) {
-        rays[i] = rays[i - 3];
-        rays[i].origin = question->points[i - 2];
-    }
+    fill_rays(question, rays, 6);
     for (int i = 0; i < 6; ++i) {
         tell_hit(asking, espalier_scene_raycast(scene, &rays[i], mask, filter, bits));
         tell_yes_no(asking, espalier_scene_occluded(scene, &rays[i], mask, filter, bits));
@@ -139,25 +124,20 @@ static void ask_rays_of(struct asking* asking, uint32_t mask, espalier_scene_fil
 
 static void ask_shapes_of(struct asking* asking, uint32_t mask, espalier_scene_filter filter, uint32_t* bits) {
     const struct question* question = asking->question;
-    const espalier_vec3* points = question->points;
+    const struct asked_shapes shapes = shapes_of(question);
     const espalier_vec3* directions = question->directions;
-    const espalier_sphere sphere = {points[0], question->lengths[0]};
-    const espalier_capsule capsule = {points[1], points[2], question->lengths[1]};
-    const espalier_box box = {points[0], points[3]};
-    const espalier_oriented_box oriented = {points[1], {directions[0], directions[1], directions[2]}};
-    const espalier_cone cone = {points[2], directions[0], question->lengths[2]};
-    const espalier_triangle triangle = {points[0], points[1], points[2]};
-    ASK(sphere, &sphere);
-    ASK(capsule, &capsule);
-    ASK(box, &box);
-    ASK(oriented_box, &oriented);
-    ASK(cone, &cone);
-    ASK(triangle, &triangle);
-    tell_contact(asking, espalier_scene_sweep_sphere(asking->scene, &sphere, directions[1], mask, filter, bits));
-    tell_contact(asking, espalier_scene_sweep_capsule(asking->scene, &capsule, directions[2], mask, filter, bits));
-    tell_nearest(asking, espalier_scene_closest_point(asking->scene, points[3], question->lengths[3], mask));
+    ASK(sphere, &shapes.sphere);
+    ASK(capsule, &shapes.capsule);
+    ASK(box, &shapes.box);
+    ASK(oriented_box, &shapes.oriented_box);
+    ASK(cone, &shapes.cone);
+    ASK(triangle, &shapes.triangle);
+    tell_contact(asking, espalier_scene_sweep_sphere(asking->scene, &shapes.sphere, directions[1], mask, filter, bits));
+    tell_contact(asking,
+                 espalier_scene_sweep_capsule(asking->scene, &shapes.capsule, directions[2], mask, filter, bits));
+    tell_nearest(asking, espalier_scene_closest_point(asking->scene, question->points[3], question->lengths[3], mask));
     asking->visits = question->bits % 5u;
-    tell(asking, espalier_scene_for_each_candidate(asking->scene, &box, visit_instance, asking, mask));
+    tell(asking, espalier_scene_for_each_candidate(asking->scene, &shapes.box, visit_instance, asking, mask));
 }
 
 void ask_scenes(struct asking* asking) {
@@ -173,25 +153,20 @@ void ask_scenes(struct asking* asking) {
 
 void ask_nothing_of_scenes(struct asking* asking) {
     const espalier_scene* scene = asking->scene;
-    const espalier_vec3* points = asking->question->points;
-    const espalier_ray ray = espalier_default_ray(points[0], asking->question->directions[0]);
-    const espalier_sphere sphere = {points[0], 1.0f};
-    const espalier_capsule capsule = {points[0], points[1], 1.0f};
-    const espalier_box box = {points[0], points[1]};
-    const espalier_oriented_box oriented = {points[0], {points[1], points[2], points[3]}};
-    const espalier_cone cone = {points[0], points[1], 1.0f};
-    const espalier_triangle triangle = {points[0], points[1], points[2]};
+    const struct asked_shapes shapes = shapes_of(asking->question);
+    const espalier_ray ray = espalier_default_ray(asking->question->points[0], asking->question->directions[0]);
     const uint32_t all = UINT32_MAX;
     const espalier_rounded_ray rounded = {0};
     tell(asking, espalier_scene_for_each_hit(scene, &ray, NULL, asking, all, NULL, NULL));
     tell(asking, espalier_scene_for_each_hit_rounded(scene, &ray, &rounded, NULL, asking, all, NULL, NULL));
-    tell(asking, espalier_scene_for_each_candidate(scene, &box, NULL, asking, all));
-    tell(asking, espalier_scene_for_each_overlap_sphere(scene, &sphere, NULL, asking, all, NULL, NULL));
-    tell(asking, espalier_scene_for_each_overlap_capsule(scene, &capsule, NULL, asking, all, NULL, NULL));
-    tell(asking, espalier_scene_for_each_overlap_box(scene, &box, NULL, asking, all, NULL, NULL));
-    tell(asking, espalier_scene_for_each_overlap_oriented_box(scene, &oriented, NULL, asking, all, NULL, NULL));
-    tell(asking, espalier_scene_for_each_overlap_cone(scene, &cone, NULL, asking, all, NULL, NULL));
-    tell(asking, espalier_scene_for_each_overlap_triangle(scene, &triangle, NULL, asking, all, NULL, NULL));
+    tell(asking, espalier_scene_for_each_candidate(scene, &shapes.box, NULL, asking, all));
+    tell(asking, espalier_scene_for_each_overlap_sphere(scene, &shapes.sphere, NULL, asking, all, NULL, NULL));
+    tell(asking, espalier_scene_for_each_overlap_capsule(scene, &shapes.capsule, NULL, asking, all, NULL, NULL));
+    tell(asking, espalier_scene_for_each_overlap_box(scene, &shapes.box, NULL, asking, all, NULL, NULL));
+    tell(asking,
+         espalier_scene_for_each_overlap_oriented_box(scene, &shapes.oriented_box, NULL, asking, all, NULL, NULL));
+    tell(asking, espalier_scene_for_each_overlap_cone(scene, &shapes.cone, NULL, asking, all, NULL, NULL));
+    tell(asking, espalier_scene_for_each_overlap_triangle(scene, &shapes.triangle, NULL, asking, all, NULL, NULL));
     tell_filled(asking, espalier_scene_raycast_batch(scene, NULL, NULL, 0, all, NULL, NULL));
 }
 

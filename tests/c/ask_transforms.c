@@ -41,49 +41,26 @@ static void tell_ray(struct asking* asking, espalier_ray ray) {
     tell(asking, ray.culling);
 }
 
-static void tell_transform(struct asking* asking, espalier_transform transform) {
-    tell_float(asking, transform.rotation.x);
-    tell_float(asking, transform.rotation.y);
-    tell_float(asking, transform.rotation.z);
-    tell_float(asking, transform.rotation.w);
-    tell_point(asking, transform.translation);
-    tell_float(asking, transform.scale);
-}
-
 static void ask_placing(struct asking* asking, const espalier_transform* transform) {
     const struct question* question = asking->question;
     const espalier_vec3* points = question->points;
     const espalier_vec3 way = question->directions[3];
     const espalier_transform identity = espalier_identity();
     const espalier_ray ray = espalier_default_ray(points[0], question->directions[0]);
-    espalier_segment segment;
-    espalier_sphere sphere;
-    espalier_capsule capsule;
-    espalier_triangle triangle;
-    espalier_box box, moved;
-    espalier_oriented_box oriented;
-    espalier_cone cone;
+    const struct asked_shapes shapes = shapes_of(question);
     espalier_plane plane;
-    segment.from = capsule.from = triangle.a = sphere.center = oriented.center = points[0];
-    segment.to = capsule.to = triangle.b = points[1];
-    triangle.c = points[2];
-    capsule.radius = sphere.radius = plane.offset = question->lengths[2];
-    box.min = points[2];
-    box.max = points[3];
-    for (int i = 0; i < 3; ++i) oriented.half_axes[i] = question->directions[i];
+    espalier_box moved;
     plane.normal = question->directions[2];
-    cone.apex = points[0];
-    cone.axis = question->directions[0];
-    cone.radius = question->lengths[2];
+    plane.offset = question->lengths[2];
 
     tell_point(asking, espalier_to_local_point(transform, points[0]));
-    tell_segment(asking, espalier_to_local_segment(transform, &segment));
-    tell_sphere(asking, espalier_to_local_sphere(transform, &sphere));
-    tell_capsule(asking, espalier_to_local_capsule(transform, &capsule));
-    tell_triangle(asking, espalier_to_local_triangle(transform, &triangle));
-    tell_oriented_box(asking, espalier_to_local_box(transform, &box));
-    tell_oriented_box(asking, espalier_to_local_oriented_box(transform, &oriented));
-    tell_cone(asking, espalier_to_local_cone(transform, &cone));
+    tell_segment(asking, espalier_to_local_segment(transform, &shapes.segment));
+    tell_sphere(asking, espalier_to_local_sphere(transform, &shapes.sphere));
+    tell_capsule(asking, espalier_to_local_capsule(transform, &shapes.capsule));
+    tell_triangle(asking, espalier_to_local_triangle(transform, &shapes.triangle));
+    tell_oriented_box(asking, espalier_to_local_box(transform, &shapes.box));
+    tell_oriented_box(asking, espalier_to_local_oriented_box(transform, &shapes.oriented_box));
+    tell_cone(asking, espalier_to_local_cone(transform, &shapes.cone));
     plane = espalier_to_local_plane(transform, &plane);
     tell_point(asking, plane.normal);
     tell_float(asking, plane.offset);
@@ -95,15 +72,15 @@ static void ask_placing(struct asking* asking, const espalier_transform* transfo
     tell_point(asking, espalier_normal_to_world(transform, way));
 
     tell_point(asking, espalier_translated_point(points[0], way));
-    tell_segment(asking, espalier_translated_segment(&segment, way));
-    tell_sphere(asking, espalier_translated_sphere(&sphere, way));
-    tell_capsule(asking, espalier_translated_capsule(&capsule, way));
-    tell_triangle(asking, espalier_translated_triangle(&triangle, way));
-    moved = espalier_translated_box(&box, way);
+    tell_segment(asking, espalier_translated_segment(&shapes.segment, way));
+    tell_sphere(asking, espalier_translated_sphere(&shapes.sphere, way));
+    tell_capsule(asking, espalier_translated_capsule(&shapes.capsule, way));
+    tell_triangle(asking, espalier_translated_triangle(&shapes.triangle, way));
+    moved = espalier_translated_box(&shapes.box, way);
     tell_point(asking, moved.min);
     tell_point(asking, moved.max);
-    tell_oriented_box(asking, espalier_translated_oriented_box(&oriented, way));
-    tell_cone(asking, espalier_translated_cone(&cone, way));
+    tell_oriented_box(asking, espalier_translated_oriented_box(&shapes.oriented_box, way));
+    tell_cone(asking, espalier_translated_cone(&shapes.cone, way));
     tell_ray(asking, espalier_translated_ray(&ray, way));
 }
 

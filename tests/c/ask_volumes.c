@@ -24,37 +24,17 @@ static void tell_page(struct asking* asking, const espalier_triangle_id* triangl
 
 void ask_volumes(struct asking* asking) {
     const struct question* question = asking->question;
-    espalier_sphere sphere;
-    espalier_capsule capsule;
-    espalier_box box;
-    espalier_oriented_box oriented;
-    espalier_cone cone;
-    espalier_triangle triangle;
+    const struct asked_shapes shapes = shapes_of(question);
     espalier_plane planes[4];
     espalier_convex_volume volume;
     espalier_lattice lattice;
     espalier_lattice_box steps;
-    sphere.center = question->points[0];
-    sphere.radius = question->lengths[0];
-    ASK(sphere, &sphere);
-    capsule.from = question->points[1];
-    capsule.to = question->points[2];
-    capsule.radius = question->lengths[1];
-    ASK(capsule, &capsule);
-    box.min = question->points[0];
-    box.max = question->points[3];
-    ASK(box, &box);
-    oriented.center = question->points[1];
-    for (int i = 0; i < 3; ++i) oriented.half_axes[i] = question->directions[i];
-    ASK(oriented_box, &oriented);
-    cone.apex = question->points[2];
-    cone.axis = question->directions[0];
-    cone.radius = question->lengths[2];
-    ASK(cone, &cone);
-    triangle.a = question->points[0];
-    triangle.b = question->points[1];
-    triangle.c = question->points[2];
-    ASK(triangle, &triangle);
+    ASK(sphere, &shapes.sphere);
+    ASK(capsule, &shapes.capsule);
+    ASK(box, &shapes.box);
+    ASK(oriented_box, &shapes.oriented_box);
+    ASK(cone, &shapes.cone);
+    ASK(triangle, &shapes.triangle);
     for (int i = 0; i < 4; ++i) {
         planes[i].normal = question->directions[i];
         planes[i].offset = question->lengths[i];
@@ -63,7 +43,7 @@ void ask_volumes(struct asking* asking) {
     volume.plane_count = question->bits % 5u;
     ASK(convex_volume, &volume);
     lattice = espalier_blob_lattice(asking->blob);
-    steps = espalier_to_lattice_box(&lattice, &box).value;
+    steps = espalier_to_lattice_box(&lattice, &shapes.box).value;
     ASK(lattice_box, &steps);
     memcpy(&steps, question->points, sizeof steps); /* any bits */
     ASK(lattice_box, &steps);

@@ -19,6 +19,31 @@ struct question {
     uint32_t bits; /* for triangles, counts, enumerations */
 };
 
+/* One of each shape, from the numbers of a question. */
+struct asked_shapes {
+    espalier_segment segment;
+    espalier_sphere sphere;
+    espalier_capsule capsule;
+    espalier_box box;
+    espalier_oriented_box oriented_box;
+    espalier_cone cone;
+    espalier_triangle triangle;
+};
+
+static inline struct asked_shapes shapes_of(const struct question* question) {
+    const espalier_vec3* points = question->points;
+    const espalier_vec3* directions = question->directions;
+    const float* lengths = question->lengths;
+    const struct asked_shapes shapes = {{points[0], points[1]},
+                                        {points[0], lengths[0]},
+                                        {points[1], points[2], lengths[1]},
+                                        {points[0], points[3]},
+                                        {points[1], {directions[0], directions[1], directions[2]}},
+                                        {points[2], directions[0], lengths[2]},
+                                        {points[0], points[1], points[2]}};
+    return shapes;
+}
+
 struct asking {
     const espalier_blob* blob;
     const espalier_blob* other; /* of pairs */
@@ -28,6 +53,9 @@ struct asking {
     void* log;
     uint32_t visits; /* left, of visitors */
 };
+
+/* Fills an array: rays of three kinds, then the same from other places. */
+void fill_rays(const struct question* question, espalier_ray* rays, int count);
 
 void ask_lookups(struct asking* asking);
 void ask_rays(struct asking* asking);
@@ -97,6 +125,23 @@ static inline void tell_sweep_hit(struct asking* asking, espalier_sweep_hit hit)
     tell(asking, hit.triangle);
     tell(asking, hit.status);
     tell(asking, hit.starts_overlapping);
+}
+
+static inline void tell_transform(struct asking* asking, espalier_transform transform) {
+    tell_float(asking, transform.rotation.x);
+    tell_float(asking, transform.rotation.y);
+    tell_float(asking, transform.rotation.z);
+    tell_float(asking, transform.rotation.w);
+    tell_point(asking, transform.translation);
+    tell_float(asking, transform.scale);
+}
+
+static inline void tell_counters(struct asking* asking, const espalier_query_counters* counters) {
+    tell(asking, (uint32_t)counters->nodes);
+    tell(asking, (uint32_t)counters->leaves);
+    tell(asking, (uint32_t)counters->groups);
+    tell(asking, (uint32_t)counters->triangles);
+    tell(asking, (uint32_t)counters->candidates);
 }
 
 static inline void tell_original_triangle(struct asking* asking, espalier_original_triangle_result original) {

@@ -198,15 +198,8 @@ void Expecting::rounded_ray(const Lattice& region, const Ray& ray) {
 }
 
 void Expecting::rays() {
-    std::array<Ray, 18> rays;
-    rays[0] = {point(0), direction(0)};
-    rays[1] = {point(0), direction(0), length(0), length(1), static_cast<FaceCulling>(asked_.bits % 4)};
-    rays[2] = Ray::between(point(0), point(1));
+    const std::array<Ray, 18> rays = made_rays<18>();
     for (std::size_t i = 0; i < 3; ++i) one_ray(rays[i]);
-    for (std::size_t i = 3; i < rays.size(); ++i) {
-        rays[i] = rays[i % 3];
-        rays[i].origin = point(static_cast<int>(i % 4));
-    }
     std::array<RayHit, 18> hits;
     std::memset(static_cast<void*>(&hits), 0, sizeof hits);
     tell(raycast(blob_, rays, hits));
@@ -288,9 +281,9 @@ void Expecting::nothing() {
     tell(hit.t);
     tell(hit.status);
     tell(closest_hits(blob_, ray, std::span(&hit, 1)));
-    tell(sweep(blob_, Sphere{point(0), length(0)}, direction(0)).t);
-    tell(sweep(blob_, Capsule{point(0), point(1), length(0)}, direction(0)).t);
-    tell(sweep(blob_, Box{point(0), point(1)}, direction(0)).t);
+    tell(sweep(blob_, sphere(), direction(0)).t);
+    tell(sweep(blob_, capsule(), direction(0)).t);
+    tell(sweep(blob_, box(), direction(0)).t);
 
     for (int refused = 0; refused < 11; ++refused) tell(QueryStatus::invalid_argument);
     tell(QueryStatus::invalid_argument);
@@ -304,8 +297,7 @@ void Expecting::nothing() {
     tell(closest_hits(blob_, ray, {}));
     tell(closest_triangles(blob_, point(0), {}).status);
     tell(overlaps(blob_, ConvexVolume{}).status());
-    for (const Filled& page :
-         {collect_overlaps(blob_, Sphere{point(0), length(0)}, {}), collect_overlaps(blob_, ConvexVolume{}, {})}) {
+    for (const Filled& page : {collect_overlaps(blob_, sphere(), {}), collect_overlaps(blob_, ConvexVolume{}, {})}) {
         tell(page.status);
         tell(page.next.place[0]);
     }

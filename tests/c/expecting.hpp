@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -95,6 +96,25 @@ private:
     [[nodiscard]] Vec3 point(int i) const { return cpp(asked_.points[i]); }
     [[nodiscard]] Vec3 direction(int i) const { return cpp(asked_.directions[i]); }
     [[nodiscard]] float length(int i) const { return asked_.lengths[i]; }
+    [[nodiscard]] Segment segment() const { return {point(0), point(1)}; }
+    [[nodiscard]] Sphere sphere() const { return {point(0), length(0)}; }
+    [[nodiscard]] Capsule capsule() const { return {point(1), point(2), length(1)}; }
+    [[nodiscard]] Box box() const { return {point(0), point(3)}; }
+    [[nodiscard]] OrientedBox oriented_box() const { return {point(1), {direction(0), direction(1), direction(2)}}; }
+    [[nodiscard]] Cone cone() const { return {point(2), direction(0), length(2)}; }
+    [[nodiscard]] Triangle triangle() const { return {point(0), point(1), point(2)}; }
+    template <std::size_t count>
+    [[nodiscard]] std::array<Ray, count> made_rays() const {
+        std::array<Ray, count> rays;
+        rays[0] = {point(0), direction(0)};
+        rays[1] = {point(0), direction(0), length(0), length(1), static_cast<FaceCulling>(asked_.bits % 4)};
+        rays[2] = Ray::between(point(0), point(1));
+        for (std::size_t i = 3; i < count; ++i) {
+            rays[i] = rays[i % 3];
+            rays[i].origin = point(static_cast<int>(i % 4));
+        }
+        return rays;
+    }
     [[nodiscard]] bool counts(TriangleId triangle) const { return (triangle.index + asked_.bits) % 2 == 0; }
     Visit visit_triangle(TriangleId triangle, const Triangle& corners) {
         tell(triangle);

@@ -50,14 +50,7 @@ void Expecting::scene_itself() {
 }
 
 void Expecting::rays_in_scene(const SceneFilter& filter) {
-    std::array<Ray, 6> rays;
-    rays[0] = {point(0), direction(0)};
-    rays[1] = {point(0), direction(0), length(0), length(1), static_cast<FaceCulling>(asked_.bits % 4)};
-    rays[2] = Ray::between(point(0), point(1));
-    for (std::size_t i = 3; i < rays.size(); ++i) {
-        rays[i] = rays[i - 3];
-        rays[i].origin = point(static_cast<int>(i - 2));
-    }
+    const std::array<Ray, 6> rays = made_rays<6>();
     for (const Ray& ray : rays) {
         tell(raycast(scene_, ray, filter));
         tell(occluded(scene_, ray, filter));
@@ -93,24 +86,21 @@ void Expecting::shape_in_scene(const Shape& shape, const SceneFilter& filter) {
 }
 
 void Expecting::shapes_in_scene(const SceneFilter& filter) {
-    const Sphere sphere = {point(0), length(0)};
-    const Capsule capsule = {point(1), point(2), length(1)};
-    const Box box = {point(0), point(3)};
-    shape_in_scene(sphere, filter);
-    shape_in_scene(capsule, filter);
-    shape_in_scene(box, filter);
-    shape_in_scene(OrientedBox{point(1), {direction(0), direction(1), direction(2)}}, filter);
-    shape_in_scene(Cone{point(2), direction(0), length(2)}, filter);
-    shape_in_scene(Triangle{point(0), point(1), point(2)}, filter);
-    tell(sweep(scene_, sphere, direction(1), filter));
-    tell(sweep(scene_, capsule, direction(2), filter));
+    shape_in_scene(sphere(), filter);
+    shape_in_scene(capsule(), filter);
+    shape_in_scene(box(), filter);
+    shape_in_scene(oriented_box(), filter);
+    shape_in_scene(cone(), filter);
+    shape_in_scene(triangle(), filter);
+    tell(sweep(scene_, sphere(), direction(1), filter));
+    tell(sweep(scene_, capsule(), direction(2), filter));
     tell(closest_point(scene_, point(3), length(3), filter.mask()));
     visits_ = asked_.bits % 5;
     const auto visit = [&](InstanceId id) {
         tell(id);
         return visit_one();
     };
-    tell(for_each_candidate(scene_, box, visit, filter.mask()));
+    tell(for_each_candidate(scene_, box(), visit, filter.mask()));
 }
 
 void Expecting::scenes() {

@@ -26,16 +26,16 @@ void Expecting::volume(const Shape& shape) {
 }
 
 void Expecting::volumes() {
-    volume(Sphere{point(0), length(0)});
-    volume(Capsule{point(1), point(2), length(1)});
-    volume(Box{point(0), point(3)});
-    volume(OrientedBox{point(1), {direction(0), direction(1), direction(2)}});
-    volume(Cone{point(2), direction(0), length(2)});
-    volume(Triangle{point(0), point(1), point(2)});
+    volume(sphere());
+    volume(capsule());
+    volume(box());
+    volume(oriented_box());
+    volume(cone());
+    volume(triangle());
     std::array<Plane, 4> planes;
     for (int i = 0; i < 4; ++i) planes[static_cast<std::size_t>(i)] = {direction(i), length(i)};
     volume(ConvexVolume{std::span<const Plane>(planes).first(asked_.bits % 5)});
-    volume(*to_lattice(blob_.lattice(), Box{point(0), point(3)}));
+    volume(*to_lattice(blob_.lattice(), box()));
     volume(LatticeBox{bits_of(asked_.points[0]), bits_of(asked_.points[1])});
 }
 
@@ -46,8 +46,8 @@ void Expecting::points() {
     tell(std::uint64_t{filled.count});
     tell(filled.status);
     for (const ClosestPoint& each : filled.in(some)) tell(each);
-    tell(closest_point(blob_, Segment{point(0), point(1)}, length(1)));
-    tell(closest_point(blob_, Box{point(2), point(3)}, length(2)));
+    tell(closest_point(blob_, segment(), length(1)));
+    tell(closest_point(blob_, box(), length(2)));
     const YesNo inside = contains(blob_, point(0));
     tell(inside.status());
     tell(inside.yes());
@@ -60,15 +60,15 @@ void Expecting::points() {
     };
     rounding(point(0));
     rounding(Ray{.origin = point(0), .direction = direction(0)});
-    rounding(Segment{point(0), point(1)});
-    rounding(Sphere{point(2), length(0)});
-    rounding(Capsule{point(2), point(3), length(1)});
-    rounding(Box{point(0), point(3)});
-    rounding(OrientedBox{point(1), {direction(0), direction(1), direction(2)}});
-    rounding(Triangle{point(0), point(1), point(2)});
-    rounding(Sphere{point(2), length(0)}, direction(1));
-    rounding(Capsule{point(2), point(3), length(1)}, direction(1));
-    rounding(Box{point(0), point(3)}, direction(1));
+    rounding(segment());
+    rounding(sphere());
+    rounding(capsule());
+    rounding(box());
+    rounding(oriented_box());
+    rounding(triangle());
+    rounding(sphere(), direction(1));
+    rounding(capsule(), direction(1));
+    rounding(box(), direction(1));
 }
 
 template <class Shape>
@@ -78,9 +78,9 @@ void Expecting::moving(const Shape& shape) {
 }
 
 void Expecting::sweeps() {
-    moving(Sphere{point(0), length(0)});
-    moving(Capsule{point(0), point(1), length(1)});
-    moving(Box{point(2), point(3)});
+    moving(sphere());
+    moving(capsule());
+    moving(box());
 }
 
 void Expecting::tell(const PairContact& contact) {
@@ -131,9 +131,9 @@ void Expecting::pairs() {
 void Expecting::approximations() {
     QueryCounters counters;
     QueryCounters* counting = asked_.bits % 3 == 0 ? nullptr : &counters;
-    tell(overlaps(blob_, Sphere{point(0), length(0)}, Accuracy{length(3)}, counting).status());
+    tell(overlaps(blob_, sphere(), Accuracy{length(3)}, counting).status());
     tell(counters);
-    tell(overlaps(blob_, Box{point(0), point(1)}, Accuracy{length(3)}, counting).status());
+    tell(overlaps(blob_, box(), Accuracy{length(3)}, counting).status());
     tell(counters);
     tell(occluded(blob_, {point(1), direction(1)}, Accuracy{length(3)}, counting));
     tell(counters);

@@ -36,13 +36,6 @@ void Expecting::tell(const Transform& transform) {
 }
 
 void Expecting::placing(const Transform& transform) {
-    const Segment segment = {point(0), point(1)};
-    const Sphere sphere = {point(0), length(2)};
-    const Capsule capsule = {point(0), point(1), length(2)};
-    const Triangle triangle = {point(0), point(1), point(2)};
-    const Box box = {point(2), point(3)};
-    const OrientedBox oriented = {point(0), {direction(0), direction(1), direction(2)}};
-    const Cone cone = {point(0), direction(0), length(2)};
     const Ray ray = {point(0), direction(0)};
     const Vec3 way = direction(3);
     const auto tell_triangle = [&](const Triangle& t) {
@@ -59,13 +52,13 @@ void Expecting::placing(const Transform& transform) {
     };
 
     tell(to_local(transform, point(0)));
-    tell(to_local(transform, segment));
-    tell_sphere(to_local(transform, sphere));
-    tell(to_local(transform, capsule));
-    tell_triangle(to_local(transform, triangle));
-    tell(to_local(transform, box));
-    tell(to_local(transform, oriented));
-    tell_cone(to_local(transform, cone));
+    tell(to_local(transform, segment()));
+    tell_sphere(to_local(transform, sphere()));
+    tell(to_local(transform, capsule()));
+    tell_triangle(to_local(transform, triangle()));
+    tell(to_local(transform, box()));
+    tell(to_local(transform, oriented_box()));
+    tell_cone(to_local(transform, cone()));
     const Plane plane = to_local(transform, Plane{direction(2), length(2)});
     tell(plane.normal);
     tell(plane.offset);
@@ -77,14 +70,14 @@ void Expecting::placing(const Transform& transform) {
     tell(normal_to_world(transform, way));
 
     tell(translated(point(0), way));
-    tell(translated(segment, way));
-    tell_sphere(translated(sphere, way));
-    tell(translated(capsule, way));
-    tell_triangle(translated(triangle, way));
-    tell(translated(box, way).min);
-    tell(translated(box, way).max);
-    tell(translated(oriented, way));
-    tell_cone(translated(cone, way));
+    tell(translated(segment(), way));
+    tell_sphere(translated(sphere(), way));
+    tell(translated(capsule(), way));
+    tell_triangle(translated(triangle(), way));
+    tell(translated(box(), way).min);
+    tell(translated(box(), way).max);
+    tell(translated(oriented_box(), way));
+    tell_cone(translated(cone(), way));
     tell(translated(ray, way));
 }
 
