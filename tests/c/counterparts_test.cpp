@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -17,8 +18,9 @@ namespace {
 
 const Path project = ESPALIER_PROJECT_FOLDER;
 
-/// What C++ has and what C has for it. `-` where C needs none.
-const char* const counterparts = R"(
+/// What C++ has and what C has for it. `-` where C needs none. A line that ends in a bracket goes on in the next one.
+/// After "Shape:", up to a blank line, each line stands for one of each of those shapes.
+const char* const table = R"(
     describe(OpenStatus)                                              espalier_describe_open_status
     describe(QueryStatus)                                         espalier_describe_query_status
 
@@ -75,81 +77,43 @@ const char* const counterparts = R"(
     original_hit(span<OriginalTriangle>, RayHit)                  espalier_original_hit_by_remap
     read_remap(span<byte>, Blob, span<OriginalTriangle>)          espalier_read_remap
 
-    overlaps(Blob, Sphere)   espalier_overlaps_sphere
-    overlaps(Blob, Capsule)   espalier_overlaps_capsule
-    overlaps(Blob, Box)   espalier_overlaps_box
-    overlaps(Blob, OrientedBox)   espalier_overlaps_oriented_box
-    overlaps(Blob, Cone)   espalier_overlaps_cone
-    overlaps(Blob, Triangle)   espalier_overlaps_triangle
-    overlaps(Blob, ConvexVolume)   espalier_overlaps_convex_volume
-    overlaps(Blob, LatticeBox)   espalier_overlaps_lattice_box
-    for_each_overlap(Blob, Sphere, TriangleVisitor)   espalier_for_each_overlap_sphere
-    for_each_overlap(Blob, Capsule, TriangleVisitor)   espalier_for_each_overlap_capsule
-    for_each_overlap(Blob, Box, TriangleVisitor)   espalier_for_each_overlap_box
-    for_each_overlap(Blob, OrientedBox, TriangleVisitor)   espalier_for_each_overlap_oriented_box
-    for_each_overlap(Blob, Cone, TriangleVisitor)   espalier_for_each_overlap_cone
-    for_each_overlap(Blob, Triangle, TriangleVisitor)   espalier_for_each_overlap_triangle
-    for_each_overlap(Blob, ConvexVolume, TriangleVisitor)   espalier_for_each_overlap_convex_volume
-    for_each_overlap(Blob, LatticeBox, TriangleVisitor)   espalier_for_each_overlap_lattice_box
-    collect_overlaps(Blob, Sphere, span<TriangleId>, Cursor)   espalier_collect_overlaps_sphere
-    collect_overlaps(Blob, Capsule, span<TriangleId>, Cursor)   espalier_collect_overlaps_capsule
-    collect_overlaps(Blob, Box, span<TriangleId>, Cursor)   espalier_collect_overlaps_box
-    collect_overlaps(Blob, OrientedBox, span<TriangleId>, Cursor)   espalier_collect_overlaps_oriented_box
-    collect_overlaps(Blob, Cone, span<TriangleId>, Cursor)   espalier_collect_overlaps_cone
-    collect_overlaps(Blob, Triangle, span<TriangleId>, Cursor)   espalier_collect_overlaps_triangle
-    collect_overlaps(Blob, ConvexVolume, span<TriangleId>, Cursor)   espalier_collect_overlaps_convex_volume
-    collect_overlaps(Blob, LatticeBox, span<TriangleId>, Cursor)   espalier_collect_overlaps_lattice_box
+    Shape: Sphere Capsule Box OrientedBox Cone Triangle ConvexVolume LatticeBox
+    overlaps(Blob, Shape)                                         espalier_overlaps_shape
+    for_each_overlap(Blob, Shape, TriangleVisitor)                espalier_for_each_overlap_shape
+    collect_overlaps(Blob, Shape, span<TriangleId>, Cursor)       espalier_collect_overlaps_shape
 
     closest_point(Blob, Vec3, float)                              espalier_closest_point
-    closest_point(Blob, Segment, float)                           espalier_closest_point_segment
-    closest_point(Blob, Box, float)                               espalier_closest_point_box
     closest_triangles(Blob, Vec3, span<ClosestPoint>, float)      espalier_closest_triangles
     contains(Blob, Vec3)                                          espalier_contains
     signed_distance(Blob, Vec3, float)                            espalier_signed_distance
 
-    rounding_error(Blob, Vec3)                                    espalier_rounding_error_point
-    rounding_error(Blob, Ray)                                     espalier_rounding_error_ray
-    rounding_error(Blob, Segment)                                 espalier_rounding_error_segment
-    rounding_error(Blob, Sphere)                                  espalier_rounding_error_sphere
-    rounding_error(Blob, Capsule)                                 espalier_rounding_error_capsule
-    rounding_error(Blob, Box)                                     espalier_rounding_error_box
-    rounding_error(Blob, OrientedBox)                             espalier_rounding_error_oriented_box
-    rounding_error(Blob, Triangle)                                espalier_rounding_error_triangle
-    rounding_error(Blob, Sphere, Vec3)                            espalier_rounding_error_sweep_sphere
-    rounding_error(Blob, Capsule, Vec3)                           espalier_rounding_error_sweep_capsule
-    rounding_error(Blob, Box, Vec3)                               espalier_rounding_error_sweep_box
+    Shape: Segment Box
+    closest_point(Blob, Shape, float)                             espalier_closest_point_shape
 
-    sweep(Blob, Sphere, Vec3, TriangleFilter)                     espalier_sweep_sphere
-    sweep(Blob, Capsule, Vec3, TriangleFilter)                    espalier_sweep_capsule
-    sweep(Blob, Box, Vec3, TriangleFilter)                        espalier_sweep_box
+    rounding_error(Blob, Vec3)                                    espalier_rounding_error_point
+
+    Shape: Ray Segment Sphere Capsule Box OrientedBox Triangle
+    rounding_error(Blob, Shape)                                   espalier_rounding_error_shape
+
+    Shape: Sphere Capsule Box
+    rounding_error(Blob, Shape, Vec3)                             espalier_rounding_error_sweep_shape
+    sweep(Blob, Shape, Vec3, TriangleFilter)                      espalier_sweep_shape
 
     PlacedBlob::blob()                                            -
     PlacedBlob::transform()                                       -
     to_local(Transform, Vec3)                                     espalier_to_local_point
-    to_local(Transform, Segment)                                  espalier_to_local_segment
-    to_local(Transform, Sphere)                                   espalier_to_local_sphere
-    to_local(Transform, Capsule)                                  espalier_to_local_capsule
-    to_local(Transform, Triangle)                                 espalier_to_local_triangle
-    to_local(Transform, Box)                                      espalier_to_local_box
-    to_local(Transform, OrientedBox)                              espalier_to_local_oriented_box
-    to_local(Transform, Cone)                                     espalier_to_local_cone
-    to_local(Transform, Plane)                                    espalier_to_local_plane
-    to_local(Transform, Ray)                                      espalier_to_local_ray
-    to_local(Transform, Transform)                                espalier_to_local_transform
     direction_to_local(Transform, Vec3)                           espalier_direction_to_local
     to_world(Transform, Vec3)                                     espalier_to_world_point
     direction_to_world(Transform, Vec3)                           espalier_direction_to_world
     normal_to_world(Transform, Vec3)                              espalier_normal_to_world
     translated(Vec3, Vec3)                                        espalier_translated_point
-    translated(Segment, Vec3)                                     espalier_translated_segment
-    translated(Sphere, Vec3)                                      espalier_translated_sphere
-    translated(Capsule, Vec3)                                     espalier_translated_capsule
-    translated(Triangle, Vec3)                                    espalier_translated_triangle
-    translated(Box, Vec3)                                         espalier_translated_box
-    translated(OrientedBox, Vec3)                                 espalier_translated_oriented_box
-    translated(Cone, Vec3)                                        espalier_translated_cone
-    translated(Ray, Vec3)                                         espalier_translated_ray
     transform_from_matrix(float (rows)[3][4])                     espalier_transform_from_matrix
+
+    Shape: Segment Sphere Capsule Triangle Box OrientedBox Cone Plane Ray RoundedRay Transform
+    to_local(Transform, Shape)                                    espalier_to_local_shape
+
+    Shape: Segment Sphere Capsule Triangle Box OrientedBox Cone Ray
+    translated(Shape, Vec3)                                       espalier_translated_shape
 
     WorkLimit::unlimited()                                        -
     WorkLimit::visits()                                           -
@@ -165,13 +129,14 @@ const char* const counterparts = R"(
     QueryCounters::count_leaf()                                   -
     QueryCounters::count_triangles(unsigned)                      -
     QueryCounters::count_candidates(unsigned)                     -
-    overlaps(Blob, Sphere, Accuracy, QueryCounters)   espalier_overlaps_sphere_approximate
-    overlaps(Blob, Box, Accuracy, QueryCounters)   espalier_overlaps_box_approximate
     occluded(Blob, Ray, Accuracy, QueryCounters)                  espalier_occluded_approximate
     distance_bounds(Blob, Vec3, float, Accuracy, QueryCounters)   espalier_distance_bounds
 
-    for_each_triangle(Blob, TriangleVisitor)   espalier_for_each_triangle
-    triangle_at(Blob, TriangleId)   espalier_triangle_at
+    Shape: Sphere Box
+    overlaps(Blob, Shape, Accuracy, QueryCounters)                espalier_overlaps_shape_approximate
+
+    for_each_triangle(Blob, TriangleVisitor)                      espalier_for_each_triangle
+    triangle_at(Blob, TriangleId)                                 espalier_triangle_at
     for_each_node(Blob, FunctionRef<NodeVisit(TreeNode)>)         espalier_for_each_node
 
     to_lattice(Lattice, Vec3)                                     espalier_to_lattice_point
@@ -186,7 +151,6 @@ const char* const counterparts = R"(
     raycast(Blob, RoundedRay, TriangleFilter)                     espalier_raycast_rounded_filtered
     occluded(Blob, RoundedRay, TriangleFilter)                    espalier_occluded_rounded_filtered
     for_each_hit(Blob, RoundedRay, Visitor<RayHit>)               espalier_for_each_hit_rounded
-    to_local(Transform, RoundedRay)                               espalier_to_local_rounded_ray
     raycast(Blob, Segment)                                        espalier_raycast_lattice_segment
     occluded(Blob, Segment)                                       espalier_occluded_lattice_segment
 
@@ -215,27 +179,15 @@ const char* const counterparts = R"(
     for_each_hit(BakedScene, Ray, RoundedRay, Visitor<InstanceId, RayHit>, SceneFilter)
         espalier_scene_for_each_hit_rounded
     closest_point(BakedScene, Vec3, float, uint32_t)              espalier_scene_closest_point
-    sweep(BakedScene, Sphere, Vec3, SceneFilter)                  espalier_scene_sweep_sphere
-    sweep(BakedScene, Capsule, Vec3, SceneFilter)                 espalier_scene_sweep_capsule
     for_each_candidate(BakedScene, Box, Visitor<InstanceId>, uint32_t) espalier_scene_for_each_candidate
-    overlaps(BakedScene, Sphere, SceneFilter)                     espalier_scene_overlaps_sphere
-    overlaps(BakedScene, Capsule, SceneFilter)                    espalier_scene_overlaps_capsule
-    overlaps(BakedScene, Box, SceneFilter)                        espalier_scene_overlaps_box
-    overlaps(BakedScene, OrientedBox, SceneFilter)                espalier_scene_overlaps_oriented_box
-    overlaps(BakedScene, Cone, SceneFilter)                       espalier_scene_overlaps_cone
-    overlaps(BakedScene, Triangle, SceneFilter)                   espalier_scene_overlaps_triangle
-    for_each_overlap(BakedScene, Sphere, Visitor<InstanceId, TriangleId>, SceneFilter)
-        espalier_scene_for_each_overlap_sphere
-    for_each_overlap(BakedScene, Capsule, Visitor<InstanceId, TriangleId>, SceneFilter)
-        espalier_scene_for_each_overlap_capsule
-    for_each_overlap(BakedScene, Box, Visitor<InstanceId, TriangleId>, SceneFilter)
-        espalier_scene_for_each_overlap_box
-    for_each_overlap(BakedScene, OrientedBox, Visitor<InstanceId, TriangleId>, SceneFilter)
-        espalier_scene_for_each_overlap_oriented_box
-    for_each_overlap(BakedScene, Cone, Visitor<InstanceId, TriangleId>, SceneFilter)
-        espalier_scene_for_each_overlap_cone
-    for_each_overlap(BakedScene, Triangle, Visitor<InstanceId, TriangleId>, SceneFilter)
-        espalier_scene_for_each_overlap_triangle
+
+    Shape: Sphere Capsule
+    sweep(BakedScene, Shape, Vec3, SceneFilter)                   espalier_scene_sweep_shape
+
+    Shape: Sphere Capsule Box OrientedBox Cone Triangle
+    overlaps(BakedScene, Shape, SceneFilter)                      espalier_scene_overlaps_shape
+    for_each_overlap(BakedScene, Shape, Visitor<InstanceId, TriangleId>, SceneFilter)
+        espalier_scene_for_each_overlap_shape
 )";
 
 /// What C has instead of the defaults of C++ structures.
@@ -366,15 +318,35 @@ std::set<std::string> c_functions() {
     return functions;
 }
 
-/// The table above. A line that ends in a bracket goes on in the next one.
-std::map<std::string, std::string> listed() {
+/// "OrientedBox" as "oriented_box".
+std::string name_in_c(const std::string& shape) {
+    std::string name = replaced(shape, "([a-z])([A-Z])", "$1_$2");
+    for (char& c : name)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return name;
+}
+
+/// Returns what C has for each function of C++, of each shape.
+std::map<std::string, std::string> counterparts() {
+    const std::vector<std::string> none = {"Shape"};
+    std::vector<std::string> shapes = none;
     std::map<std::string, std::string> result;
-    std::istringstream lines(replaced(counterparts, "\\)\n", ") "));
+    std::istringstream lines(replaced(table, "\\)\n", ") "));
     for (std::string line; std::getline(lines, line);) {
-        const std::size_t first = line.find_first_not_of(' ');
-        if (first == std::string::npos) continue;
-        const std::size_t end = line.rfind(')') + 1;
-        result[line.substr(first, end - first)] = line.substr(line.find_first_not_of(' ', end));
+        std::istringstream words(line);
+        std::string first;
+        if (!(words >> first)) {
+            shapes = none;
+        } else if (first == "Shape:") {
+            shapes.assign(std::istream_iterator<std::string>(words), {});
+        } else {
+            const std::size_t begin = line.find(first), end = line.rfind(')') + 1;
+            const std::string in_cpp = line.substr(begin, end - begin);
+            const std::string in_c = line.substr(line.find_first_not_of(' ', end));
+            for (const std::string& shape : shapes)
+                result[replaced(in_cpp, "\\bShape\\b", shape.c_str())] =
+                    replaced(in_c, "_shape", ('_' + name_in_c(shape)).c_str());
+        }
     }
     return result;
 }
@@ -444,11 +416,11 @@ TEST_SUITE("counterparts") {
 
     TEST_CASE("c api: every query of the C++ headers has a counterpart") {
         const std::set<std::string> functions = cpp_functions(), in_c = c_functions();
-        const std::map<std::string, std::string> table = listed();
+        const std::map<std::string, std::string> listed = counterparts();
         REQUIRE(functions.size() > 80);
         for (const std::string& function : functions)
-            CHECK_MESSAGE(table.count(function) == 1, function << " has no counterpart");
-        for (const auto& entry : table) {
+            CHECK_MESSAGE(listed.count(function) == 1, function << " has no counterpart");
+        for (const auto& entry : listed) {
             const std::string &function = entry.first, &counterpart = entry.second;  // bindings cannot be captured
             CHECK_MESSAGE(functions.count(function) == 1, "no header declares " << function);
             CHECK_MESSAGE((counterpart == "-" || in_c.count(counterpart) == 1), "espalier/c lacks " << counterpart);
@@ -457,7 +429,7 @@ TEST_SUITE("counterparts") {
 
     TEST_CASE("c api: every function is the counterpart of a query and is called by a test") {
         std::set<std::string> known = only_in_c;
-        for (const auto& [function, counterpart] : listed()) {
+        for (const auto& [function, counterpart] : counterparts()) {
             known.insert(counterpart);
             if (function.ends_with("TriangleFilter)")) known.insert(counterpart + "_filtered");  // C has no defaults
         }
