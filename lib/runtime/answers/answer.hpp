@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include <espalier/function_ref.hpp>
 #include <espalier/distance.hpp>

@@ -5,7 +5,6 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/function_ref.hpp>
-#include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/node.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/lattice/round_ray.hpp>

@@ -3,9 +3,7 @@
 
 #include <cstdint>
 
-#include <espalier/blob.hpp>
 #include <espalier/ray.hpp>
-#include <espalier/statistics.hpp>
 #include <runtime/answers/best_k.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/kernels/point_triangle.hpp>

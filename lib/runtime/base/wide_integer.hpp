@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <type_traits>
 
 #include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>

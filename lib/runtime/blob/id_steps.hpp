@@ -8,7 +8,6 @@
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
-#include <runtime/blob/leaf_kinds.hpp>
 
 namespace espalier::detail {
 

@@ -2,7 +2,6 @@
 // a whole. The layout is in format/leaves.hpp.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>

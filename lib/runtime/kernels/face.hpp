@@ -1,8 +1,6 @@
 // The plane of a triangle: its normal, and on which side of it a point lies.
 #pragma once
 
-#include <cstdint>
-
 #include <espalier/types.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/base/bits.hpp>

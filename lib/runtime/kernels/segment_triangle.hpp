@@ -4,8 +4,6 @@
 // cases.
 #pragma once
 
-#include <cstdint>
-
 #include <runtime/kernels/point_triangle.hpp>
 #include <runtime/lattice/round_segment.hpp>
 #include <runtime/lattice/triangle.hpp>

@@ -2,8 +2,6 @@
 // the distance is reached from one of six corners, or between the insides of two of nine pairs of sides.
 #pragma once
 
-#include <cstdint>
-
 #include <runtime/kernels/segment_triangle.hpp>
 #include <runtime/lattice/triangle.hpp>
 

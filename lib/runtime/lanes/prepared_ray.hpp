@@ -7,7 +7,6 @@
 
 #include <espalier/blob.hpp>
 #include <espalier/format.hpp>
-#include <runtime/base/options.hpp>
 #include <runtime/blob/node.hpp>
 #include <runtime/lattice/round_ray.hpp>
 

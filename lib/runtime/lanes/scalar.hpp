@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/duplicate_references.hpp>

@@ -1,8 +1,6 @@
 // A segment moved into lattice units and rounded there, once: both ends onto one grid.
 #pragma once
 
-#include <cstdint>
-
 #include <espalier/blob.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>

@@ -8,7 +8,6 @@
 #include <espalier/status.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
-#include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/blob/node.hpp>
 
 namespace espalier::detail {

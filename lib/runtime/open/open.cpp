@@ -9,7 +9,6 @@
 #include <runtime/blob/checksum.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/id_steps.hpp>
-#include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/open/check_tree.hpp>
 #include <runtime/open/checks.hpp>

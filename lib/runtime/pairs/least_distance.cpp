@@ -1,7 +1,6 @@
 #include <runtime/pairs/least_distance.hpp>
 
 #include <runtime/base/bits.hpp>
-#include <runtime/blob/duplicate_references.hpp>
 
 namespace espalier::detail {
 

@@ -1,7 +1,6 @@
 // Queries of two blobs in world space: placed on one grid, decided there, translated back.
 #include <espalier/pair.hpp>
 #include <runtime/base/bits.hpp>
-#include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/lattice/to_world.hpp>

@@ -2,10 +2,7 @@
 #pragma once
 
 #include <espalier/function_ref.hpp>
-#include <runtime/answers/first_reference.hpp>
 #include <runtime/base/options.hpp>
-#include <runtime/base/bits.hpp>
-#include <runtime/blob/duplicate_references.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/pairs/frame.hpp>
 #include <runtime/pairs/least_distance.hpp>

@@ -1,8 +1,6 @@
 // Triangles by their distance from a shape with a segment or a box. One walk serves both.
 #pragma once
 
-#include <cstdint>
-
 #include <runtime/answers/answer.hpp>
 #include <runtime/kernels/triangle_distance.hpp>
 #include <runtime/lattice/round_segment.hpp>

@@ -1,5 +1,4 @@
 // Counting crossings: the kernel and the walk. The proof is in docs/numerics.md.
-#include <bit>
 
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/kernels/point_triangle.hpp>

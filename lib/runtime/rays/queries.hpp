@@ -5,7 +5,6 @@
 #include <espalier/function_ref.hpp>
 #include <espalier/ray.hpp>
 #include <runtime/answers/answer.hpp>
-#include <runtime/blob/duplicate_references.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/traversal/fragments.hpp>

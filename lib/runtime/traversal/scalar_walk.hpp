@@ -2,7 +2,6 @@
 // visitor by pointers; elsewhere each visitor has a copy.
 #pragma once
 
-#include <bit>
 #include <type_traits>
 
 #include <runtime/answers/answer.hpp>

@@ -1,6 +1,4 @@
 // Every triangle of a blob, in storage order, and every node.
-#include <bit>
-
 #include <espalier/walk.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/lattice/outward.hpp>

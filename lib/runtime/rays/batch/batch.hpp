@@ -3,12 +3,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <new>
 
 #include <espalier/ray.hpp>
-#include <runtime/blob/duplicate_references.hpp>
-#include <runtime/answers/found.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/kernels/ray_triangle.hpp>
 

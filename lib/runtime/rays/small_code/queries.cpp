@@ -1,5 +1,4 @@
 // Ray queries for small cores: few bytes of code and stack, and hardly a float.
-#include <bit>
 #include <type_traits>
 
 #include <runtime/base/options.hpp>

@@ -2,8 +2,6 @@
 // (seen_ray.hpp).
 #pragma once
 
-#include <bit>
-#include <cstddef>
 #include <cstdint>
 #if defined(__ARM_FEATURE_SIMD32)
 #include <arm_acle.h>  // pairs of 16 bits in one instruction
