@@ -1,4 +1,4 @@
-#include <runtime/overlap/box.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>

@@ -1,4 +1,4 @@
-#include <runtime/overlap/capsule.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 
 #include <runtime/kernels/segment_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>

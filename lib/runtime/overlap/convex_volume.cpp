@@ -1,7 +1,7 @@
 // Which part of a triangle is in all half-spaces, without ever computing a coordinate of it: constraints on the weights
 // of the triangle's corners are added one by one, and points are named by the two constraints that cross there (a
 // linear programme in two variables: Seidel 1991). Whether a point keeps to a third one is the sign of a determinant.
-#include <runtime/overlap/convex_volume.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 
 #include <bit>
 

@@ -1,7 +1,8 @@
-#include <runtime/overlap/oriented_box.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>
+#include <runtime/overlap/bounding_plane.hpp>
 #include <runtime/overlap/find.hpp>
 
 namespace espalier::detail {

@@ -3,7 +3,7 @@
 #include <runtime/base/wide_integer.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/overlap/bounding_plane.hpp>
-#include <runtime/overlap/convex_volume.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 
 namespace espalier::detail {
 

@@ -1,5 +1,6 @@
-#include <runtime/overlap/triangle.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 
+#include <runtime/kernels/triangle_triangle.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/overlap/bounding_plane.hpp>
 #include <runtime/overlap/find.hpp>

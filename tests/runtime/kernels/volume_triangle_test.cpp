@@ -5,10 +5,7 @@
 #include <set>
 #include <string>
 
-#include <runtime/overlap/box.hpp>
-#include <runtime/overlap/triangle.hpp>
-#include <runtime/overlap/convex_volume.hpp>
-#include <runtime/overlap/oriented_box.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 
 #include "oracle/big_integer.hpp"
 #include "oracle/convex_hull.hpp"

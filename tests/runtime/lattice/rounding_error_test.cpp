@@ -12,8 +12,7 @@
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_ray.hpp>
 #include <runtime/lattice/round_segment.hpp>
-#include <runtime/overlap/triangle.hpp>
-#include <runtime/overlap/oriented_box.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
 
 #include "oracle/rational.hpp"

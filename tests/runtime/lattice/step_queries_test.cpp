@@ -6,7 +6,7 @@
 #include <climits>
 
 #include <espalier/espalier.hpp>
-#include <runtime/overlap/box.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/rays/whole_segment.hpp>
 #include <runtime/traversal/scalar_walk.hpp>
 

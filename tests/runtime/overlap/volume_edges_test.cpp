@@ -9,11 +9,7 @@
 #include <espalier/approximate.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/walk.hpp>
-#include <runtime/overlap/box.hpp>
-#include <runtime/overlap/capsule.hpp>
-#include <runtime/overlap/triangle.hpp>
-#include <runtime/overlap/convex_volume.hpp>
-#include <runtime/overlap/oriented_box.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/traversal/box_nodes.hpp>
 #include <runtime/traversal/plane_nodes.hpp>
 

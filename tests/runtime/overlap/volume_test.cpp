@@ -6,11 +6,7 @@
 
 #include <espalier/overlap.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
-#include <runtime/overlap/box.hpp>
-#include <runtime/overlap/capsule.hpp>
-#include <runtime/overlap/triangle.hpp>
-#include <runtime/overlap/convex_volume.hpp>
-#include <runtime/overlap/oriented_box.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/blobs/test_blobs.hpp"

@@ -11,7 +11,7 @@
 #include <runtime/answers/nearest_to_world.hpp>
 #include <runtime/lattice/round_point.hpp>
 #include <runtime/lattice/round_ray.hpp>
-#include <runtime/overlap/box.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/proximity/closest_pair.hpp>
 #include <runtime/traversal/small_boxes.hpp>
 

@@ -9,11 +9,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/answers/found.hpp>
-#include <runtime/overlap/box.hpp>
-#include <runtime/overlap/capsule.hpp>
-#include <runtime/overlap/triangle.hpp>
-#include <runtime/overlap/convex_volume.hpp>
-#include <runtime/overlap/oriented_box.hpp>
+#include <runtime/overlap/rounded_shapes.hpp>
 #include <runtime/proximity/closest_pair.hpp>
 #include <runtime/proximity/winding.hpp>
 #include <runtime/rays/whole_segment.hpp>

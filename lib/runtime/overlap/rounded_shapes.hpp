@@ -1,0 +1,71 @@
+// The shapes of the caller, rounded onto the lattice: how each is kept, and the kernel that decides whether a triangle
+// shares a point with it, exactly. The file of each shape has both; that of cones has their structure too.
+#pragma once
+
+#include <cstdint>
+
+#include <espalier/lattice.hpp>
+#include <espalier/shapes.hpp>
+#include <runtime/lattice/round_segment.hpp>
+#include <runtime/overlap/volume.hpp>
+
+namespace espalier::detail {
+
+/// An axis-aligned box, in units of 2^-7 steps: sums and differences of coordinates that are multiples of 2^-6. The
+/// kernel tries thirteen possible separating axes, in integers (Akenine-Möller 2001 has them for floats).
+template <>
+struct Rounded<Box> : VolumeOf<Box, 0> {
+    static constexpr int fraction_bits = 7;
+
+    std::int64_t center[3];
+    std::int64_t half[3];  ///< >= 0
+};
+QueryStatus round_volume(const BlobData& blob, const Box& world, Rounded<Box>& box) noexcept;
+[[nodiscard]] bool meets(const Rounded<Box>& box, const LatticeTriangle& triangle) noexcept;
+
+template <>
+struct Rounded<LatticeBox> : Rounded<Box> {};
+/// Moves the box onto the grid, which rounds nothing.
+QueryStatus round_volume(const BlobData& blob, const LatticeBox& steps, Rounded<Box>& box) noexcept;
+
+template <>
+struct Rounded<Capsule> : VolumeOf<Capsule, 6> {
+    RoundedSegment segment;
+    float radius;  ///< lattice steps; 0 or at least 2^-100, may be infinite
+};
+QueryStatus round_volume(const BlobData& blob, const Capsule& world, Rounded<Capsule>& capsule) noexcept;
+[[nodiscard]] bool meets(const Rounded<Capsule>& capsule, const LatticeTriangle& triangle) noexcept;
+
+/// A convex set of half-spaces, bounded or not: normals whose largest coordinate is in [2^23, 2^24]; offsets within
+/// 2^52.
+template <>
+struct Rounded<ConvexVolume> : VolumeOf<ConvexVolume, max_planes> {};
+QueryStatus round_volume(const BlobData& blob, const ConvexVolume& world, Rounded<ConvexVolume>& set) noexcept;
+[[nodiscard]] bool meets(const Rounded<ConvexVolume>& set, const LatticeTriangle& triangle) noexcept;
+
+/// A box of any orientation, sheared and flat ones too: all points center + a * half[0] + b * half[1] + c * half[2]
+/// with a, b, c in [-1, 1]. The kernel tries separating axes in integers (Gottschalk, Lin and Manocha 1996), completed
+/// for shapes without volume (docs/numerics.md).
+template <>
+struct Rounded<OrientedBox> : VolumeOf<OrientedBox, 6> {
+    int fraction_bits;  ///< 0..6; what follows is in units of 2^-fraction_bits steps
+    Integer3 center;
+    Integer3 half[3];
+    bool is_near;  ///< center and half axes stay below 2^23, seen from any vertex of the asset and added up
+
+    WideVector face[3];  ///< normals of the faces: products of two half axes
+    Int128 face_reach;   ///< how far each face is along its normal; zero for a flat box
+};
+QueryStatus round_volume(const BlobData& blob, const OrientedBox& world, Rounded<OrientedBox>& box) noexcept;
+[[nodiscard]] bool meets(const Rounded<OrientedBox>& box, const LatticeTriangle& triangle) noexcept;
+
+/// A triangle, also one without area.
+template <>
+struct Rounded<Triangle> : VolumeOf<Triangle, 5> {
+    int fraction_bits;         ///< 0..6
+    IntegerTriangle triangle;  ///< in units of 2^-fraction_bits steps
+};
+QueryStatus round_volume(const BlobData& blob, const Triangle& world, Rounded<Triangle>& corners) noexcept;
+[[nodiscard]] bool meets(const Rounded<Triangle>& corners, const LatticeTriangle& triangle) noexcept;
+
+}  // namespace espalier::detail
