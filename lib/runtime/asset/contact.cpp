@@ -33,19 +33,10 @@ Vec3 fix_internal_edge_normal(const Blob& blob, TriangleId touched, Feature feat
     const unsigned outer_edges = outer(kinds->ab) | outer(kinds->bc) << 1 | outer(kinds->ca) << 2;
     if (edges == 0 || (edges & outer_edges) != 0) return normal;
 
-    const LatticeTriangle triangle = find_triangle(data_of(blob), touched.index);
-    const auto& c = triangle.corner;
-    const auto edge = [&](int to, int axis) { return std::int64_t{c[to][axis]} - c[0][axis]; };
-    const Integer3 exact = cross({edge(1, 0), edge(1, 1), edge(1, 2)}, {edge(2, 0), edge(2, 1), edge(2, 2)});
-    const float x = to_float(exact.x);
-    const float y = to_float(exact.y);
-    const float z = to_float(exact.z);
-    const float squared = x * x + y * y + z * z;
-    if (squared == 0.0f) return normal;  // a triangle without area, which no baker wrote
-    const float length = square_root(squared);
-    const bool behind = normal.x * x + normal.y * y + normal.z * z < 0.0f;
-    const float scale = behind ? -length : length;
-    return {x / scale, y / scale, z / scale};
+    const Integer3 face = normal_of(integer_triangle(find_triangle(data_of(blob), touched.index)));
+    if (is_zero(face)) return normal;  // a triangle without area, which no baker wrote
+    const bool behind = normal.x * to_float(face.x) + normal.y * to_float(face.y) + normal.z * to_float(face.z) < 0.0f;
+    return to_unit(behind ? -face : face);
 }
 
 }  // namespace espalier
