@@ -41,6 +41,10 @@ constexpr float whole_float(std::uint32_t number) {
 
 /// Exponent of a normal number: |x| is in [2^e, 2^(e+1)).
 constexpr int exponent_of(float x) { return static_cast<int>(magnitude_bits(x) >> 23) - 127; }
+/// The same from the bits of a magnitude that is not 0, and also of a subnormal number, from its highest bit.
+constexpr int exponent_of_bits(std::uint32_t magnitude) {
+    return magnitude >= 0x00800000u ? static_cast<int>(magnitude >> 23) - 127 : 31 - std::countl_zero(magnitude) - 149;
+}
 
 /// Whether a finite number is a whole multiple of 2^exponent, which is at least 2^-100: of the numbers that are not 0,
 /// no subnormal one is.

@@ -2,7 +2,6 @@
 // operation for the sake of cores that have none.
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/id_steps.hpp>
-#include <runtime/blob/leaf_kinds.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/open/checks.hpp>
 #include <runtime/open/header.hpp>
@@ -53,6 +52,26 @@ OpenStatus read_version_and_size(const std::byte* h, std::size_t size, BlobData&
     return OpenStatus::ok;
 }
 
+bool read_lattice(BlobData& blob) {
+    using namespace format::header;
+    const std::byte* const h = blob.bytes;
+    blob.step_exponent = load_i16(h + step_exponent_at);
+    // Finite, and the sign bit clear.
+    if (blob.step_exponent < format::min_step_exponent || blob.step_exponent > format::max_step_exponent ||
+        load_u32(h + max_error_at) >= infinity_bits)
+        return false;
+    blob.max_error = load_f32(h + max_error_at);
+    for (std::size_t k = 0; k < 3; ++k) {
+        blob.origin[k] = load_f32(h + origin_at + 4 * k);
+        const std::uint32_t extent = load_u32(h + extent_at + 4 * k);
+        if (!is_finite(blob.origin[k]) || is_minus_zero(blob.origin[k]) ||
+            !is_multiple_of_power(blob.origin[k], blob.step_exponent) || extent >> blob.bits != 0)
+            return false;
+        blob.extent[k] = static_cast<std::int32_t>(extent);
+    }
+    return true;
+}
+
 OpenStatus read_header(BlobData& blob) {
     using namespace format::header;
     const std::byte* h = blob.bytes;
@@ -65,10 +84,7 @@ OpenStatus read_header(BlobData& blob) {
     if (!is_read(blob.profile)) return OpenStatus::unsupported_profile;  // GCOVR_EXCL_BR_LINE: builds of fewer profiles
 
     blob.bits = static_cast<std::uint8_t>(load_u8(h + bits_at));
-    blob.step_exponent = load_i16(h + step_exponent_at);
-    if (blob.bits < 1 || blob.bits > format::max_bits || blob.step_exponent < format::min_step_exponent ||
-        blob.step_exponent > format::max_step_exponent)
-        return OpenStatus::bad_header;
+    if (blob.bits < 1 || blob.bits > format::max_bits) return OpenStatus::bad_header;
 
     blob.triangle_count = load_u32(h + triangle_count_at);
     blob.vertex_count = load_u32(h + vertex_count_at);
@@ -105,17 +121,7 @@ OpenStatus read_header(BlobData& blob) {
             : (id_kind_bits | blob.source_count | load_u32(h + id_step_bytes_at)) != 0)
         return OpenStatus::bad_header;
 
-    // Finite, and the sign bit clear.
-    if (load_u32(h + max_error_at) >= infinity_bits) return OpenStatus::bad_header;
-    blob.max_error = load_f32(h + max_error_at);
-    for (std::size_t k = 0; k < 3; ++k) {
-        blob.origin[k] = load_f32(h + origin_at + 4 * k);
-        const std::uint32_t extent = load_u32(h + extent_at + 4 * k);
-        if (!is_finite(blob.origin[k]) || is_minus_zero(blob.origin[k]) ||
-            !is_multiple_of_power(blob.origin[k], blob.step_exponent) || extent >> blob.bits != 0)
-            return OpenStatus::bad_header;
-        blob.extent[k] = static_cast<std::int32_t>(extent);
-    }
+    if (!read_lattice(blob)) return OpenStatus::bad_header;
     if (!is_zero(h + reserved_at, format::header::bytes - reserved_at)) return OpenStatus::bad_header;
     blob.derive();
     return locate_sections(blob, false);

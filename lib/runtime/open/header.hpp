@@ -22,6 +22,9 @@ inline constexpr FileKind blob_file = {format::magic, format::version_major, for
 /// Reads the fields that give the others a meaning: magic, version, size. The checksum is read and not compared.
 OpenStatus read_version_and_size(const std::byte* bytes, std::size_t size, BlobData& blob,
                                  const FileKind& kind = blob_file);
+/// Reads the step, the origin, the extent and the largest error, which scenes have at the same places. Requires the
+/// bits; returns whether all are within their ranges.
+bool read_lattice(BlobData& blob);
 /// Reads the rest of the header, checks each rule of it, and locates the sections.
 OpenStatus read_header(BlobData& blob);
 /// Sets the pointers to the sections, which together are the blob. Of their contents it reads only the number of copies

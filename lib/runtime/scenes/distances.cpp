@@ -41,7 +41,7 @@ private:
 
 InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float max_distance,
                                     std::uint32_t mask) noexcept {
-    const bool is_sound = is_finite(point.x) && is_finite(point.y) && is_finite(point.z) && max_distance >= 0.0f;
+    const bool is_sound = is_finite(point) && max_distance >= 0.0f;
     BestInScene<ClosestPoint> best(!scene     ? QueryStatus::not_open
                                    : is_sound ? QueryStatus::not_found
                                               : QueryStatus::invalid_argument);

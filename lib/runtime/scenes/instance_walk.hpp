@@ -10,20 +10,13 @@
 
 namespace espalier::detail {
 
-/// An instance that a walk visits, with what a query needs of it: a mesh or a tile.
-struct VisitedInstance {
+/// An instance that a walk visits, with what a query needs of it.
+struct VisitedInstance : MeshOrTile {
     InstanceId id;
-    const Blob* mesh;        ///< null for a tile
-    const BakedScene* tile;  ///< null for a mesh
     Transform transform;
 
     /// Returns the id of what a query of the instance has found.
     [[nodiscard]] InstanceId id_of(InstanceId in_tile) const { return {id.index, in_tile.index}; }
-    /// Returns what a query returns for the mesh or the tile.
-    template <class Query>
-    auto query(Query query) const {
-        return mesh != nullptr ? query(*mesh) : query(*tile);
-    }
 };
 
 /// Called with an instance and the walk's limit, which it may lower. Stop ends a walk in order.
@@ -40,37 +33,27 @@ struct InstanceAnswer {
         const InstanceId id = instance_of(place);
         const std::byte* const record = record_of(scene, id);
         if ((mask_of(record) & mask) == 0) return Visit::next;
-        const std::uint32_t mesh = mesh_of(record);
-        const bool is_tile = mesh >= scene.mesh_count;
-        return visit({id, is_tile ? nullptr : scene.meshes + mesh,
-                      is_tile ? scene.tiles + (mesh - scene.mesh_count) : nullptr, transform_of(record)},
-                     limit);
+        return visit({part_of(scene, record), id, transform_of(record)}, limit);
     }
 };
 
-#define ESPALIER_DECLARE_INSTANCE_WALKS(instruction_set)                          \
-    namespace instruction_set {                                                   \
-    void instances_nearest_first(const Passage& passage, InstanceAnswer& answer); \
-    void instances_around(const RoundedPoint& point, InstanceAnswer& answer);     \
-    Visit instances_in_order(const Passage& passage, InstanceAnswer& answer);     \
+#define ESPALIER_DECLARE_INSTANCE_WALKS(instruction_set)                             \
+    namespace instruction_set {                                                      \
+    void instances_nearest_first(const Passage& passage, InstanceAnswer& answer);    \
+    void instances_nearest_first(const RoundedPoint& point, InstanceAnswer& answer); \
+    Visit instances_in_order(const Passage& passage, InstanceAnswer& answer);        \
     }
 ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_INSTANCE_WALKS)
 #undef ESPALIER_DECLARE_INSTANCE_WALKS
 
-/// Visits the instances whose boxes a passage meets up to the limit, the nearest first.
-inline void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const Passage& passage, float limit,
-                                    const InstanceVisitor& visit) {
+/// Visits the instances whose boxes a Passage meets up to the limit, or whose boxes are within a squared distance of a
+/// RoundedPoint, in steps: the nearest first.
+template <class Region>
+void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const Region& region, float limit,
+                             const InstanceVisitor& visit) {
     if (scene.instance_count == 0) return;
     InstanceAnswer answer = {scene, mask, limit, visit};
-    ESPALIER_DISPATCH(instances_nearest_first, passage, answer);
-}
-
-/// Visits the instances whose boxes are within a squared distance of a point, in steps, the nearest first.
-inline void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const RoundedPoint& point, float limit,
-                                    const InstanceVisitor& visit) {
-    if (scene.instance_count == 0) return;
-    InstanceAnswer answer = {scene, mask, limit, visit};
-    ESPALIER_DISPATCH(instances_around, point, answer);
+    ESPALIER_DISPATCH(instances_nearest_first, region, answer);
 }
 
 /// Visits those whose boxes a passage meets in ascending order. Returns stop if the visitor does.

@@ -9,22 +9,14 @@ namespace {
 
 using PassageLanes = RayLanesOf<PackedNode>;
 
-[[gnu::always_inline]] inline unsigned instances_met(const PackedNode& node, const PassageLanes& passage,
-                                                     const BlobData&, float limit, Keys keys) {
-    return slab_test(node, passage, limit, keys);
-}
-[[gnu::always_inline]] inline unsigned instances_met(const PackedNode& node, const RoundedPoint& point,
-                                                     const BlobData& tree, float limit, Keys keys) {
-    return distance_test(node, point, tree, limit, keys);
-}
-
 template <class Region>
 struct InstanceWalk {
     const Region& region;
     InstanceAnswer& answer;
 
     [[gnu::always_inline]] unsigned children(const PackedNode& node, Keys keys) const {
-        return instances_met(node, region, answer.scene.tree, answer.limit, keys);
+        if constexpr (std::is_same_v<Region, PassageLanes>) return slab_test(node, region, answer.limit, keys);
+        else return distance_test(node, region, answer.scene.tree, answer.limit, keys);
     }
     [[nodiscard]] float limit() const { return answer.limit; }
     Visit visit_leaf(const InstancePlace& place) { return answer.take(place); }
@@ -39,7 +31,7 @@ void instances_nearest_first(const Passage& passage, InstanceAnswer& answer) {
     (traverse_nearest_first<InstancePlace>)(tree, walk);
 }
 
-void instances_around(const RoundedPoint& point, InstanceAnswer& answer) {
+void instances_nearest_first(const RoundedPoint& point, InstanceAnswer& answer) {
     InstanceWalk<RoundedPoint> walk = {point, answer};
     (traverse_nearest_first<InstancePlace>)(answer.scene.tree, walk);
 }

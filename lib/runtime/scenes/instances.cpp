@@ -1,9 +1,5 @@
 // What a scene returns of itself and of its instances.
-#include <cstddef>
-#include <cstdint>
-
-#include <espalier/scene.hpp>
-#include <runtime/base/bits.hpp>
+#include <runtime/lattice/to_world.hpp>
 #include <runtime/scenes/instances.hpp>
 
 namespace espalier {
@@ -14,63 +10,49 @@ using namespace format::scene;
 Box BakedScene::bounds() const noexcept {
     if (data_.instance_count == 0) return {};
     const BlobData& tree = data_.tree;
-    const float step = power_of_two(tree.step_exponent);
-    const float* const o = tree.origin;
-    const float* const e = tree.extent_steps;
-    return {{o[0], o[1], o[2]}, {o[0] + e[0] * step, o[1] + e[1] * step, o[2] + e[2] * step}};
+    return {{tree.origin[0], tree.origin[1], tree.origin[2]}, to_world(tree, tree.extent)};
 }
 
 namespace {
 
-/// The tile that an id leads through, or null if `in_tile` is none; and the record of the instance, or null for an id
-/// that is out of range.
+/// What an id leads to.
 struct FoundInstance {
-    const std::byte* outer = nullptr;
-    const BakedScene* tile = nullptr;
-    const std::byte* record = nullptr;
+    QueryStatus status = QueryStatus::invalid_argument;  ///< else ok or not_open
+    const std::byte* outer = nullptr;                    ///< the record of the instance, or of the tile that it is in
+    const SceneData* holder = nullptr;                   ///< the scene, or the tile
+    const std::byte* record = nullptr;                   ///< in the holder
 };
 
-FoundInstance find_instance(const SceneData& scene, InstanceId id) {
-    if (id.index >= scene.instance_count) return {};
-    FoundInstance found;
-    found.outer = found.record = record_of(scene, id);
-    if (id.in_tile == no_instance.in_tile) return found;
-    const std::uint32_t mesh = mesh_of(found.record);
-    if (mesh < scene.mesh_count) return {};
-    found.tile = scene.tiles + (mesh - scene.mesh_count);
-    const SceneData& tile = data_of(*found.tile);
-    found.record = id.in_tile < tile.instance_count ? record_of(tile, {id.in_tile}) : nullptr;
-    return found;
+FoundInstance find_instance(const BakedScene& scene, InstanceId id) {
+    if (!scene) return {QueryStatus::not_open};
+    const SceneData& all = data_of(scene);
+    if (id.index >= all.instance_count) return {};
+    const std::byte* const outer = record_of(all, id);
+    if (id.in_tile == no_instance.in_tile) return {QueryStatus::ok, outer, &all, outer};
+    const BakedScene* const tile = part_of(all, outer).tile;
+    if (tile == nullptr || id.in_tile >= tile->instance_count()) return {};
+    return {QueryStatus::ok, outer, &data_of(*tile), record_of(data_of(*tile), {id.in_tile})};
 }
 
 /// Returns whether a ray that is rounded for the scene's common lattice meets the mesh or the tile of a record.
 bool is_on_common_lattice(const SceneData& scene, const std::byte* record) {
-    const Transform transform = transform_of(record);
-    const std::uint32_t mesh = mesh_of(record);
-    return mesh < scene.mesh_count
-               ? detail::is_on_common_lattice(scene, scene.meshes[mesh], transform)
-               : detail::is_on_common_lattice(scene, scene.tiles[mesh - scene.mesh_count], transform);
-}
-
-QueryStatus status_of(const BakedScene& scene, const FoundInstance& found) {
-    return !scene ? QueryStatus::not_open : found.record == nullptr ? QueryStatus::invalid_argument : QueryStatus::ok;
+    return part_of(scene, record).query([&](const auto& part) {
+        return detail::is_on_common_lattice(scene, part, transform_of(record));
+    });
 }
 
 }  // namespace
 
 YesNo is_on_common_lattice(const BakedScene& scene, InstanceId instance) noexcept {
-    const FoundInstance found = find_instance(data_of(scene), instance);
-    const QueryStatus status = status_of(scene, found);
-    if (status != QueryStatus::ok) return YesNo(status);
-    const bool is_on = is_on_common_lattice(data_of(scene), found.outer);
-    if (found.tile == nullptr) return YesNo::of(is_on);
-    return YesNo::of(is_on && is_on_common_lattice(data_of(*found.tile), found.record));
+    const FoundInstance found = find_instance(scene, instance);
+    if (found.status != QueryStatus::ok) return YesNo(found.status);
+    return YesNo::of(is_on_common_lattice(data_of(scene), found.outer) &&
+                     (found.record == found.outer || is_on_common_lattice(*found.holder, found.record)));
 }
 
 Result<Instance> instance_at(const BakedScene& scene, InstanceId instance) noexcept {
-    const FoundInstance found = find_instance(data_of(scene), instance);
-    const QueryStatus status = status_of(scene, found);
-    if (status != QueryStatus::ok) return {{}, status};
+    const FoundInstance found = find_instance(scene, instance);
+    if (found.status != QueryStatus::ok) return {{}, found.status};
     const std::byte* const record = found.record;
     return {{transform_of(record), mesh_of(record), mask_of(record), load_u32(record + user_at),
              load_u32(record + source_at)},
@@ -78,13 +60,11 @@ Result<Instance> instance_at(const BakedScene& scene, InstanceId instance) noexc
 }
 
 Result<Blob> mesh_at(const BakedScene& scene, InstanceId instance) noexcept {
-    const FoundInstance found = find_instance(data_of(scene), instance);
-    const QueryStatus status = status_of(scene, found);
-    if (status != QueryStatus::ok) return {{}, status};
-    const SceneData& holder = found.tile != nullptr ? data_of(*found.tile) : data_of(scene);
-    const std::uint32_t mesh = mesh_of(found.record);
-    if (mesh >= holder.mesh_count) return {{}, QueryStatus::invalid_argument};
-    return {holder.meshes[mesh], QueryStatus::ok};
+    const FoundInstance found = find_instance(scene, instance);
+    if (found.status != QueryStatus::ok) return {{}, found.status};
+    const Blob* const mesh = part_of(*found.holder, found.record).mesh;
+    if (mesh == nullptr) return {{}, QueryStatus::invalid_argument};
+    return {*mesh, QueryStatus::ok};
 }
 
 }  // namespace espalier

@@ -32,6 +32,24 @@ inline Transform transform_of(const std::byte* record) {
 inline std::uint32_t mesh_of(const std::byte* record) { return load_u32(record + format::scene::mesh_at); }
 inline std::uint32_t mask_of(const std::byte* record) { return load_u32(record + format::scene::mask_at); }
 
+/// What an instance is one of: a mesh or a tile. The other is null.
+struct MeshOrTile {
+    const Blob* mesh;
+    const BakedScene* tile;
+
+    /// Returns what a query returns for the mesh or the tile.
+    template <class Query>
+    auto query(Query query) const {
+        return mesh != nullptr ? query(*mesh) : query(*tile);
+    }
+};
+/// Returns the mesh or the tile of a record.
+inline MeshOrTile part_of(const SceneData& scene, const std::byte* record) {
+    const std::uint32_t number = mesh_of(record);
+    if (number < scene.mesh_count) return {scene.meshes + number, nullptr};
+    return {nullptr, scene.tiles + (number - scene.mesh_count)};
+}
+
 /// Returns whether a ray that is rounded for the common lattice meets what lies on a lattice of its own at that place:
 /// a mesh, or the instances of a tile that lie on the tile's common lattice.
 inline bool is_on_common_lattice(const SceneData& scene, const Lattice& lattice, const Transform& transform) {

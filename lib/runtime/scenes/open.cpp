@@ -38,28 +38,19 @@ OpenStatus read_scene_header(SceneData& scene) {
     if ((features & ~has_common_lattice) != 0) return OpenStatus::unsupported_feature;
     tree.profile = Profile::balanced;
     tree.bits = bits;
-    tree.step_exponent = load_i16(h + step_exponent_at);
     scene.mesh_count = load_u32(h + mesh_count_at);
     scene.tile_count = load_u32(h + tile_count_at);
     scene.instance_count = load_u32(h + instance_count_at);
     tree.node_count = load_u32(h + node_count_at);
     const std::uint32_t depth = load_u16(h + depth_at);
     tree.depth = static_cast<std::uint8_t>(depth);
-    if (tree.step_exponent < format::min_step_exponent || tree.step_exponent > format::max_step_exponent ||
-        scene.mesh_count > max_meshes || scene.tile_count > max_meshes || scene.instance_count > max_instances ||
+    if (scene.mesh_count > max_meshes || scene.tile_count > max_meshes || scene.instance_count > max_instances ||
         tree.node_count > format::max_nodes || depth > format::max_depth ||
         (scene.instance_count == 0) != (tree.node_count == 0) || (tree.node_count == 0) != (depth == 0))
         return OpenStatus::bad_header;
-    if (load_u32(h + max_error_at) >= infinity_bits) return OpenStatus::bad_header;
-    tree.max_error = load_f32(h + max_error_at);
-    for (std::size_t k = 0; k < 3; ++k) {
-        tree.origin[k] = load_f32(h + origin_at + 4 * k);
-        const std::uint32_t extent = load_u32(h + extent_at + 4 * k);
-        if (!is_finite(tree.origin[k]) || load_u32(h + origin_at + 4 * k) == 0x80000000u ||
-            !is_multiple_of_power(tree.origin[k], tree.step_exponent) || extent >> bits != 0)
-            return OpenStatus::bad_header;
-        tree.extent[k] = static_cast<std::int32_t>(extent);
-    }
+    static_assert(step_exponent_at == format::header::step_exponent_at && origin_at == format::header::origin_at &&
+                  extent_at == format::header::extent_at && max_error_at == format::header::max_error_at);
+    if (!read_lattice(tree)) return OpenStatus::bad_header;
     if (!is_zero(h + zeros_at, header_bytes - zeros_at)) return OpenStatus::bad_header;
     scene.has_common = features != 0;
     scene.common = common_lattice_of(h);
@@ -73,7 +64,7 @@ OpenStatus read_scene_header(SceneData& scene) {
 /// Takes parts off the front of the bytes. Offsets are 64-bit numbers: no sum of them overflows.
 class Parts {
 public:
-    explicit Parts(const BlobData& tree) : bytes_(tree.bytes), size_(tree.size) {}
+    explicit Parts(std::span<const std::byte> bytes) : bytes_(bytes.data()), size_(bytes.size()) {}
 
     /// Returns where the next part begins, or null if it does not fit in.
     const std::byte* take(std::uint64_t size) {
@@ -104,8 +95,11 @@ std::span<const std::byte> take_part(Parts& parts, const std::byte* size_at) {
 }
 
 /// Reads the header and opens the meshes that are not in tiles. `sizes` receives where the sizes of the tiles are.
-OpenStatus open_header_and_meshes(SceneData& scene, Parts& parts, std::span<Blob> meshes, const std::byte*& sizes) {
-    const OpenStatus status = read_scene_header(scene);
+OpenStatus open_header_and_meshes(std::span<const std::byte> bytes, SceneData& scene, Parts& parts,
+                                  std::span<Blob> meshes, const std::byte*& sizes) {
+    OpenStatus status = read_version_and_size(bytes.data(), bytes.size(), scene.tree, scene_file);
+    if (status == OpenStatus::ok && scene.tree.checksum != checksum_of_blob(bytes)) status = OpenStatus::bad_checksum;
+    if (status == OpenStatus::ok) status = read_scene_header(scene);
     if (status != OpenStatus::ok) return status;
     const std::uint64_t count = std::uint64_t{scene.mesh_count} + scene.tile_count;
     sizes = parts.take(count * part_size_bytes);
@@ -114,9 +108,9 @@ OpenStatus open_header_and_meshes(SceneData& scene, Parts& parts, std::span<Blob
     if (meshes.size() < scene.mesh_count) return OpenStatus::too_few_meshes;
     scene.meshes = meshes.data();
     for (Blob& mesh : meshes.first(scene.mesh_count)) {
-        const std::span<const std::byte> bytes = take_part(parts, sizes);
-        if (bytes.data() == nullptr) return OpenStatus::bad_section;
-        mesh = open(bytes);
+        const std::span<const std::byte> part = take_part(parts, sizes);
+        if (part.data() == nullptr) return OpenStatus::bad_section;
+        mesh = open(part);
         if (!mesh) return mesh.status();
         sizes += part_size_bytes;
     }
@@ -140,17 +134,14 @@ OpenStatus check_instances(SceneData& scene) {
     for (std::uint32_t i = 0; i < scene.instance_count; ++i) {
         const std::byte* const record = record_of(scene, {i});
         const Transform transform = transform_of(record);
-        const std::uint32_t mesh = mesh_of(record);
         if (!is_valid(transform) || transform.scale < least_coordinate || transform.scale > greatest_scale ||
-            mesh >= scene.mesh_count + scene.tile_count)
+            mesh_of(record) >= scene.mesh_count + scene.tile_count)
             return OpenStatus::bad_instance;
-        const SceneData* const tile =
-            mesh >= scene.mesh_count ? &data_of(scene.tiles[mesh - scene.mesh_count]) : nullptr;
-        const float step = tile != nullptr
-                               ? transform.scale * tile->coarsest_step
-                               : scale_by_power_of_two(transform.scale, data_of(scene.meshes[mesh]).step_exponent);
+        const auto [in_mesh, tile] = part_of(scene, record);
+        const float step = in_mesh != nullptr ? scale_by_power_of_two(transform.scale, data_of(*in_mesh).step_exponent)
+                                              : transform.scale * data_of(*tile).coarsest_step;
         scene.coarsest_step = maximum(step, scene.coarsest_step);
-        const float scale_in_tile = tile != nullptr ? maximum(tile->largest_scale, 1.0f) : 1.0f;
+        const float scale_in_tile = tile != nullptr ? maximum(data_of(*tile).largest_scale, 1.0f) : 1.0f;
         scene.largest_scale = maximum(transform.scale * scale_in_tile, scene.largest_scale);
     }
     return OpenStatus::ok;
@@ -172,18 +163,10 @@ OpenStatus check_tree_and_instances(SceneData& scene, Parts& parts) {
     return check_instances(scene);
 }
 
-OpenStatus read_start(std::span<const std::byte> bytes, SceneData& scene) {
-    const OpenStatus status = read_version_and_size(bytes.data(), bytes.size(), scene.tree, scene_file);
-    if (status != OpenStatus::ok) return status;
-    return scene.tree.checksum == checksum_of_blob(bytes) ? OpenStatus::ok : OpenStatus::bad_checksum;
-}
-
 OpenStatus open_tile(std::span<const std::byte> bytes, SceneData& tile, std::span<Blob> meshes) {
-    OpenStatus status = read_start(bytes, tile);
-    if (status != OpenStatus::ok) return status;
-    Parts parts(tile.tree);
+    Parts parts(bytes);
     const std::byte* sizes = nullptr;
-    status = open_header_and_meshes(tile, parts, meshes, sizes);
+    const OpenStatus status = open_header_and_meshes(bytes, tile, parts, meshes, sizes);
     if (status != OpenStatus::ok) return status;
     if (tile.tile_count != 0) return OpenStatus::bad_header;
     return check_tree_and_instances(tile, parts);
@@ -222,11 +205,9 @@ BakedScene open_scene(std::span<const std::byte> bytes, std::span<Blob> meshes, 
     BakedScene scene;
     // A function of its own would have to be a friend.
     const auto open_all = [&](SceneData& data) {
-        OpenStatus status = read_start(bytes, data);
-        if (status != OpenStatus::ok) return status;
-        Parts parts(data.tree);
+        Parts parts(bytes);
         const std::byte* sizes = nullptr;
-        status = open_header_and_meshes(data, parts, meshes, sizes);
+        OpenStatus status = open_header_and_meshes(bytes, data, parts, meshes, sizes);
         if (status != OpenStatus::ok) return status;
         if (tiles.size() < data.tile_count) return OpenStatus::too_few_meshes;
         std::size_t used = data.mesh_count;

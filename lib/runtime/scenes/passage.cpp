@@ -1,8 +1,5 @@
 #include <runtime/scenes/passage.hpp>
 
-#include <bit>
-
-#include <runtime/base/bits.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier::detail {
@@ -13,11 +10,6 @@ namespace {
 constexpr float least_way = 0x1p-60f;
 /// From farther away the slack exceeds the scene: every box may be met.
 constexpr float farthest_reach = 0x1p42f;
-
-/// Returns the exponent of a number's highest bit, from the bits of its magnitude, which are not 0.
-int highest_bit_of(std::uint32_t magnitude) {
-    return magnitude >= 0x00800000u ? static_cast<int>(magnitude >> 23) - 127 : 31 - std::countl_zero(magnitude) - 149;
-}
 
 }  // namespace
 
@@ -32,7 +24,7 @@ Passage::Passage(const SceneData& scene, const ShapeBounds& bounds, const Vec3& 
     const float way[3] = {without_tiny(displacement.x), without_tiny(displacement.y), without_tiny(displacement.z)};
     std::uint32_t longest = 0;
     for (int k = 0; k < 3; ++k) longest = magnitude_bits(way[k]) > longest ? magnitude_bits(way[k]) : longest;
-    const int way_exponent = longest != 0 ? highest_bit_of(longest) : 0;
+    const int way_exponent = longest != 0 ? exponent_of_bits(longest) : 0;
     t_exponent_ = way_exponent - step_exponent;
     const auto steps = [&](float length) { return scale_by_power_of_two(length, -step_exponent); };
     const bool meets_all = !(steps(around.reach) < farthest_reach);

@@ -12,10 +12,10 @@ namespace {
 template <class Shape>
 InScene<SweepHit> sweep_in(const BakedScene& scene, const Shape& shape, Vec3 displacement, const SceneFilter& filter) {
     const ShapeBounds bounds = bounds_of(shape);
-    const bool is_finite_way = is_finite(displacement.x) && is_finite(displacement.y) && is_finite(displacement.z);
-    const QueryStatus status = !scene                                     ? QueryStatus::not_open
-                               : is_finite_way && is_finite(shape.radius) ? bounds.status
-                                                                          : QueryStatus::invalid_argument;
+    const bool is_sound = is_finite(displacement) && is_finite(shape.radius);
+    const QueryStatus status = !scene     ? QueryStatus::not_open
+                               : is_sound ? bounds.status
+                                          : QueryStatus::invalid_argument;
     if (status != QueryStatus::ok) return BestInScene<SweepHit>(status).result();
     SweepHit miss;
     miss.status = QueryStatus::not_found;

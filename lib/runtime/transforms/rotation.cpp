@@ -33,9 +33,7 @@ int make_greatest_one(float* numbers, int count) noexcept {
     for (int i = 0; i < count; ++i)
         greatest = magnitude_bits(numbers[i]) > greatest ? magnitude_bits(numbers[i]) : greatest;
     if (greatest == 0 || greatest >= infinity_bits) return no_exponent;
-    // Of a subnormal number the exponent follows from its highest bit.
-    const int exponent =
-        greatest >= 0x00800000u ? static_cast<int>(greatest >> 23) - 127 : 31 - std::countl_zero(greatest) - 149;
+    const int exponent = exponent_of_bits(greatest);
     for (int i = 0; i < count; ++i) {
         numbers[i] = scale_by_power_of_two(numbers[i], -exponent);
         if (magnitude_bits(numbers[i]) < std::bit_cast<std::uint32_t>(0x1p-40f)) numbers[i] = 0.0f;
