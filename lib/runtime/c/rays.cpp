@@ -11,23 +11,30 @@ espalier_ray espalier_ray_between(espalier_vec3 from, espalier_vec3 to) {
     return c(espalier::Ray::between(cpp(from), cpp(to)));
 }
 
-espalier_ray_hit espalier_raycast(const espalier_blob* blob, const espalier_ray* ray) {
-    return c(raycast(cpp(blob), cpp(ray)));
-}
+/// Defines the functions that cast a ray, or one that is rounded.
+#define RAY_QUERIES(suffix, Ray)                                                                        \
+    espalier_ray_hit espalier_raycast##suffix(const espalier_blob* blob, const Ray* ray) {              \
+        return c(raycast(cpp(blob), cpp(ray)));                                                         \
+    }                                                                                                   \
+    espalier_ray_hit espalier_raycast##suffix##_filtered(const espalier_blob* blob, const Ray* ray,     \
+                                                         espalier_triangle_filter filter, void* user) { \
+        return c(raycast(cpp(blob), cpp(ray), Filter{filter, user}));                                   \
+    }                                                                                                   \
+    espalier_yes_no espalier_occluded##suffix(const espalier_blob* blob, const Ray* ray) {              \
+        return c(occluded(cpp(blob), cpp(ray)));                                                        \
+    }                                                                                                   \
+    espalier_yes_no espalier_occluded##suffix##_filtered(const espalier_blob* blob, const Ray* ray,     \
+                                                         espalier_triangle_filter filter, void* user) { \
+        return c(occluded(cpp(blob), cpp(ray), Filter{filter, user}));                                  \
+    }                                                                                                   \
+    espalier_query_status espalier_for_each_hit##suffix(const espalier_blob* blob, const Ray* ray,      \
+                                                        espalier_hit_visitor visit, void* user) {       \
+        if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;                                   \
+        return c(for_each_hit(cpp(blob), cpp(ray), visitor(visit, user)));                              \
+    }
 
-espalier_ray_hit espalier_raycast_filtered(const espalier_blob* blob, const espalier_ray* ray,
-                                           espalier_triangle_filter filter, void* user) {
-    return c(raycast(cpp(blob), cpp(ray), Filter{filter, user}));
-}
-
-espalier_yes_no espalier_occluded(const espalier_blob* blob, const espalier_ray* ray) {
-    return c(occluded(cpp(blob), cpp(ray)));
-}
-
-espalier_yes_no espalier_occluded_filtered(const espalier_blob* blob, const espalier_ray* ray,
-                                           espalier_triangle_filter filter, void* user) {
-    return c(occluded(cpp(blob), cpp(ray), Filter{filter, user}));
-}
+RAY_QUERIES(, espalier_ray)
+RAY_QUERIES(_rounded, espalier_rounded_ray)
 
 espalier_filled espalier_closest_hits(const espalier_blob* blob, const espalier_ray* ray, espalier_ray_hit* hits,
                                       size_t capacity) {
@@ -38,12 +45,6 @@ espalier_filled espalier_closest_hits_filtered(const espalier_blob* blob, const 
                                                espalier_ray_hit* hits, size_t capacity, espalier_triangle_filter filter,
                                                void* user) {
     return c(closest_hits(cpp(blob), cpp(ray), cpp(hits, capacity), Filter{filter, user}));
-}
-
-espalier_query_status espalier_for_each_hit(const espalier_blob* blob, const espalier_ray* ray,
-                                            espalier_hit_visitor visit, void* user) {
-    if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;
-    return c(for_each_hit(cpp(blob), cpp(ray), visitor(visit, user)));
 }
 
 espalier_filled espalier_raycast_batch(const espalier_blob* blob, const espalier_ray* rays, espalier_ray_hit* hits,
@@ -70,30 +71,6 @@ espalier_rounded_ray espalier_round_ray(const espalier_lattice* region, const es
 }
 
 espalier_query_status espalier_rounded_ray_status(const espalier_rounded_ray* ray) { return c(cpp(ray).status()); }
-
-espalier_ray_hit espalier_raycast_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray) {
-    return c(raycast(cpp(blob), cpp(ray)));
-}
-
-espalier_yes_no espalier_occluded_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray) {
-    return c(occluded(cpp(blob), cpp(ray)));
-}
-
-espalier_ray_hit espalier_raycast_rounded_filtered(const espalier_blob* blob, const espalier_rounded_ray* ray,
-                                                   espalier_triangle_filter filter, void* user) {
-    return c(raycast(cpp(blob), cpp(ray), Filter{filter, user}));
-}
-
-espalier_yes_no espalier_occluded_rounded_filtered(const espalier_blob* blob, const espalier_rounded_ray* ray,
-                                                   espalier_triangle_filter filter, void* user) {
-    return c(occluded(cpp(blob), cpp(ray), Filter{filter, user}));
-}
-
-espalier_query_status espalier_for_each_hit_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray,
-                                                    espalier_hit_visitor visit, void* user) {
-    if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;
-    return c(for_each_hit(cpp(blob), cpp(ray), visitor(visit, user)));
-}
 
 espalier_rounded_ray espalier_to_local_rounded_ray(const espalier_transform* transform,
                                                    const espalier_rounded_ray* ray) {
