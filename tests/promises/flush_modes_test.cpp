@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <runtime/kernels/moving_sphere.hpp>
+#include <runtime/kernels/moving_shapes.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
 
 #include "support/base/hostile_values.hpp"

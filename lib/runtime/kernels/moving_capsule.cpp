@@ -1,5 +1,5 @@
 // The kernel of capsules that move: eight triangles and a sphere. Widths and roundings: docs/numerics.md.
-#include <runtime/kernels/moving_capsule.hpp>
+#include <runtime/kernels/moving_shapes.hpp>
 
 namespace espalier::detail {
 

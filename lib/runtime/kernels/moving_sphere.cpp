@@ -1,7 +1,7 @@
 // The kernel of spheres and, through it, of capsules that move. Widths and roundings: docs/numerics.md.
 #include <runtime/base/bits.hpp>
 #include <runtime/base/wide_difference.hpp>
-#include <runtime/kernels/moving_sphere.hpp>
+#include <runtime/kernels/moving_shapes.hpp>
 
 namespace espalier::detail {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <runtime/kernels/moving_box.hpp>
+#include <runtime/kernels/moving_shapes.hpp>
 
 #include "moving_scene.hpp"
 #include "oracle/exact_geometry.hpp"

@@ -5,8 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include <runtime/kernels/moving_capsule.hpp>
-#include <runtime/kernels/moving_sphere.hpp>
+#include <runtime/kernels/moving_shapes.hpp>
 
 #include "moving_scene.hpp"
 #include "oracle/exact_geometry.hpp"

@@ -7,9 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include <runtime/kernels/moving_box.hpp>
-#include <runtime/kernels/moving_capsule.hpp>
-#include <runtime/kernels/moving_sphere.hpp>
+#include <runtime/kernels/moving_shapes.hpp>
 
 #include "oracle/exact_geometry.hpp"
 #include "oracle/rational.hpp"

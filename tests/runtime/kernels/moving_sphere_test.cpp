@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include <runtime/kernels/moving_sphere.hpp>
+#include <runtime/kernels/moving_shapes.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
 
 #include "moving_scene.hpp"

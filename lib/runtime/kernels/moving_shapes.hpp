@@ -1,0 +1,81 @@
+// Shapes that move along a line against a triangle: the kernels of sweeps. The distance of a moving point from a
+// triangle is a convex function of time, and whether it is above, at or below the radius is decided in integers at
+// every tick. So the first tick with contact of a sphere is found by advancing along tangents, which never overshoot,
+// and closing in: the conservative advancement of Mirtich (1996), with exact decisions.
+#pragma once
+
+#include <cstdint>
+
+#include <runtime/lattice/round_ray.hpp>
+#include <runtime/lattice/triangle.hpp>
+
+namespace espalier::detail {
+
+// When a moving shape first touches something, counted in ticks: 2^24 of them are the whole way.
+
+/// The first tick at which the shape touches, or has touched: 0 when it does so at the start already.
+using SweepStep = std::uint32_t;
+
+inline constexpr int tick_bits = 24;
+inline constexpr SweepStep whole_way = SweepStep{1} << tick_bits;
+inline constexpr SweepStep no_contact = 0xFFFFFFFFu;
+
+/// As a share of the way, exactly.
+inline float share_of_way(std::uint32_t ticks) { return static_cast<float>(ticks) * power_of_two(-tick_bits); }
+/// The last tick before the first contact; the start when it touches there.
+constexpr std::uint32_t tick_before(SweepStep step) { return step == 0 ? 0 : step - 1; }
+
+/// Where a moving shape touches a triangle.
+struct SweepContact : Weights {
+    Vec3 normal;  ///< unit, from the triangle towards the shape
+};
+
+/// Starts at 0: triangles are seen from its centre's start. Coordinates of triangles and displacement stay below 2^35,
+/// the radius below 2^35, sides of triangles below 2^26, all in the same units (docs/numerics.md).
+struct MovingSphere {
+    Integer3 displacement;
+    std::int64_t radius;
+};
+
+/// The step at which the sphere first touches the triangle, also one without area; no_contact when it does not, or
+/// later than at step `most`.
+SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepStep most) noexcept;
+
+/// The point of the triangle that is closest to the sphere's centre at that tick, and the direction from there to the
+/// centre; where the centre lies on the triangle, the triangle's normal that looks against the displacement.
+SweepContact contact_at(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t tick) noexcept;
+
+/// A capsule. Seen from the sphere at the start of its axis, the triangle is swept along the axis backwards: a prism,
+/// whose faces the sphere meets or does not. Triangles are seen from the start of the axis at the start of the way. The
+/// axis stays below 2^25, the rest is bounded as in MovingSphere.
+struct MovingCapsule {
+    MovingSphere sphere;  ///< around the start of the axis
+    Integer3 axis;
+};
+
+/// Like that of a sphere, for a capsule that does not touch at the start.
+SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep most) noexcept;
+
+/// For a first contact at that step: the point of the triangle that is closest to the axis at the tick
+/// before, and the direction from there to the closest point of the axis.
+SweepContact contact_at(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep step) noexcept;
+
+/// An axis-aligned box, low <= high. The kernel tries separating axes, each with the time at which it stops to separate
+/// and that at which it begins again (Eberly 2001), as quotients of integers. Coordinates stay below 2^35, those of
+/// triangles below 2^25, their sides too.
+struct MovingBox {
+    Integer3 low;
+    Integer3 high;
+    Integer3 displacement;
+};
+
+/// The step at which the box first touches the triangle, also one without area; no_contact when it does not, or later
+/// than at step `most`.
+SweepStep first_contact(const MovingBox& box, const IntegerTriangle& triangle, SweepStep most) noexcept;
+
+/// For a first contact at that step, which is not 0: the middle of what of the triangle lies in the box at the tick
+/// before, grown by what it moves in a tick and by roundings; and the axis that is the last to separate, of several the
+/// first in the order x, y, z, the triangle's normal, then products of sides and axes.
+SweepContact contact_at(const MovingBox& box, const IntegerTriangle& triangle, SweepStep step) noexcept;
+
+}  // namespace espalier::detail
