@@ -23,6 +23,11 @@ struct WalkAccuracy {
 };
 inline constexpr WalkAccuracy exactly;
 
+/// Returns the status of a list, given that of a single answer: a list without elements is complete.
+constexpr QueryStatus of_list(QueryStatus status) {
+    return status == QueryStatus::not_found ? QueryStatus::ok : status;
+}
+
 /// What shapes and walks read of an answer, and how they call one of unknown type.
 struct Answer {
     static constexpr std::uint32_t no_index = ~std::uint32_t{0};

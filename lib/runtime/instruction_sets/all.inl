@@ -13,5 +13,5 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>
-#include <runtime/pairs/all.inl>
+#include <runtime/pairs/search.inl>
 #include <runtime/scenes/instance_walk.inl>

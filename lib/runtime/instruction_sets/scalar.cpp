@@ -13,7 +13,7 @@ using scalar_walk::find_nearest_first;
 #include <runtime/proximity/squared_distance.inl>
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/instruction_sets/one_blob.inl>
-#include <runtime/pairs/all.inl>
+#include <runtime/pairs/search.inl>
 #include <runtime/scenes/instance_walk.inl>
 
 RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters& counters) {

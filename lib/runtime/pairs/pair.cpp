@@ -34,9 +34,6 @@ private:
     }
 };
 
-/// Returns the status of a list of which nothing is left out: also an empty one is complete.
-QueryStatus list_status(QueryStatus status) { return status == QueryStatus::not_found ? QueryStatus::ok : status; }
-
 #if ESPALIER_PREDICTED_STRIPS
 /// Out of line: pairs without predicted strips do not pay for the room.
 [[gnu::noinline]] QueryStatus search_with_vertices(PairFrame& frame, const PairSearch& search, std::uint64_t& work) {
@@ -211,7 +208,7 @@ YesNo overlaps(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexce
 QueryStatus for_each_contact(const PlacedBlob& a, const PlacedBlob& b, Visitor<const PairContact&> visit,
                              WorkLimit limit) noexcept {
     PlacedPair placed(a, b);
-    if (placed.status != QueryStatus::ok) return list_status(placed.status);
+    if (placed.status != QueryStatus::ok) return of_list(placed.status);
     const auto pass_on = [&](const PairContact& contact, const TrianglePair&) { return visit(contact); };
     return ContactVisitor{placed.frame, nullptr, pass_on, limit.visits()}.walk();
 }
@@ -221,7 +218,7 @@ Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<Pair
     Filled filled;
     filled.next = from;
     PlacedPair placed(a, b);
-    filled.status = list_status(placed.status);
+    filled.status = of_list(placed.status);
     if (placed.status != QueryStatus::ok) return filled;
     const bool begins = is_beginning(from);
     if (!begins && !is_valid_cursor(from, placed.frame)) {

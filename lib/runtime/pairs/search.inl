@@ -1,8 +1,5 @@
-// Two blobs: what a search for touching pairs or for the least distance visits.
-#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+// Two blobs: the search of an instruction set, for touching pairs or for the least distance.
 #include <runtime/pairs/trees.inl>
-#endif
-
 #include <runtime/pairs/walk.inl>
 #include <runtime/pairs/beam.inl>
 #include <runtime/pairs/leaves.inl>

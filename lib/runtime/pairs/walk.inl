@@ -4,10 +4,6 @@
 //       mask of the children of a node of tree `side` that are worth a visit beside a box of the other tree, and for
 //       each how near it is: the nearest goes first, the others in storage order
 //   Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box)      stop ends the walk
-#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
-#include <runtime/pairs/trees.inl>
-#endif
-
 #include <runtime/pairs/stacks.inl>
 
 /// From two boxes to the nearest that one of them is replaced by. False when there is none.

@@ -27,10 +27,6 @@ namespace espalier::detail {
 constexpr QueryStatus nothing_in(const BlobData& blob) {
     return blob.bytes == nullptr ? QueryStatus::not_open : QueryStatus::not_found;
 }
-/// Returns the status of a list, given that of a single answer: a list without elements is complete.
-constexpr QueryStatus of_list(QueryStatus status) {
-    return status == QueryStatus::not_found ? QueryStatus::ok : status;
-}
 /// Returns why a ray that is not walked has no hit: invalid_argument, out_of_range, or not_found if it is a sound ray.
 QueryStatus refusal_or_miss(const BlobData& blob, const Ray& ray);
 /// Returns why a query walks nothing: not_open, the refusal of the ray, or not_found if the blob has no triangles, the
