@@ -13,7 +13,8 @@ struct AnyHit {
     }
 };
 
-/// Whether there is any hit that the filter keeps.
+/// Whether there is any hit that the filter keeps. A type for each type of ray: small code inlines its only caller's walk.
+template <class Caller>
 struct AnyKeptHit {
     Limit limit;
     const TriangleFilter* filter;  ///< may be null
@@ -93,7 +94,7 @@ template <class Caller>
                                                       const TriangleFilter* filter) {
     if constexpr (decides_by_signs)
         if (filter == nullptr) return find_any_hit<AnyHit>(blob, world);
-    return find_any_hit<AnyKeptHit>(blob, world, filter);
+    return find_any_hit<AnyKeptHit<Caller>>(blob, world, filter);
 }
 
 template <class Caller>
