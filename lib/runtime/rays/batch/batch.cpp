@@ -21,22 +21,16 @@ QueryStatus check_batch(const Blob& blob, std::size_t rays, std::size_t places) 
 Filled raycast(const Blob& blob, std::span<const Ray> rays, std::span<RayHit> hits) noexcept {
     const QueryStatus status = check_batch(blob, rays.size(), hits.size());
     if (status != QueryStatus::ok) return {0, {}, status};
-    if (blob.triangle_count() != 0)
-        ESPALIER_DISPATCH(closest_hits, data_of(blob), rays.data(), hits.data(), hits.size());
-    else
-        for (std::size_t i = 0; i < hits.size(); ++i)  // in place: the stack has no room for another hit
-            ::new (&hits[i]) RayHit(miss_with(status_without_walk(data_of(blob), rays[i])));
+    if (blob.triangle_count() == 0) scalar::closest_hits(data_of(blob), rays.data(), hits.data(), hits.size());
+    else ESPALIER_DISPATCH(closest_hits, data_of(blob), rays.data(), hits.data(), hits.size());
     return {hits.size(), {}, status};
 }
 
 Filled occluded(const Blob& blob, std::span<const Ray> rays, std::span<YesNo> answers) noexcept {
     const QueryStatus status = check_batch(blob, rays.size(), answers.size());
     if (status != QueryStatus::ok) return {0, {}, status};
-    if (blob.triangle_count() != 0)
-        ESPALIER_DISPATCH(any_hits, data_of(blob), rays.data(), answers.data(), answers.size());
-    else
-        for (std::size_t i = 0; i < answers.size(); ++i)
-            answers[i] = YesNo(status_without_walk(data_of(blob), rays[i]));
+    if (blob.triangle_count() == 0) scalar::any_hits(data_of(blob), rays.data(), answers.data(), answers.size());
+    else ESPALIER_DISPATCH(any_hits, data_of(blob), rays.data(), answers.data(), answers.size());
     return {answers.size(), {}, status};
 }
 

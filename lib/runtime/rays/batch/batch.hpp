@@ -20,11 +20,12 @@ namespace espalier::detail {
 /// One ray after the other, by a query for single rays.
 template <RayHit (*closest_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
 void closest_hits_one_by_one(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) ::new (&hits[i]) RayHit(closest_hit(blob, rays[i], nullptr));  // in place
+    for (RayHit* const end = hits + count; hits != end; ++hits)
+        ::new (hits) RayHit(closest_hit(blob, *rays++, nullptr));  // in place
 }
 template <YesNo (*any_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
 void any_hits_one_by_one(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) occluded[i] = any_hit(blob, rays[i], nullptr);
+    for (YesNo* const end = occluded + count; occluded != end; ++occluded) *occluded = any_hit(blob, *rays++, nullptr);
 }
 
 ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_RAY_BATCHES)
