@@ -30,7 +30,7 @@ float inner(const float* a, const float* b) { return a[0] * b[0] + a[1] * b[1] +
 
 /// What floats are sure of: 1 within the radius, -1 not, 0 neither. No square is a sum of more than eight roundings of
 /// numbers below `size`, so that distances are off by less than `doubt` (docs/numerics.md).
-int guess(const Rounded<Capsule>& capsule, const LatticeTriangle& triangle) {
+ESPALIER_SHARED_CODE int guess(const Rounded<Capsule>& capsule, const LatticeTriangle& triangle) {
     const RoundedSegment& s = capsule.segment;
     float along[3], corner[3][3];  // seen from the segment's start
     float size = capsule.radius;
