@@ -24,21 +24,12 @@ struct Int128 {
     [[nodiscard]] constexpr bool is_negative() const { return high < 0; }
     [[nodiscard]] constexpr bool is_zero() const { return (low | static_cast<std::uint64_t>(high)) == 0; }
 
+    /// In place: takes no room on the stack for another sum.
+    ESPALIER_SHARED_CODE constexpr void operator+=(const Int128& other) { add(other, *this); }
     ESPALIER_SHARED_CODE friend constexpr Int128 operator+(const Int128& a, const Int128& b) {
-#if ESPALIER_NATIVE_INT128
-        __extension__ using Native = unsigned __int128;
-        const auto native = [](Int128 x) {
-            return static_cast<Native>(static_cast<std::uint64_t>(x.high)) << 64 | x.low;
-        };
-        const Native sum = native(a) + native(b);
-        return {static_cast<std::int64_t>(sum >> 64), static_cast<std::uint64_t>(sum)};
-#else
-        const std::uint64_t sum = a.low + b.low;
-        const std::uint64_t carry = sum < a.low ? 1 : 0;
-        return {
-            static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) + static_cast<std::uint64_t>(b.high) + carry),
-            sum};
-#endif
+        Int128 sum;
+        a.add(b, sum);
+        return sum;
     }
     ESPALIER_SHARED_CODE friend constexpr Int128 operator-(const Int128& a) {
         const std::uint64_t word = ~a.low + 1;
@@ -60,6 +51,24 @@ struct Int128 {
         if (shift >= 64) return {a.high < 0 ? -1 : 0, static_cast<std::uint64_t>(a.high >> (shift - 64))};
         if (shift == 0) return a;
         return {a.high >> shift, static_cast<std::uint64_t>(a.high) << (64 - shift) | a.low >> shift};
+    }
+
+private:
+    [[gnu::always_inline]] constexpr void add(const Int128& other, Int128& sum) const {
+#if ESPALIER_NATIVE_INT128
+        __extension__ using Native = unsigned __int128;
+        const auto native = [](const Int128& x) {
+            return static_cast<Native>(static_cast<std::uint64_t>(x.high)) << 64 | x.low;
+        };
+        const Native whole = native(*this) + native(other);
+        sum = {static_cast<std::int64_t>(whole >> 64), static_cast<std::uint64_t>(whole)};
+#else
+        const std::uint64_t low_word = low + other.low;
+        const std::uint64_t carry = low_word < low ? 1 : 0;
+        sum.high =
+            static_cast<std::int64_t>(static_cast<std::uint64_t>(high) + static_cast<std::uint64_t>(other.high) + carry);
+        sum.low = low_word;
+#endif
     }
 };
 

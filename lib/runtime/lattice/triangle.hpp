@@ -46,7 +46,10 @@ ESPALIER_SHARED_CODE inline std::int64_t dot<std::int64_t>(const Integer3& a, co
 }
 template <>
 ESPALIER_SHARED_CODE inline Int128 dot<Int128>(const Integer3& a, const Integer3& b) {
-    return multiply(a.x, b.x) + multiply(a.y, b.y) + multiply(a.z, b.z);
+    Int128 sum = multiply(a.x, b.x);  // in steps: the temporaries of one expression are all on the stack at once
+    sum += multiply(a.y, b.y);
+    sum += multiply(a.z, b.z);
+    return sum;
 }
 
 /// A vector whose coordinates take more than 64 bits, such as a normal of a large shape.
