@@ -26,6 +26,7 @@ struct Int128 {
 
     /// In place: takes no room on the stack for another sum.
     ESPALIER_SHARED_CODE constexpr void operator+=(const Int128& other) { add(other, *this); }
+    constexpr void operator-=(const Int128& other) { *this += -other; }
     ESPALIER_SHARED_CODE friend constexpr Int128 operator+(const Int128& a, const Int128& b) {
         Int128 sum;
         a.add(b, sum);
@@ -121,7 +122,9 @@ ESPALIER_SHARED_CODE constexpr int sign(const Int128& a) { return a.is_negative(
 /// a * b - c * d, which must fit.
 ESPALIER_SHARED_CODE constexpr Int128 product_difference(std::int64_t a, std::int64_t b, std::int64_t c,
                                                          std::int64_t d) {
-    return multiply(a, b) - multiply(c, d);
+    Int128 difference = multiply(a, b);
+    difference -= multiply(c, d);
+    return difference;
 }
 
 #if ESPALIER_NATIVE_INT128
