@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_golden.sh GOLDEN QUESTIONS FOLDER QUERY_ANSWERS...: asks the blobs in FOLDER by a program (a command line that ends
-# with query_answers or with its options) and looks for what it says about everything among the lines of the file GOLDEN.
+# with query_answers or with its options) and looks for what it says about all scenes and about all blobs among the lines of the file GOLDEN.
 # Exit status: 0 the same bits, 77 the program cannot run on this machine, other: other bits or a failure.
 set -euo pipefail
 
@@ -15,9 +15,11 @@ case $status in
     77) echo "skipped: this machine has no ${*: -1}"; exit 77 ;;
     *) echo "failed: status $status of $*"; exit "$status" ;;
 esac
-line=$(tail -n 1 <<<"$output")
-echo "$line"
-if ! grep -qxF "$line" "$golden"; then
-    echo "failed: $golden has other bits: $(grep "^questions $questions:" "$golden" || echo "no line for $questions questions")"
-    exit 1
-fi
+lines=$(grep '^questions ' <<<"$output")
+echo "$lines"
+while read -r line; do
+    if ! grep -qxF "$line" "$golden"; then
+        echo "failed: $golden has other bits: $(grep "^questions $questions:" "$golden" || echo "no line for $questions questions")"
+        exit 1
+    fi
+done <<<"$lines"

@@ -1,6 +1,7 @@
 // make_blobs FOLDER: bakes the blobs that every machine is asked about, as .espl files: five of everything
-// that a blob may carry, and one by each builder in each profile. The meshes are made here, from integers: a landscape
-// and a lumpy closed body above it, so that ids, materials and several inputs have something to say.
+// that a blob may carry, one by each builder in each profile, and scenes of them. The meshes are made here, from
+// integers: a landscape and a lumpy closed body above it, so that ids, materials and several inputs have something to
+// say.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include <espalier/bake.hpp>
+#include <espalier/scene.hpp>
 
 namespace {
 
@@ -151,6 +153,45 @@ bool bake_by_every_builder(const std::string& folder, const std::vector<espalier
     return true;
 }
 
+/// Bakes a scene of four pieces of ground, which share a lattice, and of stones that are turned, scaled and twice in
+/// one place; and one in which that scene is a tile.
+bool bake_scenes(const std::string& folder, const Mesh& meadow, const Mesh& stone) {
+    const auto bake_mesh = [](const Mesh& mesh, espalier::Profile profile) {
+        espalier::BakeOptions options;
+        options.profile = profile;
+        options.resolution = espalier::Resolution::step(-10);
+        const espalier::MeshView one = view(mesh, 0, "");
+        return espalier::bake(std::span(&one, 1), options).bytes;
+    };
+    const std::vector<std::byte> blobs[] = {bake_mesh(meadow, espalier::Profile::balanced),
+                                            bake_mesh(stone, espalier::Profile::fast),
+                                            bake_mesh(stone, espalier::Profile::small)};
+    std::vector<std::span<const std::byte>> parts(std::begin(blobs), std::end(blobs));
+    std::vector<espalier::Instance> instances;
+    for (int tile = 0; tile < 4; ++tile)
+        instances.push_back({{{}, {static_cast<float>(tile % 2 * 16), static_cast<float>(tile / 2 * 16), 0.0f}}, 0, 1});
+    for (std::uint32_t number = 0; number < 24; ++number) {
+        const auto coordinate = [&](std::uint32_t axis) {
+            return static_cast<float>(scramble(number / 2 * 8 + axis) >> 8) * 0x1p-19f;
+        };
+        const espalier::Quaternion rotation = {coordinate(0) - 16, coordinate(1) - 16, coordinate(2) - 16, 12};
+        instances.push_back(
+            {{rotation, {coordinate(3), coordinate(4), coordinate(5) * 0.25f}, 0.25f + coordinate(6) * 0x1p-5f},
+             1 + number / 2 % 2,
+             2u << number % 2});
+    }
+    const espalier::SceneBakeResult plain = espalier::bake_scene(parts, instances);
+    parts.emplace_back(plain.bytes);
+    instances.resize(6);
+    instances.push_back({{{}, {32, 0, 0}}, 3});
+    instances.push_back({{{0, 0, 1, 2}, {-8, 40, 1}, 0.5f}, 3});
+    const espalier::SceneBakeResult with_tiles = espalier::bake_scene(parts, instances);
+    for (const espalier::SceneBakeResult* scene : {&plain, &with_tiles})
+        if (!*scene) std::fprintf(stderr, "make_blobs: scene: %s\n", scene->message.c_str());
+    return plain && with_tiles && write_file(folder + "scene.espl", plain.bytes.data(), plain.bytes.size()) &&
+           write_file(folder + "scene_with_tiles.espl", with_tiles.bytes.data(), with_tiles.bytes.size());
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -191,5 +232,6 @@ int main(int argument_count, char** arguments) {
     const Mesh meadow = make_landscape(16);
     const Mesh stone = make_body(6, 2.0f, {7.0f, 8.0f, 2.0f});
     const bool built = bake_by_every_builder(folder, {view(meadow, 0, "meadow"), view(stone, 1, "stone")});
-    return small && fine && coarse && strips && dense && built ? 0 : 2;
+    const bool scenes = bake_scenes(folder, meadow, stone);
+    return small && fine && coarse && strips && dense && built && scenes ? 0 : 2;
 }

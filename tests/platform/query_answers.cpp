@@ -1,7 +1,8 @@
-// query_answers [--set NAME] QUESTIONS BLOB...: opens each blob, asks it, prints one line of answers for each; then
-// asks every two that follow each other about both, and prints one line about everything. NAME is one of scalar, sse42,
-// avx2 and avx512, to ask with that instruction set where the machine has it. Uses the runtime and C streams only, so
-// that it runs wherever a C++ compiler reaches.
+// query_answers [--set NAME] QUESTIONS BLOB...: opens each blob or scene, asks it, prints one line of answers for each;
+// asks every two blobs that follow each other about both; and prints a line about all scenes and one about all blobs.
+// The line about scenes is left out where there are none. NAME is one of scalar, sse42, avx2 and avx512, to ask with
+// that instruction set where the machine has it. Uses the runtime and C streams only, so that it runs wherever a C++
+// compiler reaches.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 
 #include "answers.hpp"
 #include "report.hpp"
+#include "scene_answers.hpp"
 
 namespace {
 
@@ -34,21 +36,54 @@ struct Asset {
     espalier::Blob blob;
 };
 
-bool read_assets(std::span<char*> paths, std::vector<Asset>& assets) {
-    assets.resize(paths.size());
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        assets[i].bytes = read_file(paths[i]);
-        assets[i].blob = espalier::open(assets[i].bytes);
-        if (!assets[i].blob) {
-            std::fprintf(stderr, "%s: %s\n", paths[i], espalier::describe(assets[i].blob.status()));
-            return false;
+struct Scene {
+    std::vector<std::byte> bytes;
+    std::vector<espalier::Blob> meshes;
+    std::vector<espalier::BakedScene> tiles;
+    espalier::BakedScene scene;
+};
+
+/// Opens the files as scenes or as blobs.
+bool read_files(std::span<char*> paths, std::vector<Asset>& assets, std::vector<Scene>& scenes) {
+    for (const char* const path : paths) {
+        const std::vector<std::byte> bytes = read_file(path);
+        const espalier::Blob blob = espalier::open(bytes);
+        if (blob) {
+            Asset& asset = assets.emplace_back();
+            asset.bytes = bytes;
+            asset.blob = espalier::open(asset.bytes);
+            continue;
         }
+        Scene& scene = scenes.emplace_back();
+        scene.bytes = bytes;
+        scene.meshes.resize(espalier::mesh_count_of_scene(bytes));
+        scene.tiles.resize(espalier::tile_count_of_scene(bytes));
+        scene.scene = espalier::open_scene(scene.bytes, scene.meshes, scene.tiles);
+        if (scene.scene) continue;
+        const bool is_blob = scene.scene.status() == espalier::OpenStatus::not_a_blob;
+        std::fprintf(stderr, "%s: %s\n", path, espalier::describe(is_blob ? blob.status() : scene.scene.status()));
+        return false;
     }
     return true;
 }
 
-void answer(const std::vector<Asset>& assets, std::uint32_t questions_of_a_kind) {
-    namespace platform = espalier::platform;
+namespace platform = espalier::platform;
+
+void answer_scenes(const std::vector<Scene>& scenes, std::uint32_t questions_of_a_kind) {
+    platform::Fingerprint bytes;
+    platform::Answers all;
+    for (const Scene& scene : scenes) {
+        const platform::Answers answers = platform::ask_scene(scene.scene, questions_of_a_kind);
+        std::fputs(platform::report(answers).c_str(), stdout);
+        bytes.add(std::span<const std::byte>(scene.bytes));
+        all.calls += answers.calls;
+        all.fingerprint.add(answers.fingerprint);
+    }
+    const auto count = static_cast<std::uint32_t>(scenes.size());
+    std::fputs(platform::summary(questions_of_a_kind, count, "scenes", bytes, all).c_str(), stdout);
+}
+
+void answer_blobs(const std::vector<Asset>& assets, std::uint32_t questions_of_a_kind) {
     platform::Fingerprint bytes;
     platform::Answers all;
     for (const Asset& asset : assets) {
@@ -63,7 +98,7 @@ void answer(const std::vector<Asset>& assets, std::uint32_t questions_of_a_kind)
         platform::ask_pairs(assets[i].blob, assets[i + 1].blob, questions, (questions_of_a_kind + 3) / 4, all);
     }
     const auto count = static_cast<std::uint32_t>(assets.size());
-    std::fputs(platform::summary(questions_of_a_kind, count, bytes, all).c_str(), stdout);
+    std::fputs(platform::summary(questions_of_a_kind, count, "blobs", bytes, all).c_str(), stdout);
 }
 
 /// False when this machine has no such set.
@@ -95,7 +130,10 @@ int main(int argument_count, char** arguments) {
         return 1;
     }
     std::vector<Asset> assets;
-    if (!read_assets(rest.subspan(1), assets)) return 2;
-    answer(assets, static_cast<std::uint32_t>(std::strtoul(rest[0], nullptr, 10)));
+    std::vector<Scene> scenes;
+    if (!read_files(rest.subspan(1), assets, scenes)) return 2;
+    const auto questions_of_a_kind = static_cast<std::uint32_t>(std::strtoul(rest[0], nullptr, 10));
+    if (!scenes.empty()) answer_scenes(scenes, questions_of_a_kind);
+    answer_blobs(assets, questions_of_a_kind);
     return 0;
 }

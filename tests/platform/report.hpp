@@ -35,14 +35,18 @@ private:
     std::size_t length_ = 0;
 };
 
-/// What tests/platform/golden.txt holds: "questions 40: 24 blobs 0123456789abcdef, 50000 answers 0123456789abcdef"
-inline Line summary(std::uint32_t questions, std::uint32_t blobs, const Fingerprint& bytes, const Answers& answers) {
+/// A line of tests/platform/golden.txt: "questions 40: 24 blobs 0123456789abcdef, 50000 answers 0123456789abcdef".
+/// `kind` is blobs or scenes.
+inline Line summary(std::uint32_t questions, std::uint32_t count, const char* kind, const Fingerprint& bytes,
+                    const Answers& answers) {
     Line line;
     line.text("questions ");
     line.decimal(questions);
     line.text(": ");
-    line.decimal(blobs);
-    line.text(" blobs ");
+    line.decimal(count);
+    line.text(" ");
+    line.text(kind);
+    line.text(" ");
     line.hexadecimal(bytes.value());
     line.text(", ");
     line.decimal(answers.calls);

@@ -30,11 +30,12 @@ Passage::Passage(const SceneData& scene, const ShapeBounds& bounds, const Vec3& 
     const bool meets_all = !(steps(around.reach) < farthest_reach);
     for (int k = 0; k < 3; ++k) {
         const float scaled = scale_by_power_of_two(way[k], -way_exponent);
-        inverse_[k] = meets_all ? 0.0f : 1.0f / (absolute(scaled) < least_way ? least_way : scaled);
+        // The slab tests of some instruction sets scale the inverse by its exponent: it is never 0.
+        inverse_[k] = 1.0f / (absolute(scaled) < least_way ? least_way : scaled);
         // Up to coordinate 0: by how much the box is below it at first, and how far it can go before it is above.
         const float below = steps(around.offset[k] - around.slack - high[k]);
         const float room = steps(around.offset[k] + around.slack - low[k]);
-        near_offset_[k] = meets_all ? 0.0f : (inverse_[k] < 0.0f ? room : below) * inverse_[k];
+        near_offset_[k] = meets_all ? -infinity : (inverse_[k] < 0.0f ? room : below) * inverse_[k];
         far_offset_[k] = meets_all ? infinity : (inverse_[k] < 0.0f ? below : room) * inverse_[k];
     }
 }
