@@ -28,7 +28,7 @@ platform_row() {
     local name=$1 output status=0 start=$SECONDS line
     shift
     output=$("$@" 2>&1) || status=$?
-    line=$(grep '^questions ' <<<"$output" | head -n 1 | tr -d ,) || true
+    line=$(grep '^questions .* blobs ' <<<"$output" | head -n 1 | tr -d ,) || true
     if [[ $status -eq 77 ]]; then
         printf '%-24s %s\n' "$name" "$(tail -n 1 <<<"$output")"
         return 0
