@@ -1,6 +1,7 @@
-# From nothing to a picture and a million rays.
+# From nothing to a picture and a million rays, and a town.
 demo() {
     local cmake=build/demo/cmake mesh=build/demo/knot.obj blob=build/demo/knot.espl picture=build/demo/demo.png
+    local scene=build/demo/city.espl scene_picture=build/demo/city.png
     install_missing "${build_packages[@]}" "${tool_packages[@]}"
     check_cmake
     build "$cmake" espalier_demo -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF
@@ -9,6 +10,10 @@ demo() {
     "$cmake/tools/espalier" verify "$blob" --deep >/dev/null
     "$cmake/tools/espalier" render "$blob" -o "$picture" --quiet
     "$cmake/tools/demo/espalier_demo_rays" "$mesh" "$blob" "$picture"
+    "$cmake/tools/demo/city/espalier_city" "$scene"
+    "$cmake/tools/espalier" verify "$scene" --deep >/dev/null
+    "$cmake/tools/espalier" render "$scene" -o "$scene_picture" --up z --azimuth 200 --elevation 35 --quiet
+    echo "picture  $scene_picture"
 }
 
 without_arguments demo "$@"
