@@ -302,8 +302,9 @@ struct [[nodiscard]] SceneBakeResult {
 /// Scenes among the blobs become tiles.
 ///
 /// Refuses bytes that are no sound blob, a tile with tiles, an instance of a blob that does not exist, and a transform
-/// that to_local() does not apply (invalid_mesh); and more than 2^24 instances or 2^32 - 1 bytes (too_large). No
-/// instances give a valid, empty scene. The bytes depend on the arguments alone.
+/// that to_local() does not apply (invalid_mesh); and more than 2^24 instances, 2^32 - 1 bytes, or places and errors
+/// that float32 cannot hold (too_large). No instances give a valid, empty scene. The bytes depend on the arguments
+/// alone.
 SceneBakeResult bake_scene(std::span<const std::span<const std::byte>> blobs, std::span<const Instance> instances);
 
 /// Tests whether a scene is what its header states. Any bytes, any alignment.

@@ -68,6 +68,7 @@ struct Lattice {
     Vec3 origin;
     std::int32_t step_exponent = 0;
     std::int32_t extent[3] = {};
+    friend constexpr bool operator==(const Lattice&, const Lattice&) = default;
 };
 
 /// A view of a baked mesh: a few words that are copied freely and own nothing. The bytes must outlive it and stay

@@ -199,9 +199,10 @@ struct [[nodiscard]] InScene {
 /// passes; O(n) for a direction shorter than 2^-70, or than that times the largest scale.
 InScene<RayHit> raycast(const BakedScene& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
 
-/// Returns the same for a ray that is rounded for a region around common_lattice(), so that several scenes meet one
-/// ray: the instances on that lattice take `rounded`, the others `ray`. Refuses a region that lacks such an instance
-/// (out_of_range, invalid_argument). Both are of one ray.
+/// Returns the same for a ray that is rounded for a region of the caller's, so that several scenes meet one ray.
+/// Instances that lie in the region, moved by whole steps of its lattice, take `rounded`; so do tiles whose common
+/// lattice does. The others take `ray`. Both are of one ray. Refuses also what round_ray() refused (out_of_range,
+/// invalid_argument).
 InScene<RayHit> raycast(const BakedScene& scene, const Ray& ray, const RoundedRay& rounded,
                         const SceneFilter& filter = {}) noexcept;
 
@@ -234,8 +235,8 @@ InScene<SweepHit> sweep(const BakedScene& scene, const Capsule& capsule, Vec3 di
                         const SceneFilter& filter = {}) noexcept;
 
 /// Calls the visitor with each instance whose box in the tree touches the box, in ascending order; of a tile, with each
-/// instance in it whose box does. The boxes of the tree are larger than their instances: by up to 1/255 of their
-/// siblings' extent. For queries of your own.
+/// instance in it whose box does. The boxes of the tree are larger than their instances: by up to a 127th of the
+/// scene's extent. For queries of your own.
 QueryStatus for_each_candidate(const BakedScene& scene, const Box& box, Visitor<InstanceId> visit,
                                std::uint32_t mask = 0xFFFFFFFF) noexcept;
 
@@ -322,7 +323,8 @@ QueryStatus for_each_overlap(const BakedScene& scene, const Shape& shape, Visito
 //
 // t of rays and sweeps is that of the local query, since to_local() keeps it. Points are those of to_world(), normals
 // those of normal_to_world(), distances local ones times the scale of the instance, rounded once.
-// closest_point() passes max_distance / scale to the query of the blob. What a tile returns is moved once more.
+// closest_point() passes max_distance / scale to the query of the blob. What a tile returns is moved once more: it
+// compares distances before they are multiplied by its scale.
 //
 // The tree is conservative: it widens each box by what to_local() and the lattice of the instance may move a shape by
 // (docs/numerics.md, Scenes), so that it never changes an answer. Between two instances that share an edge in the

@@ -59,10 +59,11 @@ double flattened_bytes(std::span<const std::byte> bytes, const BakedScene& scene
     return std::round(sum);
 }
 
-std::uint64_t triangles_of(const BakedScene& scene, const Instance& instance) {
+/// Returns the triangles of a mesh or, after the meshes, of all instances of a tile.
+std::uint64_t triangles_of_part(const BakedScene& scene, std::size_t part) {
     const std::size_t meshes = scene.meshes().size();
-    if (instance.mesh < meshes) return scene.meshes()[instance.mesh].triangle_count();
-    const BakedScene& tile = scene.tiles()[instance.mesh - meshes];
+    if (part < meshes) return scene.meshes()[part].triangle_count();
+    const BakedScene& tile = scene.tiles()[part - meshes];
     std::uint64_t sum = 0;
     for (std::uint32_t i = 0; i < tile.instance_count(); ++i) sum += mesh_at(tile, {i})->triangle_count();
     return sum;
@@ -79,8 +80,9 @@ SceneFigures figures_of(std::span<const std::byte> bytes, const BakedScene& scen
         use.least_scale = use.instances == 0 ? scale : std::min(use.least_scale, scale);
         use.largest_scale = std::max(use.largest_scale, scale);
         ++use.instances;
-        figures.triangles += triangles_of(scene, instance);
     }
+    for (std::size_t part = 0; part < figures.uses.size(); ++part)
+        figures.triangles += figures.uses[part].instances * triangles_of_part(scene, part);
     figures.flattened_bytes = flattened_bytes(bytes, scene, figures);
     return figures;
 }

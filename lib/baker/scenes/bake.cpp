@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -41,13 +42,18 @@ bool is_valid(const Transform& transform) {
     return std::isfinite(moved.x) && std::isfinite(moved.y) && std::isfinite(moved.z);
 }
 
+/// The numbers of parts, by the checksum of their bytes.
+using NumbersByChecksum = std::multimap<std::uint32_t, std::uint32_t>;
+
 /// Returns the number of the part with the same bytes, a new one if none has them.
-std::uint32_t find_or_add(std::vector<ScenePart>& parts, ScenePart part) {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        if (parts[i].tree().checksum == part.tree().checksum && std::ranges::equal(parts[i].bytes(), part.bytes()))
-            return static_cast<std::uint32_t>(i);
+std::uint32_t find_or_add(std::vector<ScenePart>& parts, NumbersByChecksum& numbers, ScenePart part) {
+    const auto [begin, end] = numbers.equal_range(part.tree().checksum);
+    for (auto at = begin; at != end; ++at)
+        if (std::ranges::equal(parts[at->second].bytes(), part.bytes())) return at->second;
+    const auto number = static_cast<std::uint32_t>(parts.size());
+    numbers.emplace(part.tree().checksum, number);
     parts.push_back(std::move(part));
-    return static_cast<std::uint32_t>(parts.size() - 1);
+    return number;
 }
 
 /// Numbers the meshes before the tiles.
@@ -69,6 +75,7 @@ void put_meshes_first(Parts& found) {
 
 Expected<Parts> find_parts(std::span<const Bytes> blobs, std::span<const Instance> instances) {
     Parts found;
+    NumbersByChecksum numbers;
     found.number_of_given.assign(blobs.size(), unused);
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const std::string name = "instance " + std::to_string(i);
@@ -88,7 +95,7 @@ Expected<Parts> find_parts(std::span<const Bytes> blobs, std::span<const Instanc
         if (!part)
             return Refusal{BakeStatus::invalid_mesh,
                            "mesh " + std::to_string(instance.mesh) + " of " + name + ": " + part.refusal().message};
-        number = find_or_add(found.parts, std::move(*part));
+        number = find_or_add(found.parts, numbers, std::move(*part));
     }
     put_meshes_first(found);
     return found;
@@ -147,6 +154,8 @@ Expected<SceneBakeResult> join(std::span<const Bytes> blobs, std::span<const Ins
     SceneBakeResult result;
     SceneReport& report = result.report;
     std::vector<PartBoxes> boxes_of_parts(parts.begin(), parts.end());
+    std::vector<std::uint64_t> triangles_of_parts;
+    for (const ScenePart& part : parts) triangles_of_parts.push_back(part.triangle_count());
     std::vector<WorldBox> boxes;
     std::vector<WorldBox> lattices;
     std::vector<std::optional<espalier::Lattice>> lattice_of_instance;
@@ -156,12 +165,12 @@ Expected<SceneBakeResult> join(std::span<const Bytes> blobs, std::span<const Ins
         boxes.push_back(boxes_of_parts[number].at(instance.transform));
         lattices.push_back(boxes_of_parts[number].lattice_at(instance.transform));
         lattice_of_instance.push_back(part.lattice());
-        report.triangles += part.triangle_count();
+        report.triangles += triangles_of_parts[number];
         report.max_error = std::max(report.max_error, part.error_at(instance.transform));
     }
     BoxLattice lattice;
     if (!fit_boxes(boxes, lattices, lattice) || !std::isfinite(report.max_error))
-        return too_large("the instances reach farther than 2^124 units, or float32 cannot hold their error");
+        return too_large("the instances lie too far apart for float32, or it cannot hold their error");
     const InstanceTree tree = build_instance_tree(lattice.boxes);
 
     std::vector<std::byte> bytes(format::scene::header_bytes);

@@ -32,15 +32,15 @@ bool moves_by_whole_steps(const Instance& instance, const LatticeOfPart& lattice
     return detail::move_region(instance.transform, at_zero) == QueryStatus::ok;
 }
 
-/// Returns the step exponent that most of the instances have, of equally many the lowest. None if there are fewer than
-/// two.
+/// Returns the step exponent that most of the instances have which move by whole steps, of equally many the lowest.
+/// None if there are no such instances.
 std::optional<int> most_frequent_step(std::span<const Instance> instances, std::span<const LatticeOfPart> lattices) {
     std::map<int, std::size_t> counts;
     for (std::size_t i = 0; i < instances.size(); ++i)
         if (moves_by_whole_steps(instances[i], lattices[i])) ++counts[lattices[i]->step_exponent];
     const auto most = std::max_element(counts.begin(), counts.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (most == counts.end() || most->second < 2) return std::nullopt;
+    if (most == counts.end()) return std::nullopt;
     return most->first;
 }
 
@@ -77,7 +77,7 @@ std::optional<CommonLattice> find_common_lattice(std::span<const Instance> insta
     }
     for (std::size_t i = 0; i < instances.size(); ++i)
         common.instances += lies_in(common.region, instances[i], lattices[i]);
-    if (common.instances < 2) return std::nullopt;
+    if (common.instances == 0) return std::nullopt;
     return common;
 }
 

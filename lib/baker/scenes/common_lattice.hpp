@@ -16,7 +16,7 @@ struct CommonLattice {
 };
 
 /// Returns the region around the instances that are moved by whole steps and do not rotate or scale: of those with the
-/// step that most of them have. None if there are fewer than two, or if they lie farther apart than a region reaches.
+/// step that most of them have. None if there are none, or if they lie farther apart than a region reaches.
 /// lattices[i] is that of the mesh or the tile of instance i, none without triangles.
 [[nodiscard]] std::optional<CommonLattice> find_common_lattice(
     std::span<const Instance> instances, std::span<const std::optional<espalier::Lattice>> lattices);

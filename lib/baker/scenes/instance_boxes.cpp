@@ -28,6 +28,13 @@ Matrix matrix_of(const Quaternion& rotation) {
              {2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n}}};
 }
 
+/// Returns the first step at or above a coordinate. The subtraction in double may lose a part of it: without that part
+/// the difference is a whole number of steps, or it is far from one.
+double step_above(double coordinate, double origin, double step) {
+    const double steps = std::ceil((coordinate - origin) / step);
+    return origin + steps * step < coordinate ? steps + 1 : steps;
+}
+
 /// Rounds the boxes outward onto the lattice of that step. False if it is too fine for them.
 bool round_boxes(std::span<const WorldBox> boxes, const WorldBox& all, BoxLattice& lattice) {
     const double step = std::ldexp(1.0, lattice.step_exponent);
@@ -36,7 +43,7 @@ bool round_boxes(std::span<const WorldBox> boxes, const WorldBox& all, BoxLattic
         // A float that is rounded to more than a step is a multiple of the step as well.
         origin[k] = double(round_down_to_float(std::floor(all.lo[k] / step) * step));
         if (origin[k] == 0.0) origin[k] = 0.0;  // not -0
-        const double extent = std::ceil((all.hi[k] - origin[k]) / step);
+        const double extent = step_above(all.hi[k], origin[k], step);
         if (!(extent < double{1 << format::scene::bits})) return false;
         lattice.extent[k] = static_cast<std::int32_t>(extent);
     }
@@ -46,7 +53,7 @@ bool round_boxes(std::span<const WorldBox> boxes, const WorldBox& all, BoxLattic
         ChildBox rounded{};
         for (std::size_t k = 0; k < 3; ++k) {
             rounded.lo[k] = static_cast<std::int32_t>(std::floor((box.lo[k] - origin[k]) / step));
-            rounded.hi[k] = static_cast<std::int32_t>(std::ceil((box.hi[k] - origin[k]) / step));
+            rounded.hi[k] = static_cast<std::int32_t>(step_above(box.hi[k], origin[k], step));
         }
         lattice.boxes.push_back(rounded);
     }

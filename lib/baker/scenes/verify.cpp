@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <espalier/format.hpp>
 #include <espalier/scene.hpp>
 
+#include <baker/scenes/common_lattice.hpp>
 #include <baker/scenes/instance_boxes.hpp>
 #include <baker/scenes/part.hpp>
 #include <baker/verify/decode_tree.hpp>
@@ -71,6 +74,19 @@ private:
     double step_;
 };
 
+/// Returns whether the region of the common lattice is that of the instances, and no larger.
+bool has_true_common_lattice(const BakedScene& scene, std::span<const ScenePart> parts) {
+    std::vector<Instance> instances;
+    std::vector<std::optional<espalier::Lattice>> lattices;
+    for (std::uint32_t i = 0; i < scene.instance_count(); ++i) {
+        instances.push_back(*instance_at(scene, {i}));
+        lattices.push_back(parts[instances.back().mesh].lattice());
+    }
+    const std::optional<CommonLattice> found = find_common_lattice(instances, lattices);
+    const Result<espalier::Lattice> stated = scene.common_lattice();
+    return found ? stated && *stated == found->region : !stated;
+}
+
 std::optional<std::string> find_fault_of_scene(std::span<const std::byte> bytes) {
     std::vector<Blob> meshes(mesh_count_of_scene(bytes));
     std::vector<BakedScene> tiles(tile_count_of_scene(bytes));
@@ -87,8 +103,14 @@ std::optional<std::string> find_fault_of_scene(std::span<const std::byte> bytes)
     if (error != scene.max_error())
         return "the header (byte " + std::to_string(format::scene::max_error_at) + ") states an error of " +
                std::to_string(scene.max_error()) + ", but that of the instances is " + std::to_string(error);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        if (const auto fault = parts[i].find_fault()) return "mesh " + std::to_string(i) + ": " + *fault;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::string name =
+            i < data.mesh_count ? "mesh " + std::to_string(i) : "tile " + std::to_string(i - data.mesh_count);
+        if (const auto fault = parts[i].find_fault()) return name + ": " + *fault;
+    }
+    if (!has_true_common_lattice(scene, parts))
+        return "the header (byte " + std::to_string(format::scene::features_at) +
+               ") states another common lattice than that of the instances";
     if (scene.instance_count() == 0) return std::nullopt;
     const TreeBytes tree{{data.tree.nodes, data.tree.node_count * format::packed_node::bytes},
                          {},

@@ -114,7 +114,8 @@ typedef struct ESPALIER_SHARED_ espalier_scene_sweep_hit {
 /* Returns the hit with the smallest t; of equal t the one in the lowest instance, then the lowest triangle. */
 espalier_scene_ray_hit espalier_scene_raycast(const espalier_scene* scene, const espalier_ray* ray, uint32_t mask,
                                               espalier_scene_filter filter, void* user);
-/* Returns the same for a ray that is rounded for a region around the common lattice. */
+/* Returns the same for a ray that is rounded for a region of the caller's. Instances that lie in the region and on its
+ * lattice take `rounded`, the others take `ray`. */
 espalier_scene_ray_hit espalier_scene_raycast_rounded(const espalier_scene* scene, const espalier_ray* ray,
                                                       const espalier_rounded_ray* rounded, uint32_t mask,
                                                       espalier_scene_filter filter, void* user);

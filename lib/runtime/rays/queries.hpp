@@ -23,6 +23,8 @@
 
 namespace espalier::detail {
 
+struct RoundedRayData;
+
 /// Returns not_open for a blob that was never opened or that open() refused, else not_found.
 constexpr QueryStatus nothing_in(const BlobData& blob) {
     return blob.bytes == nullptr ? QueryStatus::not_open : QueryStatus::not_found;
@@ -32,6 +34,8 @@ QueryStatus refusal_or_miss(const BlobData& blob, const Ray& ray);
 /// Returns why a query walks nothing: not_open, the refusal of the ray, or not_found if the blob has no triangles, the
 /// ray passes it, or the window is empty.
 QueryStatus status_without_walk(const BlobData& blob, const Ray& world);
+/// Returns ok, or why queries refuse a rounded ray: out_of_range, or invalid_argument.
+QueryStatus refusal_of(const RoundedRayData& ray);
 inline QueryStatus status_without_walk(const BlobData&, const RayOnLattice&) { return QueryStatus::not_found; }
 
 ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_RAY_QUERIES)

@@ -58,12 +58,6 @@ bool is_ray_of_region(const RoundedRayData& ray) {
            !is_nan(ray.t_min) && !is_nan(ray.t_max);
 }
 
-QueryStatus check(const RoundedRayData& ray) {
-    if (ray.status == QueryStatus::out_of_range) return ray.status;
-    const bool is_sound = ray.status == QueryStatus::ok && (ray.may_hit == 0 || is_ray_of_region(ray));
-    return is_sound ? QueryStatus::ok : QueryStatus::invalid_argument;
-}
-
 /// Moves the ray so that it counts from lattice point 0 0 0 of the blob. Writes it only if it may hit the region.
 QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattice& moved) {
     std::int32_t steps[3] = {};
@@ -91,12 +85,18 @@ QueryStatus move_to(const BlobData& blob, const RoundedRayData& ray, RayOnLattic
 /// query's status.
 QueryStatus begin(const Blob& blob, const RoundedRayData& ray, RayOnLattice& moved) {
     const QueryStatus nothing = nothing_in(data_of(blob));
-    QueryStatus status = nothing == QueryStatus::not_open ? nothing : check(ray);
+    QueryStatus status = nothing == QueryStatus::not_open ? nothing : refusal_of(ray);
     if (status == QueryStatus::ok && blob.triangle_count() != 0) status = move_to(data_of(blob), ray, moved);
     return status == QueryStatus::ok && (blob.triangle_count() == 0 || ray.may_hit == 0) ? nothing : status;
 }
 
 }  // namespace
+
+QueryStatus detail::refusal_of(const RoundedRayData& ray) {
+    if (ray.status == QueryStatus::out_of_range) return ray.status;
+    const bool is_sound = ray.status == QueryStatus::ok && (ray.may_hit == 0 || is_ray_of_region(ray));
+    return is_sound ? QueryStatus::ok : QueryStatus::invalid_argument;
+}
 
 Result<Lattice> lattice_of(std::span<const Blob> blobs) noexcept {
     Result<Lattice> region;

@@ -34,10 +34,10 @@ FoundInstance find_instance(const BakedScene& scene, InstanceId id) {
     return {QueryStatus::ok, outer, &data_of(*tile), record_of(data_of(*tile), {id.in_tile})};
 }
 
-/// Returns whether a ray that is rounded for the scene's common lattice meets the mesh or the tile of a record.
-bool is_on_common_lattice(const SceneData& scene, const std::byte* record) {
-    return part_of(scene, record).query([&](const auto& part) {
-        return detail::is_on_common_lattice(scene, part, transform_of(record));
+/// Returns whether the mesh or the tile of a record lies in a region and on its lattice.
+bool lies_in(const Lattice& region, const SceneData& holder, const std::byte* record) {
+    return part_of(holder, record).query([&](const auto& part) {
+        return detail::lies_in(region, part, transform_of(record));
     });
 }
 
@@ -46,8 +46,12 @@ bool is_on_common_lattice(const SceneData& scene, const std::byte* record) {
 YesNo is_on_common_lattice(const BakedScene& scene, InstanceId instance) noexcept {
     const FoundInstance found = find_instance(scene, instance);
     if (found.status != QueryStatus::ok) return YesNo(found.status);
-    return YesNo::of(is_on_common_lattice(data_of(scene), found.outer) &&
-                     (found.record == found.outer || is_on_common_lattice(*found.holder, found.record)));
+    const SceneData& data = data_of(scene);
+    if (!data.has_common || !lies_in(data.common, data, found.outer)) return YesNo::of(false);
+    if (found.record == found.outer) return YesNo::of(true);
+    Lattice in_tile = data.common;
+    return YesNo::of(move_region(transform_of(found.outer), in_tile) == QueryStatus::ok &&
+                     lies_in(in_tile, *found.holder, found.record));
 }
 
 Result<Instance> instance_at(const BakedScene& scene, InstanceId instance) noexcept {

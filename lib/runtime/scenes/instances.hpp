@@ -50,20 +50,19 @@ inline MeshOrTile part_of(const SceneData& scene, const std::byte* record) {
     return {nullptr, scene.tiles + (number - scene.mesh_count)};
 }
 
-/// Returns whether a ray that is rounded for the common lattice meets what lies on a lattice of its own at that place:
-/// a mesh, or the instances of a tile that lie on the tile's common lattice.
-inline bool is_on_common_lattice(const SceneData& scene, const Lattice& lattice, const Transform& transform) {
-    if (!scene.has_common || lattice.step_exponent != scene.common.step_exponent) return false;
-    Lattice region = scene.common;
+/// Returns whether what lies on a lattice of its own, at that place, lies in a region and on its lattice.
+inline bool lies_in(const Lattice& region, const Lattice& lattice, const Transform& transform) {
+    if (lattice.step_exponent != region.step_exponent) return false;
+    Lattice moved = region;
     std::int32_t steps[3] = {};
-    return move_region(transform, region) == QueryStatus::ok &&
-           find_in_region(lattice, region, steps) == QueryStatus::ok;
+    return move_region(transform, moved) == QueryStatus::ok && find_in_region(lattice, moved, steps) == QueryStatus::ok;
 }
-inline bool is_on_common_lattice(const SceneData& scene, const Blob& mesh, const Transform& transform) {
-    return scene.has_common && is_on_common_lattice(scene, mesh.lattice(), transform);
+inline bool lies_in(const Lattice& region, const Blob& mesh, const Transform& transform) {
+    return lies_in(region, mesh.lattice(), transform);
 }
-inline bool is_on_common_lattice(const SceneData& scene, const BakedScene& tile, const Transform& transform) {
-    return data_of(tile).has_common && is_on_common_lattice(scene, data_of(tile).common, transform);
+/// Of a tile, its instances that lie on its common lattice.
+inline bool lies_in(const Lattice& region, const BakedScene& tile, const Transform& transform) {
+    return data_of(tile).has_common && lies_in(region, data_of(tile).common, transform);
 }
 
 }  // namespace espalier::detail

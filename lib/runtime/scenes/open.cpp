@@ -168,7 +168,7 @@ OpenStatus open_tile(std::span<const std::byte> bytes, SceneData& tile, std::spa
     const std::byte* sizes = nullptr;
     const OpenStatus status = open_header_and_meshes(bytes, tile, parts, meshes, sizes);
     if (status != OpenStatus::ok) return status;
-    if (tile.tile_count != 0) return OpenStatus::bad_header;
+    if (tile.tile_count != 0 || load_u32(tile.tree.bytes + tile_mesh_count_at) != 0) return OpenStatus::bad_header;
     return check_tree_and_instances(tile, parts);
 }
 

@@ -14,8 +14,10 @@ using namespace detail;
 namespace {
 
 /// Returns ok if the ray must be walked, else the status of the query.
-QueryStatus status_without_walk(const BakedScene& scene, const Ray& ray) {
+QueryStatus status_without_walk(const BakedScene& scene, const Ray& ray, const RoundedRay* rounded) {
     if (!scene) return QueryStatus::not_open;
+    if (rounded != nullptr)
+        if (const QueryStatus refusal = refusal_of(rounded->data()); refusal != QueryStatus::ok) return refusal;
     // Which origins are out of range depends on the lattices of the instances.
     const QueryStatus status = refusal_or_miss(data_of(scene).tree, ray);
     if (status == QueryStatus::invalid_argument) return status;
@@ -29,16 +31,36 @@ bool is_tiny(const SceneData& scene, const Vec3& direction) {
     return longest < 0x1p-70f * maximum(scene.largest_scale, 1.0f);
 }
 
-Passage passage_of(const SceneData& scene, const Ray& ray) {
-    if (is_tiny(scene, ray.direction)) return {scene, ShapeBounds{ray.origin, {}, {infinity, infinity, infinity}}};
-    return {scene, ShapeBounds{ray.origin, {}, {}}, ray.direction, 0.0f};
+/// Returns the longest way along an axis from a point to an end of a region.
+float reach_of(const Lattice& region, const Vec3& point) {
+    const float step = power_of_two(region.step_exponent);
+    const float from[3] = {region.origin.x - point.x, region.origin.y - point.y, region.origin.z - point.z};
+    float reach = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        const float to = from[k] + static_cast<float>(region.extent[k]) * step;
+        reach = maximum(maximum(absolute(from[k]), absolute(to)), reach);
+    }
+    return reach;
 }
 
-/// A ray in the world, which each instance is given in its local space: rounded for the common lattice, or for itself.
+/// A ray in the world, which each instance is given in its local space: rounded for a region, or for itself.
 class SceneRay {
 public:
-    SceneRay(const SceneData& scene, const Ray& world, const RoundedRay* rounded) : scene_(scene), world_(world) {
-        if (scene.has_common) rounded_ = rounded != nullptr ? *rounded : round_ray(scene.common, world);
+    /// Without a rounded ray, rounds for the common lattice.
+    SceneRay(const SceneData& scene, const Ray& world, const RoundedRay* rounded) : world_(world) {
+        if (rounded != nullptr) rounded_ = *rounded;
+        else if (scene.has_common) rounded_ = round_ray(scene.common, world);
+        if (rounded != nullptr && is_region(rounded_.data().region)) region_ = &rounded_.data().region;
+        if (rounded == nullptr && scene.has_common) region_ = &scene.common;
+    }
+
+    /// Returns the boxes of instances that the ray meets, also if it is rounded for a region that is larger than the
+    /// scene.
+    [[nodiscard]] Passage passage(const SceneData& scene) const {
+        if (is_tiny(scene, world_.direction))
+            return {scene, ShapeBounds{world_.origin, {}, {infinity, infinity, infinity}}};
+        const float reach = region_ != nullptr ? reach_of(*region_, world_.origin) : 0.0f;
+        return {scene, ShapeBounds{world_.origin, {}, {}}, world_.direction, reach};
     }
 
     /// Returns what a query of the instance returns for the ray in local space, up to t_max. The query takes a Blob and
@@ -46,7 +68,7 @@ public:
     template <class Query>
     auto query(const VisitedInstance& instance, float t_max, Query query) const {
         if (instance.mesh == nullptr) return query_tile(instance, t_max, query);
-        if (is_on_common_lattice(scene_, *instance.mesh, instance.transform))
+        if (region_ != nullptr && lies_in(*region_, *instance.mesh, instance.transform))
             return query_on_lattice(instance, t_max, query);
         return query(*instance.mesh, local_ray(instance, t_max));
     }
@@ -67,22 +89,23 @@ private:
     template <class Query>
     [[gnu::noinline]] auto query_tile(const VisitedInstance& instance, float t_max, Query query) const {
         const Ray local = local_ray(instance, t_max);
-        if (!is_on_common_lattice(scene_, *instance.tile, instance.transform)) return query(*instance.tile, local);
+        if (region_ == nullptr || !lies_in(*region_, *instance.tile, instance.transform))
+            return query(*instance.tile, local);
         return query(*instance.tile, local, to_local(instance.transform, rounded_));
     }
 
-    const SceneData& scene_;
     const Ray& world_;
     RoundedRay rounded_;
+    const Lattice* region_ = nullptr;  ///< that the ray is rounded for; null if there is none
 };
 
 InScene<RayHit> cast(const BakedScene& scene, const Ray& ray, const RoundedRay* rounded, const SceneFilter& filter) {
-    QueryStatus status = status_without_walk(scene, ray);
+    QueryStatus status = status_without_walk(scene, ray, rounded);
     BestInScene<RayHit> best(status == QueryStatus::ok ? QueryStatus::not_found : status);
     if (status != QueryStatus::ok) return best.result();
     const SceneData& data = data_of(scene);
-    const Passage passage = passage_of(data, ray);
     const SceneRay in_scene(data, ray, rounded);
+    const Passage passage = in_scene.passage(data);
     const auto visit = [&](const VisitedInstance& instance, float& limit) {
         const FilterOfInstance keep = {filter, instance};
         InScene<RayHit> hit = in_scene.query(
@@ -99,11 +122,11 @@ InScene<RayHit> cast(const BakedScene& scene, const Ray& ray, const RoundedRay* 
 }
 
 YesNo test(const BakedScene& scene, const Ray& ray, const RoundedRay* rounded, const SceneFilter& filter) {
-    const QueryStatus status = status_without_walk(scene, ray);
+    const QueryStatus status = status_without_walk(scene, ray, rounded);
     if (status != QueryStatus::ok) return YesNo(status);
     const SceneData& data = data_of(scene);
-    const Passage passage = passage_of(data, ray);
     const SceneRay in_scene(data, ray, rounded);
+    const Passage passage = in_scene.passage(data);
     QueryStatus refusal = QueryStatus::not_found;
     const auto visit = [&](const VisitedInstance& instance, float&) {
         const FilterOfInstance keep = {filter, instance};
@@ -140,11 +163,11 @@ private:
 
 QueryStatus list(const BakedScene& scene, const Ray& ray, const RoundedRay* rounded,
                  Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter) {
-    const QueryStatus status = status_without_walk(scene, ray);
+    const QueryStatus status = status_without_walk(scene, ray, rounded);
     if (status != QueryStatus::ok) return of_list(status);
     const SceneData& data = data_of(scene);
-    const Passage passage = passage_of(data, ray);
     const SceneRay in_scene(data, ray, rounded);
+    const Passage passage = in_scene.passage(data);
     QueryStatus end = QueryStatus::ok;
     const auto visit_instance = [&](const VisitedInstance& instance, float&) {
         const FilterOfInstance keep = {filter, instance};
