@@ -1,6 +1,7 @@
 // Claims about scenes of any bytes: open_scene() refuses them, or every query on them is safe.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include <runtime/blob/checksum.hpp>
 
 #include "maker.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/loops/scene_loop.hpp"
 #include "support/meshes/makers.hpp"
 
 using namespace espalier;
@@ -195,5 +198,53 @@ TEST_SUITE("hostile") {
         const VerifyReport report = verify_scene(bytes);
         CHECK_FALSE(report);
         CHECK(report.message.find("box") != std::string::npos);
+    }
+
+    TEST_CASE("scene: a common lattice that is not that of the instances is found by verify_scene") {
+        const std::vector<std::byte>& original = tiled_scene().bytes;
+        REQUIRE(tiled_scene().scene.common_lattice());
+        for (const std::size_t at : {format::scene::common_extent_at, format::scene::common_extent_at + 8}) {
+            std::vector<std::byte> bytes = original;
+            put(bytes, at, 0xFFFFFF);
+            put_checksum(bytes);
+            const VerifyReport report = verify_scene(bytes);
+            CHECK_FALSE(report);
+            CHECK(report.message.find("common lattice") != std::string::npos);
+            std::vector<Blob> meshes(mesh_count_of_scene(bytes));
+            std::vector<BakedScene> tiles(tile_count_of_scene(bytes));
+            const BakedScene scene = open_scene(bytes, meshes, tiles);
+            REQUIRE(scene);
+            Random random(12);  // a region that is too large costs time, and no answer
+            for (std::uint64_t i = 0; i < scaled(1'000); ++i) {
+                const Vec3 from = {8.0f * random.signed_unit(), 8.0f * random.signed_unit(), 20.0f};
+                const Ray ray = {from, {random.signed_unit(), random.signed_unit(), -8.0f}};
+                REQUIRE(compare_rays(scene, ray).fault == nullptr);
+            }
+        }
+    }
+
+    TEST_CASE("scene: a tile that states meshes in tiles is refused") {
+        std::vector<std::byte> bytes = tiled_scene().bytes;
+        const auto tile_at =
+            static_cast<std::size_t>(detail::data_of(tiled_scene().tiles[0]).tree.bytes - bytes.data());
+        put(bytes, tile_at + format::scene::tile_mesh_count_at, 1);
+        put_checksum(std::span(bytes).subspan(tile_at, tiled_scene().tiles[0].size()));
+        put_checksum(bytes);
+        std::vector<Blob> meshes(mesh_count_of_scene(bytes));
+        std::vector<BakedScene> tiles(tile_count_of_scene(bytes));
+        CHECK(open_scene(bytes, meshes, tiles).status() == OpenStatus::bad_header);
+    }
+
+    TEST_CASE("scene: instances that are as far away as float32 reaches lie in their boxes") {
+        std::vector<OpenedBlob> blobs;
+        blobs.emplace_back(make_cube(-1.0f, 1.0f));
+        for (int exponent = 90; exponent < 124; ++exponent) {
+            std::vector<Instance> instances(1);
+            instances[0].transform.translation.x = std::ldexp(1.3f, exponent);
+            const OpenedScene scene(blobs, instances);
+            CAPTURE(exponent);
+            const VerifyReport report = verify_scene(scene.bytes);
+            CHECK_MESSAGE(report, report.message);
+        }
     }
 }

@@ -94,7 +94,8 @@ TEST_SUITE("metamorphic") {
             for (std::size_t from = 0; from < test.instances.size(); from += in_tile) {
                 const auto begin = test.instances.begin() + static_cast<std::ptrdiff_t>(from);
                 const std::size_t count = std::min(in_tile, test.instances.size() - from);
-                tiles.emplace_back(test.blobs, std::vector<Instance>(begin, begin + static_cast<std::ptrdiff_t>(count)));
+                tiles.emplace_back(test.blobs,
+                                   std::vector<Instance>(begin, begin + static_cast<std::ptrdiff_t>(count)));
                 Instance place;
                 place.mesh = static_cast<std::uint32_t>(test.blobs.size() + tiles.size() - 1);
                 place.user = static_cast<std::uint32_t>(from);
@@ -116,7 +117,8 @@ TEST_SUITE("metamorphic") {
             (axis == 0 ? move.x : axis == 1 ? move.y : move.z) = by;
             std::vector<Instance> here, there;
             for (const Instance& instance : test.instances) {
-                if (instance.mesh != 4 || instance.transform.rotation.w != 1.0f) continue;  // what turns is rounded anew
+                if (instance.mesh != 4 || instance.transform.rotation.w != 1.0f)
+                    continue;  // what turns is rounded anew
                 here.push_back(instance);
                 there.push_back(instance);
                 there.back().transform.translation = translated(instance.transform.translation, move);

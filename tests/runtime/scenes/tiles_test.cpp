@@ -11,6 +11,7 @@
 #include "support/base/profiles.hpp"
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
+#include "support/loops/scene_loop.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -110,16 +111,17 @@ TEST_SUITE("tiles") {
         instances[0].transform.rotation = {0.0f, 1.0f, 0.0f, 0.0f};
         instances[1].transform.scale = 2.0f;
         instances[2].transform.translation.x += 0x1p-9f;
+        instances[3].transform.scale = 0.5f;
         const Ground ground(2);
         const OpenedScene apart(ground.blobs, instances);
         CHECK(apart.scene.common_lattice().status == QueryStatus::not_found);
         instances.push_back(Instance{});
-        const OpenedScene two(ground.blobs, instances);
-        CHECK(two.scene.common_lattice().status == QueryStatus::ok);
+        const OpenedScene one(ground.blobs, instances);
+        CHECK(one.scene.common_lattice().status == QueryStatus::ok);
         std::uint32_t count = 0;
-        for (std::uint32_t i = 0; i < two.scene.instance_count(); ++i)
-            count += is_on_common_lattice(two.scene, {i}).yes() ? 1u : 0u;
-        CHECK(count == 2);
+        for (std::uint32_t i = 0; i < one.scene.instance_count(); ++i)
+            count += is_on_common_lattice(one.scene, {i}).yes() ? 1u : 0u;
+        CHECK(count == 1);
     }
 
     TEST_CASE("scene: rays aimed at the borders of tiles pass between none") {
@@ -166,6 +168,51 @@ TEST_SUITE("tiles") {
             REQUIRE(hit->t == in_whole->t);
             REQUIRE(occluded(world.scene, ray).yes());
         }
+    }
+
+    TEST_CASE("scene: rays that are rounded for a region far larger than a tile pass between none") {
+        // From 2^23 steps on, rays are rounded to whole steps: far more than the slack of a small tile.
+        for (const float away : {2048.0f, 16384.0f, 65000.0f}) {
+            constexpr int side = 2;
+            const Ground piece(1), ground(side);
+            std::vector<OpenedScene> tiles;
+            tiles.emplace_back(piece.blobs, piece.instances);
+            std::vector<Instance> instances = ground.instances;
+            instances.push_back(Instance{});
+            instances.back().transform.translation = {away, 0.0f, away};
+            for (Instance& instance : instances) instance.mesh = 1;
+            const OpenedScene world(piece.blobs, instances, tiles);
+            REQUIRE(is_on_common_lattice(world.scene, {0, 0}).yes());
+            const Lattice region = world.scene.common_lattice().value;
+            Random random(26);
+            for (std::uint64_t i = 0; i < scaled(10'000); ++i) {
+                const Ray ray = aimed_at_border(random, side, {});
+                CAPTURE(i);
+                REQUIRE(raycast(world.scene, ray));
+                REQUIRE(occluded(world.scene, ray).yes());
+                CHECK(compare_rays(world.scene, ray).fault == nullptr);
+                // The same region, chosen by the caller of a smaller scene.
+                REQUIRE(raycast(ground.opened.scene, ray, round_ray(region, ray)));
+            }
+        }
+    }
+
+    TEST_CASE("scene: a rounded ray that was refused is refused and one of another lattice is not used") {
+        const Ground ground(2);
+        const BakedScene& scene = ground.opened.scene;
+        const Ray down = {{1.3f, 9.0f, 1.4f}, {0.0f, -1.0f, 0.0f}}, up = {{1.3f, 9.0f, 1.4f}, {0.0f, 1.0f, 0.0f}};
+        for (const Ray& ray : {down, up}) {
+            CHECK(raycast(scene, ray, RoundedRay())->status == QueryStatus::invalid_argument);
+            CHECK(occluded(scene, ray, RoundedRay()).status() == QueryStatus::invalid_argument);
+            const auto fail = [](InstanceId, const RayHit&) { FAIL("a hit of a refused ray"); };
+            CHECK(for_each_hit(scene, ray, RoundedRay(), fail) == QueryStatus::invalid_argument);
+        }
+        Lattice coarse = scene.common_lattice().value;
+        coarse.step_exponent += 1;
+        const InScene<RayHit> hit = raycast(scene, down, round_ray(coarse, down));
+        REQUIRE(hit);
+        const Transform& place = instance_at(scene, hit.instance)->transform;
+        CHECK(same_bits(hit->t, raycast(*mesh_at(scene, hit.instance), to_local(place, down)).t));
     }
 
     TEST_CASE("scene: several scenes that take one rounded ray leave no gap between them") {
