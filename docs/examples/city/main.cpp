@@ -1,5 +1,5 @@
 // city SCENE.espl [FLAT.espl]: makes a town, bakes it as a scene, writes it, and queries it as a game does: lines of
-// sight, falls, and what a camera sees. With FLAT.espl also bakes all triangles into one blob, to compare.
+// sight, falls, and a camera. With FLAT.espl also bakes all triangles into one blob, to compare.
 #include <chrono>
 #include <cstdio>
 #include <fstream>

@@ -28,8 +28,15 @@ Matrix matrix_of(const Quaternion& rotation) {
              {2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n}}};
 }
 
-/// Returns the first step at or above a coordinate. The subtraction in double may lose a part of it: without that part
-/// the difference is a whole number of steps, or it is far from one.
+// The subtraction of an origin in double may lose a small part of a coordinate; a sum of whole steps loses nothing.
+
+/// Returns the last step at or below a coordinate.
+double step_below(double coordinate, double origin, double step) {
+    const double steps = std::floor((coordinate - origin) / step);
+    return origin + steps * step > coordinate ? steps - 1 : steps;
+}
+
+/// Returns the first step at or above a coordinate.
 double step_above(double coordinate, double origin, double step) {
     const double steps = std::ceil((coordinate - origin) / step);
     return origin + steps * step < coordinate ? steps + 1 : steps;
@@ -52,7 +59,7 @@ bool round_boxes(std::span<const WorldBox> boxes, const WorldBox& all, BoxLattic
     for (const WorldBox& box : boxes) {
         ChildBox rounded{};
         for (std::size_t k = 0; k < 3; ++k) {
-            rounded.lo[k] = static_cast<std::int32_t>(std::floor((box.lo[k] - origin[k]) / step));
+            rounded.lo[k] = static_cast<std::int32_t>(step_below(box.lo[k], origin[k], step));
             rounded.hi[k] = static_cast<std::int32_t>(step_above(box.hi[k], origin[k], step));
         }
         lattice.boxes.push_back(rounded);

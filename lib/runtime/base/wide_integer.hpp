@@ -66,8 +66,8 @@ private:
 #else
         const std::uint64_t low_word = low + other.low;
         const std::uint64_t carry = low_word < low ? 1 : 0;
-        sum.high =
-            static_cast<std::int64_t>(static_cast<std::uint64_t>(high) + static_cast<std::uint64_t>(other.high) + carry);
+        sum.high = static_cast<std::int64_t>(static_cast<std::uint64_t>(high) + static_cast<std::uint64_t>(other.high) +
+                                             carry);
         sum.low = low_word;
 #endif
     }

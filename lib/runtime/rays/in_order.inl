@@ -13,7 +13,8 @@ struct AnyHit {
     }
 };
 
-/// Whether there is any hit that the filter keeps. A type for each type of ray: small code inlines its only caller's walk.
+/// Whether there is any hit that the filter keeps. A type for each type of ray: small code inlines the walk of its only
+/// caller.
 template <class Caller>
 struct AnyKeptHit {
     Limit limit;

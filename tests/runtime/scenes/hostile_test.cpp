@@ -224,9 +224,10 @@ TEST_SUITE("hostile") {
     }
 
     TEST_CASE("scene: a tile that states meshes in tiles is refused") {
-        std::vector<std::byte> bytes = tiled_scene().bytes;
+        const std::vector<std::byte>& original = tiled_scene().bytes;
         const auto tile_at =
-            static_cast<std::size_t>(detail::data_of(tiled_scene().tiles[0]).tree.bytes - bytes.data());
+            static_cast<std::size_t>(detail::data_of(tiled_scene().tiles[0]).tree.bytes - original.data());
+        std::vector<std::byte> bytes = original;
         put(bytes, tile_at + format::scene::tile_mesh_count_at, 1);
         put_checksum(std::span(bytes).subspan(tile_at, tiled_scene().tiles[0].size()));
         put_checksum(bytes);

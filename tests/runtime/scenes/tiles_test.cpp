@@ -10,6 +10,7 @@
 #include "maker.hpp"
 #include "support/base/profiles.hpp"
 #include "support/base/random.hpp"
+#include "support/base/same_bits.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/loops/scene_loop.hpp"
 
@@ -211,7 +212,7 @@ TEST_SUITE("tiles") {
         coarse.step_exponent += 1;
         const InScene<RayHit> hit = raycast(scene, down, round_ray(coarse, down));
         REQUIRE(hit);
-        const Transform& place = instance_at(scene, hit.instance)->transform;
+        const Transform place = instance_at(scene, hit.instance)->transform;
         CHECK(same_bits(hit->t, raycast(*mesh_at(scene, hit.instance), to_local(place, down)).t));
     }
 
