@@ -36,7 +36,11 @@ struct Int128 {
         const std::uint64_t word = ~a.low + 1;
         return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(a.high) + (word == 0 ? 1u : 0u)), word};
     }
-    ESPALIER_SHARED_CODE friend constexpr Int128 operator-(const Int128& a, const Int128& b) { return a + -b; }
+    ESPALIER_SHARED_CODE friend constexpr Int128 operator-(const Int128& a, const Int128& b) {
+        Int128 difference = -b;
+        difference += a;
+        return difference;
+    }
     ESPALIER_SHARED_CODE friend constexpr bool operator<(const Int128& a, const Int128& b) {
         return a.high != b.high ? a.high < b.high : a.low < b.low;
     }

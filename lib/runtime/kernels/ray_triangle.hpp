@@ -61,7 +61,9 @@ template <class Volume, class Sum, class Line, class OnHit>
     numerator = negate_if(numerator, front);
     if (is_negative(b) || is_negative(c) || is_negative(numerator)) return false;
     const Sum denominator = Sum(volume) << ray.fraction_bits;
-    if (denominator < b + c) return false;
+    Sum sum = b;
+    sum += c;
+    if (denominator < sum) return false;
     return on_hit(front, normal, volume, numerator, denominator, b, c);
 }
 

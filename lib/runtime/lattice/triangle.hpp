@@ -69,7 +69,10 @@ ESPALIER_SHARED_CODE inline WideVector wide_cross(const Integer3& a, const Integ
 }
 /// Returns the sum of products, which must fit.
 ESPALIER_SHARED_CODE inline Int128 dot(const WideVector& a, const Integer3& b) {
-    return multiply(a.x, b.x) + multiply(a.y, b.y) + multiply(a.z, b.z);
+    Int128 sum = multiply(a.x, b.x);
+    sum += multiply(a.y, b.y);
+    sum += multiply(a.z, b.z);
+    return sum;
 }
 
 /// Returns the product in the numbers of that vector, 64 bits or 128, which it must fit.

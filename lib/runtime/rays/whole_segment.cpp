@@ -152,12 +152,12 @@ bool crosses(const WholeSegment& segment, const LatticeTriangle& triangle, Cross
 std::uint32_t fixed_point(const Crossing& crossing) {
     Int128 rest = crossing.numerator;
     std::uint32_t quotient = rest < crossing.denominator ? 0 : 1;
-    if (quotient != 0) rest = rest - crossing.denominator;
+    if (quotient != 0) rest -= crossing.denominator;
     for (int bit = 0; bit < 31; ++bit) {
-        rest = rest + rest;
+        rest += rest;
         quotient <<= 1;
         if (rest < crossing.denominator) continue;
-        rest = rest - crossing.denominator;
+        rest -= crossing.denominator;
         quotient |= 1;
     }
     return quotient;

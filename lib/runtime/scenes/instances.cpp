@@ -35,10 +35,8 @@ FoundInstance find_instance(const BakedScene& scene, InstanceId id) {
 }
 
 /// Returns whether the mesh or the tile of a record lies in a region and on its lattice.
-bool lies_in(const Lattice& region, const SceneData& holder, const std::byte* record) {
-    return part_of(holder, record).query([&](const auto& part) {
-        return detail::lies_in(region, part, transform_of(record));
-    });
+bool part_lies_in(const Lattice& region, const SceneData& holder, const std::byte* record) {
+    return part_of(holder, record).query([&](const auto& part) { return lies_in(region, part, transform_of(record)); });
 }
 
 }  // namespace
@@ -47,11 +45,11 @@ YesNo is_on_common_lattice(const BakedScene& scene, InstanceId instance) noexcep
     const FoundInstance found = find_instance(scene, instance);
     if (found.status != QueryStatus::ok) return YesNo(found.status);
     const SceneData& data = data_of(scene);
-    if (!data.has_common || !lies_in(data.common, data, found.outer)) return YesNo::of(false);
+    if (!data.has_common || !part_lies_in(data.common, data, found.outer)) return YesNo::of(false);
     if (found.record == found.outer) return YesNo::of(true);
     Lattice in_tile = data.common;
     return YesNo::of(move_region(transform_of(found.outer), in_tile) == QueryStatus::ok &&
-                     lies_in(in_tile, *found.holder, found.record));
+                     part_lies_in(in_tile, *found.holder, found.record));
 }
 
 Result<Instance> instance_at(const BakedScene& scene, InstanceId instance) noexcept {
