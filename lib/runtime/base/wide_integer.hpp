@@ -33,8 +33,12 @@ struct Int128 {
         return sum;
     }
     ESPALIER_SHARED_CODE friend constexpr Int128 operator-(const Int128& a) {
+#if ESPALIER_NATIVE_INT128
+        return of(0 - native(a));
+#else
         const std::uint64_t word = ~a.low + 1;
         return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(a.high) + (word == 0 ? 1u : 0u)), word};
+#endif
     }
     ESPALIER_SHARED_CODE friend constexpr Int128 operator-(const Int128& a, const Int128& b) {
         Int128 difference = -b;
@@ -59,14 +63,16 @@ struct Int128 {
     }
 
 private:
+#if ESPALIER_NATIVE_INT128
+    __extension__ using Native = unsigned __int128;
+    static constexpr Native native(const Int128& a) {
+        return static_cast<Native>(static_cast<std::uint64_t>(a.high)) << 64 | a.low;
+    }
+    static constexpr Int128 of(Native a) { return {static_cast<std::int64_t>(a >> 64), static_cast<std::uint64_t>(a)}; }
+#endif
     [[gnu::always_inline]] constexpr void add(const Int128& other, Int128& sum) const {
 #if ESPALIER_NATIVE_INT128
-        __extension__ using Native = unsigned __int128;
-        const auto native = [](const Int128& x) {
-            return static_cast<Native>(static_cast<std::uint64_t>(x.high)) << 64 | x.low;
-        };
-        const Native whole = native(*this) + native(other);
-        sum = {static_cast<std::int64_t>(whole >> 64), static_cast<std::uint64_t>(whole)};
+        sum = of(native(*this) + native(other));
 #else
         const std::uint64_t low_word = low + other.low;
         const std::uint64_t carry = low_word < low ? 1 : 0;

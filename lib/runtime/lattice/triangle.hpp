@@ -45,7 +45,7 @@ ESPALIER_SHARED_CODE inline std::int64_t dot<std::int64_t>(const Integer3& a, co
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <>
-ESPALIER_SHARED_CODE inline Int128 dot<Int128>(const Integer3& a, const Integer3& b) {
+ESPALIER_SHARED_OR_PART_OF_CALLER inline Int128 dot<Int128>(const Integer3& a, const Integer3& b) {
     Int128 sum = multiply(a.x, b.x);  // in steps: the temporaries of one expression are all on the stack at once
     sum += multiply(a.y, b.y);
     sum += multiply(a.z, b.z);
