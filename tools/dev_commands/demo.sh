@@ -1,7 +1,7 @@
 # From nothing to a picture and a million rays, and a town.
 demo() {
     local cmake=build/demo/cmake mesh=build/demo/knot.obj blob=build/demo/knot.espl picture=build/demo/demo.png
-    local scene=build/demo/city.espl scene_picture=build/demo/city.png
+    local scene=build/demo/city.esps scene_picture=build/demo/city.png
     install_missing "${build_packages[@]}" "${tool_packages[@]}"
     check_cmake
     build "$cmake" espalier_demo -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_BENCH=OFF

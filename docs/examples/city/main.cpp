@@ -1,4 +1,4 @@
-// city SCENE.espl [FLAT.espl]: makes a town, bakes it as a scene, writes it, and queries it as a game does: lines of
+// city SCENE.esps [FLAT.espl]: makes a town, bakes it as a scene, writes it, and queries it as a game does: lines of
 // sight, falls, and a camera. With FLAT.espl also bakes all triangles into one blob, to compare.
 #include <chrono>
 #include <cstdio>
@@ -122,7 +122,7 @@ void photograph(const BakedScene& scene) {
 
 int main(int argument_count, char** arguments) {
     if (argument_count < 2 || argument_count > 3) {
-        std::fputs("usage: city SCENE.espl [FLAT.espl]\n", stderr);
+        std::fputs("usage: city SCENE.esps [FLAT.espl]\n", stderr);
         return 1;
     }
     const city::Town town = city::make_town();
