@@ -140,7 +140,7 @@ TEST_SUITE("cost") {
                  const Vec3 way = maker.displacement();
                  return stack_use([&] { (void)sweep(scene, sphere, way)->t; });
              })},
-            {"sweep, a capsule", 4864, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+            {"sweep, a capsule", 5120, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
                  const Capsule capsule = maker.capsule();
                  const Vec3 way = maker.displacement();
                  return stack_use([&] { (void)sweep(scene, capsule, way)->t; });
