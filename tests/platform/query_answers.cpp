@@ -69,36 +69,37 @@ bool read_files(std::span<char*> paths, std::vector<Asset>& assets, std::vector<
 
 namespace platform = espalier::platform;
 
-void answer_scenes(const std::vector<Scene>& scenes, std::uint32_t questions_of_a_kind) {
+/// The bytes of files of one kind, and the answers about them.
+struct Tally {
     platform::Fingerprint bytes;
     platform::Answers all;
-    for (const Scene& scene : scenes) {
-        const platform::Answers answers = platform::ask_scene(scene.scene, questions_of_a_kind);
+
+    void add(const std::vector<std::byte>& file, const platform::Answers& answers) {
         std::fputs(platform::report(answers).c_str(), stdout);
-        bytes.add(std::span<const std::byte>(scene.bytes));
+        bytes.add(std::span<const std::byte>(file));
         all.calls += answers.calls;
         all.fingerprint.add(answers.fingerprint);
     }
-    const auto count = static_cast<std::uint32_t>(scenes.size());
-    std::fputs(platform::summary(questions_of_a_kind, count, "scenes", bytes, all).c_str(), stdout);
+    void print(std::uint32_t questions_of_a_kind, std::size_t count, const char* kind) const {
+        const auto files = static_cast<std::uint32_t>(count);
+        std::fputs(platform::summary(questions_of_a_kind, files, kind, bytes, all).c_str(), stdout);
+    }
+};
+
+void answer_scenes(const std::vector<Scene>& scenes, std::uint32_t questions_of_a_kind) {
+    Tally tally;
+    for (const Scene& scene : scenes) tally.add(scene.bytes, platform::ask_scene(scene.scene, questions_of_a_kind));
+    tally.print(questions_of_a_kind, scenes.size(), "scenes");
 }
 
 void answer_blobs(const std::vector<Asset>& assets, std::uint32_t questions_of_a_kind) {
-    platform::Fingerprint bytes;
-    platform::Answers all;
-    for (const Asset& asset : assets) {
-        const platform::Answers answers = platform::ask_everything(asset.blob, questions_of_a_kind);
-        std::fputs(platform::report(answers).c_str(), stdout);
-        bytes.add(std::span<const std::byte>(asset.bytes));
-        all.calls += answers.calls;
-        all.fingerprint.add(answers.fingerprint);
-    }
+    Tally tally;
+    for (const Asset& asset : assets) tally.add(asset.bytes, platform::ask_everything(asset.blob, questions_of_a_kind));
     for (std::size_t i = 0; i + 1 < assets.size(); ++i) {
         platform::Questions questions(assets[i].blob);
-        platform::ask_pairs(assets[i].blob, assets[i + 1].blob, questions, (questions_of_a_kind + 3) / 4, all);
+        platform::ask_pairs(assets[i].blob, assets[i + 1].blob, questions, (questions_of_a_kind + 3) / 4, tally.all);
     }
-    const auto count = static_cast<std::uint32_t>(assets.size());
-    std::fputs(platform::summary(questions_of_a_kind, count, "blobs", bytes, all).c_str(), stdout);
+    tally.print(questions_of_a_kind, assets.size(), "blobs");
 }
 
 /// False when this machine has no such set.
