@@ -201,7 +201,7 @@ TEST_SUITE("stack") {
                 {"closest_point, every instruction set", 4096,
                  point_path_row([&](const InstructionPath& path, const detail::BlobData& blob,
                                     const detail::RoundedPoint& point) { path.closest_triangle(blob, point, found); })},
-                {"raycast, a rounded ray", 2304, ray_row([&](const Blob& blob, const Ray& ray) {
+                {"raycast, a rounded ray", 2432, ray_row([&](const Blob& blob, const Ray& ray) {
                      (void)raycast(blob, round_ray(blob.lattice(), ray));
                  })},
                 {"occluded", 1984, ray_row([](const Blob& blob, const Ray& ray) { (void)occluded(blob, ray); })},
