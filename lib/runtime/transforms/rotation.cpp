@@ -2,12 +2,6 @@
 
 namespace espalier::detail {
 
-namespace {
-
-float product(float a, float b) { return without_tiny(a * b); }
-
-}  // namespace
-
 bool is_valid(const Transform& transform) noexcept {
     const float numbers[8] = {transform.rotation.x,    transform.rotation.y,    transform.rotation.z,
                               transform.rotation.w,    transform.translation.x, transform.translation.y,
@@ -46,6 +40,14 @@ Quaternion with_greatest_of_one(const Quaternion& rotation) noexcept {
     if (make_greatest_one(q, 4) == no_exponent) return {not_a_number, not_a_number, not_a_number, not_a_number};
     return {q[0], q[1], q[2], q[3]};
 }
+
+#if ESPALIER_SMALL_CODE
+
+namespace {
+
+float product(float a, float b) { return without_tiny(a * b); }
+
+}  // namespace
 
 PreparedTransform::PreparedTransform(const Transform& transform) noexcept
     : translation_(without_tiny(transform.translation)),
@@ -88,5 +90,7 @@ Vec3 PreparedTransform::point_to_local(const Vec3& p) const noexcept {
 Vec3 PreparedTransform::point_to_world(const Vec3& p) const noexcept {
     return sum(direction_to_world(p), translation_);
 }
+
+#endif
 
 }  // namespace espalier::detail

@@ -8,11 +8,15 @@
 
 #include <espalier/transform.hpp>
 #include <runtime/base/bits.hpp>
+#include <runtime/base/options.hpp>
+#include <runtime/transforms/coordinates.hpp>
 
 namespace espalier::detail {
 
 inline constexpr float least_coordinate = 0x1p-100f;
-inline constexpr std::uint32_t least_coordinate_bits = 27u << 23;
+/// Returns the bits of 2^exponent, a normal number.
+constexpr std::uint32_t bits_of_power(int exponent) { return static_cast<std::uint32_t>(exponent + 127) << 23; }
+inline constexpr std::uint32_t least_coordinate_bits = bits_of_power(-100);
 inline constexpr float greatest_scale = 0x1p100f;
 
 /// Returns x, or zero if |x| is below 2^-100.
@@ -48,6 +52,8 @@ int make_greatest_one(float* numbers, int count) noexcept;
 /// Returns such a quaternion; NaN if the quaternion is zero or not finite.
 Quaternion with_greatest_of_one(const Quaternion& rotation) noexcept;
 
+#if ESPALIER_SMALL_CODE
+
 /// A transform, ready to be applied.
 class PreparedTransform {
 public:
@@ -77,5 +83,105 @@ private:
     Vec3 translation_;  ///< without tiny coordinates
     float scale_;       ///< NaN if the transform is not valid
 };
+
+#else
+
+[[gnu::always_inline]] inline Coordinates without_tiny(const Coordinates& v) {
+    return without_below(v, least_coordinate_bits);
+}
+
+/// A rotation that is scaled as by with_greatest_of_one().
+struct ScaledRotation {
+    Coordinates axis;  ///< x y z
+    float w;
+};
+/// Returns such a quaternion; NaN if the quaternion is zero or not finite.
+[[gnu::always_inline]] inline ScaledRotation scaled_rotation(const Quaternion& rotation) {
+    const std::uint32_t bits[4] = {magnitude_bits(rotation.x), magnitude_bits(rotation.y), magnitude_bits(rotation.z),
+                                   magnitude_bits(rotation.w)};
+    const std::uint32_t a = bits[0] > bits[1] ? bits[0] : bits[1], b = bits[2] > bits[3] ? bits[2] : bits[3];
+    const std::uint32_t greatest = a > b ? a : b;
+    if (greatest - bits_of_power(-60) < bits_of_power(60) - bits_of_power(-60)) [[likely]] {
+        // A product is exact, or of a number that is zero below.
+        const float factor = std::bit_cast<float>(2 * bits_of_power(0) - (greatest & infinity_bits));
+        const Coordinates axis = Coordinates(rotation.x, rotation.y, rotation.z) * Coordinates(factor);
+        const Coordinates w = Coordinates(rotation.w) * Coordinates(factor);
+        return {without_below(axis, bits_of_power(-40)), without_below(w, bits_of_power(-40))[0]};
+    }
+    float q[4] = {rotation.x, rotation.y, rotation.z, rotation.w};
+    if (make_greatest_one(q, 4) == no_exponent) return {Coordinates(not_a_number), not_a_number};
+    return {{q[0], q[1], q[2]}, q[3]};
+}
+
+/// The same, with the coordinates of a vector side by side.
+class PreparedTransform {
+public:
+    [[gnu::always_inline]] explicit PreparedTransform(const Transform& transform)
+        : translation_(without_tiny(Coordinates(transform.translation))),
+          scale_(is_in_range(transform.scale) ? transform.scale : not_a_number) {
+        const ScaledRotation rotation = scaled_rotation(transform.rotation);
+        const Coordinates q = rotation.axis, w(rotation.w), two(2.0f);
+        const Coordinates squares = q * q, ww = w * w;
+        const Coordinates n((squares[0] + squares[1]) + (squares[2] + ww[0]));
+        diagonal_ = ((ww + squares) - (squares.in_order<1, 2, 0>() + squares.in_order<2, 0, 1>())) / n;
+        const Coordinates symmetric = q * q.in_order<1, 2, 0>(), skew = w * q.in_order<2, 0, 1>();
+        above_ = two * (symmetric - skew) / n;
+        below_ = two * (symmetric + skew) / n;
+    }
+
+    /// Rotate only.
+    [[nodiscard, gnu::always_inline]] Vec3 rotated_back(const Vec3& v) const {
+        return turned_back(Coordinates(v)).vector();
+    }
+    [[nodiscard, gnu::always_inline]] Vec3 rotated(const Vec3& v) const { return turned(Coordinates(v)).vector(); }
+
+    [[nodiscard]] float length_to_local(float length) const { return without_tiny(without_tiny(length) / scale_); }
+    [[nodiscard]] float length_to_world(float length) const { return without_tiny(without_tiny(length) * scale_); }
+    [[nodiscard, gnu::always_inline]] Vec3 direction_to_local(const Vec3& v) const {
+        return local(Coordinates(v)).vector();
+    }
+    [[nodiscard, gnu::always_inline]] Vec3 direction_to_world(const Vec3& v) const {
+        return world(Coordinates(v)).vector();
+    }
+    [[nodiscard, gnu::always_inline]] Vec3 point_to_local(const Vec3& p) const {
+        return local(without_tiny(Coordinates(p)) - translation_).vector();
+    }
+    [[nodiscard, gnu::always_inline]] Vec3 point_to_world(const Vec3& p) const {
+        return (world(Coordinates(p)) + translation_).vector();
+    }
+    [[nodiscard]] Vec3 translation() const { return translation_.vector(); }
+
+private:
+    [[nodiscard, gnu::always_inline]] Coordinates local(const Coordinates& way) const {
+        return without_tiny(without_tiny(turned_back(without_tiny(way))) / Coordinates(scale_));
+    }
+    [[nodiscard, gnu::always_inline]] Coordinates world(const Coordinates& way) const {
+        return turned(without_tiny(without_tiny(way) * Coordinates(scale_)));
+    }
+    [[nodiscard, gnu::always_inline]] Coordinates turned_back(const Coordinates& v) const {
+        return combined(Coordinates::picked<0, 0, 2>(diagonal_, above_, below_),
+                        Coordinates::picked<0, 1, 1>(below_, diagonal_, above_),
+                        Coordinates::picked<2, 1, 2>(above_, below_, diagonal_), v);
+    }
+    [[nodiscard, gnu::always_inline]] Coordinates turned(const Coordinates& v) const {
+        return combined(Coordinates::picked<0, 0, 2>(diagonal_, below_, above_),
+                        Coordinates::picked<0, 1, 1>(above_, diagonal_, below_),
+                        Coordinates::picked<2, 1, 2>(below_, above_, diagonal_), v);
+    }
+    /// Returns the sum of three vectors, each times a coordinate of v.
+    [[gnu::always_inline]] static Coordinates combined(const Coordinates& first, const Coordinates& second,
+                                                       const Coordinates& third, const Coordinates& v) {
+        return without_tiny(first * v.in_order<0, 0, 0>()) + without_tiny(second * v.in_order<1, 1, 1>()) +
+               without_tiny(third * v.in_order<2, 2, 2>());
+    }
+
+    Coordinates diagonal_ = Coordinates(0.0f);  ///< entries 00 11 22 of the rotation's matrix
+    Coordinates above_ = Coordinates(0.0f);     ///< entries 01 12 20
+    Coordinates below_ = Coordinates(0.0f);     ///< entries 10 21 02
+    Coordinates translation_;                   ///< without tiny coordinates
+    float scale_;                               ///< NaN if the transform is not valid
+};
+
+#endif
 
 }  // namespace espalier::detail
