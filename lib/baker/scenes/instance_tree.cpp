@@ -1,11 +1,13 @@
 #include <baker/scenes/instance_tree.hpp>
 
 #include <algorithm>
-#include <limits>
 
 #include <espalier/format.hpp>
 
 #include <baker/base/byte_writer.hpp>
+#include <baker/build/build.hpp>
+#include <baker/collapse/collapse.hpp>
+#include <baker/optimise/reinsertion.hpp>
 
 namespace espalier::baker {
 
@@ -13,141 +15,103 @@ namespace {
 
 namespace layout = format::packed_node;
 
-/// From this depth on ranges are split in halves: eight more levels then hold every scene.
-constexpr unsigned first_even_depth = 8;
-static_assert(1ull << 3 * (format::max_depth - first_even_depth) >= format::scene::max_instances);
+constexpr OptimiseSettings one_pass_over_instances = {.passes = 1, .least_triangles = 1};
 
-void add(ChildBox& all, const ChildBox& box) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        all.lo[k] = std::min(all.lo[k], box.lo[k]);
-        all.hi[k] = std::max(all.hi[k], box.hi[k]);
+/// Returns those of packed nodes. A byte has no price: the nodes are few beside the meshes.
+CollapseSettings collapse_settings() {
+    CollapseSettings settings;
+    settings.profile = Profile::balanced;
+    settings.byte_price = 0.0f;
+    settings.max_leaf_triangles = 1;
+    return settings;
+}
+
+/// Returns a mesh with one triangle for each box, from corner to corner: builders need no more of a triangle than its
+/// box.
+LatticeMesh mesh_of(std::span<const ChildBox> boxes) {
+    LatticeMesh mesh;
+    mesh.lattice.bits = format::scene::bits;
+    for (const ChildBox& box : boxes) {
+        const auto corner = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back({box.lo[0], box.lo[1], box.lo[2]});
+        mesh.vertices.push_back({box.hi[0], box.hi[1], box.hi[2]});
+        mesh.triangles.push_back({{corner, corner + 1, corner}, corner / 2});
     }
+    return mesh;
 }
 
-double half_area(const ChildBox& box) {
-    const auto side = [&](std::size_t k) { return static_cast<double>(box.hi[k]) - box.lo[k]; };
-    return side(0) * side(1) + side(1) * side(2) + side(2) * side(0);
-}
-
-/// Consecutive places of the order, which become a child.
-struct Range {
-    std::size_t begin;
-    std::size_t end;
-    ChildBox box;
-
-    [[nodiscard]] std::size_t size() const { return end - begin; }
+/// A leaf is an instance, whatever its box.
+class InstanceLeaves final : public LeafSizes {
+public:
+    [[nodiscard]] LeafSize of(const BinaryNode&, unsigned) const override {
+        return {true, 1, format::scene::instance_bytes};
+    }
+    [[nodiscard]] unsigned most_triangles() const override { return 1; }
+    [[nodiscard]] float byte_weight() const override { return 1.0f; }
 };
 
-class Builder {
+class TreeWriter {
 public:
-    explicit Builder(std::span<const ChildBox> boxes) : boxes_(boxes), order_(boxes.size()) {
-        for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = static_cast<std::uint32_t>(i);
-    }
+    TreeWriter(std::span<const ChildBox> boxes, const BinaryTree& binary, const CollapsePlan& plan)
+        : boxes_(boxes), binary_(binary), plan_(plan) {}
 
-    InstanceTree build() {
-        if (boxes_.empty()) return {};
+    InstanceTree write() {
         tree_.nodes.resize(layout::bytes);
-        put(0, range_of(0, order_.size()), 1);
+        put(0, 0, 1);
         return std::move(tree_);
     }
 
 private:
-    [[nodiscard]] const ChildBox& box_at(std::size_t place) const { return boxes_[order_[place]]; }
-    [[nodiscard]] Range range_of(std::size_t begin, std::size_t end) const {
-        Range range{begin, end, box_at(begin)};
-        for (std::size_t i = begin + 1; i < end; ++i) add(range.box, box_at(i));
-        return range;
+    [[nodiscard]] std::uint32_t instance_of(std::uint32_t binary_node) const {
+        return binary_.triangles[binary_.nodes[binary_node].first];
     }
-
-    /// Twice the middle of a box along an axis.
-    [[nodiscard]] std::int64_t middle(std::uint32_t index, std::size_t axis) const {
-        return std::int64_t{boxes_[index].lo[axis]} + boxes_[index].hi[axis];
-    }
-    void sort(const Range& range, std::size_t axis) {
-        const auto at = [&](std::size_t place) { return order_.begin() + static_cast<std::ptrdiff_t>(place); };
-        std::sort(at(range.begin), at(range.end), [&](std::uint32_t a, std::uint32_t b) {
-            const std::int64_t x = middle(a, axis), y = middle(b, axis);
-            return x != y ? x < y : a < b;
-        });
-    }
-
-    /// Sorts the range and returns where its second part begins.
-    std::size_t split(const Range& range, bool is_even) {
-        std::size_t best_axis = 0, best_place = range.begin + range.size() / 2;
-        double best_cost = std::numeric_limits<double>::infinity();
-        std::vector<double> areas(range.size());
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            sort(range, axis);
-            ChildBox box = box_at(range.end - 1);
-            for (std::size_t place = range.end - 1; place > range.begin; --place) {
-                add(box, box_at(place));
-                areas[place - range.begin] = half_area(box);
-            }
-            box = box_at(range.begin);
-            for (std::size_t place = range.begin + 1; place < range.end; ++place) {
-                add(box, box_at(place - 1));
-                if (is_even && place != range.begin + range.size() / 2) continue;
-                const double cost = half_area(box) * static_cast<double>(place - range.begin) +
-                                    areas[place - range.begin] * static_cast<double>(range.end - place);
-                if (cost >= best_cost) continue;
-                best_cost = cost;
-                best_axis = axis;
-                best_place = place;
-            }
+    [[nodiscard]] ChildBox box_of(std::uint32_t binary_node) const {
+        const BinaryNode& node = binary_.nodes[binary_node];
+        if (node.is_leaf()) return boxes_[instance_of(binary_node)];
+        ChildBox box;
+        for (std::size_t k = 0; k < 3; ++k) {
+            box.lo[k] = static_cast<std::int32_t>(node.lo[k]);
+            box.hi[k] = static_cast<std::int32_t>(node.hi[k]);
         }
-        sort(range, best_axis);
-        return best_place;
-    }
-
-    /// Splits a range into at most eight: each time the one with the largest area, or the largest of all.
-    std::vector<Range> children_of(const Range& range, unsigned depth) {
-        const bool is_even = depth >= first_even_depth;
-        std::vector<Range> children = {range};
-        while (children.size() < layout::max_children) {
-            const auto weight = [&](const Range& child) {
-                if (child.size() == 1) return -1.0;
-                return is_even ? static_cast<double>(child.size()) : half_area(child.box);
-            };
-            const auto largest =
-                std::max_element(children.begin(), children.end(),
-                                 [&](const Range& a, const Range& b) { return weight(a) < weight(b); });
-            if (largest->size() == 1) break;
-            const Range whole = *largest;
-            const std::size_t place = split(whole, is_even);
-            *largest = range_of(whole.begin, place);
-            children.insert(largest + 1, range_of(place, whole.end));
-        }
-        std::stable_partition(children.begin(), children.end(), [](const Range& child) { return child.size() > 1; });
-        return children;
+        return box;
     }
 
     /// Writes node `number` and all below it.
-    void put(std::size_t number, const Range& range, unsigned depth) {
+    void put(std::size_t number, std::uint32_t binary_node, unsigned depth) {
         tree_.depth = std::max(tree_.depth, depth);
-        const std::vector<Range> children = children_of(range, depth);
+        Children children = plan_.children_of(binary_node, format::max_depth + 1 - depth);
+        const std::span<Child> list = children.list();
+        const auto leaves_begin =
+            std::stable_partition(list.begin(), list.end(), [](const Child& child) { return !child.is_leaf; });
+        const auto nodes = static_cast<std::size_t>(leaves_begin - list.begin());
+        const std::size_t leaves = list.size() - nodes, first_child = tree_.nodes.size() / layout::bytes;
         std::vector<ChildBox> boxes;
-        boxes.reserve(children.size());
-        for (const Range& child : children) boxes.push_back(child.box);
-        const auto nodes = static_cast<std::size_t>(
-            std::count_if(children.begin(), children.end(), [](const Range& child) { return child.size() > 1; }));
-        const std::size_t leaves = children.size() - nodes, first_child = tree_.nodes.size() / layout::bytes;
+        for (const Child& child : list) boxes.push_back(box_of(child.binary_node));
         std::byte* const bytes = tree_.nodes.data() + number * layout::bytes;
         put_packed_boxes(boxes, format::scene::bits, bytes);
         set_u32(bytes + layout::children_at,
                 static_cast<std::uint32_t>((nodes == 0 ? 0 : first_child) | nodes << 24 | leaves << 28));
         if (leaves != 0) set_u32(bytes + layout::leaf_block_at, static_cast<std::uint32_t>(tree_.order.size()));
-        for (std::size_t i = nodes; i < children.size(); ++i) tree_.order.push_back(order_[children[i].begin]);
+        for (const Child& leaf : list.subspan(nodes)) tree_.order.push_back(instance_of(leaf.binary_node));
         tree_.nodes.resize(tree_.nodes.size() + nodes * layout::bytes);
-        for (std::size_t i = 0; i < nodes; ++i) put(first_child + i, children[i], depth + 1);
+        for (std::size_t i = 0; i < nodes; ++i) put(first_child + i, list[i].binary_node, depth + 1);
     }
 
     std::span<const ChildBox> boxes_;
-    std::vector<std::uint32_t> order_;
+    const BinaryTree& binary_;
+    const CollapsePlan& plan_;
     InstanceTree tree_;
 };
 
 }  // namespace
 
-InstanceTree build_instance_tree(std::span<const ChildBox> boxes) { return Builder(boxes).build(); }
+InstanceTree build_instance_tree(std::span<const ChildBox> boxes) {
+    if (boxes.empty()) return {};
+    const LatticeMesh mesh = mesh_of(boxes);
+    const BinaryTree binary =
+        optimise(build(mesh, Builder::binned_sah, build_settings(Effort::normal, 1)), one_pass_over_instances);
+    const CollapsePlan plan(mesh, binary, InstanceLeaves(), collapse_settings());
+    return TreeWriter(boxes, binary, plan).write();
+}
 
 }  // namespace espalier::baker
