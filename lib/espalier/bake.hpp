@@ -301,16 +301,16 @@ struct [[nodiscard]] SceneBakeResult {
 /// becomes the index in `instances`. Blobs with equal bytes become one mesh, and blobs without instances are left out.
 /// Scenes among the blobs become tiles.
 ///
-/// Refuses bytes that are no sound blob, a tile with tiles, an instance of a blob that does not exist, and a transform
-/// that to_local() does not apply (invalid_mesh); and more than 2^24 instances, 2^32 - 1 bytes, or places and errors
-/// that float32 cannot hold (too_large). No instances give a valid, empty scene. The bytes depend on the arguments
-/// alone.
+/// Refuses with invalid_mesh: bytes that are no sound blob, a tile with tiles, an instance of a blob that does not
+/// exist, a transform that to_local() does not apply. Refuses with too_large: more than 2^24 instances, more than
+/// 2^32 - 1 bytes, places and errors that float32 cannot hold. No instances give a valid, empty scene. The bytes depend
+/// on the arguments alone.
 SceneBakeResult bake_scene(std::span<const std::span<const std::byte>> blobs, std::span<const Instance> instances);
 
 /// Tests whether a scene is what its header states. Any bytes, any alignment.
 ///
-/// A sound scene opens, each of its meshes passes verify(), every box of the tree contains the instances below it, and
-/// max_error is true.
+/// A sound scene opens. Each mesh passes verify() and each tile verify_scene(). Every box of the tree contains the
+/// instances below it, and the region their lattices. max_error and the common lattice are true.
 VerifyReport verify_scene(std::span<const std::byte> bytes);
 
 }  // namespace espalier

@@ -6,9 +6,10 @@
 // A tile is a scene that is an instance of another one, in place of a mesh: a part of a world that is baked alone. The
 // scene holds its bytes whole, and queries it as a mesh is queried. Tiles hold no tiles.
 //
-// Answers are exact: they equal, bit for bit, those of a loop over all instances that moves the shape into the local
-// space of each one with to_local(), queries the blob or the tile, and moves the result back with to_world() and
-// normal_to_world(). Of equally good triangles the one in the lowest instance counts, then the lowest triangle.
+// Answers are exact: they equal, bit for bit, those of a loop over all instances. The loop moves the shape into each
+// local space with to_local() and queries the blob or the tile. It moves results back with to_world() and
+// normal_to_world(). Instances on the common lattice get the ray that round_ray() rounds for it. Of equally good
+// triangles the one in the lowest instance counts, then the lowest triangle.
 //
 // Thread safety: any number of threads may query one scene. No call allocates. Numerics are described at the end of
 // this file.
@@ -134,8 +135,8 @@ constexpr const SceneData& data_of(const BakedScene& scene) noexcept { return sc
 [[nodiscard]] std::uint32_t tile_count_of_scene(std::span<const std::byte> bytes) noexcept;
 
 /// Proves that every query on `bytes` is safe and returns a view of them. Writes an open Blob for each mesh to
-/// `meshes`, which must have at least mesh_count_of_scene() elements, and an open scene for each tile to `tiles`, which
-/// must have at least tile_count_of_scene() (else too_few_meshes).
+/// `meshes`, and an open scene for each tile to `tiles`. The arrays need mesh_count_of_scene() and
+/// tile_count_of_scene() elements (else too_few_meshes).
 ///
 /// Takes any bytes at any alignment. Reads only inside `bytes`, without heap and recursion, in time proportional to the
 /// size. After a refusal the elements of both arrays are open or empty. It does not prove that the tree holds its
@@ -150,8 +151,8 @@ Result<Instance> instance_at(const BakedScene& scene, InstanceId instance) noexc
 /// Returns the mesh of an instance. Refuses what instance_at() refuses, and a tile as a whole (invalid_argument). O(1).
 Result<Blob> mesh_at(const BakedScene& scene, InstanceId instance) noexcept;
 
-/// Returns whether rays are rounded once for this instance and others: its transform only moves it, by whole steps of
-/// common_lattice(), and its mesh lies within that region; so does the common lattice of a tile. With `in_tile`, both
+/// Returns whether rays are rounded once for this instance and others. Its transform must only move it, by whole steps
+/// of common_lattice(). Its mesh, or the common lattice of its tile, must lie within that region. With `in_tile`, both
 /// the tile and the instance in it must. Refuses what instance_at() refuses. O(1).
 YesNo is_on_common_lattice(const BakedScene& scene, InstanceId instance) noexcept;
 
@@ -234,9 +235,9 @@ InScene<SweepHit> sweep(const BakedScene& scene, const Sphere& sphere, Vec3 disp
 InScene<SweepHit> sweep(const BakedScene& scene, const Capsule& capsule, Vec3 displacement,
                         const SceneFilter& filter = {}) noexcept;
 
-/// Calls the visitor with each instance whose box in the tree touches the box, in ascending order; of a tile, with each
-/// instance in it whose box does. The boxes of the tree are larger than their instances: by up to a 127th of the
-/// scene's extent. For queries of your own.
+/// Calls the visitor with each instance whose box in the tree touches the box, widened by the slack of rounding, in
+/// ascending order; of a tile, with each instance in it whose box does. The boxes of the tree are larger than their
+/// instances: by up to a 127th of the scene's extent. For queries of your own.
 QueryStatus for_each_candidate(const BakedScene& scene, const Box& box, Visitor<InstanceId> visit,
                                std::uint32_t mask = 0xFFFFFFFF) noexcept;
 
@@ -323,9 +324,11 @@ QueryStatus for_each_overlap(const BakedScene& scene, const Shape& shape, Visito
 //
 // t of rays and sweeps is that of the local query, since to_local() keeps it. Points are those of to_world(), normals
 // those of normal_to_world(), distances local ones times the scale of the instance, rounded once.
-// closest_point() passes max_distance / scale to the query of the blob. What a tile returns is moved once more: it
+// closest_point() passes max_distance / scale to the query of the blob. As in transforms, distances, products and
+// quotients below 2^-100 count as zero. What a tile returns is moved once more: it
 // compares distances before they are multiplied by its scale.
 //
 // The tree is conservative: it widens each box by what to_local() and the lattice of the instance may move a shape by
-// (docs/numerics.md, Scenes), so that it never changes an answer. Between two instances that share an edge in the
-// world a gap can remain that is as wide as that motion: each instance rounds the ray for itself.
+// (docs/numerics.md, Scenes), so that it never changes an answer. Between two instances that share an edge, of
+// which one is not on the common lattice, a gap can remain that is as wide as that motion: each instance rounds the ray
+// for itself.

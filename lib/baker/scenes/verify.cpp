@@ -22,7 +22,7 @@ namespace baker {
 
 namespace {
 
-/// Tests that the boxes of a tree contain the instances below them.
+/// Tests that the boxes of a tree contain the instances below them, and the region their lattices.
 class BoxCheck {
 public:
     BoxCheck(const BakedScene& scene, const TreeBytes& tree, std::span<const ScenePart> parts)
@@ -59,7 +59,12 @@ public:
 
 private:
     [[nodiscard]] bool holds(const DecodedBox& box, const Instance& instance) const {
-        const WorldBox world = boxes_[instance.mesh].at(instance.transform);
+        DecodedBox region{};
+        region.hi = extent_;
+        return holds(box, boxes_[instance.mesh].at(instance.transform)) &&
+               holds(region, boxes_[instance.mesh].lattice_at(instance.transform));
+    }
+    [[nodiscard]] bool holds(const DecodedBox& box, const WorldBox& world) const {
         for (std::size_t k = 0; k < 3; ++k)
             if (origin_[k] + box.lo[k] * step_ > world.lo[k] || origin_[k] + box.hi[k] * step_ < world.hi[k])
                 return false;
@@ -120,7 +125,8 @@ std::optional<std::string> find_fault_of_scene(std::span<const std::byte> bytes)
                          {}};
     const BoxCheck boxes(scene, tree, parts);
     if (const auto outside = boxes.find_outside())
-        return "instance " + std::to_string(*outside) + " lies outside of a box of the tree above it";
+        return "instance " + std::to_string(*outside) +
+               " lies outside of a box of the tree above it, or its lattice outside of the region";
     return std::nullopt;
 }
 

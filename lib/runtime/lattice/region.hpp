@@ -54,8 +54,9 @@ inline QueryStatus find_in_region(const BlobData& blob, const Lattice& region, s
 /// Moves the origin of a region by a transform's translation, backwards. Returns ok, or why that does not work.
 inline QueryStatus move_region(const Transform& transform, Lattice& region) {
     const Quaternion& q = transform.rotation;
-    const bool only_moves =
-        q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w != 0.0f && is_finite(q.w) && transform.scale == 1.0f;
+    // By their bits: flush modes change nothing.
+    const bool only_moves = (magnitude_bits(q.x) | magnitude_bits(q.y) | magnitude_bits(q.z)) == 0 &&
+                            magnitude_bits(q.w) != 0 && is_finite(q.w) && transform.scale == 1.0f;
     if (!only_moves || !is_region(region)) return QueryStatus::invalid_argument;
     const float from[3] = {region.origin.x, region.origin.y, region.origin.z};
     const float by[3] = {transform.translation.x, transform.translation.y, transform.translation.z};

@@ -1,8 +1,10 @@
 // The closest point of all instances of a scene.
 #include <espalier/scene.hpp>
 #include <runtime/base/bits.hpp>
+#include <runtime/lattice/rounder.hpp>
 #include <runtime/scenes/instance_walk.hpp>
 #include <runtime/scenes/shape_bounds.hpp>
+#include <runtime/transforms/rotation.hpp>
 
 namespace espalier {
 
@@ -17,7 +19,7 @@ public:
         const SceneAround around = scene_around(scene, {point, {}, {}});
         const float reach = steps(around.reach);
         slack_ = 2.0f * steps(around.slack);
-        meets_all_ = !(reach < 0x1p42f);
+        meets_all_ = !(reach < farthest_reach);
         for (int k = 0; k < 3; ++k) point_.steps[k] = meets_all_ ? 0.0f : -steps(around.offset[k]);
     }
 
@@ -41,7 +43,7 @@ private:
 
 InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float max_distance,
                                     std::uint32_t mask) noexcept {
-    const bool is_sound = is_finite(point) && max_distance >= 0.0f;
+    const bool is_sound = is_finite(point) && is_radius(max_distance);
     BestInScene<ClosestPoint> best(!scene     ? QueryStatus::not_open
                                    : is_sound ? QueryStatus::not_found
                                               : QueryStatus::invalid_argument);
@@ -50,12 +52,13 @@ InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float m
     const Surroundings surroundings(data, point);
     const auto approach = [&](const VisitedInstance& instance, float& limit) {
         const float scale = instance.transform.scale;
-        const float most = best ? minimum(limit_above(best->distance), max_distance) : max_distance;
+        // Numbers below 2^-100 count as zero, but not in the limit that the best result sets.
+        float most = without_tiny(without_tiny(max_distance) / scale);
+        if (best) most = minimum(maximum(limit_above(best->distance) / scale, 0x1p-99f), most);
         const Vec3 local = to_local(instance.transform, point);
-        InScene<ClosestPoint> nearest = instance.mesh != nullptr
-                                            ? in_tile(closest_point(*instance.mesh, local, most / scale))
-                                            : closest_point(*instance.tile, local, most / scale, mask);
-        nearest.hit.distance *= scale;
+        InScene<ClosestPoint> nearest = instance.mesh != nullptr ? in_tile(closest_point(*instance.mesh, local, most))
+                                                                 : closest_point(*instance.tile, local, most, mask);
+        nearest.hit.distance = without_tiny(without_tiny(nearest->distance) * scale);
         if (!best.is_better(*nearest, instance.id_of(nearest.instance), &ClosestPoint::distance)) return Visit::next;
         nearest.hit.point = to_world(instance.transform, nearest->point);
         nearest.hit.on_shape = point;

@@ -5,6 +5,8 @@
 #include <espalier/scene.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/lanes/select.hpp>
+#include <runtime/base/bits.hpp>
+#include <runtime/scenes/box_in_steps.hpp>
 #include <runtime/scenes/instances.hpp>
 #include <runtime/scenes/passage.hpp>
 
@@ -19,17 +21,20 @@ struct VisitedInstance : MeshOrTile {
     [[nodiscard]] InstanceId id_of(InstanceId in_tile) const { return {id.index, in_tile.index}; }
 };
 
-/// Called with an instance and the walk's limit, which it may lower. Stop ends a walk in order.
+/// A visitor of an instance and of the walk's limit, which it may lower. Stop ends a walk in order.
 using InstanceVisitor = FunctionRef<Visit(const VisitedInstance&, float&)>;
 
-/// Calls a visitor with instances, as the leaves of a walk. Only those whose mask shares a bit with the given one.
+/// An answer that passes the leaves of a walk to a visitor: instances whose mask shares a bit with the given one, and
+/// whose boxes meet `meeting` if there is one.
 struct InstanceAnswer {
     const SceneData& scene;
     std::uint32_t mask;
     float limit;
     const InstanceVisitor& visit;
+    const BoxInSteps* meeting = nullptr;
 
     Visit take(const InstancePlace& place) {
+        if (meeting != nullptr && !meeting->meets_box_of(place)) return Visit::next;
         const InstanceId id = instance_of(place);
         const std::byte* const record = record_of(scene, id);
         if ((mask_of(record) & mask) == 0) return Visit::next;
@@ -56,11 +61,12 @@ void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const R
     ESPALIER_DISPATCH(instances_nearest_first, region, answer);
 }
 
-/// Visits those whose boxes a passage meets in ascending order. Returns stop if the visitor does.
+/// Visits those whose boxes a passage meets, and `meeting` if there is one, in ascending order. Returns stop if the
+/// visitor does.
 inline Visit visit_instances(const SceneData& scene, std::uint32_t mask, const Passage& passage, float limit,
-                             const InstanceVisitor& visit) {
+                             const InstanceVisitor& visit, const BoxInSteps* meeting = nullptr) {
     if (scene.instance_count == 0) return Visit::next;
-    InstanceAnswer answer = {scene, mask, limit, visit};
+    InstanceAnswer answer = {scene, mask, limit, visit, meeting};
     return ESPALIER_DISPATCH(instances_in_order, passage, answer);
 }
 
@@ -87,7 +93,7 @@ struct FilterOfInstance {
     }
 };
 
-/// Keeps the best result of a query over instances.
+/// The best result of a query over instances.
 template <class Hit>
 class BestInScene {
 public:
@@ -100,7 +106,9 @@ public:
     bool is_better(const Hit& hit, InstanceId instance, float Hit::*key) {
         if (is_refused(hit.status)) refusal_ = hit.status;
         if (hit.status != QueryStatus::ok) return false;
-        return !best_ || hit.*key < best_.hit.*key || (hit.*key == best_.hit.*key && instance < best_.instance);
+        // By their bits, which order numbers that are not negative, also subnormal ones in any mode.
+        const std::uint32_t own = magnitude_bits(hit.*key), other = magnitude_bits(best_.hit.*key);
+        return !best_ || own < other || (own == other && instance < best_.instance);
     }
     void set(const Hit& hit, InstanceId instance) { best_ = {hit, instance}; }
     [[nodiscard]] InScene<Hit> result() const {

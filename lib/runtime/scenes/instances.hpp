@@ -32,7 +32,7 @@ inline Transform transform_of(const std::byte* record) {
 inline std::uint32_t mesh_of(const std::byte* record) { return load_u32(record + format::scene::mesh_at); }
 inline std::uint32_t mask_of(const std::byte* record) { return load_u32(record + format::scene::mask_at); }
 
-/// What an instance is one of: a mesh or a tile. The other is null.
+/// A mesh or a tile, whichever an instance places; the other pointer is null.
 struct MeshOrTile {
     const Blob* mesh;
     const BakedScene* tile;
@@ -58,9 +58,9 @@ inline bool lies_in(const Lattice& region, const Lattice& lattice, const Transfo
     return move_region(transform, moved) == QueryStatus::ok && find_in_region(lattice, moved, steps) == QueryStatus::ok;
 }
 inline bool lies_in(const Lattice& region, const Blob& mesh, const Transform& transform) {
-    return lies_in(region, mesh.lattice(), transform);
+    return mesh.triangle_count() != 0 && lies_in(region, mesh.lattice(), transform);
 }
-/// Of a tile, its instances that lie on its common lattice.
+/// Returns the same for the common lattice of a tile; false if it has none.
 inline bool lies_in(const Lattice& region, const BakedScene& tile, const Transform& transform) {
     return data_of(tile).has_common && lies_in(region, data_of(tile).common, transform);
 }

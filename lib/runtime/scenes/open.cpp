@@ -61,7 +61,7 @@ OpenStatus read_scene_header(SceneData& scene) {
     return OpenStatus::ok;
 }
 
-/// Takes parts off the front of the bytes. Offsets are 64-bit numbers: no sum of them overflows.
+/// The bytes that are left, from whose front parts are taken. Offsets are 64-bit numbers: no sum of them overflows.
 class Parts {
 public:
     explicit Parts(std::span<const std::byte> bytes) : bytes_(bytes.data()), size_(bytes.size()) {}
@@ -94,6 +94,9 @@ std::span<const std::byte> take_part(Parts& parts, const std::byte* size_at) {
     return {part, part != nullptr ? size : 0};
 }
 
+/// Returns how many meshes all tiles have, as the header states.
+std::uint32_t meshes_in_tiles(const SceneData& scene) { return load_u32(scene.tree.bytes + tile_mesh_count_at); }
+
 /// Reads the header and opens the meshes that are not in tiles. `sizes` receives where the sizes of the tiles are.
 OpenStatus open_header_and_meshes(std::span<const std::byte> bytes, SceneData& scene, Parts& parts,
                                   std::span<Blob> meshes, const std::byte*& sizes) {
@@ -103,8 +106,10 @@ OpenStatus open_header_and_meshes(std::span<const std::byte> bytes, SceneData& s
     if (status != OpenStatus::ok) return status;
     const std::uint64_t count = std::uint64_t{scene.mesh_count} + scene.tile_count;
     sizes = parts.take(count * part_size_bytes);
-    // Each part has a header of its own.
-    if (sizes == nullptr || count > scene.tree.size / header_bytes) return OpenStatus::bad_section;
+    // Each part has a header of its own, and so has each mesh of a tile.
+    const std::size_t most_headers = scene.tree.size / header_bytes;
+    if (sizes == nullptr || count > most_headers) return OpenStatus::bad_section;
+    if (count + meshes_in_tiles(scene) > most_headers) return OpenStatus::bad_header;
     if (meshes.size() < scene.mesh_count) return OpenStatus::too_few_meshes;
     scene.meshes = meshes.data();
     for (Blob& mesh : meshes.first(scene.mesh_count)) {
@@ -167,8 +172,10 @@ OpenStatus open_tile(std::span<const std::byte> bytes, SceneData& tile, std::spa
     Parts parts(bytes);
     const std::byte* sizes = nullptr;
     const OpenStatus status = open_header_and_meshes(bytes, tile, parts, meshes, sizes);
+    // The meshes are as many as the scene's header leaves for the tile.
+    if (status == OpenStatus::too_few_meshes) return OpenStatus::bad_header;
     if (status != OpenStatus::ok) return status;
-    if (tile.tile_count != 0 || load_u32(tile.tree.bytes + tile_mesh_count_at) != 0) return OpenStatus::bad_header;
+    if (tile.tile_count != 0 || meshes_in_tiles(tile) != 0) return OpenStatus::bad_header;
     return check_tree_and_instances(tile, parts);
 }
 
@@ -209,22 +216,23 @@ BakedScene open_scene(std::span<const std::byte> bytes, std::span<Blob> meshes, 
         const std::byte* sizes = nullptr;
         OpenStatus status = open_header_and_meshes(bytes, data, parts, meshes, sizes);
         if (status != OpenStatus::ok) return status;
-        if (tiles.size() < data.tile_count) return OpenStatus::too_few_meshes;
-        std::size_t used = data.mesh_count;
+        std::span<Blob> left = meshes.subspan(data.mesh_count);
+        if (tiles.size() < data.tile_count || left.size() < meshes_in_tiles(data)) return OpenStatus::too_few_meshes;
+        left = left.first(meshes_in_tiles(data));
         for (BakedScene& tile : tiles.first(data.tile_count)) {
             tile = {};
             const std::span<const std::byte> part = take_part(parts, sizes);
             if (part.data() == nullptr) return OpenStatus::bad_section;
-            status = open_tile(part, tile.data_, meshes.subspan(used));
+            status = open_tile(part, tile.data_, left);
             if (status != OpenStatus::ok) {
                 tile = {};
                 return status;
             }
-            used += tile.data_.mesh_count;
+            left = left.subspan(tile.data_.mesh_count);
             sizes += part_size_bytes;
         }
         data.tiles = tiles.data();
-        if (used - data.mesh_count != load_u32(data.tree.bytes + tile_mesh_count_at)) return OpenStatus::bad_header;
+        if (!left.empty()) return OpenStatus::bad_header;
         return check_tree_and_instances(data, parts);
     };
     const OpenStatus status = open_all(scene.data_);

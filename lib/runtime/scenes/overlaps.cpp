@@ -1,6 +1,5 @@
 // Shapes that stay where they are, against all instances of a scene.
 #include <espalier/scene.hpp>
-#include <runtime/rays/queries.hpp>
 #include <runtime/scenes/instance_walk.hpp>
 #include <runtime/scenes/passage.hpp>
 
@@ -19,8 +18,10 @@ QueryStatus check(const BakedScene& scene, const ShapeBounds& bounds) {
 template <class OnInstance>
 Visit visit_meeting(const BakedScene& scene, const ShapeBounds& bounds, std::uint32_t mask, OnInstance visit) {
     const SceneData& data = data_of(scene);
-    return visit_instances(data, mask, Passage(data, bounds), 0.0f,
-                           [&](const VisitedInstance& instance, float&) { return visit(instance); });
+    const BoxInSteps box(data, bounds);
+    return visit_instances(
+        data, mask, Passage(data, widened(data, bounds)), 0.0f,
+        [&](const VisitedInstance& instance, float&) { return visit(instance); }, &box);
 }
 
 }  // namespace

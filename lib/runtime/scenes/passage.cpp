@@ -8,8 +8,6 @@ namespace {
 
 /// Along an axis with a smaller part of the scaled displacement a box stays: its way there is less than the slack.
 constexpr float least_way = 0x1p-60f;
-/// From farther away the slack exceeds the scene: every box may be met.
-constexpr float farthest_reach = 0x1p42f;
 
 }  // namespace
 

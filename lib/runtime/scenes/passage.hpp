@@ -9,8 +9,8 @@
 
 namespace espalier::detail {
 
-/// A box that moves along a line, widened by more than any query of an instance may move it by rounding: a child whose
-/// box it does not meet holds no triangle that the query finds (docs/numerics.md, Scenes).
+/// A box that moves along a line, widened by more than any query of an instance may move it by rounding. A child whose
+/// box it does not meet holds nothing that the query finds (docs/numerics.md, Scenes).
 ///
 /// Coordinates are steps of the scene's lattice. Keys and limits are scaled t: t times a power of two, for which the
 /// displacement is between 1 and 2 steps long along the longest axis.

@@ -3,6 +3,7 @@
 
 #include <espalier/rounding.hpp>
 #include <espalier/scene.hpp>
+#include <runtime/lattice/rounder.hpp>
 #include <runtime/rays/queries.hpp>
 #include <runtime/scenes/instance_walk.hpp>
 #include <runtime/scenes/passage.hpp>
@@ -21,7 +22,9 @@ QueryStatus status_without_walk(const BakedScene& scene, const Ray& ray, const R
     // Which origins are out of range depends on the lattices of the instances.
     const QueryStatus status = refusal_or_miss(data_of(scene).tree, ray);
     if (status == QueryStatus::invalid_argument) return status;
-    return ray.t_max >= 0.0f && ray.t_min <= ray.t_max ? QueryStatus::ok : QueryStatus::not_found;
+    // The window, by its bits: subnormal numbers are compared alike in every mode.
+    const bool starts_before = is_negative(ray.t_min) || magnitude_bits(ray.t_min) <= magnitude_bits(ray.t_max);
+    return is_radius(ray.t_max) && starts_before ? QueryStatus::ok : QueryStatus::not_found;
 }
 
 /// Returns whether to_local() may turn the direction by more than a rounding, because it takes coordinates below 2^-100
@@ -140,7 +143,7 @@ YesNo test(const BakedScene& scene, const Ray& ray, const RoundedRay* rounded, c
     return YesNo(end == Visit::stop ? QueryStatus::ok : refusal);
 }
 
-/// Calls a visitor with the hits of one instance, in world space.
+/// A visitor of the hits of one instance, which it passes on in world space.
 struct HitsOfInstance {
     const SceneFilter& filter;
     const VisitedInstance& instance;

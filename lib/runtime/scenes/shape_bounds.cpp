@@ -1,6 +1,7 @@
 #include <runtime/scenes/shape_bounds.hpp>
 
 #include <runtime/base/bits.hpp>
+#include <runtime/lattice/rounder.hpp>
 
 namespace espalier::detail {
 
@@ -22,7 +23,7 @@ public:
     void add_point(const Vec3& point) { add(way_to(point), {}); }
     /// The radius may be infinite.
     void add_sphere(const Vec3& center, float radius) {
-        if (!(radius >= 0.0f)) refuse();
+        if (!is_radius(radius)) refuse();
         require(center);
         add(way_to(center), {radius, radius, radius});
     }
@@ -72,7 +73,7 @@ ShapeBounds bounds_of(const Capsule& capsule) noexcept {
 ShapeBounds bounds_of(const Box& box) noexcept {
     BoundsBuilder builder(box.min);
     builder.require(box.max);
-    if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) builder.set_empty();
+    if (is_empty(box)) builder.set_empty();
     // to_local() rounds the middle of the box, which may be farther from the world's origin than from the scene.
     const Vec3 size = sum(magnitudes(box.min), magnitudes(box.max));
     const Vec3 rounding = {size.x * 0x1p-23f, size.y * 0x1p-23f, size.z * 0x1p-23f};
@@ -107,7 +108,7 @@ ShapeBounds bounds_of(const Cone& cone) noexcept {
     if ((magnitude_bits(cone.axis.x) | magnitude_bits(cone.axis.y) | magnitude_bits(cone.axis.z)) == 0)
         builder.refuse();
     builder.add(cone.axis, {cone.radius, cone.radius, cone.radius});
-    if (!(cone.radius >= 0.0f)) builder.refuse();
+    if (!is_radius(cone.radius)) builder.refuse();
     return builder.bounds();
 }
 

@@ -5,6 +5,9 @@
 
 namespace espalier::detail {
 
+/// From farther away, in steps, the slack exceeds the scene: every box may be met.
+inline constexpr float farthest_reach = 0x1p42f;
+
 /// The tree of a scene, as seen from the anchor of a shape.
 struct SceneAround {
     float offset[3];  ///< of the tree's lattice point 0 0 0 from the anchor

@@ -74,7 +74,8 @@ OrientedBox oriented(const Box& box) {
         const float half_low = 0.5f * without_tiny(low[k]), half_high = 0.5f * without_tiny(high[k]);
         center[k] = half_low + half_high;
         half[k] = half_high - half_low;
-        if (!(low[k] <= high[k]) || !is_finite(low[k]) || !is_finite(high[k])) center[k] = half[k] = not_a_number;
+        if (!(flush_subnormal(low[k]) <= flush_subnormal(high[k])) || !is_finite(low[k]) || !is_finite(high[k]))
+            center[k] = half[k] = not_a_number;
     }
     result.center = {center[0], center[1], center[2]};
     result.half_axes[0] = {half[0], 0.0f, 0.0f};

@@ -236,6 +236,21 @@ TEST_SUITE("hostile") {
         CHECK(open_scene(bytes, meshes, tiles).status() == OpenStatus::bad_header);
     }
 
+    TEST_CASE("scene: a header that states another number of meshes in tiles is refused as a header") {
+        const std::vector<std::byte>& original = tiled_scene().bytes;
+        const std::uint32_t stated =
+            mesh_count_of_scene(original) - static_cast<std::uint32_t>(tiled_scene().scene.meshes().size());
+        for (const std::uint32_t other : {0u, stated - 1, stated + 1, 0xFFFFFFFFu}) {
+            CAPTURE(other);
+            std::vector<std::byte> bytes = original;
+            put(bytes, format::scene::tile_mesh_count_at, other);
+            put_checksum(bytes);
+            std::vector<Blob> meshes(mesh_count_of_scene(bytes));
+            std::vector<BakedScene> tiles(tile_count_of_scene(bytes));
+            CHECK(open_scene(bytes, meshes, tiles).status() == OpenStatus::bad_header);
+        }
+    }
+
     TEST_CASE("scene: instances that are as far away as float32 reaches lie in their boxes") {
         std::vector<OpenedBlob> blobs;
         blobs.emplace_back(make_cube(-1.0f, 1.0f));

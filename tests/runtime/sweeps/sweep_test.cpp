@@ -26,12 +26,6 @@ using namespace espalier::tests;
 
 namespace {
 
-bool same_bits(const SweepHit& a, const SweepHit& b) {
-    return tests::same_bits(a.t, b.t) && tests::same_bits(a.point, b.point) && tests::same_bits(a.normal, b.normal) &&
-           tests::same_bits(a.face_normal, b.face_normal) && a.triangle == b.triangle && a.status == b.status &&
-           a.starts_overlapping == b.starts_overlapping;
-}
-
 bool third_is_left_out(TriangleId triangle) { return triangle.index % 3 != 2; }
 
 detail::CapsuleSweep rounded_of(const Sphere&) { return {}; }

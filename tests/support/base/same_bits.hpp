@@ -6,6 +6,7 @@
 
 #include <espalier/distance.hpp>
 #include <espalier/ray.hpp>
+#include <espalier/sweep.hpp>
 #include <runtime/answers/found.hpp>
 
 namespace espalier::tests {
@@ -25,6 +26,12 @@ inline bool same_bits(const ClosestPoint& a, const ClosestPoint& b) {
            same_bits(a.face_normal, b.face_normal) && same_bits(a.distance, b.distance) && same_bits(a.u, b.u) &&
            same_bits(a.v, b.v) && a.triangle == b.triangle && a.status == b.status && a.feature == b.feature &&
            a.side == b.side;
+}
+
+inline bool same_bits(const SweepHit& a, const SweepHit& b) {
+    return same_bits(a.t, b.t) && same_bits(a.point, b.point) && same_bits(a.normal, b.normal) &&
+           same_bits(a.face_normal, b.face_normal) && a.triangle == b.triangle && a.status == b.status &&
+           a.starts_overlapping == b.starts_overlapping;
 }
 
 inline bool same_corners(const detail::LatticeTriangle& a, const detail::LatticeTriangle& b) {
