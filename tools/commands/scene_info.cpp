@@ -96,6 +96,13 @@ float step_of(const BakedScene& scene) { return std::ldexp(1.0f, detail::data_of
 
 std::uint32_t node_count(const BakedScene& scene) { return detail::data_of(scene).tree.node_count; }
 
+/// Returns how many instances lie on the common lattice.
+std::uint32_t instances_on_common_lattice(const BakedScene& scene) {
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < scene.instance_count(); ++i) count += is_on_common_lattice(scene, {i}).yes();
+    return count;
+}
+
 struct NamedBytes {
     const char* name;
     std::size_t bytes;
@@ -126,6 +133,14 @@ void print_json_info(const InfoArguments& arguments, std::span<const std::byte> 
     document["step"] = json_number(step_of(scene));
     document["max_error"] = json_number(scene.max_error());
     document["bounds"] = {{"min", json_point(scene.bounds().min)}, {"max", json_point(scene.bounds().max)}};
+    if (const auto common = scene.common_lattice()) {
+        document["common_lattice"] = {{"step", json_number(std::ldexp(1.0f, common->step_exponent))},
+                                      {"origin", json_point(common->origin)},
+                                      {"extent", common->extent},
+                                      {"instances", instances_on_common_lattice(scene)}};
+    } else {
+        document["common_lattice"] = nullptr;
+    }
     document["depth"] = unsigned{detail::data_of(scene).tree.depth};
     document["nodes"] = node_count(scene);
     Json meshes = Json::array();
@@ -199,6 +214,10 @@ void print_table(const InfoArguments& arguments, std::span<const std::byte> byte
     print_line("max error", shortest(scene.max_error()));
     print_line("tree", text(counted(node_count(scene), "node"), ", depth ", unsigned{detail::data_of(scene).tree.depth},
                             ", step ", shortest(step_of(scene))));
+    const Result<Lattice> common = scene.common_lattice();
+    print_line("common step", common ? text(shortest(std::ldexp(1.0f, common->step_exponent)), ", of ",
+                                            counted(instances_on_common_lattice(scene), "instance"))
+                                     : "none");
     print_line("checksum", checksum_text(detail::data_of(scene).tree.checksum));
     print_line("flattened", text("about ", rounded(figures.flattened_bytes, 10),
                                  " bytes as one blob with the steps of the meshes: an estimate"));

@@ -102,6 +102,13 @@ def listings():
     is_equal("instances", (info["instances"], len(info["meshes"])), (9, 1))
     close("the estimate", info["flattened_bytes"] / os.path.getsize("forest.espl"), 1, 0.25)
     close("the scales", info["meshes"][0]["largest_scale"] / info["meshes"][0]["least_scale"], 3, 1e-5)
+    is_equal("the common lattice of turned sheets", info["common_lattice"]["instances"], 1)
+    sheets([moved(50 * i, 0, 0) for i in range(4)]).write("row.glb")
+    run("bake", "row.glb", "-o", "row.esps", "--instances", "all", "--step", "2^-10", "-q")
+    lattice = documented("info", run("info", "row.esps", "--json").stdout)["common_lattice"]
+    is_equal("the instances on the common lattice", lattice["instances"], 4)
+    if "common step   %s, of 4 instances" % lattice["step"] not in run("info", "row.esps").stdout:
+        fail("the common step is not in the text")
     text = run("info", "forest.esps").stdout
     for word in ("scene 1.0", "instances     9", "meshes        1", "bounds", "max error", "depth", "flattened", "mesh 0"):
         if word not in text:
