@@ -11,7 +11,7 @@
 
 namespace espalier {
 
-/// The result of opening a blob. The numbers are stable.
+/// The result of opening a blob or a scene. The numbers are stable.
 enum class [[nodiscard]] OpenStatus : std::uint8_t{
     ok = 0,
     too_short = 1,            ///< fewer bytes than the header takes, or than it states
@@ -24,9 +24,9 @@ enum class [[nodiscard]] OpenStatus : std::uint8_t{
     bad_checksum = 8,         ///< the bytes are not the ones that were written
     bad_node = 9,             ///< a node breaks the rules of docs/format.md
     bad_leaf = 10,            ///< a leaf breaks the rules of docs/format.md
-    bad_section = 11,         ///< an optional section breaks the rules of docs/format.md
+    bad_section = 11,         ///< a section of a blob or a part of a scene breaks the rules of docs/format.md
     not_opened = 12,          ///< open() was never called: the state of a default Blob
-    misaligned = 13,          ///< in C only: the address of the espalier_blob is no multiple of 16
+    misaligned = 13,          ///< in C only: the address of an espalier_blob or espalier_scene is no multiple of 16
     not_a_remap = 15,         ///< read_remap() only: not a remap file of this version, or a damaged one
     other_blob = 16,          ///< read_remap() only: the remap file belongs to another blob
     not_a_scene = 17,         ///< open_scene() only: the first four bytes are not "ESPS"
@@ -45,7 +45,7 @@ enum class [[nodiscard]] QueryStatus : std::uint8_t{
     stopped = 2,      ///< partial: a visitor returned Visit::stop
     output_full = 3,  ///< partial: the array is full and there is more
     work_limit = 4,   ///< partial: the WorkLimit was reached; a distance is then an upper bound
-    not_open = 16,    ///< refused: the blob was never opened, or open() refused it; the default of every result
+    not_open = 16,    ///< refused: never opened, or the bytes were refused; the default of every result
     invalid_argument =
         17,             ///< refused: NaN, or an infinity or a negative size where not allowed; spans of different sizes
     out_of_range = 18,  ///< refused: too far away or too large for exact arithmetic; each header states the limit

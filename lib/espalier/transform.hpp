@@ -63,7 +63,7 @@ private:
 [[nodiscard]] OrientedBox to_local(const Transform& transform, const Box& box) noexcept;
 [[nodiscard]] OrientedBox to_local(const Transform& transform, const OrientedBox& box) noexcept;
 [[nodiscard]] Cone to_local(const Transform& transform, const Cone& cone) noexcept;
-/// For a ConvexVolume move each of its planes.
+/// Moves one plane; for a ConvexVolume move each of its planes.
 [[nodiscard]] Plane to_local(const Transform& transform, const Plane& plane) noexcept;
 /// Keeps t: the same t is the same point of the ray in both spaces.
 [[nodiscard]] Ray to_local(const Transform& transform, const Ray& ray) noexcept;

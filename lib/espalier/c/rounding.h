@@ -64,7 +64,7 @@ espalier_query_status espalier_rounded_ray_status(const espalier_rounded_ray* ra
 espalier_ray_hit espalier_raycast_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray);
 /* Returns whether the ray hits any triangle. */
 espalier_yes_no espalier_occluded_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray);
-/* Return the same of the triangles that the filter keeps. */
+/* Returns the same of the triangles that the filter keeps. */
 espalier_ray_hit espalier_raycast_rounded_filtered(const espalier_blob* blob, const espalier_rounded_ray* ray,
                                                    espalier_triangle_filter filter, void* user);
 espalier_yes_no espalier_occluded_rounded_filtered(const espalier_blob* blob, const espalier_rounded_ray* ray,

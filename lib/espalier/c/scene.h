@@ -28,8 +28,8 @@
 extern "C" {
 #endif
 
-/* The number of an instance in its scene and, if that is a tile, of one in the tile. Both are ESPALIER_NO_INSTANCE for
- * none: `in_tile` is it for an instance of a mesh. */
+/* The number of an instance in its scene and, if that is a tile, of one in the tile. For a mesh, and for a tile as a
+ * whole, `in_tile` must be ESPALIER_NO_INSTANCE: write {i, ESPALIER_NO_INSTANCE}. */
 typedef struct ESPALIER_SHARED_ espalier_instance_id {
     uint32_t index, in_tile;
 } espalier_instance_id;
@@ -60,13 +60,14 @@ typedef struct ESPALIER_BLOB_ espalier_scene {
 } espalier_scene;
 
 /* Returns the number of meshes that a scene states in its header, those of its tiles included: the size of the array
- * that espalier_open_scene() needs. Returns 0 for bytes that are no scene. */
+ * that espalier_open_scene() needs. Returns 0 for bytes that are no scene or too few for
+ * so many. */
 uint32_t espalier_scene_mesh_count(const void* bytes, size_t size);
 /* Returns the number of tiles that a scene states in its header. */
 uint32_t espalier_scene_tile_count(const void* bytes, size_t size);
 /* Proves that every query on the bytes is safe, writes a view of them to `scene` and returns its status, which the
- * scene holds as well. `meshes` receives an open blob for each mesh and `tiles` an open scene for each tile; of their
- * elements the others are empty, and after a refusal each one is open or empty. None of them need be initialised; a
+ * scene holds as well. `meshes` receives an open blob for each mesh, `tiles` an open scene for each tile; other
+ * elements are empty. After a refusal each element is open or empty. None of them need be initialised; a
  * scene without tiles needs no array for them. At an address that is no multiple of 16 each is refused with
  * ESPALIER_OPEN_MISALIGNED, and then nothing is written; no other function may be given such an address. */
 espalier_open_status espalier_open_scene(const void* bytes, size_t size, espalier_blob* meshes, size_t mesh_capacity,

@@ -67,15 +67,15 @@ inline constexpr unsigned first_shift = 19;  // 9 bits: first triangle, counted 
 //
 // * reference_width bits for each entry that is not a first use: the vertex's number.
 
-/// Bits of a vertex number.
+/// Returns the bits of a vertex number.
 constexpr unsigned reference_width(unsigned vertex_count) {
     return static_cast<unsigned>(std::bit_width(vertex_count - 1));
 }
-/// Bits of the marks; their stream is padded to a byte.
+/// Returns the bits of the marks; their stream is padded to a byte.
 constexpr unsigned mark_bits(unsigned entries, unsigned vertex_count) {
     return 3 * (entries - 3) + (entries - vertex_count) * reference_width(vertex_count);
 }
-/// Width of the offsets on an axis along which the leaf's box reaches over so many steps.
+/// Returns the width of the offsets on an axis along which the leaf's box reaches over so many steps.
 constexpr unsigned coordinate_width(std::uint32_t side, unsigned bits) {
     const auto width = static_cast<unsigned>(std::bit_width(side));
     // mutant(< -> <=) equivalent: both sides are equal then
@@ -118,16 +118,16 @@ inline constexpr unsigned marks_at = joints_at + joint_count_bits;
 inline constexpr unsigned place_bits = 6;
 /// Residuals are of sums and differences of three offsets.
 constexpr unsigned max_width(unsigned bits) { return bits + 2; }
-/// Where the references begin.
+/// Returns where the references begin.
 constexpr unsigned references_at(unsigned entries, unsigned joints) {
     return marks_at + 2 * (entries - 3) + place_bits * joints;
 }
-/// Where the predicted vertices' choices of widths begin.
+/// Returns where the predicted vertices' choices of widths begin.
 constexpr unsigned choices_at(unsigned entries, unsigned joints, unsigned vertex_count) {
     return references_at(entries, joints) + (entries - vertex_count) * strip_leaf::reference_width(vertex_count);
 }
-/// A bit for each entry: if it is a first use, its vertex is predicted. So it is when its window and the one before are
-/// triangles.
+/// Returns a bit for each entry: if it is a first use, its vertex is predicted. So it is when its window and the one
+/// before are triangles.
 constexpr std::uint64_t predicted_entries(std::uint64_t windows) { return windows << 2 & windows << 3; }
 }  // namespace predicted_strip
 

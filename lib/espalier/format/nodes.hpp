@@ -9,7 +9,7 @@
 
 namespace espalier::format {
 
-/// Lattice steps that the base of a packed node and the planes of a plain one count in, as a power of two.
+/// Returns the power of two, in lattice steps, that the base of a packed node and the planes of a plain one count in.
 // mutant(> -> >=) equivalent: both sides are equal then
 constexpr unsigned unit_shift(unsigned bits) { return bits > 16 ? bits - 16 : 0; }
 

@@ -41,7 +41,7 @@ inline constexpr std::size_t block_bytes = 4;  // u32, where its bits begin, cou
 constexpr std::uint32_t block_count(std::uint32_t triangle_count) {
     return (triangle_count + block_triangles - 1) / block_triangles;
 }
-/// A strip begins a triangle where it needs to; a plain leaf keeps the source's first corner.
+/// Returns 3 for strips, which begin a triangle where they need to, else 1.
 constexpr std::uint32_t corner_factor(Profile profile) { return profile == Profile::fast ? 1 : 3; }
 /// Numbers are below this, which is at most 2^32.
 constexpr std::uint64_t number_limit(Profile profile, std::uint32_t source_triangles) {

@@ -8,37 +8,40 @@ const char* describe(OpenStatus status) noexcept {
         case OpenStatus::ok:
             return "ok";
         case OpenStatus::too_short:
-            return "the blob is cut short: there are fewer bytes than its header states, or not even a header";
+            return "the bytes are cut short: there are fewer than the header states, or not even a header";
         case OpenStatus::trailing_bytes:
-            return "there are more bytes than the blob's header states";
+            return "there are more bytes than the header states";
         case OpenStatus::not_a_blob:
-            return "these bytes are not an Espalier blob: they do not begin with ESPL";
+            return "these bytes are not an Espalier blob: they do not begin with ESPL (open_scene opens scenes, "
+                   "which begin with ESPS)";
         case OpenStatus::unsupported_version:
-            return "the blob's format version is not one that this library reads: bake it again, or update the library";
+            return "the format version is not one that this library reads: bake again, or update the library";
         case OpenStatus::unsupported_profile:
             return "the blob uses a profile that this library does not read";
         case OpenStatus::unsupported_feature:
             return "the blob has an optional section that this library does not read";
         case OpenStatus::bad_header:
-            return "a field of the blob's header is out of its range";
+            return "a field of the header is out of its range";
         case OpenStatus::bad_checksum:
-            return "the blob is damaged: its checksum does not match its bytes";
+            return "the bytes are damaged: their checksum does not match";
         case OpenStatus::bad_node:
-            return "a node of the blob breaks the format's rules";
+            return "a node breaks the format's rules";
         case OpenStatus::bad_leaf:
-            return "a leaf of the blob breaks the format's rules";
+            return "a leaf breaks the format's rules";
         case OpenStatus::bad_section:
-            return "an optional section of the blob breaks the format's rules, or bytes are left over";
+            return "a section of the blob or a part of the scene breaks the format's rules, or bytes are left over";
         case OpenStatus::not_opened:
-            return "the blob was never opened: call open first";
+            return "nothing was opened: call open or open_scene first";
         case OpenStatus::misaligned:
-            return "the espalier_blob to open into lies at an address that is no multiple of 16: align it";
+            return "the espalier_blob or espalier_scene to open into lies at an address that is no multiple of 16: "
+                   "align it";
         case OpenStatus::not_a_remap:
             return "these bytes are not a remap file that this library reads, or they are damaged";
         case OpenStatus::other_blob:
             return "the remap file belongs to another blob, or the array has another size than it";
         case OpenStatus::not_a_scene:
-            return "these bytes are not an Espalier scene: they do not begin with ESPS";
+            return "these bytes are not an Espalier scene: they do not begin with ESPS (open opens blobs, which begin "
+                   "with ESPL)";
         case OpenStatus::bad_instance:
             return "an instance of the scene breaks the format's rules";
         case OpenStatus::too_few_meshes:
@@ -67,7 +70,7 @@ const char* describe(QueryStatus status) noexcept {
         case QueryStatus::not_found:
             return "nothing was found";
         case QueryStatus::not_open:
-            return "the blob is not open: it was never opened, or its bytes were refused";
+            return "the blob or scene is not open: it was never opened, or its bytes were refused";
         case QueryStatus::no_data:
             return "the blob was baked without the section that this query reads";
     }

@@ -3,12 +3,12 @@
 
 using namespace espalier::detail;
 
-espalier_lattice_point_result espalier_to_lattice_point(const espalier_lattice* lattice, const espalier_vec3* world) {
-    return c(to_lattice(cpp(lattice), cpp(world)));
+espalier_lattice_point_result espalier_to_lattice_point(const espalier_lattice* lattice, const espalier_vec3* local) {
+    return c(to_lattice(cpp(lattice), cpp(local)));
 }
 
-espalier_lattice_box_result espalier_to_lattice_box(const espalier_lattice* lattice, const espalier_box* world) {
-    return c(to_lattice(cpp(lattice), cpp(world)));
+espalier_lattice_box_result espalier_to_lattice_box(const espalier_lattice* lattice, const espalier_box* local) {
+    return c(to_lattice(cpp(lattice), cpp(local)));
 }
 
 espalier_vec3 espalier_to_local(const espalier_lattice* lattice, const espalier_lattice_point* steps) {

@@ -14,7 +14,7 @@ using format::feature::materials_8;
 
 bool is_minus_zero(float x) { return std::bit_cast<std::uint32_t>(x) == 0x80000000u; }
 
-/// Takes sections off the front of what is left. The only bounds check.
+/// The bytes that are left, from whose front sections are taken. The only bounds check of sections.
 struct Bytes {
     const std::byte* at;  ///< null when something was not there
     const std::byte* end;
