@@ -62,7 +62,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/traversal/small_boxes", "runtime/rays/leaf_filter", "runtime/rays/ray", "runtime/rays/batch",
     "runtime/rays/closest_hits", "runtime/rays/far_query", "runtime/rays/every_hit", "runtime/rays/extreme_rays",
     "runtime/rays/leak", "runtime/sweeps/slide", "runtime/scenes/scene", "runtime/scenes/hostile",
-    "runtime/scenes/loop", "runtime/scenes/tiles", "runtime/scenes/metamorphic",
+    "runtime/scenes/loop", "runtime/scenes/tiles", "runtime/scenes/metamorphic", "runtime/scenes/modes",
     "runtime/pairs/pair", "runtime/pairs/distance_work", "runtime/pairs/frame", "runtime/pairs/loop",
     "runtime/pairs/pages", "runtime/proximity/closest_pair", "runtime/sweeps/sweep", "runtime/transforms/transform",
     "runtime/base/float_bits", "runtime/base/wide_integer", "runtime/kernels/ray_triangle",
