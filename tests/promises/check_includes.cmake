@@ -117,7 +117,7 @@ check_layers(baker "<espalier/[a-z_]+\\.hpp>|<runtime/(base|lattice|blob)/[a-z_0
   "sections: base input quantise build collapse"
   "encode: base input quantise build collapse sections"
   "verify: base input quantise build collapse sections"
-  "scenes: base encode verify")
+  "scenes: base build optimise collapse encode verify")
 
 file(GLOB baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
 check("a file of the baker's root includes public and standard headers and the baker's own only"
