@@ -9,7 +9,7 @@
 
 #include "../rays.hpp"
 #include "loaded_side.hpp"
-#include "memory.hpp"
+#include "../memory.hpp"
 
 namespace espalier::bench {
 

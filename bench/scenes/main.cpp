@@ -1,4 +1,5 @@
-// Many instances of one mesh or of some, and a mesh alone, in one interleaved run. One JSON object a line.
+// Many instances of one mesh or of some, and a mesh alone; or a baked scene, and its triangles in one mesh.
+// Interleaved; one JSON object a line.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,6 +8,7 @@
 #include "../../tests/support/meshes/files.hpp"
 #include "../peers/stopwatch.hpp"
 #include "../program.hpp"
+#include "scene_file.hpp"
 #include "scene_system.hpp"
 
 namespace {
@@ -73,17 +75,17 @@ struct Run {
     }
 };
 
-std::vector<SceneMaker> all_makers() {
-    std::vector<SceneMaker> makers = espalier_scene_makers();
+/// Returns the given makers, and those of peers.
+std::vector<SceneMaker> with_peers(std::vector<SceneMaker> makers) {
 #ifdef ESPALIER_BENCH_EMBREE
     for (SceneMaker& maker : embree_scene_makers()) makers.push_back(std::move(maker));
 #endif
     return makers;
 }
 
-std::vector<Run> make_runs(const Placed& placed, std::size_t rays) {
+std::vector<Run> make_runs(const std::vector<SceneMaker>& makers, const Placed& placed, std::size_t rays) {
     std::vector<Run> runs;
-    for (const SceneMaker& maker : all_makers())
+    for (const SceneMaker& maker : with_peers(makers))
         runs.push_back({maker.system + " " + maker.profile, maker.make(placed), {}, std::vector<float>(rays)});
     return runs;
 }
@@ -106,7 +108,8 @@ std::size_t differing(const Run& run, const Run& reference) {
     return count;
 }
 
-void print(const Mesh& mesh, const char* what, const Options& options, const std::vector<Run>& runs) {
+void print(const std::string& name, std::size_t triangles, const char* what, const Options& options,
+           const std::vector<Run>& runs) {
     const Run& reference = runs.back();
     for (const Run& run : runs) {
         std::vector<double> ratios;
@@ -115,7 +118,7 @@ void print(const Mesh& mesh, const char* what, const Options& options, const std
         std::printf(
             "{\"mesh\":\"%s\",\"triangles\":%zu,\"scene\":\"%s\",\"instances\":%zu,\"copies\":%zu,\"system\":\"%s\","
             "\"us_per_ray\":%.4f,\"ratio_to_last\":[%.3f,%.3f,%.3f],\"bytes\":%zu,\"rays_that_differ\":%zu}\n",
-            mesh.name.c_str(), mesh.triangles.size(), what, options.instances, options.copies, run.name.c_str(),
+            name.c_str(), triangles, what, options.instances, options.copies, run.name.c_str(),
             1e6 * run.median() / static_cast<double>(options.rays), ratios.front(), ratios[ratios.size() / 2],
             ratios.back(), run.system->bytes(), differing(run, reference));
     }
@@ -128,25 +131,47 @@ void run_mesh(const std::string& file, const Options& options) {
     const Placed placed = place(mesh, options);
     const std::vector<Ray> into_scene = incoherent_rays(corners_of(placed), options.rays, seed);
     const std::vector<Ray> into_mesh = incoherent_rays(mesh, options.rays, seed);
-    std::vector<Run> scenes = make_runs(placed, options.rays), alone = make_runs({{mesh}, {}}, options.rays);
+    const std::vector<SceneMaker> makers = espalier_scene_makers();
+    std::vector<Run> scenes = make_runs(makers, placed, options.rays);
+    std::vector<Run> alone = make_runs(makers, {{mesh}, {}}, options.rays);
     for (std::size_t repetition = 0; repetition < options.repetitions; ++repetition) {
         ask(scenes, into_scene);
         ask(alone, into_mesh);
     }
-    print(mesh, "instances", options, scenes);
-    print(mesh, "alone", options, alone);
+    print(mesh.name, mesh.triangles.size(), "instances", options, scenes);
+    print(mesh.name, mesh.triangles.size(), "alone", options, alone);
+}
+
+void run_scene(const std::string& path, Options options) {
+    const SceneFile file(path);
+    const Mesh flattened = file.flattened();
+    const std::vector<Ray> rays = incoherent_rays(flattened, options.rays, seed);
+    std::vector<Run> scenes = make_runs(baked_scene_makers(file.bytes), file.placed, options.rays);
+    std::vector<Run> merged = make_runs(espalier_scene_makers(), {{flattened}, {}}, options.rays);
+    for (std::size_t repetition = 0; repetition < options.repetitions; ++repetition) {
+        ask(scenes, rays);
+        ask(merged, rays);
+    }
+    options.instances = file.placed.instances.size();
+    options.copies = file.placed.meshes.size();
+    print(path, flattened.triangles.size(), "instances", options, scenes);
+    print(path, flattened.triangles.size(), "flattened", options, merged);
 }
 
 }  // namespace
 
 int main(int count, char** words) {
     Options options;
-    Program program("espalier_bench_scenes", "Rays into many instances of a mesh, and into the mesh alone; JSON");
+    Program program(
+        "espalier_bench_scenes",
+        "Rays into many instances of a mesh, and into the mesh alone; or into a baked scene, SCENE.esps, and "
+        "into its triangles in one mesh; JSON");
     program.add_count("--instances", options.instances, "Instances in the scene");
     program.add_count("--copies", options.copies, "Different meshes, made from the one by scaling it along two axes");
     program.add_count("--rays", options.rays, "Incoherent rays");
     program.add_count("--repetitions", options.repetitions, "How often each system is asked; the median counts");
     return program.run(count, words, [&](const std::vector<std::string>& meshes) {
-        for (const std::string& file : meshes) run_mesh(file, options);
+        for (const std::string& file : meshes)
+            file.ends_with(".esps") ? run_scene(file, options) : run_mesh(file, options);
     });
 }

@@ -10,6 +10,7 @@
 
 #include <espalier/scene.hpp>
 
+#include "../memory.hpp"
 #include "../rays.hpp"
 
 namespace espalier::bench {
@@ -38,6 +39,8 @@ struct SceneMaker {
 };
 
 std::vector<SceneMaker> espalier_scene_makers();
+/// Returns the makers of a scene that is baked already, whatever they are given.
+std::vector<SceneMaker> baked_scene_makers(const std::vector<std::byte>& scene);
 std::vector<SceneMaker> embree_scene_makers();
 
 }  // namespace espalier::bench

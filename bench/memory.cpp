@@ -13,13 +13,14 @@ constexpr std::size_t alignment = std::size_t{1} << 21;
 
 }  // namespace
 
-Memory::Memory(std::size_t size) : mapped_((size + 2 * alignment - 1) / alignment * alignment) {
+Memory::Memory(std::size_t size, Pages pages) : mapped_((size + 2 * alignment - 1) / alignment * alignment) {
     mapping_ = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapping_ == MAP_FAILED) throw std::bad_alloc();
     const std::size_t offset = (alignment - reinterpret_cast<std::uintptr_t>(mapping_) % alignment) % alignment;
     data_ = static_cast<std::byte*>(mapping_) + offset;
 #if defined(MADV_NOHUGEPAGE)
-    madvise(data_, mapped_ - offset, MADV_NOHUGEPAGE);  // refused where there are none
+    // Refused where there are none.
+    madvise(data_, mapped_ - offset, pages == Pages::huge ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
 #endif
 }
 
