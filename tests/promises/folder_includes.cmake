@@ -141,5 +141,6 @@ check_folder_includes(tests
   "baker/collapse: ${support} baker"
   "baker/sections: ${support} baker oracle"
   "baker/encode: ${support} baker"
+  "baker/scenes: ${support} baker"
   "baker/verify: ${support} baker"
-  "tools: baker/quantise")
+  "tools: ${support} baker/quantise")

@@ -5,4 +5,5 @@
 #include <runtime/proximity/point_queries.hpp>
 #include <runtime/rays/batch/batch.hpp>
 #include <runtime/rays/queries.hpp>
+#include <runtime/scenes/closest_ray.hpp>
 #include <runtime/scenes/instance_walk.hpp>

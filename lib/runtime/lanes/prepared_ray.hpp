@@ -36,12 +36,15 @@ inline constexpr std::array<PlaneOrder, 8> plain_plane_orders =
 
 /// tau of a plane is (base + plane * 2^shift - origin) * inverse; here it is plane * (2^shift * inverse) + (base *
 /// inverse + offset), with offsets that move the planes outward by more than all of it can round (docs/numerics.md):
-/// then a box that contains the hit is never refused. Vectors have a fourth element that means nothing.
+/// then a box that contains the hit is never refused. Vectors have a fourth element that means nothing, where registers
+/// load them.
 struct RayLanes {
-    alignas(16) float inverse[4];
-    alignas(16) float base_inverse[4];  ///< the same for the units that a node's base or planes count in
-    alignas(16) float near_offset[4];
-    alignas(16) float far_offset[4];
+    static constexpr unsigned axes = small_code ? 3 : 4;
+
+    alignas(register_alignment) float inverse[axes];
+    alignas(register_alignment) float base_inverse[axes];  ///< the same for the units of a node's base or planes
+    alignas(register_alignment) float near_offset[axes];
+    alignas(register_alignment) float far_offset[axes];
     float tau_min;  ///< not -0
     PlaneOrder planes;
 

@@ -26,14 +26,15 @@ using InstanceVisitor = FunctionRef<Visit(const VisitedInstance&, float&)>;
 
 /// An answer that passes the leaves of a walk to a visitor: instances whose mask shares a bit with the given one, and
 /// whose boxes meet `meeting` if there is one.
+template <class Visitor>
 struct InstanceAnswer {
     const SceneData& scene;
     std::uint32_t mask;
     float limit;
-    const InstanceVisitor& visit;
+    const Visitor& visit;
     const BoxInSteps* meeting = nullptr;
 
-    Visit take(const InstancePlace& place) {
+    [[gnu::always_inline]] Visit take(const InstancePlace& place) {
         if (meeting != nullptr && !meeting->meets_box_of(place)) return Visit::next;
         const InstanceId id = instance_of(place);
         const std::byte* const record = record_of(scene, id);
@@ -42,11 +43,14 @@ struct InstanceAnswer {
     }
 };
 
-#define ESPALIER_DECLARE_INSTANCE_WALKS(instruction_set)                             \
-    namespace instruction_set {                                                      \
-    void instances_nearest_first(const Passage& passage, InstanceAnswer& answer);    \
-    void instances_nearest_first(const RoundedPoint& point, InstanceAnswer& answer); \
-    Visit instances_in_order(const Passage& passage, InstanceAnswer& answer);        \
+/// The answer of the walks that all visitors share.
+using AnyInstanceAnswer = InstanceAnswer<InstanceVisitor>;
+
+#define ESPALIER_DECLARE_INSTANCE_WALKS(instruction_set)                                \
+    namespace instruction_set {                                                         \
+    void instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer);    \
+    void instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer); \
+    Visit instances_in_order(const Passage& passage, AnyInstanceAnswer& answer);        \
     }
 ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_INSTANCE_WALKS)
 #undef ESPALIER_DECLARE_INSTANCE_WALKS
@@ -57,7 +61,7 @@ template <class Region>
 void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const Region& region, float limit,
                              const InstanceVisitor& visit) {
     if (scene.instance_count == 0) return;
-    InstanceAnswer answer = {scene, mask, limit, visit};
+    AnyInstanceAnswer answer = {scene, mask, limit, visit};
     ESPALIER_DISPATCH(instances_nearest_first, region, answer);
 }
 
@@ -66,7 +70,7 @@ void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const R
 inline Visit visit_instances(const SceneData& scene, std::uint32_t mask, const Passage& passage, float limit,
                              const InstanceVisitor& visit, const BoxInSteps* meeting = nullptr) {
     if (scene.instance_count == 0) return Visit::next;
-    InstanceAnswer answer = {scene, mask, limit, visit, meeting};
+    AnyInstanceAnswer answer = {scene, mask, limit, visit, meeting};
     return ESPALIER_DISPATCH(instances_in_order, passage, answer);
 }
 
@@ -93,6 +97,12 @@ struct FilterOfInstance {
     }
 };
 
+/// Returns the status of the query of an instance as that of the scene's query. The arguments are sound: what is
+/// refused is out of the range of the instance, also where its local space has no finite number for it.
+inline QueryStatus status_in_scene(QueryStatus of_instance) {
+    return is_refused(of_instance) ? QueryStatus::out_of_range : of_instance;
+}
+
 /// The best result of a query over instances.
 template <class Hit>
 class BestInScene {
@@ -104,13 +114,16 @@ public:
     [[nodiscard]] const Hit* operator->() const { return &best_.hit; }
     /// Returns whether the result is better: has a lower key, or an equal one and a lower instance. Notes a refusal.
     bool is_better(const Hit& hit, InstanceId instance, float Hit::*key) {
-        if (is_refused(hit.status)) refusal_ = hit.status;
+        if (is_refused(hit.status)) refusal_ = status_in_scene(hit.status);
         if (hit.status != QueryStatus::ok) return false;
         // By their bits, which order numbers that are not negative, also subnormal ones in any mode.
         const std::uint32_t own = magnitude_bits(hit.*key), other = magnitude_bits(best_.hit.*key);
         return !best_ || own < other || (own == other && instance < best_.instance);
     }
-    void set(const Hit& hit, InstanceId instance) { best_ = {hit, instance}; }
+    void set(const Hit& hit, InstanceId instance) {
+        best_.hit = hit;
+        best_.instance = instance;
+    }
     [[nodiscard]] InScene<Hit> result() const {
         if (refusal_ == QueryStatus::ok) return best_;
         InScene<Hit> refused;

@@ -2,43 +2,70 @@
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/proximity/point_nodes.inl>
 #include <runtime/rays/slab_test.inl>
+#include <runtime/scenes/closest_ray.hpp>
 #include <runtime/scenes/instance_walk.hpp>
+RayHit find_closest_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);  // of rays/closest.inl
 #endif
 
 namespace {
 
 using PassageLanes = RayLanesOf<PackedNode>;
 
-template <class Region>
+template <class Region, class Answer>
 struct InstanceWalk {
-    const Region& region;
-    InstanceAnswer& answer;
+    struct CostlyLeaves {};
 
-    [[gnu::always_inline]] unsigned children(const PackedNode& node, Keys keys) const {
+    const Region& region;
+    Answer& answer;
+
+    // Small cores need the stack of this function again for the query of an instance.
+    ESPALIER_SHARED_OR_PART_OF_CALLER unsigned children(const PackedNode& node, Keys keys) const {
         if constexpr (std::is_same_v<Region, PassageLanes>) return slab_test(node, region, answer.limit, keys);
         else return distance_test(node, region, answer.scene.tree, answer.limit, keys);
     }
     [[nodiscard]] float limit() const { return answer.limit; }
-    Visit visit_leaf(const InstancePlace& place) { return answer.take(place); }
+    [[gnu::always_inline]] Visit visit_leaf(const InstancePlace& place) { return answer.take(place); }
 };
 
-}  // namespace
-
-void instances_nearest_first(const Passage& passage, InstanceAnswer& answer) {
+/// Visits the instances whose boxes a passage meets, the nearest first.
+template <class Answer>
+[[gnu::always_inline]] inline void walk_nearest_first(const Passage& passage, Answer& answer) {
     const BlobData& tree = answer.scene.tree;
     const auto lanes_ = passage.lanes<PassageLanes>(tree);
-    InstanceWalk<PassageLanes> walk = {lanes_, answer};
+    InstanceWalk<PassageLanes, Answer> walk = {lanes_, answer};
     (traverse_nearest_first<InstancePlace>)(tree, walk);
 }
 
-void instances_nearest_first(const RoundedPoint& point, InstanceAnswer& answer) {
-    InstanceWalk<RoundedPoint> walk = {point, answer};
+}  // namespace
+
+void instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {
+    (walk_nearest_first)(passage, answer);
+}
+
+void instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer) {
+    InstanceWalk<RoundedPoint, AnyInstanceAnswer> walk = {point, answer};
     (traverse_nearest_first<InstancePlace>)(answer.scene.tree, walk);
 }
 
-Visit instances_in_order(const Passage& passage, InstanceAnswer& answer) {
+Visit instances_in_order(const Passage& passage, AnyInstanceAnswer& answer) {
     const BlobData& tree = answer.scene.tree;
     const auto lanes_ = passage.lanes<PassageLanes>(tree);
-    InstanceWalk<PassageLanes> walk = {lanes_, answer};
+    InstanceWalk<PassageLanes, AnyInstanceAnswer> walk = {lanes_, answer};
     return (walk_in_storage_order<InstancePlace>)(tree, walk);
+}
+
+namespace {
+
+/// Returns what closest_hit() of this instruction set returns.
+RayHit closest_hit_of(const BlobData& mesh, const Ray& local, const TriangleFilter* filter) {
+    return find_closest_hit(mesh, local, filter);
+}
+
+}  // namespace
+
+void search_nearest_first(ClosestRay& closest) {
+    const ClosestRayVisitor<closest_hit_of> visit = {closest};
+    InstanceAnswer<ClosestRayVisitor<closest_hit_of>> answer = {closest.scene(), closest.mask(), closest.limit(),
+                                                                visit};
+    (walk_nearest_first)(closest.passage(), answer);
 }

@@ -26,6 +26,7 @@ Lattice common_lattice_of(const std::byte* header) {
     lattice.step_exponent = load_i16(header + common_step_exponent_at);
     lattice.origin = {load_f32(header + common_origin_at), load_f32(header + common_origin_at + 4),
                       load_f32(header + common_origin_at + 8)};
+    // mutant(< -> <=) sanitizer: writes behind an array
     for (std::size_t k = 0; k < 3; ++k)
         lattice.extent[k] = static_cast<std::int32_t>(load_u32(header + common_extent_at + 4 * k));
     return lattice;
@@ -91,6 +92,7 @@ private:
 std::span<const std::byte> take_part(Parts& parts, const std::byte* size_at) {
     const std::uint32_t size = load_u32(size_at);
     const std::byte* const part = parts.align() ? parts.take(size) : nullptr;
+    // mutant(!= -> true) equivalent: callers test the pointer
     return {part, part != nullptr ? size : 0};
 }
 
@@ -108,6 +110,7 @@ OpenStatus open_header_and_meshes(std::span<const std::byte> bytes, SceneData& s
     sizes = parts.take(count * part_size_bytes);
     // Each part has a header of its own, and so has each mesh of a tile.
     const std::size_t most_headers = scene.tree.size / header_bytes;
+    // mutant(> -> >=) equivalent: the scene has a header, too
     if (sizes == nullptr || count > most_headers) return OpenStatus::bad_section;
     if (count + meshes_in_tiles(scene) > most_headers) return OpenStatus::bad_header;
     if (meshes.size() < scene.mesh_count) return OpenStatus::too_few_meshes;
@@ -125,11 +128,10 @@ OpenStatus open_header_and_meshes(std::span<const std::byte> bytes, SceneData& s
 /// The instances, in the order of the nodes.
 struct InstanceBlocks {
     std::uint32_t seen = 0;
-    std::uint32_t count;
 
     [[nodiscard]] std::uint32_t next() const { return seen; }
+    /// Counts; at most 2^24 nodes with at most 8 children have less than 2^32 leaves.
     OpenStatus take(const PackedNode& node) {
-        if (node.leaf_children() > count - seen) return OpenStatus::bad_node;
         seen += node.leaf_children();
         return OpenStatus::ok;
     }
@@ -155,15 +157,15 @@ OpenStatus check_instances(SceneData& scene) {
 /// Checks what follows the meshes and tiles.
 OpenStatus check_tree_and_instances(SceneData& scene, Parts& parts) {
     if (!parts.align()) return OpenStatus::bad_section;
-    scene.tree.nodes = parts.take(std::uint64_t{scene.tree.node_count} * PackedNode::size);
-    scene.tree.leaves = parts.take(std::uint64_t{scene.instance_count} * instance_bytes);
-    if (scene.tree.nodes == nullptr || scene.tree.leaves == nullptr || !parts.is_at_end())
-        return OpenStatus::bad_section;
+    const std::uint64_t node_bytes = std::uint64_t{scene.tree.node_count} * PackedNode::size;
+    scene.tree.nodes = parts.take(node_bytes + std::uint64_t{scene.instance_count} * instance_bytes);
+    if (scene.tree.nodes == nullptr || !parts.is_at_end()) return OpenStatus::bad_section;
+    scene.tree.leaves = scene.tree.nodes + node_bytes;
     if (scene.instance_count != 0) {
-        InstanceBlocks blocks = {0, scene.instance_count};
-        OpenStatus status = check_tree<PackedNode>(scene.tree, blocks);
-        if (status == OpenStatus::ok && blocks.seen != scene.instance_count) status = OpenStatus::bad_node;
+        InstanceBlocks blocks;
+        const OpenStatus status = check_tree<PackedNode>(scene.tree, blocks);
         if (status != OpenStatus::ok) return status;
+        if (blocks.seen != scene.instance_count) return OpenStatus::bad_node;
     }
     return check_instances(scene);
 }

@@ -36,12 +36,12 @@ YesNo detail::overlaps(const BakedScene& scene, const AnySceneShape& shape, cons
             const YesNo answer = instance.mesh != nullptr ? shape.test(*instance.mesh, instance.transform, shape.shape)
                                                           : shape.test_tile(*instance.tile, instance.transform,
                                                                             shape.shape, keep.of(*instance.tile));
-            if (is_refused(answer.status())) refusal = answer.status();
+            if (is_refused(answer.status())) refusal = status_in_scene(answer.status());
             return answer.yes() ? Visit::stop : Visit::next;
         }
         const auto kept = [&](TriangleId triangle) { return keep(triangle) ? Visit::stop : Visit::next; };
         const QueryStatus end = shape.visit(*instance.mesh, instance.transform, shape.shape, kept);
-        if (is_refused(end)) refusal = end;
+        if (is_refused(end)) refusal = status_in_scene(end);
         return end == QueryStatus::stopped ? Visit::stop : Visit::next;
     };
     const Visit end = visit_meeting(scene, shape.bounds, filter.mask(), test);
@@ -64,6 +64,7 @@ QueryStatus detail::for_each_overlap(const BakedScene& scene, const AnySceneShap
         end = instance.mesh != nullptr ? shape.visit(*instance.mesh, instance.transform, shape.shape, each)
                                        : shape.visit_tile(*instance.tile, instance.transform, shape.shape, each_in_tile,
                                                           keep.of(*instance.tile));
+        end = status_in_scene(end);
         return end == QueryStatus::ok ? Visit::next : Visit::stop;
     };
     visit_meeting(scene, shape.bounds, filter.mask(), list);

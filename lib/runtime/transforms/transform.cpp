@@ -1,5 +1,6 @@
 // Shapes moved into the local space of a transform and back into the world.
 #include <espalier/transform.hpp>
+#include <runtime/transforms/local_ray.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier {
@@ -93,7 +94,7 @@ Capsule to_local(const Transform& transform, const Capsule& capsule) noexcept { 
 Triangle to_local(const Transform& transform, const Triangle& triangle) noexcept { return local(transform, triangle); }
 OrientedBox to_local(const Transform& transform, const OrientedBox& box) noexcept { return local(transform, box); }
 Cone to_local(const Transform& transform, const Cone& cone) noexcept { return local(transform, cone); }
-Ray to_local(const Transform& transform, const Ray& ray) noexcept { return local(transform, ray); }
+Ray to_local(const Transform& transform, const Ray& ray) noexcept { return local_ray(transform, ray); }
 OrientedBox to_local(const Transform& transform, const Box& box) noexcept { return to_local(transform, oriented(box)); }
 
 Plane to_local(const Transform& transform, const Plane& plane) noexcept {

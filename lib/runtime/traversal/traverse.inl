@@ -58,11 +58,17 @@ private:
     }
 };
 
+/// True for visitors whose leaves cost more than several nodes: leaves with no nodes beside them are then ordered, too.
+template <class Visitor>
+inline constexpr bool has_costly_leaves = requires {
+    typename Visitor::CostlyLeaves;
+};
+
 /// A walk to the children with the smallest keys first: for queries whose limit shrinks as they find something. A leaf
-/// waits for nodes beside it that are nearer; leaves with no nodes beside them are taken as they lie. Of a node's
-/// children two are put in order; when both have had their turn and there are more that may matter, the node is tested
-/// again: that is rare, more exact by then, and keeps the stack to a word a level. A step is in two halves, so that
-/// batches can test the nodes of several rays before they branch on any.
+/// waits for nodes beside it that are nearer; leaves with no nodes beside them are taken as they lie, unless they are
+/// costly. Of a node's children two are put in order; when both have had their turn and there are more that may matter,
+/// the node is tested again: that is rare, more exact by then, and keeps the stack to a word a level. A step is in two
+/// halves, so that batches can test the nodes of several rays before they branch on any.
 template <class Leaf, class Visitor>
 struct NearestFirst {
     using Node = typename Leaf::Node;
@@ -115,9 +121,12 @@ struct NearestFirst {
     [[gnu::always_inline]] bool visit_leaves(const BlobData& blob, Visitor& visitor, unsigned leaves) {
         std::uint32_t parent = index;  // of the leaves
         for (;;) {
-            for (; leaves != 0; leaves &= leaves - 1) {
-                const auto number = static_cast<unsigned>(std::countr_zero(leaves));
+            while (leaves != 0) {
                 const Node node = node_at<Node>(blob, parent);
+                auto number = static_cast<unsigned>(std::countr_zero(leaves));
+                if constexpr (has_costly_leaves<Visitor>)
+                    if (parent == index) number = nearest_leaf(leaves, node.node_children());
+                leaves &= ~(1u << number);
                 if (parent == index && is_beyond(keys[node.node_children() + number], visitor.limit())) continue;
                 count_leaf_step();
                 if ((visit_leaf<Leaf>)(blob, node, number, visitor) == Visit::stop) return false;
@@ -151,6 +160,17 @@ struct NearestFirst {
 private:
     static bool is_beyond(float key, float limit) {
         return std::bit_cast<std::uint32_t>(key) > std::bit_cast<std::uint32_t>(limit);
+    }
+    /// Returns the number of the nearest of some leaves of the node at hand.
+    [[nodiscard]] unsigned nearest_leaf(unsigned leaves, unsigned node_children) const {
+        std::uint32_t nearest = ~0u;
+        for (; leaves != 0; leaves &= leaves - 1) {
+            const auto number = static_cast<unsigned>(std::countr_zero(leaves));
+            const std::uint32_t entry = Waiting::entry(keys[node_children + number], number);
+            // mutant(< -> <=) equivalent: no two entries are equal, since each contains its number
+            nearest = entry < nearest ? entry : nearest;
+        }
+        return nearest & Waiting::child_mask;
     }
     /// The nearest of several children of the node at hand; the others are left waiting. Compared and chosen as plain
     /// words: no processor could foresee branches here.

@@ -180,6 +180,23 @@ TEST_SUITE("scene") {
         CHECK(same_bits(*hits[2], *raycast(scene, sound)));
     }
 
+    TEST_CASE("scene: a sound argument without finite numbers in an instance is out of its range") {
+        std::vector<Instance> instances(1);
+        instances[0].transform.scale = 1e-30f;
+        const OpenedScene opened(one_cube(), instances);
+        const BakedScene& scene = opened.scene;
+        const Vec3 far = {1e25f, 0.0f, 0.0f};
+        const Ray ray = {far, {-1.0f, 0.0f, 0.0f}};
+        const Sphere sphere = {far, 2e25f};
+        CHECK(raycast(scene, ray)->status == QueryStatus::out_of_range);
+        CHECK(occluded(scene, ray).status() == QueryStatus::out_of_range);
+        CHECK(for_each_hit(scene, ray, [](InstanceId, const RayHit&) {}) == QueryStatus::out_of_range);
+        CHECK(closest_point(scene, far)->status == QueryStatus::out_of_range);
+        CHECK(sweep(scene, Sphere{far, 1.0f}, {-1e25f, 0.0f, 0.0f})->status == QueryStatus::out_of_range);
+        CHECK(overlaps(scene, sphere).status() == QueryStatus::out_of_range);
+        CHECK(for_each_overlap(scene, sphere, [](InstanceId, TriangleId) {}) == QueryStatus::out_of_range);
+    }
+
     TEST_CASE("scene: the baker refuses what no scene can hold and names the instance") {
         const std::vector<OpenedBlob> blobs = one_cube();
         const std::vector<std::span<const std::byte>> bytes = {blobs[0].bytes};

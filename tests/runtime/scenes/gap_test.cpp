@@ -1,0 +1,150 @@
+// The gap between two instances that share an edge and are turned differently: each rounds the ray for itself.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <espalier/scene.hpp>
+
+#include "maker.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+struct Vector {
+    double x, y, z;
+
+    friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vector operator*(double s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
+};
+double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vector cross(const Vector& a, const Vector& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Vector unit(const Vector& a) { return (1.0 / std::sqrt(dot(a, a))) * a; }
+Vec3 rounded(const Vector& a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
+Vector vector_of(const Vec3& a) { return {a.x, a.y, a.z}; }
+
+double fraction(Random& random) { return random.unit(); }
+
+/// Returns a vector rotated in double precision.
+Vector rotated(const Quaternion& q, const Vector& v) {
+    const Vector axis = {q.x, q.y, q.z};
+    const double w = q.w, squared_length = dot(axis, axis) + w * w;
+    const Vector sum = (w * w - dot(axis, axis)) * v + (2.0 * dot(axis, v)) * axis + (2.0 * w) * cross(axis, v);
+    return (1.0 / squared_length) * sum;
+}
+
+/// Returns a rotation behind another one about the x axis.
+Quaternion turned_about_x(const Quaternion& q, double angle) {
+    const double s = std::sin(angle / 2), c = std::cos(angle / 2);
+    const double x = q.x, y = q.y, z = q.z, w = q.w;
+    const Vector axis = {c * x + s * w, c * y + s * z, c * z - s * y};
+    return {static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z),
+            static_cast<float>(c * w - s * x)};
+}
+
+/// A unit square in the plane z = 0, with an edge on the x axis.
+Mesh make_sheet() {
+    Mesh sheet;
+    sheet.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return sheet;
+}
+
+/// Two sheets in the world that meet along an edge, and rays that cross it.
+class Hinge {
+public:
+    explicit Hinge(Random& random) {
+        place_.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), random.signed_unit()};
+        place_.scale = std::ldexp(1.0f + random.unit(), random.between(-6, 6));
+        // Near the origin of the world, where coordinates are finer than the gap.
+        place_.translation = random.in_cube(std::ldexp(place_.scale, random.between(-4, 2)));
+        Transform other = place_;
+        other.rotation = turned_about_x(place_.rotation, 1.8 + 2.7 * fraction(random));
+        std::vector<OpenedBlob> blobs;
+        blobs.emplace_back(make_sheet());
+        const double scale = place_.scale;
+        step_ = std::ldexp(scale, blobs.front().blob.lattice().step_exponent);
+        std::vector<Instance> instances(2);
+        instances[0].transform = place_;
+        instances[1].transform = other;
+        for (std::uint32_t i = 0; i < 2; ++i) instances[i].mask = 1u << i;
+        opened_.emplace_back(blobs, instances);
+
+        const Vector edge = rotated(place_.rotation, {1, 0, 0});
+        const Vector to_first = rotated(place_.rotation, {0, 1, 0}), to_other = rotated(other.rotation, {0, 1, 0});
+        point_ = vector_of(place_.translation) + (scale * (0.1 + 0.8 * fraction(random))) * edge;
+        const Vector through = unit(cross(edge, to_first - to_other));
+        ray_.direction = rounded(through + 0.3 * vector_of(random.in_cube(1.0f)));
+        const Vector along = vector_of(ray_.direction);
+        aside_ = unit(cross(edge, along));
+        if (dot(aside_, to_first) < 0.0) aside_ = -1.0 * aside_;
+        start_ = point_ - (scale * std::ldexp(1.0, random.between(-2, 8))) * unit(along);
+        ray_.t_max = std::numeric_limits<float>::infinity();
+    }
+
+    /// Returns how far a ray is off along an axis of the world, by docs/numerics.md (Scenes).
+    [[nodiscard]] double bound() const {
+        const Box bounds = opened_.front().scene.bounds();
+        const Vector low = vector_of(bounds.min) - start_, high = vector_of(bounds.max) - start_;
+        double reach = 0.0;
+        for (const double way : {low.x, low.y, low.z, high.x, high.y, high.z}) reach = std::max(reach, std::abs(way));
+        return 0x1p-24 * 204 * reach + std::sqrt(3.0) / 128 * step_;
+    }
+
+    /// Returns the distance from the edge of the ray nearest to it that hits a sheet: of 0 or 1, on its side.
+    [[nodiscard]] double nearest_hit(int sheet) const {
+        const double side = sheet == 0 ? 1.0 : -1.0;
+        double miss = -side * 8.0 * bound(), hit = -miss;
+        CHECK_FALSE(hits(sheet, miss));
+        REQUIRE(hits(sheet, hit));
+        for (int i = 0; i < 60; ++i) {
+            const double middle = (miss + hit) / 2;
+            (hits(sheet, middle) ? hit : miss) = middle;
+        }
+        return dot(vector_of(ray_at(hit).origin) - start_, aside_);
+    }
+
+private:
+    [[nodiscard]] Ray ray_at(double offset) const {
+        Ray ray = ray_;
+        ray.origin = rounded(start_ + offset * aside_);
+        return ray;
+    }
+    [[nodiscard]] bool hits(int sheet, double offset) const {
+        return bool(raycast(opened_.front().scene, ray_at(offset), 1u << sheet));
+    }
+
+    std::vector<OpenedScene> opened_;
+    Transform place_;
+    double step_ = 0.0;
+    Vector point_{}, start_{}, aside_{};
+    Ray ray_;
+};
+
+}  // namespace
+
+TEST_SUITE("gap") {
+    TEST_CASE("scene: the gap between turned neighbours keeps to its bound") {
+        Random random(20261123);
+        double widest = 0.0;
+        const std::uint64_t count = scaled(2000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const Hinge hinge(random);
+            const double gap = hinge.nearest_hit(0) - hinge.nearest_hit(1);
+            widest = std::max(widest, gap / (2.0 * hinge.bound()));
+        }
+        CAPTURE(widest);
+        MESSAGE("widest gap in " << count << " pairs of neighbours: " << widest << " of its bound");
+        CHECK(widest <= 1.0);
+        CHECK(widest > 0.0);
+    }
+}
