@@ -12,8 +12,8 @@ namespace espalier::baker {
 
 namespace {
 
-/// A part is placed by about that many boxes.
-constexpr std::size_t enough_boxes = 128;
+/// A search in a direction measures about as many boxes; surfaces across the direction could need all of them.
+constexpr std::size_t most_boxes = 512;
 
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;
@@ -75,78 +75,123 @@ PartBoxes::PartBoxes(const ScenePart& part) {
     const bool is_fast = data.profile == Profile::fast;
     const std::size_t node_bytes = is_fast ? format::plain_node::bytes : format::packed_node::bytes;
     const Coordinates extent = {data.extent[0], data.extent[1], data.extent[2]};
-    const TreeBytes tree{{data.nodes, data.node_count * node_bytes}, {}, data.bits, data.profile, false, extent};
-    // A node and its box: those of the upper levels, breadth first, until there are enough boxes.
-    struct Node {
+    const DecodedBox whole = {{}, extent};
+    add_nodes({{data.nodes, data.node_count * node_bytes}, {}, data.bits, data.profile, false, extent}, data, whole);
+    for (const Node& node : nodes_)
+        if (node.children == 0) size_ = std::max(node.box.size(), size_);
+    lattice_.emplace_back(data, whole);
+}
+
+void PartBoxes::add_nodes(const TreeBytes& tree, const detail::BlobData& data, const DecodedBox& whole) {
+    struct InTree {
         std::uint32_t number;
+        bool is_leaf;
         DecodedBox box;
     };
-    std::vector<Node> waiting = {{0, {{}, extent}}};
-    std::vector<DecodedBox> boxes;
-    for (std::size_t next = 0; next < waiting.size(); ++next) {
-        const Node node = waiting[next];
+    std::vector<InTree> in_tree = {{0, false, whole}};
+    for (std::size_t next = 0; next < in_tree.size(); ++next) {
+        const InTree source = in_tree[next];
+        Node& node = nodes_.emplace_back(Node{LocalBox(data, source.box)});
         DecodedNode decoded;
-        if (waiting.size() - next + boxes.size() > enough_boxes || !tree.decode_node(node.number, decoded)) {
-            boxes.push_back(node.box);
-            continue;
-        }
-        for (unsigned child = 0; child < decoded.children(); ++child) {
-            const DecodedBox box = node.box.intersection(decoded.boxes[child]);
-            if (child < decoded.node_children) waiting.push_back({decoded.first_child + child, box});
-            else boxes.push_back(box);
-        }
+        if (source.is_leaf || !tree.decode_node(source.number, decoded)) continue;
+        node.first_child = static_cast<std::uint32_t>(in_tree.size());
+        node.children = decoded.children();
+        for (unsigned child = 0; child < decoded.children(); ++child)
+            in_tree.push_back({decoded.first_child + child, child >= decoded.node_children,
+                               source.box.intersection(decoded.boxes[child])});
     }
-    for (const DecodedBox& box : boxes) boxes_.push_back(local_box(data, box));
-    lattice_ = {local_box(data, {{}, extent})};
 }
 
-PartBoxes::LocalBox PartBoxes::local_box(const detail::BlobData& tree, const DecodedBox& box) {
+PartBoxes::LocalBox::LocalBox(const detail::BlobData& tree, const DecodedBox& box) {
     const double step = std::ldexp(1.0, tree.step_exponent);
-    LocalBox local{};
     for (std::size_t k = 0; k < 3; ++k) {
         const double low = double(tree.origin[k]) + box.lo[k] * step, high = double(tree.origin[k]) + box.hi[k] * step;
-        local.center[k] = (low + high) / 2;
-        local.half[k] = (high - low) / 2;
+        center[k] = (low + high) / 2;
+        half[k] = std::max((high - low) / 2, 0.0);  // nodes that contradict each other leave no box
     }
-    return local;
 }
 
-WorldBox PartBoxes::place(std::span<const LocalBox> boxes, const Transform& transform) {
+double PartBoxes::LocalBox::farthest(const Vector& direction) const {
+    double middle = 0.0, reach = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        middle += direction[k] * center[k];
+        reach += std::abs(direction[k]) * half[k];
+    }
+    return middle + reach;
+}
+
+double PartBoxes::LocalBox::size() const {
+    double size = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) size += std::abs(center[k]) + half[k];
+    return size;
+}
+
+double PartBoxes::farthest(const Vector& direction) const {
+    struct Waiting {
+        double farthest;
+        std::uint32_t node;
+    };
+    double best = -std::numeric_limits<double>::infinity();
+    std::size_t measured = 0;
+    std::vector<Waiting> stack = {{nodes_.front().box.farthest(direction), 0}};
+    while (!stack.empty()) {
+        const Waiting waiting = stack.back();
+        stack.pop_back();
+        if (waiting.farthest <= best) continue;
+        const Node& node = nodes_[waiting.node];
+        if (node.children == 0 || measured > most_boxes) {
+            best = waiting.farthest;
+            continue;
+        }
+        measured += node.children;
+        const std::size_t first = stack.size();
+        for (std::uint32_t i = 0; i < node.children; ++i) {
+            const std::uint32_t child = node.first_child + i;
+            const double farthest = nodes_[child].box.farthest(direction);
+            if (farthest <= best) continue;
+            stack.push_back({farthest, child});
+            // The farthest one is next.
+            if (farthest < stack[first].farthest) continue;
+            std::swap(stack[first], stack.back());
+        }
+        if (stack.size() > first) std::swap(stack[first], stack.back());
+    }
+    return best;
+}
+
+namespace {
+
+/// Returns the box around a part at a place, from how far the part reaches in a local direction.
+template <class Farthest>
+WorldBox placed(const Transform& transform, double size, Farthest farthest) {
     const Matrix matrix = matrix_of(transform.rotation);
     const Vector translation = coordinates_of(transform.translation);
-    if (boxes.empty()) return {translation, translation};
     const auto scale = double(transform.scale);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    WorldBox box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    double size = 0.0;
-    for (const LocalBox& local : boxes) {
-        double of_box = 0.0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            double middle = 0.0, reach = 0.0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                middle += matrix[i][k] * local.center[k];
-                reach += std::abs(matrix[i][k]) * local.half[k];
-            }
-            box.lo[i] = std::min(middle - reach, box.lo[i]);
-            box.hi[i] = std::max(middle + reach, box.hi[i]);
-            of_box += std::abs(local.center[i]) + local.half[i];
-        }
-        size = std::max(of_box, size);
-    }
+    WorldBox box{};
     for (std::size_t i = 0; i < 3; ++i) {
         // to_local() and to_world() are within 2^-19 of the size; the queries' slack does not cover the box itself.
         const double margin = scale * size * 0x1p-17 + 0x1p-98 + std::abs(translation[i]) * 0x1p-50;
-        box.lo[i] = translation[i] + scale * box.lo[i] - margin;
-        box.hi[i] = translation[i] + scale * box.hi[i] + margin;
+        const Vector& up = matrix[i];
+        box.lo[i] = translation[i] - scale * farthest(Vector{-up[0], -up[1], -up[2]}) - margin;
+        box.hi[i] = translation[i] + scale * farthest(up) + margin;
     }
     return box;
 }
 
-WorldBox PartBoxes::at(const Transform& transform) const { return place(boxes_, transform); }
+}  // namespace
+
+WorldBox PartBoxes::at(const Transform& transform) const {
+    const Vector translation = coordinates_of(transform.translation);
+    if (nodes_.empty()) return {translation, translation};
+    return placed(transform, size_, [&](const Vector& direction) { return farthest(direction); });
+}
 
 WorldBox PartBoxes::lattice_at(const Transform& transform) const {
-    WorldBox box = place(lattice_, transform);
     const Vector translation = coordinates_of(transform.translation);
+    if (lattice_.empty()) return {translation, translation};
+    const LocalBox& lattice = lattice_.front();
+    WorldBox box =
+        placed(transform, lattice.size(), [&](const Vector& direction) { return lattice.farthest(direction); });
     for (std::size_t k = 0; k < 3; ++k) {
         box.lo[k] = std::min(translation[k], box.lo[k]);
         box.hi[k] = std::max(translation[k], box.hi[k]);

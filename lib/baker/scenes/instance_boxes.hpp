@@ -20,30 +20,46 @@ struct WorldBox {
     std::array<double, 3> hi;
 };
 
-/// The boxes of the nodes in the upper levels of a mesh or a tile, which together contain it: placed one by one they
+/// The boxes of the nodes and leaves of a mesh or a tile. Those farthest along an axis of the world bound it there, and
 /// leave less room around it than its own box does.
 class PartBoxes {
 public:
     explicit PartBoxes(const ScenePart& part);
 
     /// Returns a box that contains the part at that place, however its corners are rounded on the way to the world. For
-    /// a part without triangles it is the place of the local origin.
+    /// a part without triangles it is the place of the local origin. Cost: a few hundred boxes for each side.
     [[nodiscard]] WorldBox at(const Transform& transform) const;
     /// Returns a box that contains the part's whole lattice at that place, and the local origin.
     [[nodiscard]] WorldBox lattice_at(const Transform& transform) const;
 
 private:
+    using Vector = std::array<double, 3>;
+
     /// A box in local space.
     struct LocalBox {
-        std::array<double, 3> center;
-        std::array<double, 3> half;
+        Vector center;
+        Vector half;
+
+        LocalBox(const detail::BlobData& tree, const DecodedBox& box);
+        /// Returns the largest dot product of a direction and a point of the box.
+        [[nodiscard]] double farthest(const Vector& direction) const;
+        /// Returns the largest sum of the magnitudes of a point's coordinates.
+        [[nodiscard]] double size() const;
+    };
+    /// The box of a node or a leaf.
+    struct Node {
+        LocalBox box;
+        std::uint32_t first_child = 0;
+        std::uint32_t children = 0;  ///< none for a leaf
     };
 
-    static LocalBox local_box(const detail::BlobData& tree, const DecodedBox& box);
-    static WorldBox place(std::span<const LocalBox> boxes, const Transform& transform);
+    void add_nodes(const TreeBytes& tree, const detail::BlobData& data, const DecodedBox& whole);
+    /// Returns the largest dot product of a direction and a point of the part, or a little more.
+    [[nodiscard]] double farthest(const Vector& direction) const;
 
-    std::vector<LocalBox> boxes_;
+    std::vector<Node> nodes_;        ///< breadth first
     std::vector<LocalBox> lattice_;  ///< one, or none without triangles
+    double size_ = 0.0;              ///< the largest size of a leaf
 };
 
 /// The lattice of a scene's tree, and the boxes of the instances on it.
