@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # consume.sh KIND STAGE BUILD CMAKE GENERATOR COMPILER: builds a consumer of the package that install.sh has put into STAGE, runs it
-# on the blob baked there, and compares what it says. KIND is find_package, refusals, fetch_content, pkg_config or game, the example.
+# on the blob baked there, and compares what it says. KIND is find_package, refusals, fetch_content, pkg_config, or
+# game or city, the examples.
 set -euo pipefail
 
 kind=$1 stage=$2 build=$3 cmake=$4 generator=$5 compiler=$6
@@ -69,6 +70,14 @@ case $kind in
         configure -DCMAKE_PREFIX_PATH="$stage/installed"
         quietly "$cmake" --build "$build/build"
         "$build/build/game" | compare
+        ;;
+    city)
+        answers=$here/city_answers.txt
+        source=$here/../../docs/examples/city
+        configure -DCMAKE_PREFIX_PATH="$stage/installed" -DCMAKE_BUILD_TYPE=Release
+        quietly "$cmake" --build "$build/build"
+        "$build/build/espalier_city" "$build/city.esps" >"$build/said.txt" || { echo "failed: espalier_city $build/city.esps"; exit 1; }
+        grep -E '^(city|sight|fall) ' "$build/said.txt" | compare
         ;;
     *)
         echo "failed: no such kind of consumer: $kind"
