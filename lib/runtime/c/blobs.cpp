@@ -1,6 +1,5 @@
 // espalier/c/status.h, blob.h and contact.h: opening, the properties of a blob, contacts.
 #include <cstdint>
-#include <new>
 
 #include <runtime/c/abi.hpp>
 
@@ -14,8 +13,8 @@ namespace {
 template <Blob (*open)(std::span<const std::byte>) noexcept>
 espalier_open_status open_at(espalier_blob* place, const void* bytes, std::size_t size) {
     if (reinterpret_cast<std::uintptr_t>(place) % alignof(Blob) != 0) return ESPALIER_OPEN_MISALIGNED;
-    const Blob* const blob = new (place) Blob(open({static_cast<const std::byte*>(bytes), size}));
-    return c(blob->status());
+    *place = c(open({static_cast<const std::byte*>(bytes), size}));
+    return c(cpp(place).status());
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // espalier/c/scene.h: scenes of many instances.
 #include <cstdint>
-#include <new>
 
 #include <runtime/c/abi.hpp>
 
@@ -42,11 +41,10 @@ uint32_t espalier_scene_tile_count(const void* bytes, size_t size) { return tile
 espalier_open_status espalier_open_scene(const void* bytes, size_t size, espalier_blob* meshes, size_t mesh_capacity,
                                          espalier_scene* tiles, size_t tile_capacity, espalier_scene* scene) {
     if (!is_aligned(scene) || !is_aligned(meshes) || !is_aligned(tiles)) return ESPALIER_OPEN_MISALIGNED;
-    for (std::size_t i = 0; i < mesh_capacity; ++i) new (meshes + i) Blob();
-    for (std::size_t i = 0; i < tile_capacity; ++i) new (tiles + i) BakedScene();
-    const BakedScene* const opened =
-        new (scene) BakedScene(open_scene(cpp(bytes, size), cpp(meshes, mesh_capacity), cpp(tiles, tile_capacity)));
-    return c(opened->status());
+    for (std::size_t i = 0; i < mesh_capacity; ++i) meshes[i] = c(Blob());
+    for (std::size_t i = 0; i < tile_capacity; ++i) tiles[i] = c(BakedScene());
+    *scene = c(open_scene(cpp(bytes, size), cpp(meshes, mesh_capacity), cpp(tiles, tile_capacity)));
+    return c(cpp(scene).status());
 }
 
 espalier_open_status espalier_scene_status(const espalier_scene* scene) { return c(cpp(scene).status()); }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <new>
 
 #include <espalier/ray.hpp>
 #include <runtime/lanes/select.hpp>
@@ -20,8 +19,7 @@ namespace espalier::detail {
 /// One ray after the other, by a query for single rays.
 template <RayHit (*closest_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
 void closest_hits_one_by_one(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
-    for (RayHit* const end = hits + count; hits != end; ++hits)
-        ::new (hits) RayHit(closest_hit(blob, *rays++, nullptr));  // in place
+    for (RayHit* const end = hits + count; hits != end; ++hits) *hits = closest_hit(blob, *rays++, nullptr);
 }
 template <YesNo (*any_hit)(const BlobData&, const Ray&, const TriangleFilter*)>
 void any_hits_one_by_one(const BlobData& blob, const Ray* rays, YesNo* occluded, std::size_t count) {

@@ -30,7 +30,7 @@ struct BatchAnswers {
     /// Writes the answer for a ray without a hit.
     void miss(std::size_t number, QueryStatus status) const {
         if (any_will_do()) occluded[number] = YesNo(status);
-        else ::new (hits + number) RayHit(miss_with(status));  // in place: a copy waits for what it copies
+        else hits[number] = miss_with(status);
     }
 };
 
@@ -61,7 +61,7 @@ struct alignas(32) RayInBatch {
         query.answer.limit = window_limit(prepared.ray);
         query.answer.volume_bits = 0;
         query.answer.best = best;
-        if (best != nullptr) ::new (best) RayHit(miss_with(QueryStatus::not_found));
+        if (best != nullptr) *best = miss_with(QueryStatus::not_found);
         return status;
     }
     void answer(const Ray& world, const BatchAnswers& answers, std::size_t number) const {
