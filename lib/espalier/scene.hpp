@@ -16,6 +16,7 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -227,6 +228,11 @@ QueryStatus for_each_hit(const BakedScene& scene, const Ray& ray, const RoundedR
 /// then the lowest triangle. Refuses as closest_point() of a blob does.
 InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float max_distance = __builtin_inff(),
                                     std::uint32_t mask = 0xFFFFFFFF) noexcept;
+/// A mask comes after the distance.
+template <class Mask>
+requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point,
+                                                                               Mask mask)
+= delete;
 
 /// Returns the first contact of the shape as it moves by `displacement`; of equally early ones that with the lowest
 /// instance. Refuses as sweep() of a blob does.
@@ -330,5 +336,5 @@ QueryStatus for_each_overlap(const BakedScene& scene, const Shape& shape, Visito
 //
 // The tree is conservative: it widens each box by what to_local() and the lattice of the instance may move a shape by
 // (docs/numerics.md, Scenes), so that it never changes an answer. Between two instances that share an edge, of
-// which one is not on the common lattice, a gap can remain that is as wide as that motion: each instance rounds the ray
-// for itself.
+// which one is not on the common lattice, a gap can remain: each instance rounds the ray for itself, which moves it by
+// as much, and the bake has moved the two borders by up to the max_error of their meshes.

@@ -110,7 +110,7 @@ void add_bake(CLI::App& app, Chosen& chosen) {
                "How the tree is built, before --effort improves it. Without it: binned_sah, or what is picked");
     verb->add_option("--duplicate-budget", arguments->duplicate_budget,
                      "With --builder spatial_splits, the largest share of the triangles that is stored again in "
-                     "further leaves; without it 0.3. Such a blob refuses to list all hits or overlaps")
+                     "further leaves; without it 0.3")
         ->check(between(0.0, 1.0))
         ->type_name("0..1");
     add_source(verb, arguments->source);

@@ -33,16 +33,23 @@ void exclude_each_other(const std::vector<CLI::Option*>& options) {
 void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& arguments) {
     const unsigned options = kind.options | kind.scene_options.value_or(0);
     const auto takes = [options](QueryOption option) { return (options & option) != 0; };
+    const auto of = [&kind](QueryOption option, const char* text) {
+        const bool not_of_scenes = kind.scene_options && (*kind.scene_options & option) == 0;
+        return std::string(text) + (not_of_scenes ? "; of blobs only" : "");
+    };
     std::vector<CLI::Option*> modes;
     if (takes(option_any)) modes.push_back(verb->add_flag("--any", arguments.any, "Only whether there is any"));
     if (takes(option_all)) modes.push_back(verb->add_flag("--all", arguments.all, "Every hit, in storage order"));
     if (takes(option_first)) {
-        modes.push_back(verb->add_option("--first", arguments.first, "As many as that, sorted, the nearest first")
-                            ->type_name("COUNT"));
+        modes.push_back(
+            verb->add_option("--first", arguments.first, of(option_first, "As many as that, sorted, the nearest first"))
+                ->type_name("COUNT"));
     }
     if (takes(option_accuracy)) {
         modes.push_back(verb->add_option("--accuracy", arguments.accuracy,
-                                         "An answer that may err by about this length, on the safe side, for less work")
+                                         of(option_accuracy,
+                                            "An answer that may err by about this length, on the safe "
+                                            "side, for less work"))
                             ->type_name("LENGTH"));
     }
     exclude_each_other(modes);
@@ -51,9 +58,9 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
         for (CLI::Option* mode : modes) limit->excludes(mode);
     }
     if (takes(option_from)) {
-        CLI::Option* from =
-            verb->add_option("--from", arguments.from, "List from this triangle on, to go on after a --limit")
-                ->type_name("TRIANGLE");
+        CLI::Option* from = verb->add_option("--from", arguments.from,
+                                             of(option_from, "List from this triangle on, to go on after a --limit"))
+                                ->type_name("TRIANGLE");
         for (CLI::Option* mode : modes) from->excludes(mode);
     }
     if (takes(option_t_range)) {

@@ -25,6 +25,7 @@
 #include "report/failure.hpp"
 #include "scenes/baking.hpp"
 #include "scenes/report.hpp"
+#include "scenes/shared_borders.hpp"
 #include "trade/pick.hpp"
 #include "trade/pick_report.hpp"
 
@@ -178,9 +179,10 @@ ExitCode bake_scene(const Baking& baking, std::vector<Warning>& warnings) {
     const auto& [arguments, policy, console, imported, options] = baking;
     SceneBake baked = bake_scene_with_progress(baking);
     baked.total.bounds.extent = asset_size(imported).extent;
-    give(bake_warnings(baked.total, policy, imported), warnings);
-    enforce(policy, imported, baked.total, warnings);
     const SceneFile file = opened_scene(arguments.output, baked.bytes);
+    give(bake_warnings(baked.total, policy, imported), warnings);
+    give(border_warnings(imported, baked, file.scene), warnings);
+    enforce(policy, imported, baked.total, warnings);
     say_scene(console, baked, file.scene);
     write_outputs(arguments, imported, {.result = baked.bytes, .remap = {}, .reordered = {}});
     console.say(text("wrote ", printable(arguments.output)));

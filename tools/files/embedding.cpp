@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include <espalier/scene.hpp>
+
 namespace espalier::tools {
 
 namespace {
@@ -171,10 +173,10 @@ __attribute__((visibility("hidden")))
 extern const unsigned char @symbol@[@size@];
 
 #ifndef __cplusplus
-enum { @symbol@_size = @size@ };
+enum { @symbol@_size = @size@@counts@ };
 #else
 }
-constexpr std::size_t @symbol@_size = @size@;
+constexpr std::size_t @symbol@_size = @size@@counts@;
 #if __cplusplus > 201703L
 #ifdef __ELF__
 __attribute__((visibility("hidden")))
@@ -264,7 +266,15 @@ std::string assembler_text(const Embedding& embedding, const std::string& blob_n
 }
 
 std::string header_text(const Embedding& embedding) {
-    return filled(header_form, {{"symbol", embedding.symbol}, {"size", std::to_string(embedding.bytes.size())}});
+    // What the arrays of open_scene() are sized by; of a blob both are 0.
+    const std::uint32_t meshes = mesh_count_of_scene(embedding.bytes), tiles = tile_count_of_scene(embedding.bytes);
+    std::string counts;
+    if (meshes != 0 || tiles != 0) {
+        counts = ", " + embedding.symbol + "_mesh_count = " + std::to_string(meshes) + ", " + embedding.symbol +
+                 "_tile_count = " + std::to_string(tiles);
+    }
+    return filled(header_form,
+                  {{"symbol", embedding.symbol}, {"size", std::to_string(embedding.bytes.size())}, {"counts", counts}});
 }
 
 }  // namespace espalier::tools

@@ -27,7 +27,7 @@ std::string c_text(const Embedding& embedding);
 /// ESPALIER_BLOB_FILE is a string with the path.
 std::string assembler_text(const Embedding& embedding, const std::string& blob_name);
 
-/// Declares what either defines.
+/// Declares what either defines, its size, and of a scene how many meshes and tiles open_scene() needs room for.
 std::string header_text(const Embedding& embedding);
 
 }  // namespace espalier::tools

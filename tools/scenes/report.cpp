@@ -53,6 +53,9 @@ void say_scene(const Console& console, const SceneBake& baked, const BakedScene&
     console.say(text("scene: ", counted(report.instances, "instance"), " of ", report.meshes,
                      words_for(report.meshes, " mesh", " meshes"), ", ", counted(report.triangles, "triangle"), ", ",
                      counted(report.nodes, "node"), ", depth ", report.depth));
+    if (report.on_common_lattice > 1)
+        console.say(text("common lattice: ", report.on_common_lattice, " of ", counted(report.instances, "instance"),
+                         "; a ray passes between none of them"));
     console.say(text("size: ", counted(report.bytes, "byte"), ", of which the meshes take ", report.mesh_bytes));
 }
 
@@ -74,6 +77,7 @@ Json scene_json(const BakeArguments& arguments, const Imported& imported, const 
     document["depth"] = report.depth;
     document["mesh_count"] = report.meshes;
     document["instance_count"] = report.instances;
+    document["on_common_lattice"] = report.on_common_lattice;
     Json meshes = Json::array();
     for (const SceneMesh& mesh : baked.meshes) {
         meshes.push_back({{"name", mesh.name.empty() ? Json(nullptr) : Json(mesh.name)},

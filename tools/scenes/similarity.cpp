@@ -18,6 +18,9 @@ constexpr double largest_rounding = 0x1p-20;
 /// Components of rotations are multiples of it: less than float32 resolves at 1. Quarter turns become exact.
 constexpr double turn_unit = 0x1p-30;
 
+/// A coordinate that is a smaller share of an offset is what a quarter turn in double precision leaves of a zero.
+constexpr double turning_noise = 0x1p-48;
+
 double length(const Numbers& v) { return std::hypot(v[0], v[1], v[2]); }
 
 Numbers product(const Matrix& m, const Numbers& v) {
@@ -85,7 +88,11 @@ double scale_of(const Placement& placement) {
 
 FittedTransform fit_translation(const std::array<double, 3>& offset) {
     FittedTransform fitted;
-    fitted.transform.translation = rounded(offset);
+    const double longest = length(offset);
+    Numbers kept = offset;
+    for (double& coordinate : kept)
+        if (std::abs(coordinate) <= turning_noise * longest) coordinate = 0.0;
+    fitted.transform.translation = rounded(kept);
     const Numbers moved = numbers_of(fitted.transform.translation);
     fitted.error = length({offset[0] - moved[0], offset[1] - moved[1], offset[2] - moved[2]});
     return fitted;

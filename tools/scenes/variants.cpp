@@ -10,6 +10,8 @@ namespace {
 
 /// How far the shapes of equal variants may differ: far more than rounding, since fit() decides.
 constexpr double shape_slack = 0x1p-16;
+/// How far entries of a rotation by quarter turns may be from 0 and from the scale, as a share of it.
+constexpr double rounding_slack = 0x1p-20;
 
 /// A number that rotations and uniform scales from the left leave as it is: a sum of the squares and products of the
 /// columns, each with a weight of its own, over their sum.
@@ -58,6 +60,21 @@ Placement without_offset(Placement placement) {
     return placement;
 }
 
+/// Returns whether a placement rotates by quarter turns or not at all and scales uniformly, but for what rounding
+/// explains.
+bool turns_by_quarters(const Placement& placement) {
+    const double size = scale_of(placement), slack = size * rounding_slack;
+    std::array<unsigned, 3> in_column{};
+    for (const auto& row : placement.linear)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double length = std::abs(row[k]);
+            if (length <= slack) continue;
+            if (std::abs(length - size) > slack) return false;
+            ++in_column[k];
+        }
+    return in_column == std::array<unsigned, 3>{1, 1, 1} && placement.determinant() > 0.0;
+}
+
 }  // namespace
 
 PointBox box_at(const ImportedMesh& mesh, const Placement& placement) {
@@ -104,7 +121,8 @@ bool VariantSorter::add(std::uint32_t place) {
     }
     // The size is a float32, so that a mesh at its own size keeps every bit.
     const auto size = static_cast<double>(static_cast<float>(scale_of(placement)));
-    Variant variant{mesh_, scaled_by(size), box_at(imported_.meshes[mesh_], scaled_by(size)), {}};
+    const Placement form = turns_by_quarters(placement) ? without_offset(placement) : scaled_by(size);
+    Variant variant{mesh_, form, box_at(imported_.meshes[mesh_], form), {}};
     std::optional<FittedTransform> fitted = size > 0.0 ? fit(variant, placement) : std::nullopt;
     if (!fitted || !is_near(*fitted)) {
         variant.placement = without_offset(placement);

@@ -26,8 +26,8 @@ struct Variant {
 };
 
 /// Sorts the places of one mesh into variants. Places whose linear parts differ by a rotation and a uniform scale share
-/// a variant: the mesh at the size of the first of them, or, where that is sheared, mirrored or unequally scaled, with
-/// its whole linear part.
+/// a variant: the mesh at the size of the first of them. Where the first is sheared, mirrored, unequally scaled or
+/// rotated by quarter turns, the vertices have its whole linear part; instances like it then only move.
 class VariantSorter {
 public:
     /// `largest_error` bounds the distance between an instance and the place that it stands for.

@@ -58,7 +58,9 @@ const char* describe(QueryStatus status) noexcept {
         case QueryStatus::stopped:
             return "the visitor stopped the query";
         case QueryStatus::invalid_argument:
-            return "an argument is invalid: NaN, or infinite, negative or of length zero where that is not allowed";
+            return "an argument is invalid: NaN, or infinite, negative or of length zero where that is not allowed, or "
+                   "an id or a "
+                   "number of elements that does not fit";
         case QueryStatus::out_of_range:
             return "an argument is too far away or too large for the lattice that the blob was baked on";
         case QueryStatus::not_closed:

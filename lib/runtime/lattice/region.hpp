@@ -65,9 +65,10 @@ inline QueryStatus move_region(const Transform& transform, Lattice& region) {
         if (!is_finite(by[k]) || !is_multiple_of_power(by[k], region.step_exponent))
             return QueryStatus::invalid_argument;
         to[k] = from[k] - by[k];
-        // The rounding of a difference (Moeller 1965, Knuth): without any it is exact.
+        // The rounding of a difference (Moeller 1965, Knuth): without any it is exact. NaN where `to` is infinite.
         const float back = from[k] - to[k];
-        if (!is_finite(to[k]) || (from[k] - (to[k] + back)) + (back - by[k]) != 0.0f) return QueryStatus::out_of_range;
+        // mutant(+ -> - 2) equivalent: the two terms are equal only if both are zero
+        if ((from[k] - (to[k] + back)) + (back - by[k]) != 0.0f) return QueryStatus::out_of_range;
     }
     region.origin = {to[0], to[1], to[2]};
     return QueryStatus::ok;

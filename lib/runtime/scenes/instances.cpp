@@ -45,9 +45,11 @@ YesNo is_on_common_lattice(const BakedScene& scene, InstanceId instance) noexcep
     const FoundInstance found = find_instance(scene, instance);
     if (found.status != QueryStatus::ok) return YesNo(found.status);
     const SceneData& data = data_of(scene);
+    // mutant(without 1) equivalent: in a region without extent lies nothing
     if (!data.has_common || !part_lies_in(data.common, data, found.outer)) return YesNo::of(false);
     if (found.record == found.outer) return YesNo::of(true);
     Lattice in_tile = data.common;
+    // mutant(== -> true, without 1) equivalent: the tile lies in the region, so that the same move was possible before
     return YesNo::of(move_region(transform_of(found.outer), in_tile) == QueryStatus::ok &&
                      part_lies_in(in_tile, *found.holder, found.record));
 }

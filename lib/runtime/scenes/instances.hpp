@@ -52,6 +52,7 @@ inline MeshOrTile part_of(const SceneData& scene, const std::byte* record) {
 
 /// Returns whether what lies on a lattice of its own, at that place, lies in a region and on its lattice.
 inline bool lies_in(const Lattice& region, const Lattice& lattice, const Transform& transform) {
+    // mutant(never) work: find_in_region() tests it after the move
     if (lattice.step_exponent != region.step_exponent) return false;
     Lattice moved = region;
     std::int32_t steps[3] = {};

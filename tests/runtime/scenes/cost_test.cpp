@@ -122,7 +122,7 @@ TEST_SUITE("cost") {
             {"for_each_hit", 4352, most_stack_of_rays([](const BakedScene& scene, const Ray& ray) {
                  (void)for_each_hit(scene, ray, [](InstanceId, const RayHit&) {});
              })},
-            {"closest_point", 5120, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+            {"closest_point", 5632, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
                  const Vec3 point = maker.point();
                  return stack_use([&] { (void)closest_point(scene, point)->distance; });
              })},

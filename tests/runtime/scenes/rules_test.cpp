@@ -108,6 +108,11 @@ TEST_SUITE("rules") {
         CHECK(status_of_scene(empty.bytes) == OpenStatus::ok);
         for (const std::size_t at : {instance_count_at, node_count_at, depth_at})
             CHECK(scene_with(empty.bytes, at, 1, at == depth_at ? 1 : 4) == OpenStatus::bad_header);
+        Bytes with_extent = empty.bytes;
+        put(with_extent, extent_at, 5, 4);
+        repair_checksum(with_extent);
+        const OpenedScene without_boxes(with_extent);
+        CHECK(without_boxes.scene.bounds().max == Vec3{});
         Bytes bytes = empty.bytes;
         put(bytes, mesh_count_at, 1, 4);
         CHECK(mesh_count_of_scene(bytes) == 1);  // one more header would fit in, by the size alone

@@ -67,6 +67,7 @@ TEST_SUITE("scene") {
                 CHECK(instance_at(scene, {i, tile.scene.instance_count()}).status == QueryStatus::invalid_argument);
             }
             CHECK(instance_at(scene, {scene.instance_count()}).status == QueryStatus::invalid_argument);
+            CHECK(mesh_at(scene, {scene.instance_count()}).status == QueryStatus::invalid_argument);
             CHECK(instance_at(scene, no_instance).status == QueryStatus::invalid_argument);
         }
     }
@@ -149,6 +150,7 @@ TEST_SUITE("scene") {
         CHECK(sweep(closed, Sphere{}, {})->status == QueryStatus::not_open);
         CHECK(overlaps(closed, Sphere{}).status() == QueryStatus::not_open);
         CHECK(instance_at(closed, {0}).status == QueryStatus::not_open);
+        CHECK(mesh_at(closed, {0}).status == QueryStatus::not_open);
         for (const float bad : {not_a_number, infinity, -infinity}) {
             CHECK(raycast(scene, {{bad, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}})->status == QueryStatus::invalid_argument);
             CHECK(raycast(scene, {{}, {0.0f, bad, 0.0f}})->status == QueryStatus::invalid_argument);

@@ -1,6 +1,7 @@
 // Claims about instances that are moved by whole steps of one lattice: the tiles of a world.
 #include <doctest/doctest.h>
 
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -123,6 +124,76 @@ TEST_SUITE("tiles") {
         for (std::uint32_t i = 0; i < one.scene.instance_count(); ++i)
             count += is_on_common_lattice(one.scene, {i}).yes() ? 1u : 0u;
         CHECK(count == 1);
+    }
+
+    TEST_CASE("scene: tiles without a lattice and meshes without triangles are on no common lattice") {
+        std::vector<OpenedBlob> blobs = Ground(1).blobs;
+        BakeOptions whole = with_profile(Profile::balanced);
+        whole.resolution = Resolution::step(0);
+        blobs.emplace_back(make_tile(), whole);
+        blobs.emplace_back(Mesh{});
+        std::vector<Instance> turned(1);
+        turned[0].transform.rotation = {0.1f, 0.2f, 0.3f, 0.9f};
+        std::vector<OpenedScene> tiles;
+        tiles.emplace_back(blobs, turned);
+        REQUIRE_FALSE(tiles[0].scene.common_lattice());
+        std::vector<Instance> instances(3);
+        for (std::uint32_t i = 0; i < 3; ++i) instances[i].mesh = 1 + i;
+        const OpenedScene world(blobs, instances, tiles);
+        REQUIRE(world.scene.common_lattice());
+        REQUIRE(world.scene.common_lattice()->step_exponent == 0);
+        for (std::uint32_t i = 0; i < 3; ++i)
+            CHECK(is_on_common_lattice(world.scene, {i}).yes() == (instance_at(world.scene, {i})->source == 0));
+    }
+
+    TEST_CASE("scene: a rounded ray moves by whole steps that float32 subtracts exactly and no others") {
+        const Ground ground(1);
+        const Ray down = {{1.3f, 9.0f, 1.4f}, {0.0f, -1.0f, 0.0f}};
+        const auto status_of = [&](const Transform& transform, float origin = 0.0f) {
+            Lattice region = ground.blobs[0].blob.lattice();
+            region.origin = {origin, origin, origin};
+            const RoundedRay ray = round_ray(region, down);
+            REQUIRE(ray);
+            return to_local(transform, ray).status();
+        };
+        Transform transform;
+        const auto moved = [&transform](float by) {
+            transform.translation = {0.0f, 0.0f, by};
+            return transform;
+        };
+        CHECK(status_of(moved(64.0f)) == QueryStatus::ok);
+        CHECK(status_of(moved(64.0f), 4.0f) == QueryStatus::ok);
+        CHECK(status_of(moved(0x1p-9f)) == QueryStatus::invalid_argument);
+        // A step beside 2^24, in either order.
+        CHECK(status_of(moved(0x1p-8f), 0x1p24f) == QueryStatus::out_of_range);
+        CHECK(status_of(moved(0x1p24f), 0x1p-8f) == QueryStatus::out_of_range);
+        for (const float bad : {__builtin_inff(), -__builtin_inff(), __builtin_nanf("")})
+            CHECK(status_of(moved(bad)) == QueryStatus::invalid_argument);
+        for (const float w : {0.0f, -0.0f, __builtin_inff(), __builtin_nanf("")}) {
+            transform = {};
+            transform.rotation.w = w;
+            CHECK(status_of(transform) == QueryStatus::invalid_argument);
+        }
+        transform.rotation.w = -0.5f;
+        CHECK(status_of(transform) == QueryStatus::ok);
+        // A stranger's bytes.
+        RoundedRay ray = round_ray(ground.blobs[0].blob.lattice(), down);
+        auto data = std::bit_cast<detail::RoundedRayData>(ray);
+        data.region.origin.z = 0x1p127f;
+        CHECK(to_local(moved(-0x1p127f), std::bit_cast<RoundedRay>(data)).status() == QueryStatus::out_of_range);
+        data.region.extent[1] = -1;
+        CHECK(to_local(moved(0.0f), std::bit_cast<RoundedRay>(data)).status() == QueryStatus::invalid_argument);
+    }
+
+    TEST_CASE("scene: instances outside of the region of a rounded ray round it for themselves") {
+        constexpr int side = 2;
+        const Ground ground(side);
+        Lattice part = ground.blobs[0].blob.lattice();
+        const Ray outside = {{1.3f + cells, 9.0f, 1.4f + cells}, {0.0f, -1.0f, 0.0f}};
+        const InScene<RayHit> hit = raycast(ground.opened.scene, outside, round_ray(part, outside));
+        REQUIRE(hit);
+        const Transform place = instance_at(ground.opened.scene, hit.instance)->transform;
+        CHECK(same_bits(hit->t, raycast(*mesh_at(ground.opened.scene, hit.instance), to_local(place, outside)).t));
     }
 
     TEST_CASE("scene: rays aimed at the borders of tiles pass between none") {

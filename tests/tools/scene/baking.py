@@ -126,6 +126,34 @@ def automatic():
     is_equal("the blob", open("off.espl", "rb").read(), open("none.espl", "rb").read())
 
 
+def borders():
+    claim("pieces of a ground lie on one lattice also where axes turn, or the bake warns of their borders")
+
+    def ground(side, before=IDENTITY):
+        gltf = Gltf()
+        points = [(x * side / 2, 0.3 if x == z == 1 else 0.0, z * side / 2) for x in range(3) for z in range(3)]
+        faces = [f for a in (0, 1, 3, 4) for f in ((a, a + 1, a + 4), (a, a + 4, a + 3))]
+        mesh = gltf.mesh(primitive(gltf, points, faces), name="piece")
+        for i in range(4):
+            gltf.node(mesh=mesh, matrix=columns_of(times(before, moved(i % 2 * side, 0, i // 2 * side))))
+        return gltf
+
+    def warnings_of(report):
+        return [w["message"] for w in report["warnings"] if w["kind"] == "borders_apart"]
+
+    for gltf, options in ((ground(10), ()), (ground(10), ("--up", "z")), (ground(10, turned_about_z(90)), ()),
+                          (ground(0.75), ("--scale", "4"))):
+        report = baked(gltf, "all", "--step", "2^-8", *options)
+        is_equal("pieces on one lattice", report["on_common_lattice"], 4)
+        is_equal("warnings", warnings_of(report), [])
+    report = baked(ground(10.02), "all", "--step", "2^-8")
+    is_equal("pieces on one lattice", report["on_common_lattice"], 1)
+    if len(warnings_of(report)) != 1 or not warnings_of(report)[0].startswith("4 mesh places share border edges"):
+        fail("no warning of borders: %s" % report["warnings"])
+    is_equal("one blob", warnings_of(baked(ground(10.02), "auto", "--step", "2^-8")), [])
+    baked(ground(10.02), "all", "--step", "2^-8", "--strict", code=3)
+
+
 def tolerances():
     claim("a tolerance holds in the world: meshes that places enlarge are baked finer")
     matrices = [moved(100 * i, 7.1 * i, 0) for i in range(8)]
