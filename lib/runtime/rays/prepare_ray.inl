@@ -59,9 +59,12 @@ template <class Lanes>
         const AxisInts two = larger(a, __builtin_shufflevector(a, a, 2, 3, 0, 1));
         return larger(two, __builtin_shufflevector(two, two, 1, 0, 3, 2));
     };
-    // 2^(23 - e) for numbers in [2^e, 2^(e+1)): integers of 24 bits are left.
-    const auto to_24_bits = [each](AxisInts numbers) __attribute__((always_inline)) {
-        return each((23 + 2 * 127) << 23) - (numbers & each(0x7F800000));
+    // 2^(23 - e) for numbers in [2^e, 2^(e+1)): integers of 24 bits are left. The sum needs all 32 bits.
+    const auto to_24_bits = [](AxisInts numbers) __attribute__((always_inline)) {
+        using Words = Vector<std::uint32_t, 4>;
+        constexpr std::uint32_t sum = (23u + 2u * 127u) << 23, exponent = 0x7F800000u;
+        const Words exponents = __builtin_bit_cast(Words, numbers) & Words{exponent, exponent, exponent, 0};
+        return __builtin_bit_cast(AxisInts, Words{sum, sum, sum, 0} - exponents);
     };
 
     const AxisInts direction = three(&world.direction.x);
