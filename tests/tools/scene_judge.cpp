@@ -46,11 +46,11 @@ private:
     tests::Random random_{28};
 };
 
-double length(const Vec3& v) { return std::hypot(double{v.x}, double{v.y}, double{v.z}); }
+double length(const Vec3& v) { return std::hypot(double(v.x), double(v.y), double(v.z)); }
 
 /// Returns how far the distances of a blob and of a scene may be apart, of points about that far away.
 double allowed_difference(const Blob& blob, const BakedScene& scene, double magnitude) {
-    return double{blob.max_error()} + double{scene.max_error()} + magnitude * 0x1p-20;
+    return double(blob.max_error()) + double(scene.max_error()) + magnitude * 0x1p-20;
 }
 
 }  // namespace
@@ -82,8 +82,8 @@ int main(int count, char** arguments) {
                 return 1;
             }
         found += rays.is_found ? 1 : 0;
-        const double of_blob = double{closest_point(blob, from).distance};
-        const double of_scene = double{closest_point(scene, from)->distance};
+        const double of_blob = double(closest_point(blob, from).distance);
+        const double of_scene = double(closest_point(scene, from)->distance);
         const double difference = std::abs(of_blob - of_scene);
         const double allowed = allowed_difference(blob, scene, length(from) + of_blob);
         if (!(difference <= allowed)) {

@@ -48,7 +48,7 @@ std::vector<Point> border_of(const ImportedMesh& mesh) {
         Point middle{};
         bool is_on_side = false;
         for (std::size_t k = 0; k < 3; ++k) {
-            const double from = a[k], to = b[k];
+            const auto from = double(a[k]), to = double(b[k]);
             is_on_side |= from == to && (from == box.low[k] || from == box.high[k]);
             middle[k] = (from + to) / 2;
         }

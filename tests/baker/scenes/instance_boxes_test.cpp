@@ -27,7 +27,7 @@ baker::WorldBox box_of_corners(const Blob& blob, const Transform& transform) {
         const Result<Triangle> triangle = triangle_at(blob, TriangleId{i});
         for (const Vec3& corner : {triangle->a, triangle->b, triangle->c}) {
             const Vec3 p = to_world(transform, corner);
-            const double coordinates[3] = {p.x, p.y, p.z};
+            const double coordinates[3] = {double(p.x), double(p.y), double(p.z)};
             for (std::size_t k = 0; k < 3; ++k) {
                 box.lo[k] = std::min(coordinates[k], box.lo[k]);
                 box.hi[k] = std::max(coordinates[k], box.hi[k]);

@@ -30,14 +30,14 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 Vector unit(const Vector& a) { return (1.0 / std::sqrt(dot(a, a))) * a; }
 Vec3 rounded(const Vector& a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
-Vector vector_of(const Vec3& a) { return {a.x, a.y, a.z}; }
+Vector vector_of(const Vec3& a) { return {double(a.x), double(a.y), double(a.z)}; }
 
-double fraction(Random& random) { return random.unit(); }
+double fraction(Random& random) { return double(random.unit()); }
 
 /// Returns a vector rotated in double precision.
 Vector rotated(const Quaternion& q, const Vector& v) {
-    const Vector axis = {q.x, q.y, q.z};
-    const double w = q.w, squared_length = dot(axis, axis) + w * w;
+    const Vector axis = {double(q.x), double(q.y), double(q.z)};
+    const double w = double(q.w), squared_length = dot(axis, axis) + w * w;
     const Vector sum = (w * w - dot(axis, axis)) * v + (2.0 * dot(axis, v)) * axis + (2.0 * w) * cross(axis, v);
     return (1.0 / squared_length) * sum;
 }
@@ -45,7 +45,7 @@ Vector rotated(const Quaternion& q, const Vector& v) {
 /// Returns a rotation behind another one about the x axis.
 Quaternion turned_about_x(const Quaternion& q, double angle) {
     const double s = std::sin(angle / 2), c = std::cos(angle / 2);
-    const double x = q.x, y = q.y, z = q.z, w = q.w;
+    const auto x = double(q.x), y = double(q.y), z = double(q.z), w = double(q.w);
     const Vector axis = {c * x + s * w, c * y + s * z, c * z - s * y};
     return {static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z),
             static_cast<float>(c * w - s * x)};
@@ -71,7 +71,7 @@ public:
         other.rotation = turned_about_x(place_.rotation, 1.8 + 2.7 * fraction(random));
         std::vector<OpenedBlob> blobs;
         blobs.emplace_back(make_sheet());
-        const double scale = place_.scale;
+        const auto scale = double(place_.scale);
         step_ = std::ldexp(scale, blobs.front().blob.lattice().step_exponent);
         std::vector<Instance> instances(2);
         instances[0].transform = place_;
