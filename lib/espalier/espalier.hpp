@@ -9,12 +9,14 @@
 #include <espalier/contact.hpp>
 #include <espalier/distance.hpp>
 #include <espalier/lattice.hpp>
+#include <espalier/scenes/moving_scene.hpp>
 #include <espalier/original.hpp>
 #include <espalier/overlap.hpp>
 #include <espalier/pair.hpp>
 #include <espalier/ray.hpp>
 #include <espalier/rounding.hpp>
 #include <espalier/scene.hpp>
+#include <espalier/scenes/pairs.hpp>
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/sweep.hpp>

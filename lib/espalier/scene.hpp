@@ -59,9 +59,13 @@ class BakedScene;
 
 namespace detail {
 
-/// The facts that open_scene() proved about the bytes. All are zero in a scene that was never opened.
+struct MovingInstances;
+
+/// The facts that open_scene() proved about the bytes. All are zero in a scene that was never opened. A query of a
+/// MovingScene makes one for itself, whose tree has a lattice alone.
 struct SceneData {
     BlobData tree;  ///< nodes and lattice of the tree over the instances; its leaves are the records of instances
+    const MovingInstances* moving = nullptr;  ///< the instances of a MovingScene, in place of the tree's
     const Blob* meshes = nullptr;
     const BakedScene* tiles = nullptr;
     std::uint32_t mesh_count = 0;
@@ -71,9 +75,13 @@ struct SceneData {
     bool has_common = false;
     float coarsest_step = 0.0f;  ///< the largest lattice step of any instance, in world units
     float largest_scale = 0.0f;
+    float farthest_origin = 0.0f;  ///< how far the origin of an instance may lie outside of the tree's region
+    bool must_refit = false;       ///< why a MovingScene is not open to queries
 };
 
 constexpr const SceneData& data_of(const BakedScene& scene) noexcept;
+/// A MovingScene as queries take it.
+class MovingSceneQuery;
 
 }  // namespace detail
 
@@ -115,6 +123,7 @@ public:
 
 private:
     friend constexpr const detail::SceneData& detail::data_of(const BakedScene& scene) noexcept;
+    friend class detail::MovingSceneQuery;
     friend BakedScene open_scene(std::span<const std::byte> bytes, std::span<Blob> meshes,
                                  std::span<BakedScene> tiles) noexcept;
     detail::SceneData data_;

@@ -51,6 +51,9 @@ enum class [[nodiscard]] QueryStatus : std::uint8_t{
     out_of_range = 18,  ///< refused: too far away or too large for exact arithmetic; each header states the limit
     not_closed = 19,    ///< refused by contains() and signed_distance(): this surface has no inside
     no_data = 20,       ///< refused: the blob was baked without the section that the query reads
+    no_room = 21,       ///< refused by insert(): a moving scene has as many instances as it has room for
+    stale_handle = 22,  ///< refused: the instance was removed from its moving scene, or never was in it
+    not_refitted = 23,  ///< refused: a moving scene waits for refit() since a batch of moves
 };
 
 /// Returns whether the query was refused: it computed nothing.

@@ -252,6 +252,9 @@ SAME_VALUE(ESPALIER_QUERY_OUTPUT_FULL, QueryStatus::output_full);
 SAME_VALUE(ESPALIER_QUERY_NOT_FOUND, QueryStatus::not_found);
 SAME_VALUE(ESPALIER_QUERY_NOT_OPEN, QueryStatus::not_open);
 SAME_VALUE(ESPALIER_QUERY_NO_DATA, QueryStatus::no_data);
+SAME_VALUE(ESPALIER_QUERY_NO_ROOM, QueryStatus::no_room);
+SAME_VALUE(ESPALIER_QUERY_STALE_HANDLE, QueryStatus::stale_handle);
+SAME_VALUE(ESPALIER_QUERY_NOT_REFITTED, QueryStatus::not_refitted);
 
 static_assert(sizeof(espalier_feature) == sizeof(Feature));
 SAME_VALUE(ESPALIER_FEATURE_FACE, Feature::face);

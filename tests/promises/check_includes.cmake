@@ -18,17 +18,17 @@ function(check what allowed)
   set(problems "${problems}" PARENT_SCOPE)
 endfunction()
 
-set(plain_headers "<(array|bit|cfloat|climits|compare|concepts|cstddef|cstdint|limits|new|span|type_traits|utility)>")
+set(plain_headers "<(array|bit|cfloat|climits|compare|concepts|cstddef|cstdint|limits|span|type_traits|utility)>")
 set(machine_headers "<(immintrin|arm_neon|wasm_simd128|arm_acle|cpuid)\\.h>")
 set(standard_headers "<[a-z_0-9]+(\\.h)?>")
 
-file(GLOB public_headers ${root}/lib/espalier/*.hpp ${root}/lib/espalier/format/*.hpp)
+file(GLOB public_headers ${root}/lib/espalier/*.hpp ${root}/lib/espalier/format/*.hpp ${root}/lib/espalier/scenes/*.hpp)
 set(baker_headers ${root}/lib/espalier/bake.hpp)
 list(REMOVE_ITEM public_headers ${baker_headers})
 check("a public header of the runtime includes public headers and freestanding ones only"
-  "<espalier/(format/)?[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
+  "<espalier/((format|scenes)/)?[a-z_]+\\.hpp>|${plain_headers}" ${public_headers})
 check("a public header of the baker includes public and standard headers only"
-  "<espalier/[a-z_]+\\.hpp>|${standard_headers}" ${baker_headers})
+  "<espalier/(scenes/)?[a-z_]+\\.hpp>|${standard_headers}" ${baker_headers})
 file(GLOB c_headers ${root}/lib/espalier/*.h ${root}/lib/espalier/c/*.h)
 check("a header for C includes headers for C and freestanding ones only" "<espalier/c/[a-z_]+\\.h>|<std(bool|def|int)\\.h>" ${c_headers})
 foreach(header IN LISTS public_headers)
@@ -40,7 +40,7 @@ endforeach()
 
 file(GLOB_RECURSE runtime ${root}/lib/runtime/*.hpp ${root}/lib/runtime/*.inl ${root}/lib/runtime/*.cpp)
 check("the runtime includes public headers, its own and freestanding ones only"
-  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds)\\.hpp>|<espalier/espalier\\.h>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
+  "<espalier/[a-ac-z_][a-z_]*\\.hpp>|<espalier/(blob|bounds|scenes/[a-z_]+)\\.hpp>|<espalier/espalier\\.h>|<runtime/[a-z_0-9/]+\\.(hpp|inl)>|${plain_headers}|${machine_headers}" ${runtime})
 
 # check_layers(<library> <others> <row>...): a row is "<folder>: <folder>...", the folders of lib/<library> whose files those of the
 # first may include in addition to their own. It names folders of earlier rows only, so that no two folders need each other.
@@ -83,7 +83,7 @@ endfunction()
 
 # The runtime's folders, from numbers to the families of queries.
 set(walks "base lattice kernels blob lanes answers traversal")
-check_layers(runtime "<espalier/[a-z_]+\\.h(pp)?>|${plain_headers}|${machine_headers}"
+check_layers(runtime "<espalier/(scenes/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${machine_headers}"
   "base:"
   "lattice: base"
   "kernels: base lattice"
@@ -101,12 +101,14 @@ check_layers(runtime "<espalier/[a-z_]+\\.h(pp)?>|${plain_headers}|${machine_hea
   "transforms: base"
   "pairs: ${walks} transforms"
   "scenes: ${walks} open rays proximity transforms"
+  "moving_scenes/box_tree: base lanes traversal transforms"
+  "moving_scenes: base lattice lanes proximity scenes pairs transforms moving_scenes/box_tree"
   "asset: base lattice blob traversal"
-  "instruction_sets: ${walks} rays rays/batch proximity pairs scenes"
+  "instruction_sets: ${walks} rays rays/batch proximity pairs scenes moving_scenes moving_scenes/box_tree"
   "c:")
 
 # The baker's folders, in the order of its stages.
-check_layers(baker "<espalier/[a-z_]+\\.hpp>|<runtime/(base|lattice|blob)/[a-z_0-9]+\\.hpp>|${standard_headers}"
+check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<runtime/(base|lattice|blob)/[a-z_0-9]+\\.hpp>|${standard_headers}"
   "base:"
   "input: base"
   "quantise: base input"
@@ -121,7 +123,7 @@ check_layers(baker "<espalier/[a-z_]+\\.hpp>|<runtime/(base|lattice|blob)/[a-z_0
 
 file(GLOB baker ${root}/lib/baker/*.hpp ${root}/lib/baker/*.cpp)
 check("a file of the baker's root includes public and standard headers and the baker's own only"
-  "<espalier/[a-z_]+\\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\\.hpp>|${standard_headers}" ${baker})
+  "<espalier/(scenes/)?[a-z_]+\\.hpp>|<baker/([a-z]+/)?[a-z_0-9]+\\.hpp>|${standard_headers}" ${baker})
 # The baker's own reader testifies to what the rest of it writes and the runtime reads.
 file(GLOB witness ${root}/lib/baker/verify/decode_*.?pp ${root}/lib/baker/verify/check_tree.?pp ${root}/lib/baker/verify/field_reader.hpp)
 check("the baker's own reader includes the format and its own files only"

@@ -130,6 +130,7 @@ check_folder_includes(tests
   "runtime/transforms: ${support}"
   "runtime/pairs: ${support} support/exact"
   "runtime/scenes: ${support}"
+  "runtime/moving_scenes: ${support} runtime/scenes"
   "runtime/asset: ${support} oracle"
   "baker: ${support}"
   "baker/base: ${support} baker"

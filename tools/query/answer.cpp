@@ -175,6 +175,12 @@ const char* name_of(QueryStatus status) {
             return "not_open";
         case QueryStatus::no_data:
             return "no_data";
+        case QueryStatus::no_room:
+            return "no_room";
+        case QueryStatus::stale_handle:
+            return "stale_handle";
+        case QueryStatus::not_refitted:
+            return "not_refitted";
     }
     return "unknown";
 }

@@ -51,7 +51,10 @@ enum {
     ESPALIER_QUERY_INVALID_ARGUMENT = 17,
     ESPALIER_QUERY_OUT_OF_RANGE = 18,
     ESPALIER_QUERY_NOT_CLOSED = 19,
-    ESPALIER_QUERY_NO_DATA = 20
+    ESPALIER_QUERY_NO_DATA = 20,
+    ESPALIER_QUERY_NO_ROOM = 21,
+    ESPALIER_QUERY_STALE_HANDLE = 22,
+    ESPALIER_QUERY_NOT_REFITTED = 23
 };
 
 /* A yes, a no, or neither: refused, or undecided because the work limit was reached (ESPALIER_QUERY_WORK_LIMIT, which

@@ -75,6 +75,12 @@ const char* describe(QueryStatus status) noexcept {
             return "the blob or scene is not open: it was never opened, or its bytes were refused";
         case QueryStatus::no_data:
             return "the blob was baked without the section that this query reads";
+        case QueryStatus::no_room:
+            return "the moving scene is full: it has as many instances as it was created for";
+        case QueryStatus::stale_handle:
+            return "the handle is stale: its instance was removed from the moving scene, or never was in it";
+        case QueryStatus::not_refitted:
+            return "instances were moved by a batch: call refit before the next query";
     }
     return "not a query status of this library";
 }

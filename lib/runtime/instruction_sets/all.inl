@@ -15,3 +15,5 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/pairs/search.inl>
 #include <runtime/scenes/instance_walk.inl>
+#include <runtime/moving_scenes/box_tree/self_join.inl>
+#include <runtime/moving_scenes/walks.inl>

@@ -1,6 +1,8 @@
 // What each instruction set defines: the queries of rays, batches of rays, distances and two blobs.
 #pragma once
 
+#include <runtime/moving_scenes/queries.hpp>
+#include <runtime/moving_scenes/box_tree/self_join.hpp>
 #include <runtime/pairs/queries.hpp>
 #include <runtime/proximity/point_queries.hpp>
 #include <runtime/rays/batch/batch.hpp>

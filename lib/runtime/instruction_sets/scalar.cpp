@@ -15,6 +15,8 @@ using scalar_walk::find_nearest_first;
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/pairs/search.inl>
 #include <runtime/scenes/instance_walk.inl>
+#include <runtime/moving_scenes/box_tree/self_join.inl>
+#include <runtime/moving_scenes/walks.inl>
 
 RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters& counters) {
     return find_closest_hit(blob, world, nullptr, WalkAccuracy{-1, &counters});

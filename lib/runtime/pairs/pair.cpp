@@ -4,6 +4,7 @@
 #include <runtime/lanes/select.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/lattice/to_world.hpp>
+#include <runtime/pairs/first_contact.hpp>
 #include <runtime/pairs/queries.hpp>
 #include <runtime/transforms/rotation.hpp>
 #include <runtime/traversal/find_triangle.hpp>
@@ -182,14 +183,13 @@ bool is_valid_cursor(const Cursor& cursor, const PairFrame& frame) {
 
 }  // namespace
 
-PairContact first_contact(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexcept {
+PairContact detail::find_first_contact(const PlacedBlob& a, const PlacedBlob& b, std::uint64_t& work) noexcept {
     PairContact contact;
     PlacedPair placed(a, b);
     contact.status = placed.status;
     if (placed.status != QueryStatus::ok) return contact;
     TrianglePair pair;
     bool found = false;
-    std::uint64_t work = limit.visits();
     contact.status = find_touching(placed.frame, pair, found, work);
     if (found) {
         pair = owners(placed.frame, pair);
@@ -199,6 +199,11 @@ PairContact first_contact(const PlacedBlob& a, const PlacedBlob& b, WorkLimit li
         contact.status = QueryStatus::not_found;
     }
     return contact;
+}
+
+PairContact first_contact(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexcept {
+    std::uint64_t work = limit.visits();
+    return find_first_contact(a, b, work);
 }
 
 YesNo overlaps(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexcept {

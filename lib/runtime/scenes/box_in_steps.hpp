@@ -26,9 +26,15 @@ public:
     /// Returns whether the box meets that of an instance in its node.
     [[nodiscard]] bool meets_box_of(const InstancePlace& place) const {
         const unsigned child = place.node.node_children() + place.number;
+        return meets([&](int k) { return place.node.low(k, child, format::scene::bits); },
+                     [&](int k) { return place.node.high(k, child, format::scene::bits); });
+    }
+    /// Returns whether the box meets one whose planes low(k) and high(k) are steps of the scene's lattice.
+    template <class Low, class High>
+    [[nodiscard]] bool meets(Low low, High high) const {
         for (int k = 0; k < 3; ++k) {
-            if (static_cast<float>(place.node.low(k, child, format::scene::bits)) > high_[k]) return false;
-            if (static_cast<float>(place.node.high(k, child, format::scene::bits)) < low_[k]) return false;
+            if (static_cast<float>(low(k)) > high_[k]) return false;
+            if (static_cast<float>(high(k)) < low_[k]) return false;
         }
         return true;
     }

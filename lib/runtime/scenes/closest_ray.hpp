@@ -40,7 +40,7 @@ public:
         InScene<RayHit> result = best_.result();
         if (result)
             result.hit.normal =
-                normal_to_world(transform_of(record_of(scene_, InstanceId{result.instance.index})), result->normal);
+                normal_to_world(transform_at(scene_, InstanceId{result.instance.index}), result->normal);
         return result;
     }
 

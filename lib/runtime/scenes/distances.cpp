@@ -44,7 +44,7 @@ private:
 InScene<ClosestPoint> closest_point(const BakedScene& scene, Vec3 point, float max_distance,
                                     std::uint32_t mask) noexcept {
     const bool is_sound = is_finite(point) && is_radius(max_distance);
-    BestInScene<ClosestPoint> best(!scene     ? QueryStatus::not_open
+    BestInScene<ClosestPoint> best(!scene     ? refusal_of(scene)
                                    : is_sound ? QueryStatus::not_found
                                               : QueryStatus::invalid_argument);
     if (is_refused(best->status)) return best.result();

@@ -55,6 +55,27 @@ using AnyInstanceAnswer = InstanceAnswer<InstanceVisitor>;
 ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_INSTANCE_WALKS)
 #undef ESPALIER_DECLARE_INSTANCE_WALKS
 
+/// The instances of a moving scene: the same walks over its tree. Only programs with moving scenes link them.
+struct MovingInstances {
+    void (*nearest_to_passage)(const Passage& passage, AnyInstanceAnswer& answer);
+    void (*nearest_to_point)(const RoundedPoint& point, AnyInstanceAnswer& answer);
+    Visit (*in_order)(const Passage& passage, AnyInstanceAnswer& answer);
+    const Transform& (*transform_of)(const SceneData& scene, InstanceId instance);
+};
+
+inline void moving_nearest_first(const Passage& passage, AnyInstanceAnswer& answer) {
+    answer.scene.moving->nearest_to_passage(passage, answer);
+}
+inline void moving_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer) {
+    answer.scene.moving->nearest_to_point(point, answer);
+}
+
+/// Returns the transform of an instance, whose number must be below the count.
+inline Transform transform_at(const SceneData& scene, InstanceId instance) {
+    if (scene.moving != nullptr) return scene.moving->transform_of(scene, instance);
+    return transform_of(record_of(scene, instance));
+}
+
 /// Visits the instances whose boxes a Passage meets up to the limit, or whose boxes are within a squared distance of a
 /// RoundedPoint, in steps: the nearest first.
 template <class Region>
@@ -62,6 +83,7 @@ void visit_nearest_instances(const SceneData& scene, std::uint32_t mask, const R
                              const InstanceVisitor& visit) {
     if (scene.instance_count == 0) return;
     AnyInstanceAnswer answer = {scene, mask, limit, visit};
+    if (scene.moving != nullptr) return moving_nearest_first(region, answer);
     ESPALIER_DISPATCH(instances_nearest_first, region, answer);
 }
 
@@ -71,6 +93,7 @@ inline Visit visit_instances(const SceneData& scene, std::uint32_t mask, const P
                              const InstanceVisitor& visit, const BoxInSteps* meeting = nullptr) {
     if (scene.instance_count == 0) return Visit::next;
     AnyInstanceAnswer answer = {scene, mask, limit, visit, meeting};
+    if (scene.moving != nullptr) return scene.moving->in_order(passage, answer);
     return ESPALIER_DISPATCH(instances_in_order, passage, answer);
 }
 

@@ -32,6 +32,11 @@ inline Transform transform_of(const std::byte* record) {
 inline std::uint32_t mesh_of(const std::byte* record) { return load_u32(record + format::scene::mesh_at); }
 inline std::uint32_t mask_of(const std::byte* record) { return load_u32(record + format::scene::mask_at); }
 
+/// Returns why a scene that is not open refuses a query.
+inline QueryStatus refusal_of(const BakedScene& scene) {
+    return data_of(scene).must_refit ? QueryStatus::not_refitted : QueryStatus::not_open;
+}
+
 /// A mesh or a tile, whichever an instance places; the other pointer is null.
 struct MeshOrTile {
     const Blob* mesh;
@@ -43,12 +48,13 @@ struct MeshOrTile {
         return mesh != nullptr ? query(*mesh) : query(*tile);
     }
 };
-/// Returns the mesh or the tile of a record.
-inline MeshOrTile part_of(const SceneData& scene, const std::byte* record) {
-    const std::uint32_t number = mesh_of(record);
+/// Returns the mesh or the tile of a number.
+inline MeshOrTile part_of(const SceneData& scene, std::uint32_t number) {
     if (number < scene.mesh_count) return {scene.meshes + number, nullptr};
     return {nullptr, scene.tiles + (number - scene.mesh_count)};
 }
+/// Returns the mesh or the tile of a record.
+inline MeshOrTile part_of(const SceneData& scene, const std::byte* record) { return part_of(scene, mesh_of(record)); }
 
 /// Returns whether what lies on a lattice of its own, at that place, lies in a region and on its lattice.
 inline bool lies_in(const Lattice& region, const Lattice& lattice, const Transform& transform) {

@@ -11,7 +11,7 @@ namespace {
 
 /// Returns ok if the shape must be walked, not_found if it is empty, or a refusal.
 QueryStatus check(const BakedScene& scene, const ShapeBounds& bounds) {
-    return scene ? bounds.status : QueryStatus::not_open;
+    return scene ? bounds.status : refusal_of(scene);
 }
 
 /// Visits the instances that the box around a shape meets.

@@ -22,6 +22,11 @@ public:
     /// way that matters.
     Passage(const SceneData& scene, const ShapeBounds& bounds, const Vec3& displacement, float magnitude);
 
+    /// Returns the scaled t at which the moving box begins or ends to meet a plane of a box: product with inverse(k),
+    /// plus the offset of the side.
+    [[nodiscard]] float inverse(int k) const { return inverse_[k]; }
+    [[nodiscard]] float near_offset(int k) const { return near_offset_[k]; }
+    [[nodiscard]] float far_offset(int k) const { return far_offset_[k]; }
     /// Returns the key of a t that is not negative.
     [[nodiscard]] float key_of(float t) const;
     /// Returns what the slab test of an instruction set needs.

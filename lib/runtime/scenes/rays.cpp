@@ -19,7 +19,7 @@ namespace {
 /// Returns ok if the ray must be walked, else the status of the query. `rounding` is the status of a ray that the
 /// caller has rounded.
 QueryStatus status_without_walk(const BakedScene& scene, const Ray& ray, QueryStatus rounding) {
-    if (!scene) return QueryStatus::not_open;
+    if (!scene) return refusal_of(scene);
     if (rounding != QueryStatus::ok) return rounding;
     // Which origins are out of range depends on the lattices of the instances.
     const QueryStatus status = refusal_or_miss(data_of(scene).tree, ray);
@@ -35,7 +35,7 @@ InScene<RayHit> cast(const BakedScene& scene, const SceneRay& ray, const SceneFi
     if (status != QueryStatus::ok) return BestInScene<RayHit>(status).result();
     const SceneData& data = data_of(scene);
     ClosestRay closest(data, ray, filter);
-    if constexpr (small_code) {  // one walk for all visitors
+    if (small_code || data.moving != nullptr) {  // one walk for all visitors
         const ClosestRayVisitor<single_rays::closest_hit> visit = {closest};
         visit_nearest_instances(data, filter.mask(), closest.passage(), closest.limit(), visit);
     } else if (data.instance_count != 0) {
@@ -123,7 +123,7 @@ InScene<RayHit> raycast(const BakedScene& scene, const Ray& ray, const RoundedRa
 
 Filled raycast(const BakedScene& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
                const SceneFilter& filter) noexcept {
-    if (!scene) return {0, {}, QueryStatus::not_open};
+    if (!scene) return {0, {}, refusal_of(scene)};
     if (rays.size() != hits.size()) return {0, {}, QueryStatus::invalid_argument};
     for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = raycast(scene, rays[i], filter);
     return {rays.size(), {}, QueryStatus::ok};

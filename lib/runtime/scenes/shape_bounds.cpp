@@ -126,6 +126,7 @@ SceneAround scene_around(const SceneData& scene, const ShapeBounds& bounds, floa
         reach = maximum(absolute(around.offset[k]), reach);
         reach = maximum(absolute(around.offset[k] + tree.extent_steps[k] * step), reach);
     }
+    reach += scene.farthest_origin;
     // to_local() takes numbers below 2^-100 for zero, in the world and in local space.
     const float zeros = scene.largest_scale * 0x1p-96f + 0x1p-94f;
     around.reach = reach;

@@ -13,9 +13,7 @@ template <class Shape>
 InScene<SweepHit> sweep_in(const BakedScene& scene, const Shape& shape, Vec3 displacement, const SceneFilter& filter) {
     const ShapeBounds bounds = bounds_of(shape);
     const bool is_sound = is_finite(displacement) && is_finite(shape.radius);
-    const QueryStatus status = !scene     ? QueryStatus::not_open
-                               : is_sound ? bounds.status
-                                          : QueryStatus::invalid_argument;
+    const QueryStatus status = !scene ? refusal_of(scene) : is_sound ? bounds.status : QueryStatus::invalid_argument;
     if (status != QueryStatus::ok) return BestInScene<SweepHit>(status).result();
     SweepHit miss;
     miss.status = QueryStatus::not_found;

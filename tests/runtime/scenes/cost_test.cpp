@@ -119,7 +119,7 @@ TEST_SUITE("cost") {
              most_stack_of_rays([](const BakedScene& scene, const Ray& ray) { (void)raycast(scene, ray)->t; })},
             {"occluded", 4096,
              most_stack_of_rays([](const BakedScene& scene, const Ray& ray) { (void)occluded(scene, ray); })},
-            {"for_each_hit", 4352, most_stack_of_rays([](const BakedScene& scene, const Ray& ray) {
+            {"for_each_hit", 4480, most_stack_of_rays([](const BakedScene& scene, const Ray& ray) {
                  (void)for_each_hit(scene, ray, [](InstanceId, const RayHit&) {});
              })},
             {"closest_point", 5632, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {

@@ -1,6 +1,8 @@
 #include "scene_loop.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include <espalier/rounding.hpp>
@@ -40,17 +42,29 @@ struct InstanceInLoop {
     }
 };
 
+std::uint32_t end_of_numbers(const BakedScene& scene) { return scene.instance_count(); }
+std::uint32_t end_of_numbers(const MovingScene& scene) { return scene.slot_end(); }
+
+/// Returns the ray rounded for the common lattice of a scene; what moves is on none.
+RoundedRay round_for(const BakedScene& scene, const Ray& ray) { return round_ray(scene.common_lattice().value, ray); }
+RoundedRay round_for(const MovingScene&, const Ray&) { return {}; }
+bool is_on_lattice(const BakedScene& scene, InstanceId instance) { return is_on_common_lattice(scene, instance).yes(); }
+bool is_on_lattice(const MovingScene&, InstanceId) { return false; }
+
 /// The loop, which counts the instances that refuse a query.
+template <class Scene>
 class SceneLoop {
 public:
-    SceneLoop(const BakedScene& scene, const SceneFilter& filter) : scene_(scene), filter_(filter) {}
+    SceneLoop(const Scene& scene, const SceneFilter& filter) : scene_(scene), filter_(filter) {}
 
     /// Calls `visit` with the instances that share a bit with the mask, in ascending order.
     template <class OnInstance>
     void for_each_instance(OnInstance visit) const {
         const std::size_t meshes = scene_.meshes().size();
-        for (std::uint32_t i = 0; i < scene_.instance_count(); ++i) {
-            const Instance outer = *instance_at(scene_, {i});
+        for (std::uint32_t i = 0; i < end_of_numbers(scene_); ++i) {
+            const Result<Instance> found = instance_of_number(scene_, i);
+            if (!found) continue;
+            const Instance outer = *found;
             if ((outer.mask & filter_.mask()) == 0) continue;
             if (outer.mesh < meshes) {
                 visit(InstanceInLoop{{i}, scene_.meshes()[outer.mesh], outer.transform, nullptr, {}, filter_});
@@ -85,7 +99,7 @@ public:
     [[nodiscard]] bool may_be_refused(QueryStatus status) const { return is_refused(status) && has_refusal_; }
 
 private:
-    const BakedScene& scene_;
+    const Scene& scene_;
     const SceneFilter& filter_;
     bool has_refusal_ = false;
 };
@@ -101,16 +115,25 @@ float zero_if_tiny(float length) { return std::abs(length) < 0x1p-100f ? 0.0f : 
 
 }  // namespace
 
-SceneComparison compare_rays(const BakedScene& scene, const Ray& ray, const SceneFilter& filter) {
-    SceneLoop loop(scene, filter);
-    const RoundedRay rounded = round_ray(scene.common_lattice().value, ray);
+Result<Instance> instance_of_number(const BakedScene& scene, std::uint32_t number) {
+    return instance_at(scene, InstanceId{number});
+}
+Result<Instance> instance_of_number(const MovingScene& scene, std::uint32_t number) {
+    const Result<InstanceHandle> handle = handle_of(scene, number);
+    return handle ? instance_at(scene, *handle) : Result<Instance>{{}, handle.status};
+}
+
+template <class Scene>
+SceneComparison compare_rays(const Scene& scene, const Ray& ray, const SceneFilter& filter) {
+    SceneLoop<Scene> loop(scene, filter);
+    const RoundedRay rounded = round_for(scene, ray);
     const auto cast = [&](const InstanceInLoop& instance) {
         const auto keep = [&](TriangleId triangle) { return instance.keeps(triangle); };
         const auto query = [&](const auto& local) { return raycast(instance.blob, local, keep); };
-        if (is_on_common_lattice(scene, instance.id).yes()) return instance.in_local(rounded, query);
+        if (is_on_lattice(scene, instance.id)) return instance.in_local(rounded, query);
         // A tile that lies on no lattice with others rounds for its own instances.
-        if (instance.tile != nullptr && !is_on_common_lattice(scene, {instance.id.index}).yes() &&
-            is_on_common_lattice(*instance.tile, {instance.id.in_tile}).yes()) {
+        if (instance.tile != nullptr && !is_on_lattice(scene, {instance.id.index}) &&
+            is_on_lattice(*instance.tile, {instance.id.in_tile})) {
             const RoundedRay in_tile = round_ray(instance.tile->common_lattice().value, to_local(instance.outer, ray));
             return query(to_local(instance.inner, in_tile));
         }
@@ -137,15 +160,18 @@ SceneComparison compare_rays(const BakedScene& scene, const Ray& ray, const Scen
         is_listed |= instance == expected.instance && same_bits(each, *expected);
     };
     const QueryStatus list = for_each_hit(scene, ray, see, filter);
+    if (std::is_same_v<Scene, MovingScene>) is_sorted = true;
     if (!loop.may_be_refused(list) && !(list == QueryStatus::ok && is_listed && is_sorted))
         result.fault = "the list of hits lacks the closest one or is not sorted by instances";
     return result;
 }
+template SceneComparison compare_rays(const BakedScene&, const Ray&, const SceneFilter&);
+template SceneComparison compare_rays(const MovingScene&, const Ray&, const SceneFilter&);
 
-SceneComparison compare_closest_points(const BakedScene& scene, const Vec3& point, float max_distance,
-                                       std::uint32_t mask) {
+template <class Scene>
+SceneComparison compare_closest_points(const Scene& scene, const Vec3& point, float max_distance, std::uint32_t mask) {
     const SceneFilter filter(mask);
-    SceneLoop loop(scene, filter);
+    SceneLoop<Scene> loop(scene, filter);
     const auto approach = [&](const InstanceInLoop& instance) {
         const float outer = instance.outer.scale, inner = instance.tile != nullptr ? instance.inner.scale : 1.0f;
         const auto smaller = [](float length, float scale) { return zero_if_tiny(zero_if_tiny(length) / scale); };
@@ -171,10 +197,12 @@ SceneComparison compare_closest_points(const BakedScene& scene, const Vec3& poin
         result.fault = "the closest point is another one than in the loop";
     return result;
 }
+template SceneComparison compare_closest_points(const BakedScene&, const Vec3&, float, std::uint32_t);
+template SceneComparison compare_closest_points(const MovingScene&, const Vec3&, float, std::uint32_t);
 
-template <class Shape>
-SceneComparison compare_overlaps(const BakedScene& scene, const Shape& shape, const SceneFilter& filter) {
-    SceneLoop loop(scene, filter);
+template <class Scene, class Shape>
+SceneComparison compare_overlaps(const Scene& scene, const Shape& shape, const SceneFilter& filter) {
+    SceneLoop<Scene> loop(scene, filter);
     std::vector<Overlap> expected, listed;
     loop.for_each_instance([&](const InstanceInLoop& instance) {
         const auto list = [&](TriangleId triangle) {
@@ -189,6 +217,8 @@ SceneComparison compare_overlaps(const BakedScene& scene, const Shape& shape, co
             listed.push_back({instance, triangle});
         },
         filter);
+    // Those of one instance stay in order.
+    if (std::is_same_v<Scene, MovingScene>) std::ranges::stable_sort(listed, {}, &Overlap::instance);
     SceneComparison result;
     result.is_found = !listed.empty();
     if (!loop.may_be_refused(list) && !(list == QueryStatus::ok && listed == expected))
@@ -199,16 +229,22 @@ SceneComparison compare_overlaps(const BakedScene& scene, const Shape& shape, co
     return result;
 }
 template SceneComparison compare_overlaps(const BakedScene&, const Sphere&, const SceneFilter&);
+template SceneComparison compare_overlaps(const MovingScene&, const Sphere&, const SceneFilter&);
 template SceneComparison compare_overlaps(const BakedScene&, const Capsule&, const SceneFilter&);
+template SceneComparison compare_overlaps(const MovingScene&, const Capsule&, const SceneFilter&);
 template SceneComparison compare_overlaps(const BakedScene&, const Box&, const SceneFilter&);
+template SceneComparison compare_overlaps(const MovingScene&, const Box&, const SceneFilter&);
 template SceneComparison compare_overlaps(const BakedScene&, const OrientedBox&, const SceneFilter&);
+template SceneComparison compare_overlaps(const MovingScene&, const OrientedBox&, const SceneFilter&);
 template SceneComparison compare_overlaps(const BakedScene&, const Triangle&, const SceneFilter&);
+template SceneComparison compare_overlaps(const MovingScene&, const Triangle&, const SceneFilter&);
 template SceneComparison compare_overlaps(const BakedScene&, const Cone&, const SceneFilter&);
+template SceneComparison compare_overlaps(const MovingScene&, const Cone&, const SceneFilter&);
 
-template <class Shape>
-SceneComparison compare_sweeps(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
+template <class Scene, class Shape>
+SceneComparison compare_sweeps(const Scene& scene, const Shape& shape, const Vec3& displacement,
                                const SceneFilter& filter) {
-    SceneLoop loop(scene, filter);
+    SceneLoop<Scene> loop(scene, filter);
     const auto sweep_in = [&](const InstanceInLoop& instance) {
         const auto keep = [&](TriangleId triangle) { return instance.keeps(triangle); };
         return instance.in_local(shape, [&](const Shape& local) {
@@ -231,6 +267,8 @@ SceneComparison compare_sweeps(const BakedScene& scene, const Shape& shape, cons
     return result;
 }
 template SceneComparison compare_sweeps(const BakedScene&, const Sphere&, const Vec3&, const SceneFilter&);
+template SceneComparison compare_sweeps(const MovingScene&, const Sphere&, const Vec3&, const SceneFilter&);
 template SceneComparison compare_sweeps(const BakedScene&, const Capsule&, const Vec3&, const SceneFilter&);
+template SceneComparison compare_sweeps(const MovingScene&, const Capsule&, const Vec3&, const SceneFilter&);
 
 }  // namespace espalier::tests

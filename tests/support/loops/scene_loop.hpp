@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include <espalier/scenes/moving_scene.hpp>
 #include <espalier/scene.hpp>
 
 namespace espalier::tests {
@@ -16,16 +17,22 @@ struct SceneComparison {
     bool is_found = false;        ///< the scene has found something
 };
 
-/// Compares the closest hit, any hit and all hits.
-SceneComparison compare_rays(const BakedScene& scene, const Ray& ray, const SceneFilter& filter = {});
-SceneComparison compare_closest_points(const BakedScene& scene, const Vec3& point, float max_distance,
+/// An instance of a moving scene by its slot, as one of a baked scene by its number: not found where a slot is free.
+Result<Instance> instance_of_number(const BakedScene& scene, std::uint32_t number);
+Result<Instance> instance_of_number(const MovingScene& scene, std::uint32_t number);
+
+/// Compares the closest hit, any hit and all hits. Scene is BakedScene or MovingScene, as below.
+template <class Scene>
+SceneComparison compare_rays(const Scene& scene, const Ray& ray, const SceneFilter& filter = {});
+template <class Scene>
+SceneComparison compare_closest_points(const Scene& scene, const Vec3& point, float max_distance,
                                        std::uint32_t mask = 0xFFFFFFFF);
 /// Compares whether anything overlaps, and what does. Shape is any SceneShape.
-template <class Shape>
-SceneComparison compare_overlaps(const BakedScene& scene, const Shape& shape, const SceneFilter& filter = {});
+template <class Scene, class Shape>
+SceneComparison compare_overlaps(const Scene& scene, const Shape& shape, const SceneFilter& filter = {});
 /// Shape is Sphere or Capsule.
-template <class Shape>
-SceneComparison compare_sweeps(const BakedScene& scene, const Shape& shape, const Vec3& displacement,
+template <class Scene, class Shape>
+SceneComparison compare_sweeps(const Scene& scene, const Shape& shape, const Vec3& displacement,
                                const SceneFilter& filter = {});
 
 }  // namespace espalier::tests

@@ -1,0 +1,195 @@
+// Scenes whose instances move, in a block of memory that the caller owns.
+//
+// A MovingScene holds instances of meshes, which are inserted, moved and removed at any time. Every query of scene.hpp
+// takes it, and pairs.hpp finds the instances in it that may touch or do. A tile, a whole BakedScene, is inserted
+// as a mesh is: queries then cover both what moves and what does not.
+//
+// The block has no pointers. A copy of its bytes is a snapshot; open_moving_scene() continues with it. The same calls
+// give the same bytes on every machine of one byte order.
+//
+// A step of a simulation moves many instances by one call of move() and then calls refit(). Boxes of instances are
+// integers, in steps of the world. The tree over them is an R-tree: its depth is at most 12 for any order of calls.
+//
+// Thread safety: any number of threads may query a scene that no thread changes. No call allocates. Numerics and sizes
+// are described at the end of this file.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <espalier/blob.hpp>
+#include <espalier/scene.hpp>
+#include <espalier/status.hpp>
+#include <espalier/transform.hpp>
+
+namespace espalier {
+
+/// The name of an instance of a MovingScene, from its insertion to its removal; afterwards it is stale and is refused.
+/// The default names no instance.
+struct InstanceHandle {
+    std::uint32_t slot = 0xFFFFFFFFu;  ///< InstanceId::index of the results of queries; used again after a removal
+    std::uint32_t generation = 0;
+    friend constexpr auto operator<=>(const InstanceHandle&, const InstanceHandle&) = default;
+};
+
+/// An instance and the place that it moves to.
+struct Movement {
+    InstanceHandle instance;
+    Transform transform;
+};
+
+namespace detail {
+
+struct SceneBlock;
+class MovingSceneAccess;
+
+}  // namespace detail
+
+/// A view of a block, and of the meshes and tiles that its instances place. Copied freely; the block and the arrays
+/// must outlive it. A default MovingScene is not open: calls refuse it with QueryStatus::not_open.
+class [[nodiscard]] MovingScene {
+public:
+    constexpr MovingScene() noexcept = default;
+
+    /// Returns whether the scene is open.
+    [[nodiscard]] explicit constexpr operator bool() const noexcept { return block_ != nullptr; }
+
+    [[nodiscard]] std::uint32_t instance_count() const noexcept;
+    /// Returns the number of instances that there is room for.
+    [[nodiscard]] std::uint32_t capacity() const noexcept;
+    /// Returns a number above each slot that was ever used: for loops over all slots and handle_of().
+    [[nodiscard]] std::uint32_t slot_end() const noexcept;
+    /// Returns e; a step of the world is 2^e long.
+    [[nodiscard]] int step_exponent() const noexcept;
+    /// Returns whether instances were moved by a batch since the last refit(): queries then refuse the scene with
+    /// not_refitted.
+    [[nodiscard]] bool must_refit() const noexcept;
+    /// Returns the bytes of the block: what a snapshot copies.
+    [[nodiscard]] std::span<const std::byte> bytes() const noexcept;
+    [[nodiscard]] constexpr std::span<const Blob> meshes() const noexcept { return {meshes_, mesh_count_}; }
+    [[nodiscard]] constexpr std::span<const BakedScene> tiles() const noexcept { return {tiles_, tile_count_}; }
+
+private:
+    friend class detail::MovingSceneAccess;
+    std::byte* block_ = nullptr;
+    const Blob* meshes_ = nullptr;
+    const BakedScene* tiles_ = nullptr;
+    std::uint32_t mesh_count_ = 0;
+    std::uint32_t tile_count_ = 0;
+};
+
+/// Returns the bytes of a block for so many instances, 1 .. 2^24, else 0: about 161 an instance. No order of insertions
+/// and removals needs more.
+[[nodiscard]] std::uint64_t moving_scene_bytes(std::uint32_t instances) noexcept;
+/// Returns the fewest bytes that create_moving_scene() accepts: about 126 an instance. When nodes run out in such a
+/// block, insert() repacks the tree, which takes O(n log n) time.
+[[nodiscard]] std::uint64_t least_moving_scene_bytes(std::uint32_t instances) noexcept;
+
+/// Makes an empty scene in memory whose address is a multiple of 32.
+///
+/// A step of the world is 2^step_exponent long, -100 .. 80; the world reaches 2^30 - 128 steps from the origin along
+/// each axis. A thousandth of the smallest instance is a good step. `meshes` and `tiles` are what instances place;
+/// tiles are numbered after the meshes. Not open if an argument is out of its range, or if the memory is misaligned or
+/// smaller than least_moving_scene_bytes(). O(1).
+MovingScene create_moving_scene(std::span<std::byte> memory, std::uint32_t capacity, int step_exponent,
+                                std::span<const Blob> meshes, std::span<const BakedScene> tiles = {}) noexcept;
+
+/// Proves that every call on a snapshot is safe and that its answers are exact, and returns a view of it. Not open if a
+/// byte contradicts the others, or if the meshes and tiles are not those of the snapshot. Takes any bytes; writes
+/// nothing. Their address must be a multiple of 32. O(n log n).
+MovingScene open_moving_scene(std::span<std::byte> snapshot, std::span<const Blob> meshes,
+                              std::span<const BakedScene> tiles = {}) noexcept;
+
+/// Inserts an instance; Instance::source is not stored. The lowest slot that was never used counts, or that of the last
+/// removal.
+///
+/// Refuses a number that belongs to no mesh, a mesh without triangles, a tile without instances or with tiles, or a
+/// transform that is not valid (invalid_argument), a place that is not in the world (out_of_range), and a full scene
+/// (no_room). A refusal changes nothing. O(depth).
+Result<InstanceHandle> insert(MovingScene& scene, const Instance& instance) noexcept;
+/// Removes an instance. Refuses a handle that is stale or was never returned (stale_handle). O(depth).
+QueryStatus remove(MovingScene& scene, InstanceHandle instance) noexcept;
+/// Moves an instance. Refuses as insert() and remove() do; the instance then stays where it is. O(depth).
+QueryStatus move(MovingScene& scene, InstanceHandle instance, const Transform& transform) noexcept;
+/// Moves instances, one after the other; refit() must follow before the next query. Stops at the first that is refused:
+/// Filled::count is then its index, and those before it are moved. O(1) each, several times cheaper than move().
+Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept;
+/// Changes what queries and pairs select an instance by. Refuses a stale handle. O(1).
+QueryStatus set_mask(MovingScene& scene, InstanceHandle instance, std::uint32_t mask) noexcept;
+/// Changes the caller's word of an instance. Refuses a stale handle. O(1).
+QueryStatus set_user(MovingScene& scene, InstanceHandle instance, std::uint32_t user) noexcept;
+
+/// Renews the boxes of the tree above instances that a batch has moved, each once. Returns how many nodes it renewed,
+/// 0 for a scene that is not open. O(n / 8).
+std::uint32_t refit(MovingScene& scene) noexcept;
+/// Builds the tree anew, in Hilbert order (Kamel and Faloutsos 1994). The tree is then the same for the same instances,
+/// whatever came before. Call it every few steps, or when quality() has risen. Includes refit(). O(n).
+void repack(MovingScene& scene) noexcept;
+/// Returns how much more surface the boxes of the tree have, for each instance, than after the last repack(): 1 is as
+/// good, 1.3 and more is worth a repack. Infinity before the first repack(); 1 without instances. O(n / 8).
+[[nodiscard]] float quality(const MovingScene& scene) noexcept;
+/// Ends a step: no instance counts as moved until it is moved or inserted again (PairFilter::only_moved). O(1).
+void end_step(MovingScene& scene) noexcept;
+
+/// Returns the handle of the instance in a slot. Refuses a slot that is free (not_found) or never was (out_of_range).
+Result<InstanceHandle> handle_of(const MovingScene& scene, std::uint32_t slot) noexcept;
+/// Returns an instance. Refuses a stale handle; Instance::source is the slot. O(1).
+Result<Instance> instance_at(const MovingScene& scene, InstanceHandle instance) noexcept;
+/// Returns the box of an instance in the tree, rounded outward to float. Refuses a stale handle. O(1).
+Result<Box> box_of(const MovingScene& scene, InstanceHandle instance) noexcept;
+
+// The queries of scene.hpp, with the same arguments and answers; InstanceId::index is a slot. They also refuse a scene
+// that waits for refit() (not_refitted). Visitors are called in the order of the tree, which is the same on every
+// machine, and not in that of the slots.
+
+InScene<RayHit> raycast(const MovingScene& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
+InScene<RayHit> raycast(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
+                        const SceneFilter& filter = {}) noexcept;
+Filled raycast(const MovingScene& scene, std::span<const Ray> rays, std::span<InScene<RayHit>> hits,
+               const SceneFilter& filter = {}) noexcept;
+YesNo occluded(const MovingScene& scene, const Ray& ray, const SceneFilter& filter = {}) noexcept;
+YesNo occluded(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
+               const SceneFilter& filter = {}) noexcept;
+QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
+                         const SceneFilter& filter = {}) noexcept;
+QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
+                         Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter = {}) noexcept;
+InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point, float max_distance = __builtin_inff(),
+                                    std::uint32_t mask = 0xFFFFFFFF) noexcept;
+InScene<SweepHit> sweep(const MovingScene& scene, const Sphere& sphere, Vec3 displacement,
+                        const SceneFilter& filter = {}) noexcept;
+InScene<SweepHit> sweep(const MovingScene& scene, const Capsule& capsule, Vec3 displacement,
+                        const SceneFilter& filter = {}) noexcept;
+QueryStatus for_each_candidate(const MovingScene& scene, const Box& box, Visitor<InstanceId> visit,
+                               std::uint32_t mask = 0xFFFFFFFF) noexcept;
+
+namespace detail {
+
+YesNo overlaps(const MovingScene& scene, const AnySceneShape& shape, const SceneFilter& filter) noexcept;
+QueryStatus for_each_overlap(const MovingScene& scene, const AnySceneShape& shape,
+                             Visitor<InstanceId, TriangleId> visit, const SceneFilter& filter) noexcept;
+
+}  // namespace detail
+
+template <SceneShape Shape>
+[[nodiscard]] YesNo overlaps(const MovingScene& scene, const Shape& shape, const SceneFilter& filter = {}) noexcept {
+    return detail::overlaps(scene, detail::AnySceneShape(shape), filter);
+}
+template <SceneShape Shape>
+QueryStatus for_each_overlap(const MovingScene& scene, const Shape& shape, Visitor<InstanceId, TriangleId> visit,
+                             const SceneFilter& filter = {}) noexcept {
+    return detail::for_each_overlap(scene, detail::AnySceneShape(shape), visit, filter);
+}
+
+}  // namespace espalier
+
+// Numerics
+//
+// The box of an instance holds its mesh at its place, wider by 2^-16 of the mesh's size, 2^-21 of the coordinates, and
+// rounded outward to whole steps. Choices in the tree compare areas of these integers, so they round nothing and are
+// the same on every machine; repack() orders the middles of boxes on a grid of 2^10 cells along the longest axis.
+//
+// Sizes. A node has 4 to 8 children, the root 2 to 8, all leaf nodes are at one depth: 2 * 4^11 instances or more make
+// 12 levels. An instance takes 84 bytes, a node 229.

@@ -1,0 +1,60 @@
+// The block, meshes and tiles behind a MovingScene.
+#pragma once
+
+#include <espalier/scenes/moving_scene.hpp>
+#include <runtime/moving_scenes/box_tree/block.hpp>
+#include <runtime/moving_scenes/box_tree/slots.hpp>
+
+namespace espalier::detail {
+
+/// The only way to the private parts of a MovingScene.
+class MovingSceneAccess {
+public:
+    static MovingScene make(std::byte* block, std::span<const Blob> meshes, std::span<const BakedScene> tiles) {
+        MovingScene scene;
+        scene.block_ = block;
+        scene.meshes_ = meshes.data();
+        scene.tiles_ = tiles.data();
+        scene.mesh_count_ = static_cast<std::uint32_t>(meshes.size());
+        scene.tile_count_ = static_cast<std::uint32_t>(tiles.size());
+        return scene;
+    }
+    static SceneBlock block(const MovingScene& scene) { return parts_of(scene.block_); }
+    static const BlockHead& head(const MovingScene& scene) {
+        return *static_cast<const BlockHead*>(static_cast<const void*>(scene.block_));
+    }
+};
+
+inline SceneBlock block_of(const MovingScene& scene) { return MovingSceneAccess::block(scene); }
+
+/// Returns ok for an open scene whose boxes are those of its instances.
+inline QueryStatus readiness_of(const MovingScene& scene) {
+    if (!scene) return QueryStatus::not_open;
+    return MovingSceneAccess::head(scene).must_refit != 0 ? QueryStatus::not_refitted : QueryStatus::ok;
+}
+
+/// Returns whether a number is that of a mesh with triangles, or of a tile with instances and without tiles.
+inline bool is_placeable(const MovingScene& scene, std::uint32_t mesh) {
+    const std::size_t meshes = scene.meshes().size();
+    if (mesh < meshes) return scene.meshes()[mesh].triangle_count() != 0;
+    if (mesh - meshes >= scene.tiles().size()) return false;
+    const BakedScene& tile = scene.tiles()[mesh - meshes];
+    return tile.instance_count() != 0 && tile.tiles().empty();
+}
+/// Returns the bounds of a placeable mesh or tile.
+inline PartBounds bounds_of_part(const MovingScene& scene, std::uint32_t mesh) {
+    const std::size_t meshes = scene.meshes().size();
+    return mesh < meshes ? bounds_of(data_of(scene.meshes()[mesh])) : bounds_of(scene.tiles()[mesh - meshes]);
+}
+
+/// Returns the slot of a handle, or null if it is stale or was never returned.
+inline InstanceSlot* find_slot(const SceneBlock& block, InstanceHandle handle) {
+    if (handle.slot >= block.head->slots_used) return nullptr;
+    InstanceSlot& slot = block.slots[handle.slot];
+    return is_live(slot) && slot.generation == handle.generation ? &slot : nullptr;
+}
+
+/// Returns a box of whole steps, rounded outward to float.
+Box box_in_world(const StepsBox& box, std::int32_t step_exponent);
+
+}  // namespace espalier::detail

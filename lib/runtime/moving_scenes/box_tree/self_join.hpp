@@ -1,0 +1,31 @@
+// All pairs of instances whose boxes touch: the tree against itself.
+#pragma once
+
+#include <espalier/function_ref.hpp>
+#include <runtime/lanes/select.hpp>
+#include <runtime/moving_scenes/box_tree/block.hpp>
+
+namespace espalier::detail {
+
+/// A visitor of two slots whose boxes touch, in either order.
+using OnTouchingBoxes = FunctionRef<void(std::uint32_t, std::uint32_t)>;
+
+#define ESPALIER_DECLARE_SELF_JOIN(instruction_set)                                                 \
+    namespace instruction_set {                                                                     \
+    void join_with_itself(const SceneBlock& block, bool only_marked, const OnTouchingBoxes& visit); \
+    }
+ESPALIER_FOR_SETS_WITH_PAIRS(ESPALIER_DECLARE_SELF_JOIN)
+#undef ESPALIER_DECLARE_SELF_JOIN
+#if ESPALIER_X86 && defined(__x86_64__)
+namespace avx512 {
+using avx2::join_with_itself;  // a node has eight children
+}
+#endif
+
+/// Visits each pair of slots whose boxes touch, each pair once, in an order that follows the tree. With `only_marked`
+/// one of the two must be marked: SceneBlock::dirty then has a bit for each child of a node with a mark in it.
+inline void for_each_touching_pair(const SceneBlock& block, bool only_marked, const OnTouchingBoxes& visit) {
+    ESPALIER_DISPATCH(join_with_itself, block, only_marked, visit);
+}
+
+}  // namespace espalier::detail

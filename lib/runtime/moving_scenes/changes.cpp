@@ -1,0 +1,149 @@
+// Instances that come, move and go, and the upkeep of the tree.
+#include <espalier/scenes/moving_scene.hpp>
+
+#include <runtime/moving_scenes/access.hpp>
+#include <runtime/moving_scenes/box_tree/tree.hpp>
+#include <runtime/transforms/rotation.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+/// Finds the box of a placeable part at a place. Returns ok or a refusal.
+QueryStatus find_box(const MovingScene& scene, const PartBounds& bounds, const Transform& transform, StepsBox& box) {
+    if (!is_valid(transform) || !is_in_range(transform.scale)) return QueryStatus::invalid_argument;
+    return find_steps_box(bounds, transform, scene.step_exponent(), box) ? QueryStatus::ok : QueryStatus::out_of_range;
+}
+
+/// Writes a new place to a slot, and not to the tree. Returns ok or a refusal.
+QueryStatus place_slot(const MovingScene& scene, SceneBlock& block, InstanceSlot& slot, const Transform& transform) {
+    const PartBounds bounds = bounds_of_part(scene, slot.mesh);
+    StepsBox box;
+    const QueryStatus status = find_box(scene, bounds, transform, box);
+    if (status != QueryStatus::ok) return status;
+    slot.transform = transform;
+    slot.box = box;
+    slot.moved = block.head->step;
+    block.head->coarseness.add(bounds, transform);
+    return QueryStatus::ok;
+}
+
+/// Calls `change(block, slot)` with the live slot of a handle. Returns its status, or why the handle is refused.
+template <class Change>
+QueryStatus change_slot(MovingScene& scene, InstanceHandle instance, Change change) {
+    if (!scene) return QueryStatus::not_open;
+    SceneBlock block = block_of(scene);
+    InstanceSlot* const slot = find_slot(block, instance);
+    return slot != nullptr ? change(block, *slot) : QueryStatus::stale_handle;
+}
+
+}  // namespace
+
+Result<InstanceHandle> insert(MovingScene& scene, const Instance& instance) noexcept {
+    if (!scene) return {{}, QueryStatus::not_open};
+    if (!is_placeable(scene, instance.mesh)) return {{}, QueryStatus::invalid_argument};
+    SceneBlock block = block_of(scene);
+    const PartBounds bounds = bounds_of_part(scene, instance.mesh);
+    StepsBox box;
+    const QueryStatus status = find_box(scene, bounds, instance.transform, box);
+    if (status != QueryStatus::ok) return {{}, status};
+    const std::uint32_t number = take_slot(block);
+    if (number == no_child) return {{}, QueryStatus::no_room};
+    InstanceSlot& slot = block.slots[number];
+    slot.transform = instance.transform;
+    slot.mesh = instance.mesh;
+    slot.mask = instance.mask;
+    slot.user = instance.user;
+    slot.box = box;
+    slot.moved = block.head->step;
+    block.head->coarseness.add(bounds, instance.transform);
+    insert_box(block, number);
+    return {{number, slot.generation}, QueryStatus::ok};
+}
+
+QueryStatus remove(MovingScene& scene, InstanceHandle instance) noexcept {
+    return change_slot(scene, instance, [&](SceneBlock& block, InstanceSlot&) {
+        remove_box(block, instance.slot);
+        give_back_slot(block, instance.slot);
+        return QueryStatus::ok;
+    });
+}
+
+QueryStatus move(MovingScene& scene, InstanceHandle instance, const Transform& transform) noexcept {
+    return change_slot(scene, instance, [&](SceneBlock& block, InstanceSlot& slot) {
+        const QueryStatus status = place_slot(scene, block, slot, transform);
+        if (status == QueryStatus::ok) update_box(block, instance.slot);
+        return status;
+    });
+}
+
+Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept {
+    Filled filled;
+    filled.status = scene ? QueryStatus::ok : QueryStatus::not_open;
+    for (const Movement& movement : movements) {
+        filled.status = change_slot(scene, movement.instance, [&](SceneBlock& block, InstanceSlot& slot) {
+            const QueryStatus status = place_slot(scene, block, slot, movement.transform);
+            if (status != QueryStatus::ok) return status;
+            set_box(block, movement.instance.slot);
+            block.head->must_refit = 1;
+            return status;
+        });
+        if (filled.status != QueryStatus::ok) break;
+        ++filled.count;
+    }
+    return filled;
+}
+
+QueryStatus set_mask(MovingScene& scene, InstanceHandle instance, std::uint32_t mask) noexcept {
+    return change_slot(scene, instance, [&](SceneBlock&, InstanceSlot& slot) {
+        slot.mask = mask;
+        return QueryStatus::ok;
+    });
+}
+
+QueryStatus set_user(MovingScene& scene, InstanceHandle instance, std::uint32_t user) noexcept {
+    return change_slot(scene, instance, [&](SceneBlock&, InstanceSlot& slot) {
+        slot.user = user;
+        return QueryStatus::ok;
+    });
+}
+
+std::uint32_t refit(MovingScene& scene) noexcept {
+    if (!scene) return 0;
+    SceneBlock block = block_of(scene);
+    block.head->must_refit = 0;
+    return refit_boxes(block);
+}
+
+void repack(MovingScene& scene) noexcept {
+    if (!scene) return;
+    SceneBlock block = block_of(scene);
+    BlockHead& head = *block.head;
+    head.must_refit = 0;
+    repack_boxes(block);
+    head.packed_area = area_of_boxes(block) + 1.0f;  // not 0, also where all boxes are points
+    head.coarseness = {};
+    for (std::uint32_t number = 0; number < head.slots_used; ++number) {
+        const InstanceSlot& slot = block.slots[number];
+        if (is_live(slot)) head.coarseness.add(bounds_of_part(scene, slot.mesh), slot.transform);
+    }
+}
+
+float quality(const MovingScene& scene) noexcept {
+    if (scene.instance_count() == 0) return 1.0f;
+    const SceneBlock block = block_of(scene);
+    return (area_of_boxes(block) + 1.0f) / block.head->packed_area;
+}
+
+void end_step(MovingScene& scene) noexcept {
+    if (!scene) return;
+    SceneBlock block = block_of(scene);
+    if (++block.head->step != 0) return;
+    // After 2^32 steps the numbers begin again.
+    for (std::uint32_t number = 0; number < block.head->slots_used; ++number) block.slots[number].moved = 0;
+    block.head->step = 1;
+}
+
+}  // namespace espalier

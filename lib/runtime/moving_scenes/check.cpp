@@ -1,0 +1,153 @@
+#include <runtime/moving_scenes/check.hpp>
+
+#include <runtime/moving_scenes/access.hpp>
+#include <runtime/lattice/rounder.hpp>
+#include <runtime/transforms/rotation.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+bool is_box(const StepsBox& box) {
+    for (int k = 0; k < 3; ++k)
+        if (box.low[k] > box.high[k] || box.low[k] < -most_world_steps || box.high[k] > most_world_steps) return false;
+    return true;
+}
+
+/// Returns whether the counts of the head fit to each other and to the capacity.
+bool is_head_sound(const BlockHead& head) {
+    const Coarseness& coarseness = head.coarseness;
+    return head.magic == block_magic && is_step_exponent(head.step_exponent) && head.slots_used <= head.slot_capacity &&
+           head.live <= head.slots_used && head.nodes_used <= head.node_capacity &&
+           head.free_nodes <= head.nodes_used && head.levels <= most_tree_levels &&
+           (head.levels == 0) == (head.live == 0) && (head.levels == 0) == (head.root == no_child) &&
+           head.must_refit <= 1 && head.reserved == 0 && head.step != 0 && is_radius(coarseness.coarsest_step) &&
+           is_radius(coarseness.largest_scale) && is_radius(coarseness.farthest_origin) && is_radius(head.packed_area);
+}
+
+/// Returns whether the slots below slots_used are alive, worn, or in the list of free ones, each once.
+bool are_slots_sound(const SceneBlock& block) {
+    const BlockHead& head = *block.head;
+    std::uint32_t live = 0, worn = 0;
+    for (std::uint32_t number = 0; number < head.slots_used; ++number) {
+        const InstanceSlot& slot = block.slots[number];
+        worn += is_worn(slot) ? 1u : 0u;
+        if (!is_live(slot)) continue;
+        ++live;
+        if (!is_valid(slot.transform) || !is_in_range(slot.transform.scale) || !is_box(slot.box)) return false;
+    }
+    if (live != head.live) return false;
+    std::uint32_t at = head.free_slot;
+    // A list that is longer than the number of free slots has a cycle.
+    for (std::uint32_t left = head.slots_used - live - worn; left > 0; --left) {
+        if (at >= head.slots_used || is_live(block.slots[at]) || is_worn(block.slots[at])) return false;
+        at = block.slots[at].place;
+    }
+    return at == no_child;
+}
+
+/// Returns whether the list of free nodes has as many as the head states.
+bool are_free_nodes_sound(const SceneBlock& block) {
+    std::uint32_t at = block.head->free_node;
+    for (std::uint32_t left = block.head->free_nodes; left > 0; --left) {
+        if (at >= block.head->nodes_used) return false;
+        at = block.node(at).child[0];
+    }
+    return at == no_child;
+}
+
+/// A walk over the tree that proves it.
+class TreeProof {
+public:
+    explicit TreeProof(const SceneBlock& block) : block_(block), head_(*block.head) {}
+
+    bool prove() {
+        if (head_.levels == 0) return head_.free_nodes == head_.nodes_used;
+        if (head_.root >= head_.nodes_used || block_.parent[head_.root] != no_child) return false;
+        // Each child points back to its place, so that no two places have one child and the walk ends.
+        path_[0] = {head_.root, 0, false};
+        if (!is_node_sound()) return false;
+        for (;;) {
+            Level& top = path_[depth_];
+            if (top.next < BoxNode::most) {
+                if (!take_child(top.node, top.next++)) return false;
+            } else {
+                if (!is_box_of_parent_sound()) return false;
+                if (depth_ == 0) break;
+                path_[depth_ - 1].is_stale |= top.is_stale;
+                --depth_;
+            }
+        }
+        return found_slots_ == head_.live && found_nodes_ + head_.free_nodes == head_.nodes_used;
+    }
+
+private:
+    struct Level {
+        std::uint32_t node;
+        unsigned next;  ///< the child that is next
+        bool is_stale;  ///< whether a refit renews the node's box
+    };
+
+    /// Returns whether the node at hand has enough children.
+    bool is_node_sound() {
+        const std::uint32_t node = path_[depth_].node;
+        const unsigned least = depth_ != 0 ? BoxNode::least : head_.levels == 1 ? 1 : 2;
+        if (block_.dirty[node] > head_.must_refit) return false;
+        path_[depth_].is_stale = block_.dirty[node] != 0;
+        return block_.node(node).count() >= least;
+    }
+    /// Returns whether the box that its parent has of the node at hand is the one around its children.
+    [[nodiscard]] bool is_box_of_parent_sound() const {
+        const Level& top = path_[depth_];
+        if (depth_ == 0 || top.is_stale) return true;
+        const std::uint32_t above = block_.parent[top.node];
+        return block_.node(above / 8).box(above % 8) == block_.node(top.node).bounds();
+    }
+    /// Returns whether a child is sound, and goes to it if it is a node.
+    bool take_child(std::uint32_t number, unsigned place) {
+        const BoxNode& node = block_.node(number);
+        const std::uint32_t child = node.child[place], at = 8 * number + place;
+        if (child == no_child) return node.box(place) == StepsBox::none();
+        if (!is_box(node.box(place))) return false;
+        if (depth_ + 1u == head_.levels) {
+            ++found_slots_;
+            return child < head_.slots_used && is_live(block_.slots[child]) && block_.slots[child].place == at &&
+                   block_.slots[child].box == node.box(place);
+        }
+        if (child >= head_.nodes_used || block_.parent[child] != at) return false;
+        ++found_nodes_;
+        path_[++depth_] = {child, 0, false};
+        return is_node_sound();
+    }
+
+    const SceneBlock& block_;
+    const BlockHead& head_;
+    Level path_[most_tree_levels];
+    std::uint32_t depth_ = 0;
+    std::uint32_t found_nodes_ = 1;
+    std::uint32_t found_slots_ = 0;
+};
+
+}  // namespace
+
+bool is_sound(const SceneBlock& block) {
+    return is_head_sound(*block.head) && are_slots_sound(block) && are_free_nodes_sound(block) &&
+           TreeProof(block).prove();
+}
+
+bool has_boxes_of_instances(const MovingScene& scene) {
+    const SceneBlock block = block_of(scene);
+    Coarseness coarseness{};
+    for (std::uint32_t number = 0; number < block.head->slots_used; ++number) {
+        const InstanceSlot& slot = block.slots[number];
+        if (!is_live(slot)) continue;
+        if (!is_placeable(scene, slot.mesh)) return false;
+        const PartBounds bounds = bounds_of_part(scene, slot.mesh);
+        StepsBox box;
+        if (!find_steps_box(bounds, slot.transform, block.head->step_exponent, box) || box != slot.box) return false;
+        coarseness.add(bounds, slot.transform);
+    }
+    return block.head->coarseness.includes(coarseness);
+}
+
+}  // namespace espalier::detail

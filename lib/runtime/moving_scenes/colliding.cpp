@@ -1,0 +1,152 @@
+// Candidate and colliding pairs of a moving scene: with itself, and with a baked scene.
+#include <espalier/scenes/pairs.hpp>
+
+#include <runtime/moving_scenes/access.hpp>
+#include <runtime/moving_scenes/collision.hpp>
+#include <runtime/moving_scenes/pairs.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+PlacedPart placed_part(const MovingScene& scene, const InstanceSlot& slot) {
+    const std::size_t meshes = scene.meshes().size();
+    if (slot.mesh < meshes) return {{&scene.meshes()[slot.mesh], nullptr}, slot.transform};
+    return {{nullptr, &scene.tiles()[slot.mesh - meshes]}, slot.transform};
+}
+
+QueryStatus find_collision(const MovingScene& scene, const SceneBlock& block, const InstancePair& pair,
+                           std::uint64_t& work) {
+    return detail::find_collision(placed_part(scene, block.slots[pair.a]), placed_part(scene, block.slots[pair.b]),
+                                  work);
+}
+
+/// A walk over the instances of a moving scene, and for each over those of a baked scene that its box meets.
+class BakedPairWalk {
+public:
+    BakedPairWalk(const MovingScene& moving, const BakedScene& baked, const PairFilter& filter, BakedPair from)
+        : block_(block_of(moving)), baked_(baked), filter_(filter), from_(from) {}
+
+    /// Calls `visit(pair, slot)` with each pair that counts, in ascending order, until it returns stop.
+    template <class OnPair>
+    void for_each(OnPair visit) const {
+        for (std::uint32_t number = from_.moving; number < block_.head->slots_used; ++number) {
+            const InstanceSlot& slot = block_.slots[number];
+            if (!is_live(slot) || (filter_.only_moved && !has_moved(block_, slot))) continue;
+            const Box box = box_in_world(slot.box, block_.head->step_exponent);
+            const auto visit_baked = [&](InstanceId baked) {
+                const BakedPair pair = {number, baked};
+                if (pair < from_ || (filter_.keep && !filter_.keep(InstanceId{number}, baked))) return Visit::next;
+                return visit(pair, slot);
+            };
+            if (for_each_candidate(baked_, box, visit_baked, slot.mask) == QueryStatus::stopped) return;
+        }
+    }
+    [[nodiscard]] BakedPair end() const { return {block_.head->slots_used, {0, 0}}; }
+
+private:
+    const SceneBlock block_;
+    const BakedScene& baked_;
+    const PairFilter& filter_;
+    BakedPair from_;
+};
+
+/// Returns ok if both scenes can be walked, else why not.
+QueryStatus readiness_of(const MovingScene& moving, const BakedScene& baked) {
+    return baked ? detail::readiness_of(moving) : QueryStatus::not_open;
+}
+
+/// Returns the mesh of an instance, seen from the space in which its transform leads: that of the scene or of a tile.
+PlacedPart part_in(const SceneData& holder, std::uint32_t number) {
+    const std::byte* const record = record_of(holder, InstanceId{number});
+    return {part_of(holder, record), transform_of(record)};
+}
+
+QueryStatus find_collision(const MovingScene& moving, const InstanceSlot& slot, const BakedScene& baked,
+                           InstanceId instance, std::uint64_t& work) {
+    PlacedPart mover = placed_part(moving, slot);
+    PlacedPart other = part_in(data_of(baked), instance.index);
+    if (instance.in_tile != no_instance.in_tile) {
+        mover.transform = to_local(other.transform, mover.transform);
+        other = part_in(data_of(*other.part.tile), instance.in_tile);
+    }
+    return detail::find_collision(mover, other, work);
+}
+
+}  // namespace
+
+FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<InstancePair> pairs,
+                                                  const PairFilter& filter, InstancePair from) noexcept {
+    const QueryStatus readiness = detail::readiness_of(scene);
+    if (readiness != QueryStatus::ok) return {0, from, readiness};
+    SceneBlock block = block_of(scene);
+    return collect_touching_pairs(block, pairs, filter, from);
+}
+
+FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<InstancePair> pairs, WorkLimit limit,
+                                                  const PairFilter& filter, InstancePair from) noexcept {
+    const QueryStatus readiness = detail::readiness_of(scene);
+    if (readiness != QueryStatus::ok) return {0, from, readiness};
+    SceneBlock block = block_of(scene);
+    std::uint64_t work = limit.visits();
+    FilledPairs<InstancePair> filled = {0, from, QueryStatus::output_full};
+    while (filled.status == QueryStatus::output_full && filled.count < pairs.size()) {
+        // Candidates take the room that is left, and those that collide stay.
+        const std::span<InstancePair> room = pairs.subspan(filled.count);
+        const FilledPairs<InstancePair> page = collect_touching_pairs(block, room, filter, filled.next);
+        for (const InstancePair& pair : room.first(page.count)) {
+            const QueryStatus status = find_collision(scene, block, pair, work);
+            if (status != QueryStatus::ok && status != QueryStatus::not_found) return {filled.count, pair, status};
+            if (status == QueryStatus::ok) pairs[filled.count++] = pair;
+        }
+        filled.next = page.next;
+        filled.status = page.status;
+    }
+    return filled;
+}
+
+FilledPairs<BakedPair> collect_candidate_pairs(const MovingScene& moving, const BakedScene& baked,
+                                               std::span<BakedPair> pairs, const PairFilter& filter,
+                                               BakedPair from) noexcept {
+    FilledPairs<BakedPair> filled = {0, from, readiness_of(moving, baked)};
+    if (filled.status != QueryStatus::ok) return filled;
+    const BakedPairWalk walk(moving, baked, filter, from);
+    filled.next = walk.end();
+    walk.for_each([&](const BakedPair& pair, const InstanceSlot&) {
+        if (filled.count == pairs.size()) {
+            filled.next = pair;
+            filled.status = QueryStatus::output_full;
+            return Visit::stop;
+        }
+        pairs[filled.count++] = pair;
+        return Visit::next;
+    });
+    return filled;
+}
+
+FilledPairs<BakedPair> collect_colliding_pairs(const MovingScene& moving, const BakedScene& baked,
+                                               std::span<BakedPair> pairs, WorkLimit limit, const PairFilter& filter,
+                                               BakedPair from) noexcept {
+    FilledPairs<BakedPair> filled = {0, from, readiness_of(moving, baked)};
+    if (filled.status != QueryStatus::ok) return filled;
+    const BakedPairWalk walk(moving, baked, filter, from);
+    filled.next = walk.end();
+    std::uint64_t work = limit.visits();
+    walk.for_each([&](const BakedPair& pair, const InstanceSlot& slot) {
+        QueryStatus status = find_collision(moving, slot, baked, pair.baked, work);
+        if (status == QueryStatus::not_found) return Visit::next;
+        if (status == QueryStatus::ok && filled.count == pairs.size()) status = QueryStatus::output_full;
+        if (status == QueryStatus::ok) {
+            pairs[filled.count++] = pair;
+            return Visit::next;
+        }
+        filled.next = pair;
+        filled.status = status;
+        return Visit::stop;
+    });
+    return filled;
+}
+
+}  // namespace espalier

@@ -1,0 +1,60 @@
+// The queries of scenes over a moving scene: the walks over its tree, and the scene as those queries take it.
+#pragma once
+
+#include <espalier/scenes/moving_scene.hpp>
+#include <runtime/lanes/select.hpp>
+#include <runtime/moving_scenes/access.hpp>
+#include <runtime/scenes/instance_walk.hpp>
+
+namespace espalier::detail {
+
+/// A lattice point at or below a coordinate of a box that is exact as a float: the origin of a tree.
+constexpr std::int32_t lattice_point_below(std::int32_t steps) { return steps & ~127; }
+
+/// The tree of a moving scene as its walks take it: its boxes are counted from the lattice point at its low corner.
+struct MovingTree {
+    SceneBlock block;
+    std::int32_t origin[3];
+
+    explicit MovingTree(const SceneData& scene) : block(parts_of(const_cast<std::byte*>(scene.tree.bytes))) {
+        const StepsBox all = block.node(block.head->root).bounds();
+        for (int k = 0; k < 3; ++k) origin[k] = lattice_point_below(all.low[k]);
+    }
+
+    /// Passes an instance to an answer if its mask and its box are selected.
+    Visit take(std::uint32_t number, AnyInstanceAnswer& answer) const {
+        const InstanceSlot& slot = block.slots[number];
+        if ((slot.mask & answer.mask) == 0) return Visit::next;
+        if (answer.meeting != nullptr && !answer.meeting->meets([&](int k) { return slot.box.low[k] - origin[k]; },
+                                                                [&](int k) { return slot.box.high[k] - origin[k]; }))
+            return Visit::next;
+        return answer.visit({part_of(answer.scene, slot.mesh), {number}, slot.transform}, answer.limit);
+    }
+};
+
+#define ESPALIER_DECLARE_MOVING_WALKS(instruction_set)                                         \
+    namespace instruction_set {                                                                \
+    void moving_instances_nearest_first(const Passage& passage, AnyInstanceAnswer& answer);    \
+    void moving_instances_nearest_first(const RoundedPoint& point, AnyInstanceAnswer& answer); \
+    Visit moving_instances_in_order(const Passage& passage, AnyInstanceAnswer& answer);        \
+    }
+ESPALIER_FOR_SETS_WITH_PAIRS(ESPALIER_DECLARE_MOVING_WALKS)
+#undef ESPALIER_DECLARE_MOVING_WALKS
+#if ESPALIER_X86 && defined(__x86_64__)
+namespace avx512 {
+using avx2::moving_instances_in_order;  // a node has eight children
+using avx2::moving_instances_nearest_first;
+}  // namespace avx512
+#endif
+
+/// A moving scene as the queries of scenes take it: not open if it waits for a refit.
+class MovingSceneQuery {
+public:
+    explicit MovingSceneQuery(const MovingScene& scene);
+    [[nodiscard]] const BakedScene& scene() const { return scene_; }
+
+private:
+    BakedScene scene_;
+};
+
+}  // namespace espalier::detail

@@ -1,0 +1,118 @@
+// The making of moving scenes, and what they return of themselves.
+#include <espalier/scenes/moving_scene.hpp>
+
+#include <runtime/base/bits.hpp>
+#include <runtime/moving_scenes/access.hpp>
+#include <runtime/moving_scenes/check.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+constexpr std::size_t alignment = alignof(BoxNode);
+
+bool is_aligned(const std::byte* memory) { return reinterpret_cast<std::uintptr_t>(memory) % alignment == 0; }
+
+/// Returns how many nodes fit into a block, as many as are ever needed.
+std::uint32_t nodes_that_fit(std::uint64_t bytes, std::uint32_t slots) {
+    const std::uint64_t nodes = (bytes - block_bytes(slots, 0)) / (block_bytes(0, 1) - block_bytes(0, 0));
+    const std::uint32_t most = most_nodes_of(slots);
+    return nodes < most ? static_cast<std::uint32_t>(nodes) : most;
+}
+
+/// Returns the nearest float at or beyond a number of steps: below it for a direction of -1, above it for 1.
+float outward(std::int32_t steps, int direction) {
+    const auto rounded = static_cast<float>(steps);
+    const std::int64_t error = static_cast<std::int64_t>(rounded) - steps;
+    if (direction < 0 ? error <= 0 : error >= 0) return rounded;
+    // Floats between 2^24 and 2^30 are at most 64 apart.
+    return static_cast<float>(steps + direction * 64);
+}
+
+}  // namespace
+
+Box detail::box_in_world(const StepsBox& box, std::int32_t step_exponent) {
+    const float step = power_of_two(step_exponent);
+    const auto low = [&](int k) { return outward(box.low[k], -1) * step; };
+    const auto high = [&](int k) { return outward(box.high[k], 1) * step; };
+    return {{low(0), low(1), low(2)}, {high(0), high(1), high(2)}};
+}
+
+std::uint64_t moving_scene_bytes(std::uint32_t instances) noexcept {
+    if (instances == 0 || instances > most_slots) return 0;
+    return block_bytes(instances, most_nodes_of(instances));
+}
+
+std::uint64_t least_moving_scene_bytes(std::uint32_t instances) noexcept {
+    if (instances == 0 || instances > most_slots) return 0;
+    return block_bytes(instances, least_nodes_of(instances));
+}
+
+MovingScene create_moving_scene(std::span<std::byte> memory, std::uint32_t capacity, int step_exponent,
+                                std::span<const Blob> meshes, std::span<const BakedScene> tiles) noexcept {
+    const std::uint64_t least = least_moving_scene_bytes(capacity);
+    if (least == 0 || memory.size() < least || !is_aligned(memory.data()) || !is_step_exponent(step_exponent))
+        return {};
+    make_block(memory.data(), capacity, nodes_that_fit(memory.size(), capacity), step_exponent);
+    return MovingSceneAccess::make(memory.data(), meshes, tiles);
+}
+
+MovingScene open_moving_scene(std::span<std::byte> snapshot, std::span<const Blob> meshes,
+                              std::span<const BakedScene> tiles) noexcept {
+    if (snapshot.size() < sizeof(BlockHead) || !is_aligned(snapshot.data())) return {};
+    const MovingScene scene = MovingSceneAccess::make(snapshot.data(), meshes, tiles);
+    const BlockHead& head = MovingSceneAccess::head(scene);
+    const std::uint64_t least = least_moving_scene_bytes(head.slot_capacity);
+    if (least == 0 || snapshot.size() < least || head.node_capacity > most_nodes_of(head.slot_capacity) ||
+        head.node_capacity < least_nodes_of(head.slot_capacity) ||
+        snapshot.size() < block_bytes(head.slot_capacity, head.node_capacity))
+        return {};
+    return is_sound(block_of(scene)) && has_boxes_of_instances(scene) ? scene : MovingScene();
+}
+
+std::uint32_t MovingScene::instance_count() const noexcept {
+    return block_ != nullptr ? MovingSceneAccess::head(*this).live : 0;
+}
+std::uint32_t MovingScene::capacity() const noexcept {
+    return block_ != nullptr ? MovingSceneAccess::head(*this).slot_capacity : 0;
+}
+std::uint32_t MovingScene::slot_end() const noexcept {
+    return block_ != nullptr ? MovingSceneAccess::head(*this).slots_used : 0;
+}
+int MovingScene::step_exponent() const noexcept {
+    return block_ != nullptr ? MovingSceneAccess::head(*this).step_exponent : 0;
+}
+bool MovingScene::must_refit() const noexcept {
+    return block_ != nullptr && MovingSceneAccess::head(*this).must_refit != 0;
+}
+std::span<const std::byte> MovingScene::bytes() const noexcept {
+    if (block_ == nullptr) return {};
+    const BlockHead& head = MovingSceneAccess::head(*this);
+    return {block_, static_cast<std::size_t>(block_bytes(head.slot_capacity, head.node_capacity))};
+}
+
+Result<InstanceHandle> handle_of(const MovingScene& scene, std::uint32_t slot) noexcept {
+    if (!scene) return {{}, QueryStatus::not_open};
+    const SceneBlock block = block_of(scene);
+    if (slot >= block.head->slots_used) return {{}, QueryStatus::out_of_range};
+    if (!is_live(block.slots[slot])) return {{}, QueryStatus::not_found};
+    return {{slot, block.slots[slot].generation}, QueryStatus::ok};
+}
+
+Result<Instance> instance_at(const MovingScene& scene, InstanceHandle instance) noexcept {
+    if (!scene) return {{}, QueryStatus::not_open};
+    const InstanceSlot* const slot = find_slot(block_of(scene), instance);
+    if (slot == nullptr) return {{}, QueryStatus::stale_handle};
+    return {{slot->transform, slot->mesh, slot->mask, slot->user, instance.slot}, QueryStatus::ok};
+}
+
+Result<Box> box_of(const MovingScene& scene, InstanceHandle instance) noexcept {
+    if (!scene) return {{}, QueryStatus::not_open};
+    const InstanceSlot* const slot = find_slot(block_of(scene), instance);
+    if (slot == nullptr) return {{}, QueryStatus::stale_handle};
+    return {box_in_world(slot->box, scene.step_exponent()), QueryStatus::ok};
+}
+
+}  // namespace espalier

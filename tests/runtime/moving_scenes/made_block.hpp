@@ -1,0 +1,64 @@
+// A moving scene's block for tests, with the operations on instances that are only boxes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <runtime/moving_scenes/box_tree/slots.hpp>
+#include <runtime/moving_scenes/box_tree/tree.hpp>
+
+#include "support/base/random.hpp"
+
+namespace espalier::tests {
+
+/// A block for so many instances, by default with nodes for any order of insertions. Copies have the same bytes
+/// elsewhere.
+class MadeBlock {
+public:
+    explicit MadeBlock(std::uint32_t capacity) : MadeBlock(capacity, detail::most_nodes_of(capacity)) {}
+    MadeBlock(std::uint32_t capacity, std::uint32_t nodes)
+        : memory_(static_cast<std::size_t>(detail::block_bytes(capacity, nodes) / sizeof(Unit) + 1)) {
+        block = detail::make_block(bytes(), capacity, nodes, -16);
+    }
+    MadeBlock(const MadeBlock& other) : memory_(other.memory_), block(detail::parts_of(bytes())) {}
+    MadeBlock& operator=(const MadeBlock&) = delete;
+    ~MadeBlock() = default;
+
+    std::uint32_t insert(const detail::StepsBox& box) {
+        const std::uint32_t slot = detail::take_slot(block);
+        block.slots[slot].transform = {};
+        block.slots[slot].mask = 0xFFFFFFFF;
+        block.slots[slot].box = box;
+        detail::insert_box(block, slot);
+        return slot;
+    }
+    void remove(std::uint32_t slot) {
+        detail::remove_box(block, slot);
+        detail::give_back_slot(block, slot);
+    }
+    std::byte* bytes() { return reinterpret_cast<std::byte*>(memory_.data()); }
+    [[nodiscard]] std::size_t size() const { return memory_.size() * sizeof(Unit); }
+
+private:
+    struct alignas(32) Unit {
+        std::byte bytes[32];
+    };
+    std::vector<Unit> memory_;
+
+public:
+    detail::SceneBlock block;
+};
+
+/// A cube of 2^4 to 2^20 steps, or a flat or long box, anywhere in a region.
+inline detail::StepsBox random_box(Random& random, std::int32_t region) {
+    const std::int32_t size = 1 << random.between(4, 20);
+    detail::StepsBox box{};
+    for (int k = 0; k < 3; ++k) {
+        box.low[k] = random.between(-region, region - 1);
+        box.high[k] = box.low[k] + (random.below(8) == 0 ? 0 : size);
+    }
+    return box;
+}
+
+}  // namespace espalier::tests

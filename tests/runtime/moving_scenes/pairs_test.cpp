@@ -1,0 +1,113 @@
+// Claims about pairs of instances whose boxes touch.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include <runtime/moving_scenes/check.hpp>
+#include <runtime/moving_scenes/pairs.hpp>
+
+#include "made_block.hpp"
+#include "support/base/test_scale.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using namespace espalier::detail;
+
+namespace {
+
+std::vector<InstancePair> loop_over_slots(const SceneBlock& block) {
+    std::vector<InstancePair> pairs;
+    for (std::uint32_t a = 0; a < block.head->slots_used; ++a)
+        for (std::uint32_t b = a + 1; b < block.head->slots_used; ++b)
+            if (is_live(block.slots[a]) && is_live(block.slots[b]) && touch(block.slots[a].box, block.slots[b].box))
+                pairs.push_back({a, b});
+    return pairs;
+}
+
+/// Returns the list that pages of a size make, one behind the other.
+std::vector<InstancePair> in_pages(SceneBlock& block, std::size_t size, const PairFilter& filter = {}) {
+    std::vector<InstancePair> all, page(size);
+    InstancePair from;
+    for (;;) {
+        const FilledPairs<InstancePair> found = collect_touching_pairs(block, page, filter, from);
+        REQUIRE(found.count <= size);
+        all.insert(all.end(), page.begin(), page.begin() + static_cast<std::ptrdiff_t>(found.count));
+        if (found.status == QueryStatus::ok) return all;
+        REQUIRE(found.status == QueryStatus::output_full);
+        REQUIRE(found.next > from);
+        from = found.next;
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("pairs") {
+    TEST_CASE("scene: pairs of moving instances are sorted and those of the loop in pages of any size") {
+        Random random(1);
+        for (const std::uint32_t count : {0u, 1u, 2u, 50u, 300u}) {
+            CAPTURE(count);
+            MadeBlock made(count + 1);
+            std::vector<std::uint32_t> live;
+            // Some touch many: a giant, and points at one place.
+            if (count > 2) live.push_back(made.insert({{-(1 << 24), 0, 0}, {1 << 24, 1 << 24, 1 << 24}}));
+            for (std::uint32_t i = 2; i < count; ++i)
+                live.push_back(made.insert(i % 4 == 0 ? StepsBox{{5, 5, 5}, {5, 5, 5}} : random_box(random, 1 << 22)));
+            for (int i = 0; i < 10 && live.size() > 20; ++i) {
+                made.remove(live.back());
+                live.pop_back();
+            }
+            const std::vector<InstancePair> loop = loop_over_slots(made.block);
+            CHECK((count < 50 || loop.size() > count / 2));
+            for (const std::size_t size :
+                 {std::size_t{1}, std::size_t{7}, std::size_t{100}, loop.size(), std::size_t{100'000}}) {
+                CAPTURE(size);
+                if (size == 0 || (size == 1 && count > 50)) continue;
+                CHECK(in_pages(made.block, size) == loop);
+            }
+        }
+    }
+
+    TEST_CASE("scene: a page of pairs without room is empty and leads to the first pair") {
+        MadeBlock made(10);
+        for (int i = 0; i < 3; ++i) made.insert({{10 * i, 0, 0}, {10 * i + 10, 10, 10}});
+        const FilledPairs<InstancePair> page = collect_touching_pairs(made.block, {}, {}, {});
+        CHECK(page.count == 0);
+        CHECK(page.status == QueryStatus::output_full);
+        CHECK(page.next == InstancePair{0, 1});
+        CHECK(in_pages(made.block, 1).size() == 2);
+    }
+
+    TEST_CASE("scene: filters and masks and what moved select pairs of moving instances") {
+        Random random(2);
+        MadeBlock made(300);
+        SceneBlock& block = made.block;
+        for (std::uint32_t i = 0; i < 300; ++i) {
+            const std::uint32_t slot = made.insert(random_box(random, 1 << 19));
+            block.slots[slot].mask = 1u << random.below(4) | 1u << random.below(4);
+        }
+        for (int round = 0; round < 20; ++round) {
+            CAPTURE(round);
+            ++block.head->step;
+            for (std::uint32_t slot = 0; slot < 300; ++slot)
+                if (random.below(10) < static_cast<std::uint32_t>(round) % 5)
+                    block.slots[slot].moved = block.head->step;
+            if (round == 10) repack_boxes(block);
+            const auto keep = [](InstanceId a, InstanceId b) { return (a.index + b.index) % 3 != 0; };
+            const PairFilter filter = {round % 2 == 0, round % 3 == 0 ? FunctionRef<bool(InstanceId, InstanceId)>(keep)
+                                                                      : FunctionRef<bool(InstanceId, InstanceId)>()};
+            std::vector<InstancePair> expected;
+            for (const InstancePair& pair : loop_over_slots(block)) {
+                const InstanceSlot &a = block.slots[pair.a], &b = block.slots[pair.b];
+                const bool moved = a.moved == block.head->step || b.moved == block.head->step;
+                if ((a.mask & b.mask) != 0 && (moved || !filter.only_moved) &&
+                    (!filter.keep || keep({pair.a}, {pair.b})))
+                    expected.push_back(pair);
+            }
+            CHECK((round % 5 == 0 || expected.size() > 20));
+            CHECK(in_pages(block, 10'000, filter) == expected);
+            CHECK(in_pages(block, 9, filter) == expected);
+            CHECK(is_sound(block));
+        }
+    }
+}
