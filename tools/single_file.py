@@ -230,9 +230,10 @@ class SingleFile:
 
 def make_header():
     header = SingleFile(skips_public_headers=False)
-    for path in sorted((LIBRARY / "espalier").glob("*.hpp")):
-        if path.name not in ("bake.hpp", "espalier.hpp"):
-            header.add_once(f"espalier/{path.name}", path)
+    for folder in ("espalier", "espalier/scenes"):
+        for path in sorted((LIBRARY / folder).glob("*.hpp")):
+            if path.name not in ("bake.hpp", "espalier.hpp"):
+                header.add_once(f"{folder}/{path.name}", path)
     return header.text(HEADER_PREAMBLE)
 
 
