@@ -38,6 +38,24 @@ public:
         const Words kept = bits & ~is_below;
         return Coordinates(std::bit_cast<Values>(kept));
     }
+    [[gnu::always_inline]] friend Coordinates magnitude(const Coordinates& a) {
+        return Coordinates(std::bit_cast<Values>(std::bit_cast<Words>(a.values_) & 0x7FFFFFFF));
+    }
+    /// Writes the last whole number below each coordinate or at it; below a zero with a sign it is -1, as below a
+    /// number that was flushed to it. Coordinates are at most 2^30 large.
+    [[gnu::always_inline]] void store_whole_below(std::int32_t* to) const {
+        const Words whole = __builtin_convertvector(values_, Words);
+        const Words is_above =
+            (__builtin_convertvector(whole, Values) > values_) | ((std::bit_cast<Words>(values_) < 0) & (whole == 0));
+        const Words below = whole + is_above;
+        __builtin_memcpy(to, &below, 3 * sizeof *to);
+    }
+    /// Returns whether no coordinate of either is below the least; false for NaN.
+    [[gnu::always_inline]] friend bool are_at_least(const Coordinates& a, const Coordinates& b, float least) {
+        const Values all = {least, least, least, least};
+        const Words are = (a.values_ >= all) & (b.values_ >= all);
+        return (are[0] & are[1] & are[2]) != 0;
+    }
     /// Returns one coordinate of the first, one of the second and one of the third.
     template <int x, int y, int z>
     [[gnu::always_inline]] static Coordinates picked(const Coordinates& a, const Coordinates& b, const Coordinates& c) {

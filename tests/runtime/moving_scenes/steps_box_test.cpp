@@ -11,6 +11,7 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/blobs/baking.hpp"
+#include "support/machine/float_mode.hpp"
 #include "support/meshes/makers.hpp"
 
 using namespace espalier;
@@ -89,8 +90,36 @@ TEST_SUITE("steps box") {
         Transform transform;
         transform.rotation = {0.0f, 0.0f, 0.0f, 0.0f};
         CHECK_FALSE(find_steps_box(bounds, transform, step_exponent, box));
-        transform = {};
-        transform.scale = 0.0f;
-        CHECK_FALSE(find_steps_box(bounds, transform, step_exponent, box));
+    }
+
+    TEST_CASE("scene: boxes of moving instances have the same bits in every float mode") {
+        Random random(3);
+        for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+            CAPTURE(i);
+            const auto any = [&](int exponent) {
+                return std::ldexp(random.signed_unit(), -random.between(0, exponent));
+            };
+            const int size = random.between(-100, 60), scale = random.between(-100, 40);
+            const auto length = [&] { return std::ldexp(any(60), size); };
+            const PartBounds bounds = {{length(), length(), length()},
+                                       {std::fabs(length()), std::fabs(length()), std::fabs(length())},
+                                       0.0f,
+                                       1.0f};
+            const int turn = random.between(-120, 100), way = random.between(-140, 60);
+            const Transform transform = {{std::ldexp(any(60), turn), std::ldexp(any(60), turn),
+                                          std::ldexp(any(60), turn), std::ldexp(1.0f, turn)},
+                                         {std::ldexp(any(10), way), std::ldexp(any(10), way), std::ldexp(any(10), way)},
+                                         std::ldexp(1.0f + random.unit(), scale)};
+            const int exponent = random.between(-100, 80);
+            StepsBox expected{};
+            const bool is_in_world = find_steps_box(bounds, transform, exponent, expected);
+            for (const unsigned flags : float_modes) {
+                CAPTURE(flags);
+                const FloatMode mode(flags);
+                StepsBox box{};
+                REQUIRE(find_steps_box(bounds, transform, exponent, box) == is_in_world);
+                if (is_in_world) REQUIRE(box == expected);
+            }
+        }
     }
 }

@@ -6,16 +6,57 @@ namespace espalier::detail {
 
 namespace {
 
-/// Returns the last whole number at or below x, which is at most 2^30 large.
-std::int32_t whole_below(float x) {
-    const auto whole = static_cast<std::int32_t>(x);
-    return whole - (static_cast<float>(whole) > x ? 1 : 0);
-}
-
 /// Returns at least how far a point of the part is from its local origin along any axis.
 float size_of(const PartBounds& bounds) {
     const Vec3 &c = bounds.center, &h = bounds.half;
     return ((absolute(c.x) + h.x) + (absolute(c.y) + h.y)) + (absolute(c.z) + h.z);
+}
+
+/// The two ends of a box in float.
+struct BoxEnds {
+    Coordinates low, high;
+};
+
+#if ESPALIER_SMALL_CODE
+struct ScaledRotation {
+    Coordinates axis;
+    float w;
+};
+ScaledRotation scaled_rotation(const Quaternion& rotation) {
+    const Quaternion q = with_greatest_of_one(rotation);
+    return {{q.x, q.y, q.z}, q.w};
+}
+Coordinates without_tiny(const Coordinates& v) { return without_below(v, least_coordinate_bits); }
+#endif
+
+/// Returns the box around a part at its place. Its rotation is computed with one division and is off by some 2^-22,
+/// which the margin covers; like that of PreparedTransform it is the same where subnormal numbers are flushed.
+ESPALIER_SHARED_OR_PART_OF_CALLER inline BoxEnds ends_around(const PartBounds& bounds, const Transform& transform) {
+    const ScaledRotation rotation = scaled_rotation(transform.rotation);
+    const Coordinates q = rotation.axis, w(rotation.w), scale(transform.scale);
+    const Coordinates squares = q * q;
+    const float ww = rotation.w * rotation.w;
+    const Coordinates twice(2.0f / ((squares[0] + squares[1]) + (squares[2] + ww)));
+    // Entries 00 11 22, 01 12 20 and 10 21 02 of the rotation's matrix.
+    const Coordinates diagonal =
+        Coordinates(1.0f) - (squares.in_order<1, 2, 0>() + squares.in_order<2, 0, 1>()) * twice;
+    const Coordinates symmetric = q * q.in_order<1, 2, 0>(), skew = w * q.in_order<2, 0, 1>();
+    const Coordinates above = (symmetric - skew) * twice, below = (symmetric + skew) * twice;
+    const Coordinates columns[3] = {Coordinates::picked<0, 0, 2>(diagonal, below, above),
+                                    Coordinates::picked<0, 1, 1>(above, diagonal, below),
+                                    Coordinates::picked<2, 1, 2>(below, above, diagonal)};
+    const Coordinates center = without_tiny(Coordinates(bounds.center) * scale);
+    const Coordinates half_local = without_tiny(Coordinates(bounds.half) * scale);
+    const auto combined = [](const Coordinates& x, const Coordinates& y, const Coordinates& z, const Coordinates& v) {
+        return (without_tiny(x * v.in_order<0, 0, 0>()) + without_tiny(y * v.in_order<1, 1, 1>())) +
+               without_tiny(z * v.in_order<2, 2, 2>());
+    };
+    const Coordinates from = combined(columns[0], columns[1], columns[2], center);
+    const Coordinates half = combined(magnitude(columns[0]), magnitude(columns[1]), magnitude(columns[2]), half_local);
+    const Coordinates by = without_tiny(Coordinates(transform.translation));
+    const Coordinates margin(transform.scale * size_of(bounds) * 0x1p-16f + 0x1p-97f);
+    const Coordinates reach = half + (margin + (magnitude(by) + magnitude(from)) * Coordinates(0x1p-21f));
+    return {(from + by) - reach, (from + by) + reach};
 }
 
 }  // namespace
@@ -41,45 +82,26 @@ PartBounds bounds_of(const BakedScene& tile) {
 }
 
 void Coarseness::add(const PartBounds& bounds, const Transform& transform) {
-    coarsest_step = maximum(transform.scale * bounds.coarsest_step, coarsest_step);
-    largest_scale = maximum(transform.scale * bounds.largest_scale, largest_scale);
-    farthest_origin = maximum(transform.scale * size_of(bounds), farthest_origin);
+    coarsest_step = maximum(detail::without_tiny(transform.scale * bounds.coarsest_step), coarsest_step);
+    largest_scale = maximum(detail::without_tiny(transform.scale * bounds.largest_scale), largest_scale);
+    farthest_origin = maximum(detail::without_tiny(transform.scale * size_of(bounds)), farthest_origin);
 }
 
 Box box_around(const PartBounds& bounds, const Transform& transform) {
-    const PreparedTransform prepared(transform);
-    const Vec3& c = bounds.center;
-    const Vec3& h = bounds.half;
-    const Vec3 middle = prepared.direction_to_world(c);
-    const Vec3 axes[3] = {prepared.direction_to_world({h.x, 0.0f, 0.0f}),
-                          prepared.direction_to_world({0.0f, h.y, 0.0f}),
-                          prepared.direction_to_world({0.0f, 0.0f, h.z})};
-    const float margin = transform.scale * size_of(bounds) * 0x1p-16f + 0x1p-97f;
-    Box box;
-    const auto find = [&](float Vec3::*k) {
-        const float half = absolute(axes[0].*k) + absolute(axes[1].*k) + absolute(axes[2].*k);
-        const float by = transform.translation.*k, from = middle.*k;
-        const float reach = half + (margin + (absolute(by) + absolute(from)) * 0x1p-21f);
-        box.min.*k = (from + by) - reach;
-        box.max.*k = (from + by) + reach;
-    };
-    find(&Vec3::x);
-    find(&Vec3::y);
-    find(&Vec3::z);
-    return box;
+    const BoxEnds ends = ends_around(bounds, transform);
+    return {ends.low.vector(), ends.high.vector()};
 }
 
 bool find_steps_box(const PartBounds& bounds, const Transform& transform, std::int32_t step_exponent, StepsBox& box) {
-    const Box around = box_around(bounds, transform);
-    const float to_steps = power_of_two(-step_exponent);
-    const float low[3] = {around.min.x * to_steps, around.min.y * to_steps, around.min.z * to_steps};
-    const float high[3] = {around.max.x * to_steps, around.max.y * to_steps, around.max.z * to_steps};
-    for (int k = 0; k < 3; ++k) {
-        constexpr auto most = static_cast<float>(most_world_steps);
-        if (!(low[k] >= -most && high[k] <= most)) return false;
-        box.low[k] = whole_below(low[k]);
-        box.high[k] = -whole_below(-high[k]);
-    }
+    const BoxEnds ends = ends_around(bounds, transform);
+    const Coordinates to_steps(power_of_two(-step_exponent));
+    const Coordinates low = ends.low * to_steps, above = ends.high * to_steps;
+    const Coordinates high = Coordinates(-1.0f) * above;
+    constexpr auto most = static_cast<float>(most_world_steps);
+    if (!are_at_least(low, high, -most)) return false;
+    low.store_whole_below(box.low);
+    high.store_whole_below(box.high);
+    for (std::int32_t& steps : box.high) steps = -steps;
     return true;
 }
 
