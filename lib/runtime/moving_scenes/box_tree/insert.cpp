@@ -1,30 +1,77 @@
-// Insertion into the tree: the child that grows least, and a split of full nodes along the axis with the least area.
+// Insertion into the tree: the leaf node with which boxes grow least, and a split of full nodes along the axis with the
+// least area.
+#include <runtime/base/bits.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
 namespace espalier::detail {
 
 namespace {
 
-StepsBox joined(const StepsBox& a, const StepsBox& b) {
-    StepsBox all = a;
-    all.add(b);
-    return all;
-}
+/// Nodes whose children the search for a leaf node compares at most, if the first leaf node came sooner.
+constexpr unsigned most_compared = 24;
 
-/// Returns the place of the child whose box grows least; of equal ones the smallest, then the first.
-unsigned least_growth(const BoxNode& node, const StepsBox& box) {
-    unsigned best = 0;
-    std::int64_t least_growth = INT64_MAX, least_area = INT64_MAX;
-    for (unsigned i = 0; i < BoxNode::most; ++i) {
-        if (node.child[i] == no_child) continue;
-        const StepsBox own = node.box(i);
-        const std::int64_t area = own.half_area(), growth = joined(own, box).half_area() - area;
-        if (growth > least_growth || (growth == least_growth && area >= least_area)) continue;
-        best = i;
-        least_growth = growth;
-        least_area = area;
+/// The children of a node, those whose boxes grow least by another box first; of equal ones the smaller.
+struct OrderedChildren {
+    float growth[BoxNode::most];
+    std::uint8_t order[BoxNode::most];
+    unsigned count = 0;
+
+    OrderedChildren(const BoxNode& node, const StepsBox& box) {
+        float area[BoxNode::most];
+        for (unsigned i = 0; i < BoxNode::most; ++i) {
+            std::int32_t low[3], high[3], all_low[3], all_high[3];
+            for (int k = 0; k < 3; ++k) {
+                low[k] = node.low[k][i];
+                high[k] = node.high[k][i];
+                all_low[k] = low[k] < box.low[k] ? low[k] : box.low[k];
+                all_high[k] = high[k] > box.high[k] ? high[k] : box.high[k];
+            }
+            area[i] = half_area_of(low, high);
+            growth[i] = half_area_of(all_low, all_high) - area[i];
+        }
+        for (unsigned i = 0; i < BoxNode::most; ++i) {
+            if (node.child[i] == no_child) continue;
+            const auto is_before = [&](unsigned other) {
+                return growth[i] < growth[other] || (growth[i] == growth[other] && area[i] < area[other]);
+            };
+            unsigned at = count++;
+            for (; at > 0 && is_before(order[at - 1]); --at) order[at] = order[at - 1];
+            order[at] = static_cast<std::uint8_t>(i);
+        }
     }
-    return best;
+};
+
+/// A node in which a box may go, and by how much the boxes down to it would grow together.
+struct Candidate {
+    float growth;
+    std::uint32_t number;  ///< 16 * node + level
+};
+
+/// Returns the leaf node with the least growth of the boxes on the way, by branch and bound: first the way of least
+/// growth at each node, then the others, until as many nodes were compared as are allowed (Bittner et al. 2015).
+std::uint32_t find_leaf_node(const SceneBlock& block, const StepsBox& box) {
+    const BlockHead& head = *block.head;
+    Candidate waiting[most_tree_levels * (BoxNode::most - 1) + 1];
+    unsigned size = 1, compared = 0;
+    waiting[0] = {0.0f, 16 * head.root + (head.levels - 1u)};
+    Candidate best = {infinity, 0};
+    while (size != 0 && (compared < most_compared || best.growth == infinity)) {
+        const Candidate nearest = waiting[--size];
+        if (nearest.growth >= best.growth) continue;
+        const std::uint32_t level = nearest.number % 16;
+        if (level == 0) {
+            best = nearest;
+            continue;
+        }
+        ++compared;
+        const BoxNode& node = block.node(nearest.number / 16);
+        const OrderedChildren children(node, box);
+        for (unsigned i = children.count; i-- > 0;) {
+            const float growth = nearest.growth + children.growth[children.order[i]];
+            if (growth < best.growth) waiting[size++] = {growth, 16 * node.child[children.order[i]] + (level - 1)};
+        }
+    }
+    return best.number / 16;
 }
 
 /// A child that is to be put into a node.
@@ -57,11 +104,11 @@ struct Cut {
 /// Returns the cut along an axis with the least sum of areas of the two parts; each part has enough for a node.
 Cut best_cut(const Entry* entries) {
     Cut best;
-    std::int64_t least = INT64_MAX;
+    float least = infinity;
     for (int axis = 0; axis < 3; ++axis) {
         std::uint8_t order[entries_of_split];
         sort_along(entries, axis, order);
-        std::int64_t behind[entries_of_split];  // of the parts from each place on
+        float behind[entries_of_split];  // of the parts from each place on
         StepsBox box = StepsBox::none();
         for (unsigned i = entries_of_split; i-- > 0;) {
             box.add(entries[order[i]].box);
@@ -71,7 +118,7 @@ Cut best_cut(const Entry* entries) {
         for (unsigned size = 1; size <= entries_of_split - BoxNode::least; ++size) {
             box.add(entries[order[size - 1]].box);
             if (size < BoxNode::least) continue;
-            const std::int64_t sum = box.half_area() + behind[size];
+            const float sum = box.half_area() + behind[size];
             if (sum >= least) continue;
             least = sum;
             best.size = size;
@@ -108,9 +155,7 @@ void insert_box(SceneBlock& block, std::uint32_t slot) {
         head.root = take_node(block);
         head.levels = 1;
     }
-    std::uint32_t node = head.root;
-    for (std::uint32_t level = head.levels - 1; level > 0; --level)
-        node = block.node(node).child[least_growth(block.node(node), entry.box)];
+    std::uint32_t node = find_leaf_node(block, entry.box);
     for (std::uint32_t level = 0;; ++level) {
         const unsigned place = block.node(node).free_place();
         if (place < BoxNode::most) {

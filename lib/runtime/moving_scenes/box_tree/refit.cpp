@@ -1,5 +1,4 @@
 // New boxes of instances in the tree as it is, and how much surface its boxes have.
-#include <runtime/base/bits.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
 namespace espalier::detail {
@@ -52,17 +51,16 @@ std::uint32_t refit_boxes(SceneBlock& block) {
 float area_of_boxes(const SceneBlock& block) {
     const BlockHead& head = *block.head;
     if (head.live == 0) return 0.0f;
-    // No box is larger than the root's, so that the sum of all boxes fits: there are fewer than 2^25.
-    unsigned shift = 0;
-    while (block.node(head.root).bounds().half_area() >> shift >= std::int64_t{1} << 38) ++shift;
-    std::int64_t sum = 0;
+    float sum = 0.0f;
     for (std::uint32_t number = 0; number < head.nodes_used; ++number) {
+        if (block.parent[number] == no_child && number != head.root) continue;
         const BoxNode& node = block.node(number);
-        const bool is_free = block.parent[number] == no_child && number != head.root;
-        for (unsigned i = 0; !is_free && i < BoxNode::most; ++i)
-            if (node.child[i] != no_child) sum += node.box(i).half_area() >> shift;
+        float of_node = 0.0f;
+        for (unsigned i = 0; i < BoxNode::most; ++i)
+            if (node.child[i] != no_child) of_node += node.box(i).half_area();
+        sum += of_node;
     }
-    return scale_by_power_of_two(static_cast<float>(sum) / static_cast<float>(head.live), static_cast<int>(shift));
+    return sum / static_cast<float>(head.live);
 }
 
 }  // namespace espalier::detail

@@ -1,4 +1,5 @@
 // Removal from the tree: a node that is left with too few children joins a sibling, or takes a child of it.
+#include <runtime/base/bits.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
 namespace espalier::detail {
@@ -8,13 +9,13 @@ namespace {
 /// Returns the place of the sibling that grows least if it takes a node's box; of equal ones the first.
 unsigned nearest_sibling(const BoxNode& parent, unsigned place) {
     unsigned best = BoxNode::most;
-    std::int64_t least = INT64_MAX;
+    float least = infinity;
     for (unsigned i = 0; i < BoxNode::most; ++i) {
         if (i == place || parent.child[i] == no_child) continue;
         const StepsBox own = parent.box(i);
         StepsBox all = own;
         all.add(parent.box(place));
-        const std::int64_t growth = all.half_area() - own.half_area();
+        const float growth = all.half_area() - own.half_area();
         if (growth >= least) continue;
         best = i;
         least = growth;
@@ -34,7 +35,7 @@ void move_child(SceneBlock& block, std::uint32_t level, std::uint32_t from, unsi
 void take_nearest(SceneBlock& block, std::uint32_t level, std::uint32_t sibling, std::uint32_t node) {
     const StepsBox own = block.node(node).bounds();
     unsigned best = 0;
-    std::int64_t least = INT64_MAX;
+    float least = infinity;
     for (unsigned i = 0; i < BoxNode::most; ++i) {
         if (block.node(sibling).child[i] == no_child) continue;
         StepsBox all = own;

@@ -13,6 +13,15 @@ namespace espalier::detail {
 /// Coordinates of boxes lie within it, so that differences of two, and to a corner of a coarser grid, fit into 32 bits.
 inline constexpr std::int32_t most_world_steps = (1 << 30) - 128;
 
+/// Returns half of the surface of a box; of ends without a box it is of no meaning.
+constexpr float half_area_of(const std::int32_t (&low)[3], const std::int32_t (&high)[3]) {
+    float side[3] = {};
+    for (int k = 0; k < 3; ++k)
+        side[k] = static_cast<float>(
+            static_cast<std::int32_t>(static_cast<std::uint32_t>(high[k]) - static_cast<std::uint32_t>(low[k])));
+    return (side[0] * side[1] + side[1] * side[2]) + side[2] * side[0];
+}
+
 /// A box in steps of the world; both ends belong to it. Empty if an end is below its start.
 struct StepsBox {
     std::int32_t low[3];
@@ -30,12 +39,9 @@ struct StepsBox {
             high[k] = box.high[k] > high[k] ? box.high[k] : high[k];
         }
     }
-    /// Returns half of the surface, the sum of three products of two sides, in units of 4 square steps: below 2^62.
-    [[nodiscard]] constexpr std::int64_t half_area() const {
-        std::int64_t side[3] = {};
-        for (int k = 0; k < 3; ++k) side[k] = (std::int64_t{high[k]} - low[k]) >> 1;
-        return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
-    }
+    /// Returns half of the surface: the sum of three products of two sides, in float and in this order on every
+    /// machine.
+    [[nodiscard]] constexpr float half_area() const { return half_area_of(low, high); }
     friend constexpr bool operator==(const StepsBox&, const StepsBox&) = default;
 };
 
