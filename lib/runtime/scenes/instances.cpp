@@ -10,7 +10,8 @@ using namespace format::scene;
 Box BakedScene::bounds() const noexcept {
     if (data_.instance_count == 0) return {};
     const BlobData& tree = data_.tree;
-    return {{tree.origin[0], tree.origin[1], tree.origin[2]}, to_world(tree, tree.extent)};
+    const float* const extent = tree.extent_steps;  // a MovingScene has no other
+    return {{tree.origin[0], tree.origin[1], tree.origin[2]}, to_world(tree, extent[0], extent[1], extent[2])};
 }
 
 namespace {
@@ -26,6 +27,7 @@ struct FoundInstance {
 FoundInstance find_instance(const BakedScene& scene, InstanceId id) {
     if (!scene) return {QueryStatus::not_open};
     const SceneData& all = data_of(scene);
+    if (all.moving != nullptr) return {};  // its instances have no records
     if (id.index >= all.instance_count) return {};
     const std::byte* const outer = record_of(all, id);
     if (id.in_tile == no_instance.in_tile) return {QueryStatus::ok, outer, &all, outer};

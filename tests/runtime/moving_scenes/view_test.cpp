@@ -1,0 +1,61 @@
+// Claims about a moving scene in the place of a baked one, as queries and espalier_moving_scene_view() take it: what
+// has no records of instances refuses it.
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include <runtime/moving_scenes/queries.hpp>
+
+#include "made_scene.hpp"
+#include "runtime/scenes/maker.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/makers.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using detail::MovingSceneQuery;
+
+TEST_SUITE("view") {
+    TEST_CASE("scene: functions that read records refuse a moving scene in the place of a baked one") {
+        std::vector<OpenedBlob> opened;
+        opened.emplace_back(make_cube(-0.5f, 0.5f));
+        const std::vector<Blob> meshes = {opened[0].blob};
+        const OpenedScene tile(opened, std::vector<Instance>(2));
+        MadeScene made(4, -12, meshes, {&tile.scene, 1});
+        Instance instance;
+        REQUIRE(insert(made.scene, instance));
+        instance.mesh = 1;
+        REQUIRE(insert(made.scene, instance));
+        const MovingSceneQuery query(made.scene);
+        const BakedScene& view = query.scene();
+        REQUIRE(view);
+        for (const InstanceId id : {InstanceId{0}, InstanceId{1}, InstanceId{1, 0}, InstanceId{2}, no_instance}) {
+            CHECK(instance_at(view, id).status == QueryStatus::invalid_argument);
+            CHECK(mesh_at(view, id).status == QueryStatus::invalid_argument);
+            CHECK(is_on_common_lattice(view, id).status() == QueryStatus::invalid_argument);
+        }
+        CHECK(view.common_lattice().status == QueryStatus::not_found);
+    }
+
+    TEST_CASE("scene: the bounds of a moving scene in the place of a baked one hold its instances") {
+        std::vector<OpenedBlob> opened;
+        opened.emplace_back(make_cube(-0.5f, 0.5f));
+        const std::vector<Blob> meshes = {opened[0].blob};
+        MadeScene made(4, -12, meshes);
+        const Box nothing = MovingSceneQuery(made.scene).scene().bounds();
+        CHECK(nothing.min.x == 0.0f);
+        CHECK(nothing.max.x == 0.0f);
+        for (const float x : {-3.0f, 5.0f}) {
+            Instance instance;
+            instance.transform.translation = {x, 0.0f, 1.0f};
+            REQUIRE(insert(made.scene, instance));
+        }
+        const Box bounds = MovingSceneQuery(made.scene).scene().bounds();
+        const Box first = *box_of(made.scene, {0, 1}), last = *box_of(made.scene, {1, 1});
+        CHECK(bounds.min.x <= first.min.x);
+        CHECK(bounds.min.x > first.min.x - 0.1f);  // a multiple of 128 steps
+        CHECK(bounds.max.x == last.max.x);
+        CHECK(bounds.max.y == last.max.y);
+        CHECK(bounds.max.z == last.max.z);
+    }
+}
