@@ -3,7 +3,7 @@
  * Each header of espalier/c is the counterpart of the C++ header of the same name. It states what each call does; the
  * C++ header (ray.hpp for ray.h) has arguments, refusals, costs and numerics, which hold for both. Functions that C++
  * overloads end in their shape (espalier_overlaps_box), those with a filter in _filtered. Those of a scene begin with
- * espalier_scene_ and take a mask, and most a filter.
+ * espalier_scene_ and take a mask, and most a filter. Those of a moving scene begin with espalier_moving_scene_.
  *
  * Threads. Any number of threads may query one blob or scene. Functions use no heap.
  *
@@ -13,7 +13,7 @@
  *
  * Arguments. Any number and any value of an enumeration is safe. Pointers must be valid, and results must not overlap
  * arguments. Null is valid only for `user`, which is passed on; for arrays without elements; for the counters of
- * approximate.h; for a filter, which then keeps all triangles; and for a visitor: the query is refused with
+ * approximate.h; for a filter, which then keeps all triangles or pairs; and for a visitor: the query is refused with
  * ESPALIER_QUERY_INVALID_ARGUMENT.
  *
  * A C compiler links the library: it needs neither libc nor the C++ library. */
@@ -27,12 +27,14 @@
 #include <espalier/c/contact.h>
 #include <espalier/c/distance.h>
 #include <espalier/c/lattice.h>
+#include <espalier/c/moving_scene.h>
 #include <espalier/c/original.h>
 #include <espalier/c/overlap.h>
 #include <espalier/c/pair.h>
 #include <espalier/c/ray.h>
 #include <espalier/c/rounding.h>
 #include <espalier/c/scene.h>
+#include <espalier/c/scene_pairs.h>
 #include <espalier/c/shapes.h>
 #include <espalier/c/statistics.h>
 #include <espalier/c/status.h>

@@ -22,7 +22,9 @@ static void tell_blob(struct asking* asking) {
     const espalier_abi_sizes sizes = espalier_abi();
     const espalier_box bounds = espalier_blob_bounds(blob);
     tell(asking, sizes.blob == sizeof(espalier_blob) && sizes.scene == sizeof(espalier_scene) &&
-                     sizes.rounded_ray == sizeof(espalier_rounded_ray));
+                     sizes.rounded_ray == sizeof(espalier_rounded_ray) &&
+                     sizes.moving_scene == sizeof(espalier_moving_scene) &&
+                     sizes.filled_baked_pairs == sizeof(espalier_filled_baked_pairs));
     tell(asking, espalier_blob_status(blob));
     tell(asking, espalier_blob_triangle_count(blob));
     tell(asking, espalier_blob_duplicate_reference_count(blob));

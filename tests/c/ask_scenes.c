@@ -11,11 +11,6 @@ static espalier_visit visit_one(struct asking* asking) {
     return ESPALIER_VISIT_NEXT;
 }
 
-static void tell_id(struct asking* asking, espalier_instance_id instance) {
-    tell(asking, instance.index);
-    tell(asking, instance.in_tile);
-}
-
 static espalier_visit visit_hit(espalier_instance_id instance, const espalier_ray_hit* hit, void* user) {
     tell_id(user, instance);
     tell_ray_hit(user, hit);
@@ -34,13 +29,7 @@ static espalier_visit visit_kept(espalier_instance_id instance, espalier_triangl
 }
 
 static void tell_instance(struct asking* asking, espalier_instance_id instance) {
-    const espalier_instance_result result = espalier_scene_instance_at(asking->scene, instance);
-    tell(asking, result.status);
-    tell_transform(asking, result.value.transform);
-    tell(asking, result.value.mesh);
-    tell(asking, result.value.mask);
-    tell(asking, result.value.user);
-    tell(asking, result.value.source);
+    tell_instance_result(asking, espalier_scene_instance_at(asking->scene, instance));
     tell(asking, espalier_scene_is_on_common_lattice(asking->scene, instance).status);
     const espalier_mesh_result mesh = espalier_scene_mesh_at(asking->scene, instance);
     tell(asking, mesh.status);
@@ -89,6 +78,14 @@ static void tell_contact(struct asking* asking, espalier_scene_sweep_hit found) 
     tell_id(asking, found.instance);
 }
 
+/* The common lattice; in a scene without one, that of its first mesh. */
+static espalier_lattice region_of(const espalier_scene* scene) {
+    const espalier_lattice_result common = espalier_scene_common_lattice(scene);
+    size_t count = 0;
+    const espalier_blob* meshes = espalier_scene_meshes(scene, &count);
+    return common.status == ESPALIER_QUERY_OK || count == 0 ? common.value : espalier_blob_lattice(&meshes[0]);
+}
+
 static void ask_rays_of(struct asking* asking, uint32_t mask, espalier_scene_filter filter, uint32_t* bits) {
     const struct question* question = asking->question;
     const espalier_scene* scene = asking->scene;
@@ -100,8 +97,8 @@ static void ask_rays_of(struct asking* asking, uint32_t mask, espalier_scene_fil
         tell_yes_no(asking, espalier_scene_occluded(scene, &rays[i], mask, filter, bits));
         asking->visits = question->bits % 9u;
         tell(asking, espalier_scene_for_each_hit(scene, &rays[i], visit_hit, asking, mask, filter, bits));
-        const espalier_lattice common = espalier_scene_common_lattice(scene).value;
-        const espalier_rounded_ray rounded = espalier_round_ray(&common, &rays[i]);
+        const espalier_lattice region = region_of(scene);
+        const espalier_rounded_ray rounded = espalier_round_ray(&region, &rays[i]);
         tell_hit(asking, espalier_scene_raycast_rounded(scene, &rays[i], &rounded, mask, filter, bits));
         tell_yes_no(asking, espalier_scene_occluded_rounded(scene, &rays[i], &rounded, mask, filter, bits));
         asking->visits = question->bits % 9u;
@@ -141,8 +138,12 @@ static void ask_shapes_of(struct asking* asking, uint32_t mask, espalier_scene_f
 }
 
 void ask_scenes(struct asking* asking) {
-    uint32_t bits = asking->question->bits;
     tell_scene(asking);
+    ask_queries_of_scenes(asking);
+}
+
+void ask_queries_of_scenes(struct asking* asking) {
+    uint32_t bits = asking->question->bits;
     ask_rays_of(asking, UINT32_MAX, NULL, NULL);
     ask_rays_of(asking, bits % 16u, NULL, NULL);
     ask_rays_of(asking, bits >> 4, keeps, &bits);

@@ -48,6 +48,7 @@ struct asking {
     const espalier_blob* blob;
     const espalier_blob* other; /* of pairs */
     const espalier_scene* scene;
+    espalier_moving_scene* moving;
     const struct question* question;
     void (*tell)(uint32_t word, void* log);
     void* log;
@@ -68,6 +69,14 @@ void ask_approximations(struct asking* asking);
 void ask_walks(struct asking* asking);
 void ask_steps(struct asking* asking);
 void ask_scenes(struct asking* asking);
+/* The queries alone, which take views of moving scenes too. */
+void ask_queries_of_scenes(struct asking* asking);
+/* Inserts, moves and removes instances, and may leave the scene without a refit. */
+void ask_changes(struct asking* asking);
+/* The moving scene itself, and queries of it. */
+void ask_moving_scenes(struct asking* asking);
+/* Pairs of the moving scene with itself and with the baked scene. */
+void ask_scene_pairs(struct asking* asking);
 /* Null functions and arrays of no elements. */
 void ask_nothing(struct asking* asking);
 void ask_nothing_of_scenes(struct asking* asking);
@@ -76,6 +85,8 @@ void ask_nothing_of_scenes(struct asking* asking);
 int misbehaviour_of_open(const void* bytes, size_t size);
 /* The same of a scene, which has 2 to 16 meshes. */
 int misbehaviour_of_open_scene(const void* bytes, size_t size);
+/* The same of moving scenes that place the meshes and tiles of a baked one, at least one of each. */
+int misbehaviour_of_moving_scenes(const espalier_scene* baked);
 
 static inline void tell(struct asking* asking, uint32_t word) { asking->tell(word, asking->log); }
 
@@ -150,6 +161,20 @@ static inline void tell_original_triangle(struct asking* asking, espalier_origin
     tell(asking, original.value.mesh);
     tell(asking, original.value.triangle);
     tell(asking, original.value.first_corner);
+}
+
+static inline void tell_id(struct asking* asking, espalier_instance_id instance) {
+    tell(asking, instance.index);
+    tell(asking, instance.in_tile);
+}
+
+static inline void tell_instance_result(struct asking* asking, espalier_instance_result result) {
+    tell(asking, result.status);
+    tell_transform(asking, result.value.transform);
+    tell(asking, result.value.mesh);
+    tell(asking, result.value.mask);
+    tell(asking, result.value.user);
+    tell(asking, result.value.source);
 }
 
 static inline void tell_filled(struct asking* asking, espalier_filled filled) {

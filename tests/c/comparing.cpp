@@ -70,9 +70,11 @@ void compare_all(const espalier_blob& c_blob, const espalier_blob& c_other, cons
                  const question& asked) {
     const espalier_scene c_scene = {};
     const BakedScene scene;
+    espalier_moving_scene c_moving = {};
+    MovingScene moving;
     const auto both = [&](const std::string& family, Ask ask, Expect expect) {
-        compare(family, ask, expect, {&c_blob, &c_other, &c_scene, &asked, nullptr, nullptr, 0},
-                {blob, other, scene, asked});
+        compare(family, ask, expect, {&c_blob, &c_other, &c_scene, &c_moving, &asked, nullptr, nullptr, 0},
+                {blob, other, scene, moving, asked});
     };
     both("lookups", ask_lookups, &Expecting::lookups);
     both("rays", ask_rays, &Expecting::rays);
@@ -90,12 +92,27 @@ void compare_all(const espalier_blob& c_blob, const espalier_blob& c_other, cons
 void compare_scenes(const espalier_scene& c_scene, const BakedScene& scene, const question& asked) {
     const espalier_blob c_blob = {};
     const Blob blob;
+    espalier_moving_scene c_moving = {};
+    MovingScene moving;
     const auto both = [&](const std::string& family, Ask ask, Expect expect) {
-        compare(family, ask, expect, {&c_blob, &c_blob, &c_scene, &asked, nullptr, nullptr, 0},
-                {blob, blob, scene, asked});
+        compare(family, ask, expect, {&c_blob, &c_blob, &c_scene, &c_moving, &asked, nullptr, nullptr, 0},
+                {blob, blob, scene, moving, asked});
     };
     both("scenes", ask_scenes, &Expecting::scenes);
     both("nothing of scenes", ask_nothing_of_scenes, &Expecting::nothing_of_scenes);
+}
+
+void compare_moving_scenes(espalier_moving_scene& c_moving, const espalier_scene& c_baked, MovingScene& moving,
+                           const BakedScene& baked, const question& asked) {
+    const espalier_blob c_blob = {};
+    const Blob blob;
+    const auto both = [&](const std::string& family, Ask ask, Expect expect) {
+        compare(family, ask, expect, {&c_blob, &c_blob, &c_baked, &c_moving, &asked, nullptr, nullptr, 0},
+                {blob, blob, baked, moving, asked});
+    };
+    both("changes", ask_changes, &Expecting::changes);
+    both("moving scenes", ask_moving_scenes, &Expecting::moving_scenes);
+    both("scene pairs", ask_scene_pairs, &Expecting::scene_pairs);
 }
 
 espalier_blob open_from_c(std::span<const std::byte> bytes) {

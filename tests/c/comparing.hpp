@@ -1,8 +1,12 @@
 // What tests of espalier.h have in common: blobs, questions, and the comparison of C's answers with C++'s.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include <espalier/espalier.h>
@@ -10,6 +14,7 @@
 #include <espalier/scene.hpp>
 
 #include "asking.h"
+#include "support/base/hostile_values.hpp"
 #include "support/base/random.hpp"
 #include "support/blobs/test_blobs.hpp"
 
@@ -28,6 +33,23 @@ void compare_all(const espalier_blob& c_blob, const espalier_blob& c_other, cons
                  const question& asked);
 /// Requires the same answers to every query of scenes from C and from C++.
 void compare_scenes(const espalier_scene& c_scene, const BakedScene& scene, const question& asked);
+/// Requires that changes, queries and pairs of a moving scene give the same from C and from C++.
+void compare_moving_scenes(espalier_moving_scene& c_moving, const espalier_scene& c_baked, MovingScene& moving,
+                           const BakedScene& baked, const question& asked);
+
+/// A value of which every bit is random, or every float or integer one that breaks careless code.
+template <class T>
+T any_bits(Random& random) {
+    static_assert(sizeof(T) % 4 == 0 && std::is_trivially_copyable_v<T>);
+    std::array<std::uint32_t, sizeof(T) / 4> words;
+    for (std::uint32_t& word : words) {
+        const auto any = static_cast<std::uint32_t>(random.next());
+        const auto small = static_cast<std::uint32_t>(static_cast<std::int32_t>(any) >> random.below(32));
+        const float hostile = hostile_values[random.below(hostile_values.size())];
+        word = std::array{any, small, std::bit_cast<std::uint32_t>(hostile)}[random.below(3)];
+    }
+    return std::bit_cast<T>(words);
+}
 
 espalier_blob open_from_c(std::span<const std::byte> bytes);
 

@@ -188,10 +188,65 @@ const char* const table = R"(
     overlaps(BakedScene, Shape, SceneFilter)                      espalier_scene_overlaps_shape
     for_each_overlap(BakedScene, Shape, Visitor<InstanceId, TriangleId>, SceneFilter)
         espalier_scene_for_each_overlap_shape
+
+    moving_scene_bytes(uint32_t)                                  espalier_moving_scene_bytes
+    least_moving_scene_bytes(uint32_t)                            espalier_least_moving_scene_bytes
+    create_moving_scene(span<byte>, uint32_t, int, span<Blob>, span<BakedScene>) espalier_create_moving_scene
+    open_moving_scene(span<byte>, span<Blob>, span<BakedScene>)   espalier_open_moving_scene
+    MovingScene::instance_count()                                 espalier_moving_scene_instance_count
+    MovingScene::capacity()                                       espalier_moving_scene_capacity
+    MovingScene::slot_end()                                       espalier_moving_scene_slot_end
+    MovingScene::step_exponent()                                  espalier_moving_scene_step_exponent
+    MovingScene::must_refit()                                     espalier_moving_scene_must_refit
+    MovingScene::bytes()                                          espalier_moving_scene_block
+    MovingScene::meshes()                                         espalier_moving_scene_meshes
+    MovingScene::tiles()                                          espalier_moving_scene_tiles
+    insert(MovingScene, Instance)                                 espalier_moving_scene_insert
+    remove(MovingScene, InstanceHandle)                           espalier_moving_scene_remove
+    move(MovingScene, InstanceHandle, Transform)                  espalier_moving_scene_move
+    move(MovingScene, span<Movement>)                             espalier_moving_scene_move_batch
+    set_mask(MovingScene, InstanceHandle, uint32_t)               espalier_moving_scene_set_mask
+    set_user(MovingScene, InstanceHandle, uint32_t)               espalier_moving_scene_set_user
+    refit(MovingScene)                                            espalier_moving_scene_refit
+    repack(MovingScene)                                           espalier_moving_scene_repack
+    quality(MovingScene)                                          espalier_moving_scene_quality
+    end_step(MovingScene)                                         espalier_moving_scene_end_step
+    handle_of(MovingScene, uint32_t)                              espalier_moving_scene_handle_of
+    instance_at(MovingScene, InstanceHandle)                      espalier_moving_scene_instance_at
+    box_of(MovingScene, InstanceHandle)                           espalier_moving_scene_box_of
+
+    raycast(MovingScene, Ray, SceneFilter)                        espalier_scene_raycast
+    raycast(MovingScene, Ray, RoundedRay, SceneFilter)            espalier_scene_raycast_rounded
+    raycast(MovingScene, span<Ray>, span<InScene<RayHit>>, SceneFilter) espalier_scene_raycast_batch
+    occluded(MovingScene, Ray, SceneFilter)                       espalier_scene_occluded
+    occluded(MovingScene, Ray, RoundedRay, SceneFilter)           espalier_scene_occluded_rounded
+    for_each_hit(MovingScene, Ray, Visitor<InstanceId, RayHit>, SceneFilter) espalier_scene_for_each_hit
+    for_each_hit(MovingScene, Ray, RoundedRay, Visitor<InstanceId, RayHit>, SceneFilter)
+        espalier_scene_for_each_hit_rounded
+    closest_point(MovingScene, Vec3, float, uint32_t)             espalier_scene_closest_point
+    for_each_candidate(MovingScene, Box, Visitor<InstanceId>, uint32_t) espalier_scene_for_each_candidate
+
+    Shape: Sphere Capsule
+    sweep(MovingScene, Shape, Vec3, SceneFilter)                  espalier_scene_sweep_shape
+
+    Shape: Sphere Capsule Box OrientedBox Cone Triangle
+    overlaps(MovingScene, Shape, SceneFilter)                     espalier_scene_overlaps_shape
+    for_each_overlap(MovingScene, Shape, Visitor<InstanceId, TriangleId>, SceneFilter)
+        espalier_scene_for_each_overlap_shape
+
+    FilledPairs::in(auto)                                         -
+    collect_candidate_pairs(MovingScene, span<InstancePair>, PairFilter, InstancePair) espalier_collect_candidate_pairs
+    collect_colliding_pairs(MovingScene, span<InstancePair>, WorkLimit, PairFilter, InstancePair)
+        espalier_collect_colliding_pairs
+    collect_candidate_pairs(MovingScene, BakedScene, span<BakedPair>, PairFilter, BakedPair)
+        espalier_collect_candidate_pairs_with_baked
+    collect_colliding_pairs(MovingScene, BakedScene, span<BakedPair>, WorkLimit, PairFilter, BakedPair)
+        espalier_collect_colliding_pairs_with_baked
 )";
 
-/// What C has instead of the defaults of C++ structures.
-const std::set<std::string> only_in_c = {"espalier_abi", "espalier_default_ray", "espalier_identity"};
+/// What C has instead of the defaults of C++ structures, of conversions to bool and of queries that take either scene.
+const std::set<std::string> only_in_c = {"espalier_abi", "espalier_default_ray", "espalier_identity",
+                                         "espalier_moving_scene_is_open", "espalier_moving_scene_view"};
 /// Headers without queries: the baker's, the bytes of a blob, a type of parameters, numbers.
 const std::set<std::string> other_headers = {"bake.hpp", "format.hpp", "function_ref.hpp", "version.hpp"};
 
@@ -251,13 +306,16 @@ std::string types_of(std::string parameters) {
     return types;
 }
 
-/// The shapes that the templates of a header take: those that it names itself, else all that overlaps take.
+/// The shapes that the templates of a header take: those that it names itself, else those that queries of scenes take
+/// or all that overlaps take.
 std::set<std::string> shapes_of(const std::string& code) {
     const std::regex shape("same_as<Shape, (\\w+)>");
     std::set<std::string> shapes;
     for (std::sregex_iterator match(code.begin(), code.end(), shape), end; match != end; ++match)
         shapes.insert((*match)[1]);
-    return shapes.empty() ? shapes_of(text_of(project / "lib/espalier/shapes.hpp")) : shapes;
+    const bool of_scenes = code.find("<SceneShape Shape>") != std::string::npos;
+    const Path others = project / "lib/espalier" / (of_scenes ? "scene.hpp" : "shapes.hpp");
+    return shapes.empty() ? shapes_of(text_of(others)) : shapes;
 }
 
 /// The class around a place in the code and "::"; nothing for a friend, and where there is no class.
@@ -362,11 +420,12 @@ std::string expanded(const std::string& source) {
 
 std::set<std::string> cpp_functions() {
     std::set<std::string> functions;
-    for (const auto& entry : std::filesystem::directory_iterator(project / "lib/espalier")) {
-        const Path& header = entry.path();
-        if (header.extension() != ".hpp" || other_headers.count(header.filename().string()) != 0) continue;
-        functions.merge(functions_of(header));
-    }
+    for (const char* const folder : {"lib/espalier", "lib/espalier/scenes"})
+        for (const auto& entry : std::filesystem::directory_iterator(project / folder)) {
+            const Path& header = entry.path();
+            if (header.extension() != ".hpp" || other_headers.count(header.filename().string()) != 0) continue;
+            functions.merge(functions_of(header));
+        }
     return functions;
 }
 
@@ -434,7 +493,7 @@ TEST_SUITE("counterparts") {
             if (function.ends_with("TriangleFilter)")) known.insert(counterpart + "_filtered");  // C has no defaults
         }
         std::string asked;
-        for (const auto& entry : std::filesystem::directory_iterator(project / "tests/c"))
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "tests/c"))
             if (entry.path().extension() == ".c") asked += expanded(text_of(entry.path()));
         for (const std::string& function : c_functions()) {
             CHECK_MESSAGE(known.count(function) == 1, function << " is the counterpart of nothing");

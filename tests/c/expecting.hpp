@@ -22,8 +22,8 @@ inline LatticePoint bits_of(espalier_vec3 v) {
 
 class Expecting {
 public:
-    Expecting(const Blob& blob, const Blob& other, const BakedScene& scene, const question& asked)
-        : blob_(blob), other_(other), scene_(scene), asked_(asked) {}
+    Expecting(const Blob& blob, const Blob& other, const BakedScene& scene, MovingScene& moving, const question& asked)
+        : blob_(blob), other_(other), scene_(scene), moving_(moving), asked_(asked) {}
 
     void lookups();
     void rays();
@@ -38,6 +38,9 @@ public:
     void nothing();
     void scenes();
     void nothing_of_scenes();
+    void changes();
+    void moving_scenes();
+    void scene_pairs();
 
     [[nodiscard]] const std::vector<std::uint32_t>& words() const { return words_; }
 
@@ -86,12 +89,29 @@ private:
     template <class Hit>
     void tell(const InScene<Hit>& found);
     void tell(InstanceId id);
+    void tell(const Result<Instance>& instance);
     void instance(InstanceId id);
     void scene_itself();
-    void rays_in_scene(const SceneFilter& filter);
-    void shapes_in_scene(const SceneFilter& filter);
-    template <class Shape>
-    void shape_in_scene(const Shape& shape, const SceneFilter& filter);
+    /// The queries of a BakedScene or a MovingScene.
+    template <class Scene>
+    void queries_of(const Scene& scene);
+    template <class Scene>
+    void rays_in(const Scene& scene, const SceneFilter& filter);
+    template <class Scene>
+    void shapes_in(const Scene& scene, const SceneFilter& filter);
+    template <class Scene, class Shape>
+    void shape_in(const Scene& scene, const Shape& shape, const SceneFilter& filter);
+    void tell(const Result<InstanceHandle>& handle);
+    InstanceHandle some_handle(std::uint32_t bits);
+    [[nodiscard]] Transform some_transform(int i) const;
+    void about_instance(InstanceHandle handle);
+    void moving_scene_itself();
+    void pages(const PairFilter& filter);
+    void pages_with_baked(const PairFilter& filter);
+    template <class Pair, std::size_t size>
+    void tell(const FilledPairs<Pair>& page, const std::array<Pair, size>& pairs);
+    void tell(const InstancePair& pair);
+    void tell(const BakedPair& pair);
 
     [[nodiscard]] Vec3 point(int i) const { return cpp(asked_.points[i]); }
     [[nodiscard]] Vec3 direction(int i) const { return cpp(asked_.directions[i]); }
@@ -132,6 +152,7 @@ private:
     const Blob& blob_;
     const Blob& other_;
     const BakedScene& scene_;
+    MovingScene& moving_;
     const question& asked_;
     std::uint32_t visits_ = 0;
     std::vector<std::uint32_t> words_;

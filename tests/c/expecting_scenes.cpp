@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "expecting.hpp"
 
@@ -18,11 +19,14 @@ void Expecting::tell(InstanceId id) {
     tell(id.in_tile);
 }
 
+void Expecting::tell(const Result<Instance>& instance) {
+    tell(instance.status);
+    tell(instance->transform);
+    for (const std::uint32_t number : {instance->mesh, instance->mask, instance->user, instance->source}) tell(number);
+}
+
 void Expecting::instance(InstanceId id) {
-    const Result<Instance> result = instance_at(scene_, id);
-    tell(result.status);
-    tell(result->transform);
-    for (const std::uint32_t number : {result->mesh, result->mask, result->user, result->source}) tell(number);
+    tell(instance_at(scene_, id));
     tell(is_on_common_lattice(scene_, id));
     const Result<Blob> mesh = mesh_at(scene_, id);
     tell(mesh.status);
@@ -49,72 +53,94 @@ void Expecting::scene_itself() {
     instance(no_instance);
 }
 
-void Expecting::rays_in_scene(const SceneFilter& filter) {
+namespace {
+
+/// The common lattice of a baked scene. Without one, that of the scene's first mesh.
+template <class Scene>
+Lattice region_of(const Scene& scene) {
+    if constexpr (std::is_same_v<Scene, BakedScene>)
+        if (scene.common_lattice()) return *scene.common_lattice();
+    return scene.meshes().empty() ? Lattice() : scene.meshes()[0].lattice();
+}
+
+}  // namespace
+
+template <class Scene>
+void Expecting::rays_in(const Scene& scene, const SceneFilter& filter) {
     const std::array<Ray, 6> rays = made_rays<6>();
     for (const Ray& ray : rays) {
-        tell(raycast(scene_, ray, filter));
-        tell(occluded(scene_, ray, filter));
+        tell(raycast(scene, ray, filter));
+        tell(occluded(scene, ray, filter));
         visits_ = asked_.bits % 9;
         const auto visit = [&](InstanceId id, const RayHit& hit) {
             tell(id);
             tell(hit);
             return visit_one();
         };
-        tell(for_each_hit(scene_, ray, visit, filter));
-        const RoundedRay rounded = round_ray(scene_.common_lattice().value, ray);
-        tell(raycast(scene_, ray, rounded, filter));
-        tell(occluded(scene_, ray, rounded, filter));
+        tell(for_each_hit(scene, ray, visit, filter));
+        const RoundedRay rounded = round_ray(region_of(scene), ray);
+        tell(raycast(scene, ray, rounded, filter));
+        tell(occluded(scene, ray, rounded, filter));
         visits_ = asked_.bits % 9;
-        tell(for_each_hit(scene_, ray, rounded, visit, filter));
+        tell(for_each_hit(scene, ray, rounded, visit, filter));
     }
     std::array<InScene<RayHit>, 6> hits;
     hits.fill({RayHit{0, 0, 0, {}, {0}, QueryStatus::ok, Side::front}, {0, 0}});
-    tell(raycast(scene_, rays, hits, filter));
+    tell(raycast(scene, rays, hits, filter));
     for (const InScene<RayHit>& hit : hits) tell(hit);
 }
 
-template <class Shape>
-void Expecting::shape_in_scene(const Shape& shape, const SceneFilter& filter) {
-    tell(overlaps(scene_, shape, filter));
+template <class Scene, class Shape>
+void Expecting::shape_in(const Scene& scene, const Shape& shape, const SceneFilter& filter) {
+    tell(overlaps(scene, shape, filter));
     visits_ = asked_.bits % 9;
     const auto visit = [&](InstanceId id, TriangleId triangle) {
         tell(id);
         tell(triangle);
         return visit_one();
     };
-    tell(for_each_overlap(scene_, shape, visit, filter));
+    tell(for_each_overlap(scene, shape, visit, filter));
 }
 
-void Expecting::shapes_in_scene(const SceneFilter& filter) {
-    shape_in_scene(sphere(), filter);
-    shape_in_scene(capsule(), filter);
-    shape_in_scene(box(), filter);
-    shape_in_scene(oriented_box(), filter);
-    shape_in_scene(cone(), filter);
-    shape_in_scene(triangle(), filter);
-    tell(sweep(scene_, sphere(), direction(1), filter));
-    tell(sweep(scene_, capsule(), direction(2), filter));
-    tell(closest_point(scene_, point(3), length(3), filter.mask()));
+template <class Scene>
+void Expecting::shapes_in(const Scene& scene, const SceneFilter& filter) {
+    shape_in(scene, sphere(), filter);
+    shape_in(scene, capsule(), filter);
+    shape_in(scene, box(), filter);
+    shape_in(scene, oriented_box(), filter);
+    shape_in(scene, cone(), filter);
+    shape_in(scene, triangle(), filter);
+    tell(sweep(scene, sphere(), direction(1), filter));
+    tell(sweep(scene, capsule(), direction(2), filter));
+    tell(closest_point(scene, point(3), length(3), filter.mask()));
     visits_ = asked_.bits % 5;
     const auto visit = [&](InstanceId id) {
         tell(id);
         return visit_one();
     };
-    tell(for_each_candidate(scene_, box(), visit, filter.mask()));
+    tell(for_each_candidate(scene, box(), visit, filter.mask()));
 }
 
 void Expecting::scenes() {
+    scene_itself();
+    queries_of(scene_);
+}
+
+template <class Scene>
+void Expecting::queries_of(const Scene& scene) {
     const auto keeps = [&](InstanceId id, TriangleId triangle) {
         return (id.index / 2 + id.in_tile + triangle.index + asked_.bits) % 2 == 0;
     };
-    scene_itself();
-    rays_in_scene({});
-    rays_in_scene(asked_.bits % 16);
-    rays_in_scene({asked_.bits >> 4, keeps});
-    shapes_in_scene({});
-    shapes_in_scene(asked_.bits % 16);
-    shapes_in_scene({asked_.bits >> 4, keeps});
+    rays_in(scene, {});
+    rays_in(scene, asked_.bits % 16);
+    rays_in(scene, {asked_.bits >> 4, keeps});
+    shapes_in(scene, {});
+    shapes_in(scene, asked_.bits % 16);
+    shapes_in(scene, {asked_.bits >> 4, keeps});
 }
+
+template void Expecting::queries_of(const BakedScene& scene);
+template void Expecting::queries_of(const MovingScene& scene);
 
 void Expecting::nothing_of_scenes() {
     for (int refused = 0; refused < 9; ++refused) tell(QueryStatus::invalid_argument);

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 #include "comparing.hpp"
@@ -23,20 +22,6 @@ using namespace espalier;
 using namespace espalier::tests;
 
 namespace {
-
-/// A value of which every bit is random, or every float or integer one that breaks careless code.
-template <class T>
-T any_bits(Random& random) {
-    static_assert(sizeof(T) % 4 == 0 && std::is_trivially_copyable_v<T>);
-    std::array<std::uint32_t, sizeof(T) / 4> words;
-    for (std::uint32_t& word : words) {
-        const auto any = static_cast<std::uint32_t>(random.next());
-        const auto small = static_cast<std::uint32_t>(static_cast<std::int32_t>(any) >> random.below(32));
-        const float hostile = hostile_values[random.below(hostile_values.size())];
-        word = std::array{any, small, std::bit_cast<std::uint32_t>(hostile)}[random.below(3)];
-    }
-    return std::bit_cast<T>(words);
-}
 
 template <class T>
 bool same_bytes(const T& a, const T& b) {

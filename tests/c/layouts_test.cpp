@@ -215,6 +215,22 @@ SAME_FIELD(espalier_scene_closest_point_result, hit);
 SAME_FIELD(espalier_scene_closest_point_result, instance);
 SAME_FIELD(espalier_scene_sweep_hit, hit);
 SAME_FIELD(espalier_scene_sweep_hit, instance);
+SAME_FIELD(espalier_instance_handle, slot);
+SAME_FIELD(espalier_instance_handle, generation);
+SAME_RESULT(espalier_instance_handle_result);
+SAME_RESULT(espalier_box_result);
+SAME_FIELD(espalier_movement, instance);
+SAME_FIELD(espalier_movement, transform);
+SAME_FIELD(espalier_instance_pair, a);
+SAME_FIELD(espalier_instance_pair, b);
+SAME_FIELD(espalier_baked_pair, moving);
+SAME_FIELD(espalier_baked_pair, baked);
+SAME_FIELD(espalier_filled_instance_pairs, count);
+SAME_FIELD(espalier_filled_instance_pairs, next);
+SAME_FIELD(espalier_filled_instance_pairs, status);
+SAME_FIELD(espalier_filled_baked_pairs, count);
+SAME_FIELD(espalier_filled_baked_pairs, next);
+SAME_FIELD(espalier_filled_baked_pairs, status);
 
 // ---- enumerations and numbers -------------------------------------------------------------------------------------
 
@@ -344,5 +360,7 @@ TEST_SUITE("layouts") {
         CHECK(sizes.scene == sizeof(espalier::BakedScene));
         CHECK(sizes.vec3 == sizeof(espalier::Vec3));
         CHECK(sizes.rounded_ray == sizeof(espalier::RoundedRay));
+        CHECK(sizes.moving_scene == sizeof(espalier::MovingScene));
+        CHECK(sizes.filled_baked_pairs == sizeof(espalier::FilledPairs<espalier::BakedPair>));
     }
 }

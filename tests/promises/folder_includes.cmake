@@ -118,6 +118,7 @@ check_folder_includes(tests
   "threads: platform"
   "promises: ${support} oracle"
   "c: ${support}"
+  "c/moving_scenes: ${support} c"
   "runtime/base: ${support} oracle"
   "runtime/blob: ${support}"
   "runtime/lattice: ${support} support/exact oracle platform"

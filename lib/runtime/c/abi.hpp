@@ -46,7 +46,11 @@ namespace espalier::detail {
     twin(instance_id, InstanceId) twin(instance, Instance) twin(instance_result, Result<Instance>)            \
     twin(mesh_result, Result<Blob>) twin(scene, BakedScene)                                                   \
     twin(scene_ray_hit, InScene<RayHit>) twin(scene_closest_point_result, InScene<ClosestPoint>)              \
-    twin(scene_sweep_hit, InScene<SweepHit>)
+    twin(scene_sweep_hit, InScene<SweepHit>)                                                                  \
+    twin(instance_handle, InstanceHandle) twin(instance_handle_result, Result<InstanceHandle>)                \
+    twin(box_result, Result<Box>) twin(movement, Movement) twin(moving_scene, MovingScene)                    \
+    twin(instance_pair, InstancePair) twin(baked_pair, BakedPair) other(pair_filter, PairFilter)              \
+    twin(filled_instance_pairs, FilledPairs<InstancePair>) twin(filled_baked_pairs, FilledPairs<BakedPair>)
 // clang-format on
 
 // Overloads without a body: what they return is the twin of what they take.

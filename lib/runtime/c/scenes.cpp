@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include <runtime/c/abi.hpp>
+#include <runtime/c/views.hpp>
 
 using namespace espalier;
 using namespace espalier::detail;
@@ -60,7 +61,9 @@ const espalier_scene* espalier_scene_tiles(const espalier_scene* scene, size_t* 
     return twin(tiles.data());
 }
 uint32_t espalier_scene_size(const espalier_scene* scene) { return cpp(scene).size(); }
-float espalier_scene_max_error(const espalier_scene* scene) { return cpp(scene).max_error(); }
+float espalier_scene_max_error(const espalier_scene* scene) {
+    return is_view(cpp(scene)) ? __builtin_inff() : cpp(scene).max_error();
+}
 espalier_box espalier_scene_bounds(const espalier_scene* scene) { return c(cpp(scene).bounds()); }
 
 espalier_lattice_result espalier_scene_common_lattice(const espalier_scene* scene) {

@@ -1,0 +1,154 @@
+/* Scenes whose instances move, in a block of memory that the caller owns. Counterpart of scenes/moving_scene.hpp.
+ *
+ * Instances of meshes and tiles are inserted, moved and removed at any time. A step of a simulation moves many
+ * instances by one call of espalier_moving_scene_move_batch() and then calls espalier_moving_scene_refit(). The block
+ * has no pointers: a copy of its bytes is a snapshot, with which espalier_open_moving_scene() continues.
+ *
+ * The queries are those of scene.h: espalier_moving_scene_view() makes the espalier_scene that they take.
+ *
+ * Threads. Any number of threads may query a scene that no thread changes. */
+#ifndef ESPALIER_C_MOVING_SCENE_H
+#define ESPALIER_C_MOVING_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <espalier/c/attributes.h>
+#include <espalier/c/blob.h>
+#include <espalier/c/scene.h>
+#include <espalier/c/shapes.h>
+#include <espalier/c/status.h>
+#include <espalier/c/transform.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The name of an instance of a moving scene, from its insertion to its removal. Afterwards it is stale and is refused
+ * with ESPALIER_QUERY_STALE_HANDLE. Filled with zeros it names no instance. */
+typedef struct ESPALIER_SHARED_ espalier_instance_handle {
+    uint32_t slot; /* espalier_instance_id.index of the results of queries; used again after a removal */
+    uint32_t generation;
+} espalier_instance_handle;
+
+/* The value counts only if the status is ESPALIER_QUERY_OK. */
+typedef struct ESPALIER_SHARED_ espalier_instance_handle_result {
+    espalier_instance_handle value;
+    espalier_query_status status;
+} espalier_instance_handle_result;
+typedef struct ESPALIER_SHARED_ espalier_box_result {
+    espalier_box value;
+    espalier_query_status status;
+} espalier_box_result;
+
+/* An instance and the place that it moves to. */
+typedef struct ESPALIER_SHARED_ espalier_movement {
+    espalier_instance_handle instance;
+    espalier_transform transform;
+} espalier_movement;
+
+/* A view of a block, and of the meshes and tiles that its instances place: copied freely, owning nothing. The block and
+ * the arrays must outlive it. Filled with zeros it is not open, and calls refuse it. Its content may change. */
+typedef struct ESPALIER_SHARED_ espalier_moving_scene {
+    void* opaque_[3];
+    uint32_t opaque_counts_[2];
+} espalier_moving_scene;
+
+/* Returns the bytes of a block for so many instances, 1 .. 2^24, else 0. No order of insertions and removals needs
+ * more. */
+uint64_t espalier_moving_scene_bytes(uint32_t instances);
+/* Returns the fewest bytes that espalier_create_moving_scene() accepts. When nodes run out in such a block, an
+ * insertion repacks the tree. */
+uint64_t espalier_least_moving_scene_bytes(uint32_t instances);
+
+/* Makes an empty scene in memory whose address is a multiple of 32, and writes a view of it to `scene`. Returns whether
+ * the scene is open: not if an argument is out of its range, if the memory is misaligned or smaller than
+ * espalier_least_moving_scene_bytes(), or if a tile is the view of a moving scene. `scene` is then empty.
+ *
+ * A step of the world is 2^step_exponent long, -100 .. 80. Tiles are numbered after the meshes. A misaligned `scene` is
+ * refused too, and then nothing is written; no other function may be given such an address. */
+bool espalier_create_moving_scene(void* memory, size_t size, uint32_t capacity, int step_exponent,
+                                  const espalier_blob* meshes, size_t mesh_count, const espalier_scene* tiles,
+                                  size_t tile_count, espalier_moving_scene* scene);
+/* Proves that every call on a snapshot is safe, and writes a view of it to `scene`. Returns whether the scene is open:
+ * not if a byte contradicts the others, or if the meshes and tiles are not those of the snapshot. Takes any bytes, at
+ * an address that is a multiple of 32. Refuses what espalier_create_moving_scene() refuses. */
+bool espalier_open_moving_scene(void* snapshot, size_t size, const espalier_blob* meshes, size_t mesh_count,
+                                const espalier_scene* tiles, size_t tile_count, espalier_moving_scene* scene);
+
+bool espalier_moving_scene_is_open(const espalier_moving_scene* scene);
+uint32_t espalier_moving_scene_instance_count(const espalier_moving_scene* scene);
+/* Returns the number of instances that there is room for. */
+uint32_t espalier_moving_scene_capacity(const espalier_moving_scene* scene);
+/* Returns a number above each slot that was ever used: for loops over all slots. */
+uint32_t espalier_moving_scene_slot_end(const espalier_moving_scene* scene);
+/* Returns e; a step of the world is 2^e long. */
+int espalier_moving_scene_step_exponent(const espalier_moving_scene* scene);
+/* Returns whether a batch has moved instances since the last refit: queries are then refused with
+ * ESPALIER_QUERY_NOT_REFITTED. */
+bool espalier_moving_scene_must_refit(const espalier_moving_scene* scene);
+/* Returns the block, which a snapshot copies, and writes its size in bytes to `size`. */
+const void* espalier_moving_scene_block(const espalier_moving_scene* scene, size_t* size);
+/* Returns the array of meshes or tiles, and writes their number to `count`. */
+const espalier_blob* espalier_moving_scene_meshes(const espalier_moving_scene* scene, size_t* count);
+const espalier_scene* espalier_moving_scene_tiles(const espalier_moving_scene* scene, size_t* count);
+
+/* Inserts an instance; its `source` is not stored. A refusal changes nothing: ESPALIER_QUERY_INVALID_ARGUMENT for a
+ * number that belongs to no mesh, a mesh or tile that cannot be placed, or a transform that is not valid;
+ * ESPALIER_QUERY_OUT_OF_RANGE for a place outside of the world; ESPALIER_QUERY_NO_ROOM in a full scene. */
+espalier_instance_handle_result espalier_moving_scene_insert(espalier_moving_scene* scene,
+                                                             const espalier_instance* instance);
+/* Removes an instance. */
+espalier_query_status espalier_moving_scene_remove(espalier_moving_scene* scene, espalier_instance_handle instance);
+/* Moves an instance. A refused one stays where it is. */
+espalier_query_status espalier_moving_scene_move(espalier_moving_scene* scene, espalier_instance_handle instance,
+                                                 const espalier_transform* transform);
+/* Moves instances, one after the other; espalier_moving_scene_refit() must follow before the next query. Stops at the
+ * first that is refused, and `count` of the result is its index. */
+espalier_filled espalier_moving_scene_move_batch(espalier_moving_scene* scene, const espalier_movement* movements,
+                                                 size_t count);
+/* Changes what queries and pairs select an instance by. */
+espalier_query_status espalier_moving_scene_set_mask(espalier_moving_scene* scene, espalier_instance_handle instance,
+                                                     uint32_t mask);
+/* Changes the caller's word of an instance. */
+espalier_query_status espalier_moving_scene_set_user(espalier_moving_scene* scene, espalier_instance_handle instance,
+                                                     uint32_t user);
+
+/* Renews the boxes of the tree above instances that a batch has moved. Returns how many nodes it renewed. */
+uint32_t espalier_moving_scene_refit(espalier_moving_scene* scene);
+/* Builds the tree anew: call it every few steps, or when the quality has risen. Includes the refit. */
+void espalier_moving_scene_repack(espalier_moving_scene* scene);
+/* Returns how much more surface the boxes of the tree have, for each instance, than after the last repack: 1.3 and more
+ * is worth a repack. INFINITY before the first one; 1 without instances. */
+float espalier_moving_scene_quality(const espalier_moving_scene* scene);
+/* Ends a step: no instance counts as moved until it is moved or inserted again (scene_pairs.h). */
+void espalier_moving_scene_end_step(espalier_moving_scene* scene);
+
+/* Returns the handle of the instance in a slot. Refuses a slot that is free (ESPALIER_QUERY_NOT_FOUND) or never was
+ * used (ESPALIER_QUERY_OUT_OF_RANGE). */
+espalier_instance_handle_result espalier_moving_scene_handle_of(const espalier_moving_scene* scene, uint32_t slot);
+/* Returns an instance; `source` is its slot. */
+espalier_instance_result espalier_moving_scene_instance_at(const espalier_moving_scene* scene,
+                                                           espalier_instance_handle instance);
+/* Returns the box of an instance in the tree, rounded outward to float. */
+espalier_box_result espalier_moving_scene_box_of(const espalier_moving_scene* scene, espalier_instance_handle instance);
+
+/* Writes the scene that queries of scene.h take, and returns ESPALIER_QUERY_OK, or why they will refuse it:
+ * ESPALIER_QUERY_NOT_OPEN or ESPALIER_QUERY_NOT_REFITTED. A misaligned `view` is refused with
+ * ESPALIER_QUERY_INVALID_ARGUMENT, and then nothing is written. O(1).
+ *
+ * A view is valid until the next change of the moving scene or of a copy of it: make one for the queries between two
+ * changes. An older one must not be used. Of a result, espalier_instance_id.index is a slot.
+ *
+ * Functions of scene.h other than queries: espalier_scene_instance_at(), espalier_scene_mesh_at() and
+ * espalier_scene_is_on_common_lattice() refuse a view with ESPALIER_QUERY_INVALID_ARGUMENT: a slot leads to its
+ * instance by espalier_moving_scene_handle_of(). There is no common lattice, the size is 0, and the largest error is
+ * INFINITY, because neither is stored. espalier_scene_bounds() returns a box around the boxes of all instances. */
+espalier_query_status espalier_moving_scene_view(const espalier_moving_scene* scene, espalier_scene* view);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
