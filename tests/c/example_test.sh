@@ -40,10 +40,12 @@ needed=$(readelf -d "$folder/alone" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | g
 {
     printf '#include <espalier/espalier.h>\n#include <stdio.h>\nvoid page(const void* bytes, size_t size);\n'
     printf 'void page(const void* bytes, size_t size) {\n'
-    sed -n '/^ *static espalier_blob/,/^ \{0,2\}[^ ]/p' "$project/docs/embedding.md" | grep '^    '
+    sed -n '/^ *static espalier_\(blob\|moving_scene\)/,/^ \{0,2\}[^ ]/p' "$project/docs/embedding.md" | grep '^    '
     printf '(void)hit;\n}\n'
 } >"$folder/page.c"
-grep -q espalier_overlaps_box "$folder/page.c" && grep -q espalier_scene_raycast "$folder/page.c" || fail "docs/embedding.md shows no C"
+for call in espalier_overlaps_box espalier_scene_raycast espalier_moving_scene_view espalier_collect_candidate_pairs; do
+    grep -q "$call" "$folder/page.c" || fail "docs/embedding.md shows no C of $call"
+done
 "$cc" -std=c99 -pedantic -Wall -Wextra "${WERROR:--Werror}" -I "$project/lib" -fsyntax-only "$folder/page.c" || fail "docs/embedding.md shows what is no C"
 
 "$cmake" --install "$build" --prefix "$folder/package" --component runtime >"$folder/install.log"
