@@ -86,7 +86,7 @@ public:
 
     template <class Visit>
     void for_each(Visit visit) const {
-        for_each_touching_pair(block_, filter_.only_moved, [&](std::uint32_t x, std::uint32_t y) {
+        for_each_touching_pair(block_, [&](std::uint32_t x, std::uint32_t y) {
             const InstancePair pair = sorted_pair(x, y);
             if (pair >= from_ && is_selected(block_, filter_, pair)) visit(pair);
         });

@@ -12,7 +12,7 @@ using OnTouchingBoxes = FunctionRef<void(std::uint32_t, std::uint32_t)>;
 
 #define ESPALIER_DECLARE_SELF_JOIN(instruction_set)                                                 \
     namespace instruction_set {                                                                     \
-    void join_with_itself(const SceneBlock& block, bool only_marked, const OnTouchingBoxes& visit); \
+    void join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit); \
     }
 ESPALIER_FOR_SETS_WITH_PAIRS(ESPALIER_DECLARE_SELF_JOIN)
 #undef ESPALIER_DECLARE_SELF_JOIN
@@ -22,10 +22,9 @@ using avx2::join_with_itself;  // a node has eight children
 }
 #endif
 
-/// Visits each pair of slots whose boxes touch, each pair once, in an order that follows the tree. With `only_marked`
-/// one of the two must be marked: SceneBlock::dirty then has a bit for each child of a node with a mark in it.
-inline void for_each_touching_pair(const SceneBlock& block, bool only_marked, const OnTouchingBoxes& visit) {
-    ESPALIER_DISPATCH(join_with_itself, block, only_marked, visit);
+/// Visits each pair of slots whose boxes touch, each pair once, in an order that follows the tree.
+inline void for_each_touching_pair(const SceneBlock& block, const OnTouchingBoxes& visit) {
+    ESPALIER_DISPATCH(join_with_itself, block, visit);
 }
 
 }  // namespace espalier::detail

@@ -1,5 +1,5 @@
-// The tree over moving instances against itself: two nodes of one level at a time, a box of the one against all boxes
-// of the other.
+// The tree over moving instances against itself: two nodes of one level at a time, and of each only the children that
+// touch the other's box. Children of leaf nodes are compared in chunks.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <bit>
 
@@ -24,56 +24,114 @@ namespace {
     return mask;
 }
 
-/// Two nodes, and which of their children are still to be visited.
+/// A child of a leaf node, against some children of another or the same one.
+struct ChildAgainstNode {
+    std::uint32_t place;  ///< 8 * node + child
+    std::uint32_t node;
+    std::uint32_t children;
+};
+
+/// The pairs of leaf nodes that a walk finds, which are compared in chunks: in each chunk nothing waits for a branch that
+/// no processor could foresee.
+class LeafNodePairs {
+public:
+    LeafNodePairs(const SceneBlock& block, const OnTouchingBoxes& visit) : block_(block), visit_(visit) {}
+
+    /// Adds a pair of leaf nodes, which touch. Of each only the children count that touch the other's box.
+    [[gnu::always_inline]] void add(std::uint32_t a, const StepsBox& box_a, std::uint32_t b, const StepsBox& box_b) {
+        const unsigned children_a = touching(block_.node(a), box_b), children_b = touching(block_.node(b), box_a);
+        for (unsigned child = 0; child < BoxNode::most; ++child) {
+            // A node against itself: each pair once.
+            const unsigned behind = a == b ? ~1u << child : ~0u;
+            waiting_[count_] = {8 * a + child, b, children_b & behind};
+            count_ += children_a >> child & 1u;
+        }
+        if (count_ >= chunk) flush();
+    }
+    /// Visits the pairs of children of what was added.
+    [[gnu::noinline]] void flush() {
+        unsigned found = 0;
+        for (unsigned i = 0; i < count_; ++i) {
+            ChildAgainstNode entry = waiting_[i];
+            entry.children &= touching(block_.node(entry.node), block_.node(entry.place / 8).box(entry.place % 8));
+            waiting_[found] = entry;
+            found += entry.children != 0 ? 1u : 0u;
+        }
+        for (unsigned i = 0; i < found; ++i) {
+            const ChildAgainstNode& entry = waiting_[i];
+            const std::uint32_t first = block_.node(entry.place / 8).child[entry.place % 8];
+            for (unsigned rest = entry.children; rest != 0; rest &= rest - 1)
+                visit_(first, block_.node(entry.node).child[std::countr_zero(rest)]);
+        }
+        count_ = 0;
+    }
+
+private:
+    static constexpr unsigned chunk = small_code ? 8 : 64;
+
+    const SceneBlock& block_;
+    const OnTouchingBoxes& visit_;
+    unsigned count_ = 0;
+    ChildAgainstNode waiting_[chunk + BoxNode::most];
+};
+
+/// Two nodes above the leaf nodes, and which of their children are still to be visited.
 struct JoinStep {
     std::uint32_t a, b;
-    unsigned child;             ///< of a
-    unsigned waiting;           ///< children of b that touch it
-    unsigned marks_a, marks_b;  ///< children with a mark in them: one of a pair must have it
+    unsigned children_a;  ///< those of a that touch b, without the one at hand
+    unsigned children_b;  ///< those of b that touch a
+    unsigned child;       ///< of a, at hand
+    unsigned waiting;     ///< children of b that touch it
 
-    JoinStep() = default;
-    JoinStep(const SceneBlock& block, bool only_marked, std::uint32_t first, std::uint32_t second)
+    /// Returns a step for two nodes with their boxes, which touch.
+    [[gnu::always_inline]] JoinStep(const SceneBlock& block, std::uint32_t first, const StepsBox& box_of_first,
+                                    std::uint32_t second, const StepsBox& box_of_second)
         : a(first),
           b(second),
-          child(~0u),
-          waiting(0),
-          marks_a(only_marked ? block.dirty[first] : ~0u),
-          marks_b(only_marked ? block.dirty[second] : ~0u) {}
-    /// Returns the children of b that count for the child at hand.
-    [[nodiscard]] unsigned selected() const { return (marks_a >> child & 1u) != 0 ? ~0u : marks_b; }
+          children_a(touching(block.node(first), box_of_second)),
+          children_b(touching(block.node(second), box_of_first)),
+          child(0),
+          waiting(0) {}
+    JoinStep() = default;
+
+    /// Returns whether there is a next pair of children, and takes it from those that wait.
+    [[gnu::always_inline]] bool take(const SceneBlock& block, unsigned& place) {
+        while (waiting == 0) {
+            if (children_a == 0) return false;
+            child = static_cast<unsigned>(std::countr_zero(children_a));
+            children_a &= children_a - 1;
+            waiting = touching(block.node(b), block.node(a).box(child)) & children_b;
+            // A node against itself: each pair once, and each child against itself.
+            if (a == b) waiting &= ~0u << child;
+        }
+        place = static_cast<unsigned>(std::countr_zero(waiting));
+        waiting &= waiting - 1;
+        return true;
+    }
 };
 
 }  // namespace
 
-void join_with_itself(const SceneBlock& block, bool only_marked, const OnTouchingBoxes& visit) {
+void join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit) {
     const BlockHead& head = *block.head;
     if (head.levels == 0) return;
+    LeafNodePairs leaves(block, visit);
+    const StepsBox all = block.node(head.root).bounds();
     JoinStep path[most_tree_levels];
-    std::uint32_t depth = 0;
-    path[0] = JoinStep(block, only_marked, head.root, head.root);
-    for (;;) {
-        JoinStep& step = path[depth];
+    std::uint32_t level = head.levels - 1u;
+    if (level == 0) leaves.add(head.root, all, head.root, all);
+    else path[level] = JoinStep(block, head.root, all, head.root, all);
+    while (level != 0 && level != head.levels) {
+        JoinStep& step = path[level];
         const BoxNode &a = block.node(step.a), &b = block.node(step.b);
-        const bool is_leaf = depth + 1 == head.levels;
-        while (step.waiting == 0 && ++step.child < BoxNode::most) {
-            if (step.selected() == 0) continue;
-            step.waiting = touching(b, a.box(step.child)) & step.selected();
-            // A node against itself: each pair once, and of inner nodes each child against itself.
-            if (step.a == step.b) step.waiting &= ~0u << (step.child + (is_leaf ? 1u : 0u));
-        }
-        if (step.waiting == 0) {
-            if (depth == 0) return;
-            --depth;
+        unsigned place = 0;
+        if (!step.take(block, place)) {
+            ++level;
             continue;
         }
-        const std::uint32_t first = a.child[step.child];
-        if (is_leaf) {
-            for (; step.waiting != 0; step.waiting &= step.waiting - 1)
-                visit(first, b.child[static_cast<unsigned>(std::countr_zero(step.waiting))]);
-            continue;
-        }
-        const std::uint32_t second = b.child[static_cast<unsigned>(std::countr_zero(step.waiting))];
-        step.waiting &= step.waiting - 1;
-        path[++depth] = JoinStep(block, only_marked, first, second);
+        const std::uint32_t first = a.child[step.child], second = b.child[place];
+        if (level == 1) leaves.add(first, a.box(step.child), second, b.box(place));
+        else path[--level] = JoinStep(block, first, a.box(step.child), second, b.box(place));
     }
+    leaves.flush();
 }
