@@ -12,6 +12,7 @@ demo() {
     "$cmake/tools/demo/espalier_demo_rays" "$mesh" "$blob" "$picture"
     "$cmake/tools/demo/city/espalier_city" "$scene"
     "$cmake/tools/espalier" verify "$scene" --deep >/dev/null
+    "$cmake/tools/demo/falling/espalier_falling" "$scene" | tail -n 2
     "$cmake/tools/espalier" render "$scene" -o "$scene_picture" --up z --azimuth 200 --elevation 35 --quiet
     echo "picture  $scene_picture"
 }
