@@ -8,6 +8,7 @@ import tempfile
 
 from gltf.checks import summary
 from scene.baking import automatic, borders, many, places, repeats, tolerances, variants
+from scene.pairs import pairs
 from scene.verbs import broken, listings, policies, queries
 
 
@@ -15,7 +16,7 @@ def main():
     folder = sys.argv[2] if len(sys.argv) > 2 else None
     with tempfile.TemporaryDirectory() as temporary:
         os.chdir(folder or temporary)
-        for part in (places, variants, repeats, automatic, borders, tolerances, many, queries, listings, broken,
+        for part in (places, variants, repeats, automatic, borders, tolerances, many, queries, pairs, listings, broken,
                      policies):
             if len(sys.argv) < 4 or part.__name__ in sys.argv[3:]:
                 part()

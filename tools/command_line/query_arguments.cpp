@@ -18,6 +18,9 @@ void add_placement(CLI::App* verb, QueryArguments& arguments) {
         ->expected(3)
         ->type_name("X Y Z");
     verb->add_option("--scale", arguments.scale, "The other blob's size")->capture_default_str()->type_name("FACTOR");
+}
+
+void add_work_limit(CLI::App* verb, QueryArguments& arguments) {
     verb->add_option("--work-limit", arguments.work_limit,
                      "Pairs of nodes that may be visited; when they do not suffice, exit status 6. Without it all")
         ->type_name("PAIRS");
@@ -83,6 +86,7 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
             ->type_name("DISTANCE");
     }
     if (takes(option_placement)) add_placement(verb, arguments);
+    if (takes(option_work_limit)) add_work_limit(verb, arguments);
     if (takes(option_mask)) {
         verb->add_option(
                 "--mask", arguments.mask,

@@ -43,9 +43,10 @@ enum QueryOption : unsigned {
     option_limit = 1u << 7,
     option_from = 1u << 8,
     option_max_distance = 1u << 9,
-    option_placement = 1u << 10,  // and the limit of work
+    option_placement = 1u << 10,
     option_depth = 1u << 11,
     option_mask = 1u << 12,  // of scenes
+    option_work_limit = 1u << 13,
 };
 
 struct QueryKind {
@@ -73,6 +74,10 @@ QueryKinds sweep_kinds();
 QueryKinds pair_kinds();
 QueryKinds blob_kinds();
 QueryKinds scene_kinds();
+QueryKinds scene_pair_kinds();
+
+/// The heading over kinds of scenes alone.
+inline constexpr const char* scene_family = "What the scene holds; not of blobs";
 
 /// All of them, in the order in which help lists them.
 const QueryKinds& query_kinds();

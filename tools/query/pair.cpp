@@ -99,31 +99,32 @@ Answer within_answer(QueryCall& call) {
 
 QueryKinds pair_kinds() {
     constexpr const char* family = "Two blobs; the other one is placed in the first one's space";
+    constexpr unsigned placed = option_placement | option_work_limit;
     return {
-        {family, "overlaps", "Whether the surfaces touch", {name_word("OTHER")}, option_placement, overlaps_answer},
+        {family, "overlaps", "Whether the surfaces touch", {name_word("OTHER")}, placed, overlaps_answer},
         {family,
          "first-contact",
          "A pair of triangles that touch, the first that is found",
          {name_word("OTHER")},
-         option_placement,
+         placed,
          first_contact_answer},
         {family,
          "contacts",
          "All pairs of triangles that touch, in the order of the trees",
          {name_word("OTHER")},
-         option_placement | option_limit,
+         placed | option_limit,
          contacts_answer},
         {family,
          "distance",
          "The closest pair of points",
          {name_word("OTHER")},
-         option_placement | option_max_distance,
+         placed | option_max_distance,
          distance_answer},
         {family,
          "within-distance",
          "Whether the surfaces are within a distance of each other",
          {name_word("OTHER"), length_word("distance")},
-         option_placement,
+         placed,
          within_answer},
     };
 }

@@ -71,9 +71,8 @@ Answer candidates_answer(QueryCall& call) {
 }  // namespace
 
 QueryKinds scene_kinds() {
-    constexpr const char* family = "What the scene holds; not of blobs";
     return {
-        {family,
+        {scene_family,
          "instance",
          "One instance, as 3, or 3.5 for one in a tile: its mesh, its place and its numbers",
          {name_word("instance")},
@@ -82,7 +81,7 @@ QueryKinds scene_kinds() {
          false,
          0,
          true},
-        {family,
+        {scene_family,
          "candidates",
          "The instances whose boxes in the tree touch an axis-aligned box",
          {point_word("min"), point_word("max")},

@@ -1,0 +1,109 @@
+// Which instances of a scene touch each other: all of them as a moving scene, in memory of the heap.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <espalier/scenes/moving_scene.hpp>
+#include <espalier/scenes/pairs.hpp>
+
+#include "base/numbers.hpp"
+#include "kinds.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+/// Returns the exponent of a step of the world: the farthest coordinate is 2^27 to 2^28 of them.
+int step_exponent_for(const Box& bounds) {
+    float farthest = 0.0f;
+    for (const Vec3& corner : {bounds.min, bounds.max})
+        for (const float coordinate : {corner.x, corner.y, corner.z})
+            farthest = std::max(farthest, std::fabs(coordinate));
+    int exponent = 0;
+    std::frexp(farthest, &exponent);
+    return std::clamp(exponent - 28, -100, 80);
+}
+
+bool has_surface(const BakedScene& scene, std::uint32_t part) {
+    const std::size_t meshes = scene.meshes().size();
+    return part < meshes ? scene.meshes()[part].triangle_count() != 0
+                         : scene.tiles()[part - meshes].instance_count() != 0;
+}
+
+/// The instances of a baked scene that a mask selects, as instances that all meet each other.
+class Instances {
+public:
+    Instances(const BakedScene& scene, std::uint32_t mask) {
+        const std::uint32_t count = std::max(scene.instance_count(), 1u);
+        block_.resize(static_cast<std::size_t>(moving_scene_bytes(count) / sizeof(Unit) + 1));
+        moving_ = create_moving_scene(std::as_writable_bytes(std::span(block_)), count,
+                                      step_exponent_for(scene.bounds()), scene.meshes(), scene.tiles());
+        if (!moving_)
+            throw CommandError(ExitCode::unsupported, text("query pairs: the scene has ", counted(count, "instance"),
+                                                           ", and 16777216 is the most."));
+        for (std::uint32_t number = 0; number < scene.instance_count() && status_ == QueryStatus::ok; ++number) {
+            Instance instance = *instance_at(scene, InstanceId{number});
+            if ((instance.mask & mask) == 0 || !has_surface(scene, instance.mesh)) continue;
+            instance.mask = ~0u;
+            numbers_.push_back(number);  // slots are counted up
+            status_ = insert(moving_, instance).status;
+        }
+        repack(moving_);
+    }
+
+    /// Finds the pairs that touch, all in one call, since the limit of work is that of a call.
+    FilledPairs<InstancePair> collect(std::vector<InstancePair>& pairs, WorkLimit limit) {
+        if (status_ != QueryStatus::ok) return {0, {}, status_};
+        pairs.resize(1024);
+        while (collect_candidate_pairs(moving_, pairs).status == QueryStatus::output_full)
+            pairs.resize(2 * pairs.size());
+        return collect_colliding_pairs(moving_, pairs, limit);
+    }
+    [[nodiscard]] InstanceId id_of(std::uint32_t slot) const { return {numbers_[slot]}; }
+
+private:
+    struct alignas(32) Unit {
+        std::byte bytes[32];
+    };
+    std::vector<Unit> block_;
+    MovingScene moving_;
+    std::vector<std::uint32_t> numbers_;
+    QueryStatus status_ = QueryStatus::ok;
+};
+
+Answer pairs_answer(QueryCall& call) {
+    Instances instances(*call.scene(), call.mask());
+    std::vector<InstancePair> pairs;
+    const FilledPairs<InstancePair> found = instances.collect(pairs, WorkLimit(call.options().work_limit));
+    Answer answer(call, found.status);
+    for (const InstancePair& pair : found.in(pairs)) {
+        if (call.options().limit && answer.list.size() == *call.options().limit) {
+            answer.status = QueryStatus::output_full;
+            break;
+        }
+        Record a(call.options().json), b(call.options().json);
+        Record& record = answer.list.emplace_back(call.options().json).title("pair");
+        record.add("a", a.instance(*call.scene(), instances.id_of(pair.a)));
+        record.add("b", b.instance(*call.scene(), instances.id_of(pair.b)));
+    }
+    return answer.counted_list("pairs", "pair");
+}
+
+}  // namespace
+
+QueryKinds scene_pair_kinds() {
+    return {
+        {scene_family,
+         "pairs",
+         "The pairs of instances whose surfaces touch; a tile is one instance",
+         {},
+         0,
+         pairs_answer,
+         false,
+         option_limit | option_mask | option_work_limit,
+         true},
+    };
+}
+
+}  // namespace espalier::tools
