@@ -136,7 +136,7 @@ def stack_table(rows):
     """The deepest of all meshes, because which branches run depends on them."""
     lines = []
     for core, profile in dict.fromkeys(key[:2] for key in rows.queries):
-        own = [row for key, row in rows.queries.items() if key[:2] == (core, profile) and key[2] != "scene"]
+        own = [row for key, row in rows.queries.items() if key[:2] == (core, profile) and key[2] not in ("scene", "cube")]
         deepest = {query: max(row["stack"] for row in own if row["query"] == query) for query in STACKS}
         others = max(own, key=lambda row: (row["query"] not in STACKS, row["stack"]))
         lines.append([CORES[core], f"`{profile}`"] + [thousands(deepest[query]) for query in STACKS] +
@@ -158,6 +158,21 @@ def scenes_table(rows):
         lines.append([CORES[core], f"`{profile}`", thousands(rows.code[core, profile, "scene_ray"])] +
                      [f"{thousands(cell['instructions'])}; {thousands(cell['stack'])}" for cell in cells])
     return table(["core", "profile", "code of `open_scene` and closest ray"] + list(SCENE.values()), lines)
+
+
+def moving_table(rows):
+    """A step of 64 movers: every eighth repacks, the others refit. Empty if the rows are from before moving scenes."""
+    lines = []
+    for core, profile, mesh in rows.asked():
+        if (core, profile, mesh, "moving_step") not in rows.queries:
+            continue
+        refits, repacks = (rows.queries[core, profile, mesh, query] for query in ("moving_step", "moving_step_repack"))
+        calls = refits["calls"] + repacks["calls"]
+        mean = -(-(refits["calls"] * refits["instructions"] + repacks["calls"] * repacks["instructions"]) // calls)
+        lines.append([CORES[core], f"`{profile}`", thousands(rows.code[core, profile, "moving_step"]), thousands(mean)] +
+                     [f"{thousands(row['instructions'])} ({thousands(row['instructions_max'])})" for row in (refits, repacks)] +
+                     [thousands(max(refits["stack"], repacks["stack"]))])
+    return table(["core", "profile", "code", "instructions of a step", "with refit", "with repack", "stack"], lines)
 
 
 def level_table(rows):
@@ -203,7 +218,7 @@ def outputs(files):
     conditions = (f"Rows: {links(files)}. GCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}. "
                   f"Writes outside the stack in all {sum(row['calls'] for row in rows.queries.values()):,} calls: {elsewhere}.")
     return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "profiles": profiles_table(rows), "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
-                                      "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows), "scenes": scenes_table(rows),
+                                      "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows), "scenes": scenes_table(rows), "moving": moving_table(rows),
                                       "largest": largest_table(rows), "queries": all_queries_table(rows)})}
 
 

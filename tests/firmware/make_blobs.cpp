@@ -92,8 +92,9 @@ bool bake_all(const std::string& folder) {
     const Mesh torus = make_torus(64, 24, 3.0, 1.0);
     bool all = bake_to(folder, level, "level", Profile::fast, 14) &&
                bake_to(folder, level, "level", Profile::small, 14) &&
-               bake_to(folder, torus, "torus", Profile::fast, 16) && bake_scene_to(folder, Profile::fast) &&
-               bake_scene_to(folder, Profile::small);
+               bake_to(folder, torus, "torus", Profile::fast, 16) &&
+               bake_to(folder, make_cube(-0.5f, 0.5f), "cube", Profile::fast, 14) &&
+               bake_scene_to(folder, Profile::fast) && bake_scene_to(folder, Profile::small);
     for (const RealBlob& blob : real_blobs)
         if (const auto file = mesh_file(blob.file); file && all)
             all = bake_to(folder, read_mesh(*file), blob.name, blob.profile, blob.bits);

@@ -4,7 +4,8 @@
 #     bash tests/firmware/measure.sh m4f fast bunny.obj --bits 16
 # Cores: cores.txt. The command that bakes is found in ../build/tools or build/tools, or by ESPALIER=...; images are made
 # in build/measure/CORE_PROFILE, or in the folder BUILD=..., and compiled again when the library changes. ROWS=FILE: the
-# figures are added to that file too, one row each. QUERIES=usual: open and the usual queries alone; scene: those of a scene.
+# figures are added to that file too, one row each. QUERIES=usual: open and the usual queries alone; scene: those of a scene; moving: steps of a
+# moving scene of 64 instances.
 #     CORE PROFILE MESH QUERY calls, instructions mean max, blob bytes mean max, stack, writes elsewhere
 #     CORE PROFILE code IMAGE bytes
 #     CORE PROFILE blob MESH bytes
@@ -38,7 +39,9 @@ else
     blob=$build/baked.espl
     "$espalier" bake "$mesh" -o "$blob" --profile "$profile" --quiet "$@"
 fi
-TARGETS="$image closest_ray scene_ray in_steps five_queries every_query empty" \
+parts="closest_ray scene_ray in_steps five_queries every_query"
+[[ ${QUERIES:-every} != moving ]] || parts=moving_step
+TARGETS="$image $parts empty" \
     bash "$here/build_images.sh" "$core" "$profile" "$blob" "$build"
 
 # ---- the run
@@ -59,7 +62,7 @@ empty=$(flash_bytes empty)
 kinds=$(sed -nE '/kind_names\[/,/\};/p' "$here/measured_kinds.hpp" | grep -oE '"[a-z_]+"' | tr -d '"' | tr '\n' ' ')
 rows=$build/rows.txt
 {
-    for part in closest_ray scene_ray in_steps five_queries every_query; do
+    for part in $parts; do
         echo "$core $profile code $part $(($(flash_bytes "$part") - empty))"
     done
     echo "$core $profile blob $name $(stat -c %s "$blob")"

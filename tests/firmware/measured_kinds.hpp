@@ -44,6 +44,8 @@ enum Kind : unsigned {
     scene_any_ray,
     scene_sphere,
     scene_point,
+    moving_step,
+    moving_step_repack,
     kind_count
 };
 
@@ -55,7 +57,8 @@ inline constexpr const char* kind_names[] = {
     "for_each_overlap_box", "overlaps_capsule", "overlaps_oriented_box", "overlaps_triangle", "overlaps_planes",
     "closest_triangles", "contains", "signed_distance", "closest_to_segment", "closest_to_box", "sweep_sphere",
     "sweep_capsule", "sweep_box", "may_overlap_sphere", "may_overlap_box", "may_be_occluded", "distance_bounds",
-    "open_scene", "scene_raycast", "scene_occluded", "scene_overlaps_sphere", "scene_closest_point",
+    "open_scene", "scene_raycast", "scene_occluded", "scene_overlaps_sphere", "scene_closest_point", "moving_step",
+    "moving_step_repack",
 };
 // clang-format on
 static_assert(sizeof kind_names / sizeof *kind_names == kind_count);

@@ -1,5 +1,5 @@
-// workload_here every|usual|scene BLOB: asks on this machine what image/measure_main.cpp and measure_scene_main.cpp ask
-// on a core, and prints the same line.
+// workload_here every|usual|scene|moving BLOB: asks on this machine what image/measure_main.cpp, measure_scene_main.cpp
+// and measure_moving_main.cpp ask on a core, and prints the same line.
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -10,6 +10,7 @@
 #include <espalier/espalier.hpp>
 
 #include "../platform/report.hpp"
+#include "moving_workload.hpp"
 #include "scene_workload.hpp"
 #include "workload.hpp"
 
@@ -46,16 +47,27 @@ int ask_scene(const char* path, std::span<const std::byte> bytes) {
     return finish(path, OpenStatus::ok, workload.answers());
 }
 
+int ask_moving(const char* path, std::span<const std::byte> bytes) {
+    const Blob cube = open(bytes);
+    if (!cube) return finish(path, cube.status(), {});
+    alignas(32) std::byte block[firmware::mover_block_bytes];
+    firmware::MovingWorkload workload(block, cube, just_call);
+    workload.ask(firmware::Counts{}.steps);
+    return finish(path, OpenStatus::ok, workload.answers());
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
     const std::string_view queries = argument_count == 3 ? arguments[1] : "";
-    if (queries != "every" && queries != "usual" && queries != "scene") {
-        std::fputs("usage: workload_here every|usual|scene BLOB\n", stderr);
+    if (queries != "every" && queries != "usual" && queries != "scene" && queries != "moving") {
+        std::fputs("usage: workload_here every|usual|scene|moving BLOB\n", stderr);
         return 1;
     }
     std::ifstream file(arguments[2], std::ios::binary);
     const std::vector<char> characters{std::istreambuf_iterator<char>(file), {}};
     const std::span<const std::byte> bytes = std::as_bytes(std::span(characters));
-    return queries == "scene" ? ask_scene(arguments[2], bytes) : ask_blob(arguments[2], bytes, queries == "every");
+    if (queries == "scene") return ask_scene(arguments[2], bytes);
+    if (queries == "moving") return ask_moving(arguments[2], bytes);
+    return ask_blob(arguments[2], bytes, queries == "every");
 }
