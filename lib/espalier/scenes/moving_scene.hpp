@@ -4,7 +4,8 @@
 // takes it, and pairs.hpp finds the instances in it that may touch or do. A tile, a whole BakedScene, is inserted
 // as a mesh is: queries then cover both what moves and what does not.
 //
-// The block has no pointers. A copy of its bytes is a snapshot; open_moving_scene() continues with it. The same calls
+// The block has no pointers. A copy of its bytes is a snapshot: it may be written back over the block of the same
+// scene, under views that exist, or opened elsewhere by open_moving_scene(). The same calls, those for pairs included,
 // give the same bytes on every machine of one byte order.
 //
 // A step of a simulation moves many instances by one call of move() and then calls refit(). Boxes of instances are
@@ -92,7 +93,7 @@ private:
 /// A step of the world is 2^step_exponent long, -100 .. 80; the world reaches 2^30 - 128 steps from the origin along
 /// each axis. A thousandth of the smallest instance is a good step. `meshes` and `tiles` are what instances place;
 /// tiles are numbered after the meshes. Not open if an argument is out of its range, or if the memory is misaligned or
-/// smaller than least_moving_scene_bytes(). O(1).
+/// smaller than least_moving_scene_bytes(). Clears the memory that it uses, O(size).
 MovingScene create_moving_scene(std::span<std::byte> memory, std::uint32_t capacity, int step_exponent,
                                 std::span<const Blob> meshes, std::span<const BakedScene> tiles = {}) noexcept;
 
@@ -187,11 +188,12 @@ QueryStatus for_each_overlap(const MovingScene& scene, const Shape& shape, Visit
 
 // Numerics
 //
-// The box of an instance holds its mesh at its place, wider by 2^-16 of the mesh's size, 2^-21 of the coordinates, and
-// rounded outward to whole steps, so that tests of boxes are exact. Choices in the tree compare areas of these boxes in
-// float, in one fixed order without fused operations: the tree has the same bytes on every machine. insert() searches
-// for the leaf node with which boxes grow least by branch and bound (Bittner, Hapala and Havran 2015), in at most 24
-// nodes beside the first way down. repack() orders the middles of boxes on a grid of 2^10 cells along the longest axis.
+// The box of an instance holds its mesh at its place, wider by 2^-16 of the mesh's size, 2^-6 of its lattice step (more
+// than the common grid of two meshes moves a vertex), 2^-21 of the coordinates, and rounded outward to whole steps, so
+// that tests of boxes are exact. Choices in the tree compare areas of these boxes in float, in one fixed order without
+// fused operations: the tree has the same bytes on every machine. insert() searches for the leaf node with which boxes
+// grow least by branch and bound (Bittner, Hapala and Havran 2015), in at most 24 nodes beside the first way down.
+// repack() orders the middles of boxes on a grid of 2^10 cells along the longest axis.
 //
 // Sizes. A node has 4 to 8 children, the root 2 to 8, all leaf nodes are at one depth: 2 * 4^11 instances or more make
 // 12 levels. An instance takes 84 bytes, a node 229.

@@ -12,20 +12,22 @@ using namespace detail;
 namespace {
 
 /// Finds the box of a placeable part at a place. Returns ok or a refusal.
-QueryStatus find_box(const MovingScene& scene, const PartBounds& bounds, const Transform& transform, StepsBox& box) {
-    if (!is_valid(transform) || !is_in_range(transform.scale)) return QueryStatus::invalid_argument;
-    return find_steps_box(bounds, transform, scene.step_exponent(), box) ? QueryStatus::ok : QueryStatus::out_of_range;
+QueryStatus find_box(const PartBounds& bounds, const Transform& transform, const BlockHead& head, StepsBox& box) {
+    if (!is_in_range(transform.scale)) return QueryStatus::invalid_argument;
+    // The box of any other transform that is not valid is NaN.
+    if (find_steps_box(bounds, transform, head.step_exponent, box)) return QueryStatus::ok;
+    return is_valid(transform) ? QueryStatus::out_of_range : QueryStatus::invalid_argument;
 }
 
 /// Writes a new place to a slot, and not to the tree. Returns ok or a refusal.
-QueryStatus place_slot(const MovingScene& scene, SceneBlock& block, InstanceSlot& slot, const Transform& transform) {
-    const PartBounds bounds = bounds_of_part(scene, slot.mesh);
+QueryStatus place_slot(SceneBlock& block, std::uint32_t number, const PartBounds& bounds, const Transform& transform) {
     StepsBox box;
-    const QueryStatus status = find_box(scene, bounds, transform, box);
+    const QueryStatus status = find_box(bounds, transform, *block.head, box);
     if (status != QueryStatus::ok) return status;
+    InstanceSlot& slot = block.slots[number];
     slot.transform = transform;
     slot.box = box;
-    slot.moved = block.head->step;
+    block.moved[number] = block.head->step;
     block.head->coarseness.add(bounds, transform);
     return QueryStatus::ok;
 }
@@ -47,7 +49,7 @@ Result<InstanceHandle> insert(MovingScene& scene, const Instance& instance) noex
     SceneBlock block = block_of(scene);
     const PartBounds bounds = bounds_of_part(scene, instance.mesh);
     StepsBox box;
-    const QueryStatus status = find_box(scene, bounds, instance.transform, box);
+    const QueryStatus status = find_box(bounds, instance.transform, *block.head, box);
     if (status != QueryStatus::ok) return {{}, status};
     const std::uint32_t number = take_slot(block);
     if (number == no_child) return {{}, QueryStatus::no_room};
@@ -57,7 +59,7 @@ Result<InstanceHandle> insert(MovingScene& scene, const Instance& instance) noex
     slot.mask = instance.mask;
     slot.user = instance.user;
     slot.box = box;
-    slot.moved = block.head->step;
+    block.moved[number] = block.head->step;
     block.head->coarseness.add(bounds, instance.transform);
     insert_box(block, number);
     return {{number, slot.generation}, QueryStatus::ok};
@@ -73,7 +75,7 @@ QueryStatus remove(MovingScene& scene, InstanceHandle instance) noexcept {
 
 QueryStatus move(MovingScene& scene, InstanceHandle instance, const Transform& transform) noexcept {
     return change_slot(scene, instance, [&](SceneBlock& block, InstanceSlot& slot) {
-        const QueryStatus status = place_slot(scene, block, slot, transform);
+        const QueryStatus status = place_slot(block, instance.slot, bounds_of_part(scene, slot.mesh), transform);
         if (status == QueryStatus::ok) update_box(block, instance.slot);
         return status;
     });
@@ -81,18 +83,25 @@ QueryStatus move(MovingScene& scene, InstanceHandle instance, const Transform& t
 
 Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept {
     Filled filled;
-    filled.status = scene ? QueryStatus::ok : QueryStatus::not_open;
+    if (!scene) return filled;
+    filled.status = QueryStatus::ok;
+    SceneBlock block = block_of(scene);
+    // Most movements are of the same mesh as the one before.
+    PartBounds bounds{};
+    std::uint32_t mesh = no_child;
     for (const Movement& movement : movements) {
-        filled.status = change_slot(scene, movement.instance, [&](SceneBlock& block, InstanceSlot& slot) {
-            const QueryStatus status = place_slot(scene, block, slot, movement.transform);
-            if (status != QueryStatus::ok) return status;
-            set_box(block, movement.instance.slot);
-            block.head->must_refit = 1;
-            return status;
-        });
+        InstanceSlot* const slot = find_slot(block, movement.instance);
+        if (slot == nullptr) {
+            filled.status = QueryStatus::stale_handle;
+            break;
+        }
+        if (slot->mesh != mesh) bounds = bounds_of_part(scene, mesh = slot->mesh);
+        filled.status = place_slot(block, movement.instance.slot, bounds, movement.transform);
         if (filled.status != QueryStatus::ok) break;
+        set_box(block, movement.instance.slot);
         ++filled.count;
     }
+    if (filled.count != 0) block.head->must_refit = 1;
     return filled;
 }
 
@@ -142,7 +151,7 @@ void end_step(MovingScene& scene) noexcept {
     SceneBlock block = block_of(scene);
     if (++block.head->step != 0) return;
     // After 2^32 steps the numbers begin again.
-    for (std::uint32_t number = 0; number < block.head->slots_used; ++number) block.slots[number].moved = 0;
+    for (std::uint32_t number = 0; number < block.head->slots_used; ++number) block.moved[number] = 0;
     block.head->step = 1;
 }
 

@@ -46,11 +46,13 @@ bool are_slots_sound(const SceneBlock& block) {
     return at == no_child;
 }
 
-/// Returns whether the list of free nodes has as many as the head states.
+/// Returns whether the list of free nodes has as many as the head states. None of them is in the tree, where all nodes
+/// but the root have a parent.
 bool are_free_nodes_sound(const SceneBlock& block) {
     std::uint32_t at = block.head->free_node;
     for (std::uint32_t left = block.head->free_nodes; left > 0; --left) {
-        if (at >= block.head->nodes_used) return false;
+        if (at >= block.head->nodes_used || at == block.head->root) return false;
+        if (block.parent[at] != no_child || block.dirty[at] != 0) return false;
         at = block.node(at).child[0];
     }
     return at == no_child;

@@ -34,7 +34,7 @@ public:
     void for_each(OnPair visit) const {
         for (std::uint32_t number = from_.moving; number < block_.head->slots_used; ++number) {
             const InstanceSlot& slot = block_.slots[number];
-            if (!is_live(slot) || (filter_.only_moved && !has_moved(block_, slot))) continue;
+            if (!is_live(slot) || (filter_.only_moved && !has_moved(block_, number))) continue;
             const Box box = box_in_world(slot.box, block_.head->step_exponent);
             const auto visit_baked = [&](InstanceId baked) {
                 const BakedPair pair = {number, baked};

@@ -75,41 +75,56 @@ class PairWalk {
 public:
     PairWalk(SceneBlock& block, const PairFilter& filter, InstancePair from)
         : block_(block), filter_(filter), from_(from) {
-        if (filter.only_moved) mark_moved();
+        if (filter.only_moved && are_few_moved()) mark_moved();
     }
     PairWalk(const PairWalk&) = delete;
     PairWalk& operator=(const PairWalk&) = delete;
     ~PairWalk() {
-        if (!filter_.only_moved) return;
-        for (std::uint32_t node = 0; node < block_.head->nodes_used; ++node) block_.dirty[node] = 0;
+        for (std::uint32_t node = 0; is_marked_ && node < block_.head->nodes_used; ++node) block_.dirty[node] = 0;
     }
 
     template <class Visit>
     void for_each(Visit visit) const {
-        for_each_touching_pair(block_, [&](std::uint32_t x, std::uint32_t y) {
+        const auto pass_on = [&](std::uint32_t x, std::uint32_t y) {
             const InstancePair pair = sorted_pair(x, y);
             if (pair >= from_ && is_selected(block_, filter_, pair)) visit(pair);
-        });
+        };
+        if (is_marked_) {
+            for_each_pair_of_marked(block_, [&](std::uint32_t marked, std::uint32_t other) {
+                // Two that have moved are met twice.
+                if (marked < other || !has_moved(block_, other)) pass_on(marked, other);
+            });
+        } else if (filter_.only_moved) {
+            for_each_touching_pair(block_, [&](std::uint32_t x, std::uint32_t y) {
+                if (has_moved(block_, x) || has_moved(block_, y)) pass_on(x, y);
+            });
+        } else {
+            for_each_touching_pair(block_, pass_on);
+        }
     }
 
 private:
-    /// Marks what has moved up to the root, in the bytes that are zero since the refit.
+    /// Returns whether a walk for those that have moved takes less than one for all.
+    [[nodiscard]] bool are_few_moved() const {
+        std::uint32_t count = 0;
+        for (std::uint32_t slot = 0; slot < block_.head->slots_used; ++slot) count += has_moved(block_, slot) ? 1u : 0u;
+        return count < block_.head->live / 4;
+    }
+    /// Marks what has moved in the bytes that are zero since the refit.
     void mark_moved() {
-        for (std::uint32_t number = 0; number < block_.head->slots_used; ++number) {
-            const InstanceSlot& slot = block_.slots[number];
-            if (!is_live(slot) || !has_moved(block_, slot)) continue;
-            for (std::uint32_t at = slot.place; at != no_child; at = block_.parent[at / 8]) {
-                std::uint8_t& marks = block_.dirty[at / 8];
-                const auto mark = static_cast<std::uint8_t>(1u << at % 8);
-                if ((marks & mark) != 0) break;
-                marks = static_cast<std::uint8_t>(marks | mark);
-            }
+        is_marked_ = true;
+        for (std::uint32_t slot = 0; slot < block_.head->slots_used; ++slot) {
+            if (!has_moved(block_, slot) || !is_live(block_.slots[slot])) continue;
+            const std::uint32_t place = block_.slots[slot].place;
+            std::uint8_t& marks = block_.dirty[place / 8];
+            marks = static_cast<std::uint8_t>(marks | 1u << place % 8);
         }
     }
 
     SceneBlock& block_;
     const PairFilter& filter_;
     InstancePair from_;
+    bool is_marked_ = false;
 };
 
 /// Writes the pairs of one slot that has more of them than there is room for.

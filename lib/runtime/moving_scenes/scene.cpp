@@ -17,9 +17,10 @@ bool is_aligned(const std::byte* memory) { return reinterpret_cast<std::uintptr_
 
 /// Returns how many nodes fit into a block, as many as are ever needed.
 std::uint32_t nodes_that_fit(std::uint64_t bytes, std::uint32_t slots) {
-    const std::uint64_t nodes = (bytes - block_bytes(slots, 0)) / (block_bytes(0, 1) - block_bytes(0, 0));
     const std::uint32_t most = most_nodes_of(slots);
-    return nodes < most ? static_cast<std::uint32_t>(nodes) : most;
+    if (bytes >= block_bytes(slots, most)) return most;
+    constexpr auto bytes_of_node = static_cast<std::uint32_t>(block_bytes(0, 1) - block_bytes(0, 0));
+    return static_cast<std::uint32_t>(bytes - block_bytes(slots, 0)) / bytes_of_node;  // below 2^32, as with most nodes
 }
 
 /// Returns the nearest float at or beyond a number of steps: below it for a direction of -1, above it for 1.
@@ -55,7 +56,11 @@ MovingScene create_moving_scene(std::span<std::byte> memory, std::uint32_t capac
     const std::uint64_t least = least_moving_scene_bytes(capacity);
     if (least == 0 || memory.size() < least || !is_aligned(memory.data()) || !is_step_exponent(step_exponent))
         return {};
-    make_block(memory.data(), capacity, nodes_that_fit(memory.size(), capacity), step_exponent);
+    const std::uint32_t nodes = nodes_that_fit(memory.size(), capacity);
+    // Parts that are not in use yet have the same bytes in every block.
+    const auto size = static_cast<std::size_t>(block_bytes(capacity, nodes));
+    for (std::byte& byte : memory.first(size)) byte = std::byte{0};
+    make_block(memory.data(), capacity, nodes, step_exponent);
     return MovingSceneAccess::make(memory.data(), meshes, tiles);
 }
 

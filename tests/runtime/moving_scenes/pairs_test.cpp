@@ -90,8 +90,7 @@ TEST_SUITE("pairs") {
             CAPTURE(round);
             ++block.head->step;
             for (std::uint32_t slot = 0; slot < 300; ++slot)
-                if (random.below(10) < static_cast<std::uint32_t>(round) % 5)
-                    block.slots[slot].moved = block.head->step;
+                if (random.below(10) < static_cast<std::uint32_t>(round) % 5) block.moved[slot] = block.head->step;
             if (round == 10) repack_boxes(block);
             const auto keep = [](InstanceId a, InstanceId b) { return (a.index + b.index) % 3 != 0; };
             const PairFilter filter = {round % 2 == 0, round % 3 == 0 ? FunctionRef<bool(InstanceId, InstanceId)>(keep)
@@ -99,7 +98,7 @@ TEST_SUITE("pairs") {
             std::vector<InstancePair> expected;
             for (const InstancePair& pair : loop_over_slots(block)) {
                 const InstanceSlot &a = block.slots[pair.a], &b = block.slots[pair.b];
-                const bool moved = a.moved == block.head->step || b.moved == block.head->step;
+                const bool moved = has_moved(block, pair.a) || has_moved(block, pair.b);
                 if ((a.mask & b.mask) != 0 && (moved || !filter.only_moved) &&
                     (!filter.keep || keep({pair.a}, {pair.b})))
                     expected.push_back(pair);

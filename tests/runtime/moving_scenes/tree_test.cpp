@@ -24,8 +24,7 @@ using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 Pairs pairs_of_tree(const SceneBlock& block) {
     Pairs pairs;
-    for_each_touching_pair(block, false,
-                           [&](std::uint32_t a, std::uint32_t b) { pairs.emplace_back(std::minmax(a, b)); });
+    for_each_touching_pair(block, [&](std::uint32_t a, std::uint32_t b) { pairs.emplace_back(std::minmax(a, b)); });
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }

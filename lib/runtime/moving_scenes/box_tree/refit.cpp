@@ -17,35 +17,19 @@ void update_box(SceneBlock& block, std::uint32_t slot) {
 
 std::uint32_t refit_boxes(SceneBlock& block) {
     const BlockHead& head = *block.head;
-    // Nodes of one level after those of the level below: all leaf nodes are at one depth, so a path has a length.
-    struct Level {
-        std::uint32_t node;
-        std::uint32_t next;  ///< the place that is visited next
-        bool is_dirty;
-    };
-    if (head.levels == 0) return 0;
-    Level path[most_tree_levels];
-    std::uint32_t depth = 0, renewed = 0;
-    path[0] = {head.root, 0, false};
-    for (;;) {
-        Level& top = path[depth];
-        const bool is_leaf = depth + 1 == head.levels;
-        while (!is_leaf && top.next < BoxNode::most && block.node(top.node).child[top.next] == no_child) ++top.next;
-        if (!is_leaf && top.next < BoxNode::most) {
-            path[++depth] = {block.node(top.node).child[top.next++], 0, false};
-            continue;
+    std::uint32_t renewed = 0;
+    // Nodes of one level after those of the level below. A node that waits is marked with its level and 1.
+    for (std::uint32_t level = 1; level <= head.levels; ++level)
+        for (std::uint32_t node = 0; node < head.nodes_used; ++node) {
+            if (block.dirty[node] != level) continue;
+            block.dirty[node] = 0;
+            const std::uint32_t above = block.parent[node];
+            if (above == no_child) continue;
+            block.node(above / 8).set_box(above % 8, block.node(node).bounds());
+            block.dirty[above / 8] = static_cast<std::uint8_t>(level + 1);
+            ++renewed;
         }
-        const std::uint32_t node = top.node;
-        const bool is_dirty = top.is_dirty || block.dirty[node] != 0;
-        block.dirty[node] = 0;
-        if (depth == 0) return renewed;
-        --depth;
-        if (!is_dirty) continue;
-        const std::uint32_t above = block.parent[node];
-        block.node(above / 8).set_box(above % 8, block.node(node).bounds());
-        path[depth].is_dirty = true;
-        ++renewed;
-    }
+    return renewed;
 }
 
 float area_of_boxes(const SceneBlock& block) {

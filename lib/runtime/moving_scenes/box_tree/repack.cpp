@@ -77,15 +77,14 @@ void repack_boxes(SceneBlock& block) {
     sort_by_digit(first, second, live, 2 * digit_bits);
     sort_by_digit(second, first, live, 3 * digit_bits);
 
-    // Node i of a level has the children from i * count / nodes on: all have nearly as many.
-    // Hence at least half as many as it may have.
+    // All nodes of a level have nearly as many children: at least half as many as they may have.
     std::uint32_t count = live, first_below = 0;
     for (std::uint32_t level = 0;; ++level) {
         const std::uint32_t nodes = (count + BoxNode::most - 1) / BoxNode::most;
         const std::uint32_t first_node = head.nodes_used;
-        for (std::uint32_t i = 0; i < nodes; ++i) {
-            const auto from = static_cast<std::uint32_t>(std::uint64_t{i} * count / nodes);
-            const auto to = static_cast<std::uint32_t>((std::uint64_t{i} + 1) * count / nodes);
+        const std::uint32_t each = count / nodes, with_one_more = count % nodes;
+        for (std::uint32_t i = 0, from = 0, to = 0; i < nodes; ++i, from = to) {
+            to = from + each + (i < with_one_more ? 1u : 0u);
             const std::uint32_t node = take_node(block);
             for (std::uint32_t k = from; k < to; ++k) {
                 const std::uint32_t child = level == 0 ? first[k].slot : first_below + k;

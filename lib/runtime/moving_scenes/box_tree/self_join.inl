@@ -9,9 +9,18 @@
 
 namespace {
 
-/// Returns which children of a node touch a box, a bit for each.
-[[gnu::always_inline]] inline unsigned touching(const BoxNode& node, const StepsBox& box) {
+/// Returns which of some children of a node touch a box, a bit for each.
+[[gnu::always_inline]] inline unsigned touching(const BoxNode& node, const StepsBox& box, unsigned among) {
     unsigned mask = 0;
+    if constexpr (lanes == 1) {  // only those, and only as far as it is needed
+        for (; among != 0; among &= among - 1) {
+            const auto i = static_cast<unsigned>(std::countr_zero(among));
+            bool apart = false;
+            for (int k = 0; k < 3 && !apart; ++k) apart = node.low[k][i] > box.high[k] || node.high[k][i] < box.low[k];
+            mask |= (apart ? 0u : 1u) << i;
+        }
+        return mask;
+    }
     for (unsigned first = 0; first < BoxNode::most; first += lanes) {
         auto apart = load_as<SignedInts>(&node.low[0][first]) > box.high[0];
         apart = apart | (load_as<SignedInts>(&node.high[0][first]) < box.low[0]);
@@ -21,7 +30,11 @@ namespace {
         }
         mask |= (bits_of(apart) ^ ((1u << lanes) - 1u)) << first;
     }
-    return mask;
+    return mask & among;
+}
+/// Returns which children of a node touch a box. A place without a child has an empty box.
+[[gnu::always_inline]] inline unsigned touching(const BoxNode& node, const StepsBox& box) {
+    return touching(node, box, (1u << BoxNode::most) - 1);
 }
 
 /// A child of a leaf node, against some children of another or the same one.
@@ -31,8 +44,8 @@ struct ChildAgainstNode {
     std::uint32_t children;
 };
 
-/// The pairs of leaf nodes that a walk finds, which are compared in chunks: in each chunk nothing waits for a branch that
-/// no processor could foresee.
+/// The pairs of leaf nodes that a walk finds, which are compared in chunks: in each chunk nothing waits for a branch
+/// that no processor could foresee.
 class LeafNodePairs {
 public:
     LeafNodePairs(const SceneBlock& block, const OnTouchingBoxes& visit) : block_(block), visit_(visit) {}
@@ -53,7 +66,8 @@ public:
         unsigned found = 0;
         for (unsigned i = 0; i < count_; ++i) {
             ChildAgainstNode entry = waiting_[i];
-            entry.children &= touching(block_.node(entry.node), block_.node(entry.place / 8).box(entry.place % 8));
+            const StepsBox box = block_.node(entry.place / 8).box(entry.place % 8);
+            entry.children = touching(block_.node(entry.node), box, entry.children);
             waiting_[found] = entry;
             found += entry.children != 0 ? 1u : 0u;
         }
@@ -100,9 +114,9 @@ struct JoinStep {
             if (children_a == 0) return false;
             child = static_cast<unsigned>(std::countr_zero(children_a));
             children_a &= children_a - 1;
-            waiting = touching(block.node(b), block.node(a).box(child)) & children_b;
             // A node against itself: each pair once, and each child against itself.
-            if (a == b) waiting &= ~0u << child;
+            const unsigned behind = a == b ? ~0u << child : ~0u;
+            waiting = touching(block.node(b), block.node(a).box(child), children_b & behind);
         }
         place = static_cast<unsigned>(std::countr_zero(waiting));
         waiting &= waiting - 1;
@@ -134,4 +148,53 @@ void join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit) {
         else path[--level] = JoinStep(block, first, a.box(step.child), second, b.box(place));
     }
     leaves.flush();
+}
+
+namespace {
+
+/// Some children of a leaf node, against the tree.
+struct MarkedChildren {
+    const SceneBlock& block;
+    const OnTouchingBoxes& visit;
+    std::uint32_t node;
+    unsigned marks;
+
+    /// Visits what touches them. The walk goes where the box around all of them does.
+    void join() const {
+        const BoxNode& own = block.node(node);
+        StepsBox around = StepsBox::none();
+        for (unsigned rest = marks; rest != 0; rest &= rest - 1)
+            around.add(own.box(static_cast<unsigned>(std::countr_zero(rest))));
+        std::uint32_t waiting[most_tree_levels * (BoxNode::most - 1) + 1];  // 16 * node + level
+        unsigned size = 1;
+        waiting[0] = 16 * block.head->root + (block.head->levels - 1u);
+        while (size != 0) {
+            const std::uint32_t level = waiting[--size] % 16, number = waiting[size] / 16;
+            const BoxNode& other = block.node(number);
+            const unsigned near = touching(other, around);
+            if (level == 0) {
+                join_with(own, number, other, near);
+                continue;
+            }
+            for (unsigned rest = near; rest != 0; rest &= rest - 1)
+                waiting[size++] = 16 * other.child[std::countr_zero(rest)] + (level - 1);
+        }
+    }
+
+private:
+    void join_with(const BoxNode& own, std::uint32_t number, const BoxNode& other, unsigned near) const {
+        for (unsigned rest = marks; rest != 0; rest &= rest - 1) {
+            const auto child = static_cast<unsigned>(std::countr_zero(rest));
+            const unsigned others = number == node ? near & ~(1u << child) : near;
+            for (unsigned found = touching(other, own.box(child), others); found != 0; found &= found - 1)
+                visit(own.child[child], other.child[std::countr_zero(found)]);
+        }
+    }
+};
+
+}  // namespace
+
+void join_marked_with_all(const SceneBlock& block, const OnTouchingBoxes& visit) {
+    for (std::uint32_t node = 0; node < block.head->nodes_used; ++node)
+        if (block.dirty[node] != 0) MarkedChildren{block, visit, node, block.dirty[node]}.join();
 }
