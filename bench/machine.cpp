@@ -1,5 +1,6 @@
 #include "machine.hpp"
 
+#include <ctime>
 #include <fstream>
 
 namespace espalier::bench {
@@ -18,6 +19,13 @@ const char* compiler() {
 #else
     return "gcc " __VERSION__;
 #endif
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    char text[16] = "";
+    std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+    return text;
 }
 
 }  // namespace espalier::bench

@@ -11,4 +11,7 @@ std::string processor();
 /// Of this program.
 const char* compiler();
 
+/// Returns the date, in UTC.
+std::string today();
+
 }  // namespace espalier::bench

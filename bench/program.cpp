@@ -14,6 +14,8 @@ Program::Program(const std::string& name, const std::string& description)
 
 Program::~Program() = default;
 
+void Program::allow_no_meshes() { command_line_->get_option("meshes")->required(false); }
+
 template <class Number>
 void Program::add_number(const std::string& option, Number& variable, Number low, Number high,
                          const std::string& help) {
@@ -39,6 +41,10 @@ void Program::add_flag(const std::string& option, bool& variable, const std::str
 
 void Program::add_word(const std::string& option, std::string& variable, const std::string& help) {
     command_line_->add_option(option, variable, help);
+}
+
+void Program::add_words(const std::string& option, std::vector<std::string>& variable, const std::string& help) {
+    command_line_->add_option(option, variable, help)->take_all()->expected(1);
 }
 
 void Program::add_required_word(const std::string& option, std::string& variable, const std::string& help) {

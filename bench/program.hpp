@@ -19,6 +19,9 @@ public:
     Program(const std::string& name, const std::string& description);
     ~Program();
 
+    /// Lets the program run without meshes.
+    void allow_no_meshes();
+
     /// Adds a number from `low` to `high`: unsigned, std::size_t or double.
     template <class Number>
     void add_number(const std::string& option, Number& variable, Number low, Number high, const std::string& help);
@@ -38,6 +41,9 @@ public:
 
     /// Adds any word.
     void add_word(const std::string& option, std::string& variable, const std::string& help);
+
+    /// Adds any words; the option may be repeated.
+    void add_words(const std::string& option, std::vector<std::string>& variable, const std::string& help);
 
     /// Adds any word, without which the program fails.
     void add_required_word(const std::string& option, std::string& variable, const std::string& help);

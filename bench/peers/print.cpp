@@ -1,42 +1,15 @@
 #include "print.hpp"
 
 #include <cstdio>
-#include <ctime>
 #include <thread>
 
-#include <runtime/lanes/select.hpp>
-
 #include "../../tools/base/choices.hpp"
+#include "../instruction_set.hpp"
 #include "../json_object.hpp"
 #include "../machine.hpp"
 
 namespace espalier::bench {
 namespace {
-
-const char* instruction_set_name() {
-    switch (detail::instruction_set()) {
-        case detail::InstructionSet::scalar:
-            return "scalar";
-        case detail::InstructionSet::sse42:
-            return "sse4.2";
-        case detail::InstructionSet::avx2:
-            return "avx2";
-        case detail::InstructionSet::avx512:
-            return "avx512";
-        case detail::InstructionSet::neon:
-            return "neon";
-        case detail::InstructionSet::simd128:
-            return "simd128";
-    }
-    return "";
-}
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    char text[16] = "";
-    std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
-    return text;
-}
 
 /// Lengths: they may be of any size.
 void add_length(JsonObject& object, const char* name, std::optional<double> value) {
