@@ -1,0 +1,60 @@
+#include "espalier_boxes.hpp"
+
+#include <cmath>
+
+#include <runtime/moving_scenes/pairs.hpp>
+
+namespace espalier::bench {
+
+EspalierBoxes::EspalierBoxes(const Start& start, bool only_moved)
+    : scenario_(start.scenario),
+      only_moved_(only_moved),
+      to_steps_(std::ldexp(1.0f, -start.step_exponent)),
+      made_(static_cast<std::uint32_t>(start.boxes.size())) {
+    for (const Box& box : start.boxes) made_.insert(in_steps(box));
+    detail::repack_boxes(made_.block);
+    ++made_.block.head->step;
+}
+
+void EspalierBoxes::step(const Frame& frame, Parts& parts, PairList& pairs) {
+    detail::SceneBlock& block = made_.block;
+    parts.begin();
+    for (const Movement& movement : frame.movements) {
+        const std::uint32_t number = movement.instance.slot;
+        detail::InstanceSlot& slot = block.slots[number];
+        slot.box = in_steps(frame.boxes[number]);
+        slot.moved = block.head->step;
+        detail::set_box(block, number);
+    }
+    parts.end(Part::update);
+    if (scenario_.repacks_in(frame.number)) {
+        detail::repack_boxes(block);
+        nodes_renewed_ = block.head->nodes_used;
+        parts.end(Part::repack);
+    } else {
+        nodes_renewed_ = detail::refit_boxes(block);
+        parts.end(Part::refit);
+    }
+    PairFilter filter;
+    filter.only_moved = only_moved_;
+    pairs.set_count(detail::collect_touching_pairs(block, pairs.room(), filter, {}).count);
+    ++block.head->step;
+    parts.end(Part::pairs);
+}
+
+/// The boxes are whole steps, so that the conversion rounds nothing.
+detail::StepsBox EspalierBoxes::in_steps(const Box& box) const {
+    const auto steps = [this](float x) { return static_cast<std::int32_t>(x * to_steps_); };
+    return {{steps(box.min.x), steps(box.min.y), steps(box.min.z)},
+            {steps(box.max.x), steps(box.max.y), steps(box.max.z)}};
+}
+
+BroadPhaseMakers espalier_box_makers(const Scenario& scenario) {
+    if (scenario.moving >= 1.0) return {maker_of<EspalierBoxes>("espalier", "boxes", false)};
+    BroadPhaseMakers makers = {maker_of<EspalierBoxes>("espalier", "boxes", true),
+                               maker_of<EspalierBoxes>("espalier, all pairs", "boxes", false)};
+    makers[0].finds = Finds::of_movers;
+    return makers;
+}
+
+}  // namespace espalier::bench

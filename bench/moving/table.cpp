@@ -1,0 +1,149 @@
+#include "table.hpp"
+
+#include <cstdlib>
+
+#include "../instruction_set.hpp"
+#include "../machine.hpp"
+
+namespace espalier::bench {
+namespace {
+
+constexpr const char* part_names[part_count] = {"update", "refit", "repack", "pairs"};
+
+/// One line of the table.
+struct Line {
+    std::string name, from;
+    double median, mean, slowest;
+    const Measured* measured;
+};
+
+double microseconds(double seconds) { return 1e6 * seconds; }
+
+/// Returns the median of a part over the steps that have it, 0 if none has.
+double part_median(const Measured& measured, std::size_t part) {
+    Steps steps;
+    for (const double seconds : measured.parts[part])
+        if (seconds > 0.0) steps.push_back(seconds);
+    return steps.empty() ? 0.0 : median_of(steps);
+}
+
+Line line_of(const Measured& measured) {
+    return {
+        measured.name, measured.from, median_of(measured.steps), mean_of(measured.steps), slowest_of(measured.steps),
+        &measured};
+}
+
+std::vector<Line> lines_of(const std::vector<Measured>& all) {
+    std::vector<Line> from_boxes, from_placements;
+    const Measured* loop = nullptr;
+    for (const Measured& one : all)
+        if (one.finds == Finds::none) loop = &one;
+    for (const Measured& one : all) {
+        if (one.from != "boxes") {
+            from_placements.push_back(line_of(one));
+            continue;
+        }
+        from_boxes.push_back(line_of(one));
+        if (loop == nullptr || one.name.starts_with("espalier")) continue;
+        Measured both = one;
+        for (std::size_t i = 0; i < both.steps.size(); ++i) both.steps[i] += loop->steps[i];
+        Line line = line_of(both);
+        line.from = "placements";
+        line.measured = &one;
+        from_placements.push_back(line);
+    }
+    from_boxes.insert(from_boxes.end(), from_placements.begin(), from_placements.end());
+    return from_boxes;
+}
+
+const Line& reference_of(const std::vector<Line>& lines, const Line& line) {
+    for (const Line& other : lines)
+        if (other.from == line.from && other.name == "espalier") return other;
+    return lines.front();
+}
+
+void print_row(const Line& line, const Line& reference, const Scenario& scenario, const std::string& measures) {
+    JsonObject row = row_of(scenario, measures);
+    row.add("system", line.name);
+    row.add("from", line.from);
+    row.add("median_us", microseconds(line.median), 2);
+    row.add("mean_us", microseconds(line.mean), 2);
+    row.add("slowest_us", microseconds(line.slowest), 2);
+    row.add("ratio_of_medians", line.median / reference.median, 3);
+    row.add("ratio_of_means", line.mean / reference.mean, 3);
+    if (line.from == line.measured->from)
+        for (std::size_t i = 0; i < part_count; ++i)
+            row.add(std::string(part_names[i]) + "_us", microseconds(part_median(*line.measured, i)), 2);
+    row.add("differing_steps", line.measured->differing_steps);
+    row.add("differing_pairs", line.measured->differing_pairs);
+    row.print();
+}
+
+void print_line(const Line& line, const Line& reference) {
+    std::fprintf(stderr, "%-26s %-11s %10.1f %10.1f %9.2f %9.2f %9.2f", line.name.c_str(), line.from.c_str(),
+                 microseconds(line.median), microseconds(line.mean), line.median / reference.median,
+                 line.mean / reference.mean, line.slowest / line.median);
+    if (line.from == line.measured->from) {
+        std::fprintf(stderr, "  ");
+        for (std::size_t i = 0; i < part_count; ++i)
+            if (const double part = part_median(*line.measured, i); part > 0.0)
+                std::fprintf(stderr, " %s %.1f", part_names[i], microseconds(part));
+    }
+    if (line.measured->differing_steps > 0)
+        std::fprintf(stderr, "  PAIRS DIFFER in %zu steps, %zu pairs", line.measured->differing_steps,
+                     line.measured->differing_pairs);
+    std::fprintf(stderr, "\n");
+}
+
+/// Prints which system of those whose names begin so is the fastest.
+void print_best(const std::vector<Line>& lines, const std::string& family) {
+    const Line* best = nullptr;
+    for (const Line& line : lines)
+        if (line.from == "boxes" && line.name.starts_with(family) && (best == nullptr || line.median < best->median))
+            best = &line;
+    if (best == nullptr) return;
+    std::fprintf(stderr, "best of %s: %s, %.2f x from boxes", family.c_str(), best->name.c_str(),
+                 best->median / reference_of(lines, *best).median);
+    for (const Line& line : lines)
+        if (line.from == "placements" && line.name == best->name)
+            std::fprintf(stderr, ", %.2f x from placements", line.median / reference_of(lines, line).median);
+    std::fprintf(stderr, "\n");
+}
+
+}  // namespace
+
+JsonObject row_of(const Scenario& scenario, const std::string& measures) {
+    JsonObject row;
+    row.add("measures", measures);
+    row.add("objects", scenario.objects);
+    row.add("sizes", scenario.sizes == Sizes::cubes ? "cubes" : "mixed");
+    row.add("speed", scenario.speed, 3);
+    row.add("moving", scenario.moving, 3);
+    row.add_raw("turning", scenario.turning ? "true" : "false");
+    row.add("unmeasured", scenario.unmeasured);
+    row.add("steps", scenario.steps);
+    row.add("repeats", scenario.repeats);
+    row.add("processor", processor());
+    row.add("instruction_set", instruction_set_name());
+    row.add("compiler", compiler());
+    row.add("date", today());
+    return row;
+}
+
+void print_steps(const std::vector<Measured>& measured, const Scenario& scenario, const std::string& measures) {
+    const std::vector<Line> lines = lines_of(measured);
+    std::fprintf(stderr, "%s: %zu %s, speed %g, %g of them move%s; %zu steps, %zu repeats\n", measures.c_str(),
+                 scenario.objects, scenario.sizes == Sizes::cubes ? "cubes" : "mixed cubes", scenario.speed,
+                 scenario.moving, scenario.turning ? " and turn" : "", scenario.steps, scenario.repeats);
+    std::fprintf(stderr, "%s, %s\n", processor().c_str(), instruction_set_name());
+    std::fprintf(stderr, "%-26s %-11s %10s %10s %9s %9s %9s   %s\n", "", "from", "median us", "mean us", "x median",
+                 "x mean", "slowest/m", "parts, median us of the steps that have them");
+    for (const Line& line : lines) {
+        print_row(line, reference_of(lines, line), scenario, measures);
+        print_line(line, reference_of(lines, line));
+    }
+    for (const char* family : {"bullet", "ode", "fcl"}) print_best(lines, family);
+    std::fflush(stdout);
+}
+
+}  // namespace espalier::bench
