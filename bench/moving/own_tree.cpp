@@ -16,7 +16,7 @@ namespace {
 std::vector<std::uint8_t> marks_of(const detail::SceneBlock& block, std::optional<std::uint32_t> moved_in) {
     std::vector<std::uint8_t> marks(block.head->nodes_used, moved_in ? 0 : 0xFF);
     for (std::uint32_t slot = 0; moved_in && slot < block.head->slots_used; ++slot) {
-        if (!detail::is_live(block.slots[slot]) || block.slots[slot].moved != *moved_in) continue;
+        if (!detail::is_live(block.slots[slot]) || block.moved[slot] != *moved_in) continue;
         for (std::uint32_t at = block.slots[slot].place; at != detail::no_child; at = block.parent[at / 8])
             marks[at / 8] = static_cast<std::uint8_t>(marks[at / 8] | 1u << at % 8);
     }
@@ -28,8 +28,7 @@ std::vector<std::uint8_t> marks_of(const detail::SceneBlock& block, std::optiona
 TreeShape shape_of(const detail::SceneBlock& block, int step_exponent) {
     const detail::BlockHead& head = *block.head;
     TreeShape shape;
-    // area_of_boxes() is in units of 4 square steps.
-    shape.area = std::ldexp(static_cast<double>(detail::area_of_boxes(block)), 2 + 2 * step_exponent);
+    shape.area = std::ldexp(static_cast<double>(detail::area_of_boxes(block)), 2 * step_exponent);
     shape.nodes = head.nodes_used - head.free_nodes;
     shape.fill = static_cast<double>(head.live + shape.nodes - 1) / static_cast<double>(shape.nodes);
     shape.depth = head.levels;

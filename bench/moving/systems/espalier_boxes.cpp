@@ -21,9 +21,8 @@ void EspalierBoxes::step(const Frame& frame, Parts& parts, PairList& pairs) {
     parts.begin();
     for (const Movement& movement : frame.movements) {
         const std::uint32_t number = movement.instance.slot;
-        detail::InstanceSlot& slot = block.slots[number];
-        slot.box = in_steps(frame.boxes[number]);
-        slot.moved = block.head->step;
+        block.slots[number].box = in_steps(frame.boxes[number]);
+        block.moved[number] = block.head->step;
         detail::set_box(block, number);
     }
     parts.end(Part::update);

@@ -22,7 +22,8 @@ bool is_head_sound(const BlockHead& head) {
            head.free_nodes <= head.nodes_used && head.levels <= most_tree_levels &&
            (head.levels == 0) == (head.live == 0) && (head.levels == 0) == (head.root == no_child) &&
            head.must_refit <= 1 && head.reserved == 0 && head.step != 0 && is_radius(coarseness.coarsest_step) &&
-           is_radius(coarseness.largest_scale) && is_radius(coarseness.farthest_origin) && is_radius(head.packed_area);
+           is_radius(coarseness.largest_scale) && is_radius(coarseness.farthest_origin) &&
+           (magnitude_bits(head.packed_area) == 0 || head.packed_area >= 1.0f);
 }
 
 /// Returns whether the slots below slots_used are alive, worn, or in the list of free ones, each once.
