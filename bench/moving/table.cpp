@@ -10,6 +10,8 @@ namespace {
 
 constexpr const char* part_names[part_count] = {"update", "refit", "repack", "pairs"};
 
+const char* name_of(Sizes sizes) { return sizes == Sizes::cubes ? "cubes" : "mixed"; }
+
 /// One line of the table.
 struct Line {
     std::string name, from;
@@ -74,6 +76,7 @@ void print_row(const Line& line, const Line& reference, const Scenario& scenario
     if (line.from == line.measured->from)
         for (std::size_t i = 0; i < part_count; ++i)
             row.add(std::string(part_names[i]) + "_us", microseconds(part_median(*line.measured, i)), 2);
+    row.add("pairs", line.measured->pairs);
     row.add("differing_steps", line.measured->differing_steps);
     row.add("differing_pairs", line.measured->differing_pairs);
     row.print();
@@ -116,7 +119,7 @@ JsonObject row_of(const Scenario& scenario, const std::string& measures) {
     JsonObject row;
     row.add("measures", measures);
     row.add("objects", scenario.objects);
-    row.add("sizes", scenario.sizes == Sizes::cubes ? "cubes" : "mixed");
+    row.add("sizes", name_of(scenario.sizes));
     row.add("speed", scenario.speed, 3);
     row.add("moving", scenario.moving, 3);
     row.add_raw("turning", scenario.turning ? "true" : "false");
@@ -132,9 +135,9 @@ JsonObject row_of(const Scenario& scenario, const std::string& measures) {
 
 void print_steps(const std::vector<Measured>& measured, const Scenario& scenario, const std::string& measures) {
     const std::vector<Line> lines = lines_of(measured);
-    std::fprintf(stderr, "%s: %zu %s, speed %g, %g of them move%s; %zu steps, %zu repeats\n", measures.c_str(),
-                 scenario.objects, scenario.sizes == Sizes::cubes ? "cubes" : "mixed cubes", scenario.speed,
-                 scenario.moving, scenario.turning ? " and turn" : "", scenario.steps, scenario.repeats);
+    std::fprintf(stderr, "%s: %zu objects, sizes %s, speed %g, %g of them move%s; %zu steps, %zu repeats; %zu pairs\n",
+                 measures.c_str(), scenario.objects, name_of(scenario.sizes), scenario.speed, scenario.moving,
+                 scenario.turning ? " and turn" : "", scenario.steps, scenario.repeats, measured.front().pairs);
     std::fprintf(stderr, "%s, %s\n", processor().c_str(), instruction_set_name());
     std::fprintf(stderr, "%-26s %-11s %10s %10s %9s %9s %9s   %s\n", "", "from", "median us", "mean us", "x median",
                  "x mean", "slowest/m", "parts, median us of the steps that have them");

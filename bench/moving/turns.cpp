@@ -42,7 +42,7 @@ public:
     Runner(const BroadPhaseMakers& makers, const Scenario& scenario) : makers_(makers), scenario_(scenario), pairs_(0) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         for (const BroadPhaseMaker& maker : makers) {
-            measured.push_back({maker.name, maker.from, maker.finds, Steps(scenario.steps, infinity), {}, 0, 0});
+            measured.push_back({maker.name, maker.from, maker.finds, Steps(scenario.steps, infinity), {}, 0, 0, 0});
             for (Steps& part : measured.back().parts) part.assign(scenario.steps, infinity);
         }
     }
@@ -71,6 +71,7 @@ public:
 
 private:
     void take_turn(std::size_t system, bool compares) {
+        forget_branches();
         Measured& row = measured[system];
         for (const Frame& frame : turn_) {
             pairs_.clear();
@@ -79,6 +80,7 @@ private:
             systems_[system]->step(frame, parts, pairs_);
             const double seconds = thread_seconds() - begin;
             if (pairs_.is_overflowing()) throw std::runtime_error(row.name + ": more pairs than there is room for");
+            row.pairs = pairs_.found().size();
             if (compares) compare(row, frame);
             if (frame.number < scenario_.unmeasured) continue;
             const std::size_t step = frame.number - scenario_.unmeasured;
@@ -95,6 +97,14 @@ private:
         row.differing_pairs += count_differing(pairs_.found(), of_all ? frame.pairs : of_movers(frame));
     }
 
+    /// Sorts random numbers, so that the processor predicts no branches from a system of the same code before.
+    void forget_branches() {
+        std::vector<std::uint64_t> numbers(1 << 14);
+        for (std::uint64_t& number : numbers) number = random_.next();
+        std::sort(numbers.begin(), numbers.end());
+    }
+
+    tests::Random random_{moving_seed};
     const BroadPhaseMakers& makers_;
     const Scenario& scenario_;
     PairList pairs_;

@@ -16,6 +16,7 @@ struct Measured {
     Finds finds = Finds::all;
     Steps steps;                          ///< processor time of the thread
     std::array<Steps, part_count> parts;  ///< elapsed time
+    std::size_t pairs = 0;                ///< in the last step
     std::size_t differing_steps = 0;      ///< in which pairs are missing or wrong, in the first repeat
     std::size_t differing_pairs = 0;      ///< of all those steps
 };
