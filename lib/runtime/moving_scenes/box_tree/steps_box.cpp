@@ -55,7 +55,7 @@ ESPALIER_SHARED_OR_PART_OF_CALLER inline BoxEnds ends_around(const PartBounds& b
     const Coordinates half = combined(magnitude(columns[0]), magnitude(columns[1]), magnitude(columns[2]), half_local);
     const Coordinates by = without_tiny(Coordinates(transform.translation));
     const float own_margin = size_of(bounds) * 0x1p-16f + (bounds.coarsest_step * 0x1p-6f + 0x1p-97f);
-    const Coordinates margin(transform.scale * own_margin + 0x1p-97f);
+    const Coordinates margin(transform.scale * own_margin + 0x1p-96f);
     const Coordinates reach = half + (margin + (magnitude(by) + magnitude(from)) * Coordinates(0x1p-21f));
     return {(from + by) - reach, (from + by) + reach};
 }
