@@ -45,7 +45,8 @@ Transform any_transform(Random& random, float place, int most_exponent) {
     transform.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), random.signed_unit()};
     if (random.below(4) == 0) transform.rotation = {};
     transform.translation = random.in_cube(place);
-    transform.scale = std::ldexp(1.0f + random.unit(), random.between(-most_exponent, most_exponent));
+    const int exponent = random.between(-most_exponent, most_exponent);  // drawn first by every compiler
+    transform.scale = std::ldexp(1.0f + random.unit(), exponent);
     return transform;
 }
 
