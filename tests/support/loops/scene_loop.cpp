@@ -172,23 +172,29 @@ template <class Scene>
 SceneComparison compare_closest_points(const Scene& scene, const Vec3& point, float max_distance, std::uint32_t mask) {
     const SceneFilter filter(mask);
     SceneLoop<Scene> loop(scene, filter);
-    const auto approach = [&](const InstanceInLoop& instance) {
+    InScene<ClosestPoint> expected;
+    expected.hit.status = QueryStatus::not_found;
+    float least_in_tile = 0.0f;
+    loop.for_each_instance([&](const InstanceInLoop& instance) {
         const float outer = instance.outer.scale, inner = instance.tile != nullptr ? instance.inner.scale : 1.0f;
         const auto smaller = [](float length, float scale) { return zero_if_tiny(zero_if_tiny(length) / scale); };
         const auto larger = [](float length, float scale) { return zero_if_tiny(zero_if_tiny(length) * scale); };
         ClosestPoint nearest = instance.in_local(point, [&](const Vec3& local) {
             return closest_point(instance.blob, local, smaller(smaller(max_distance, outer), inner));
         });
-        nearest.distance = larger(larger(nearest.distance, inner), outer);
-        return nearest;
-    };
-    const auto move = [&](const InstanceInLoop& instance, ClosestPoint nearest) {
+        loop.note(nearest.status);
+        const float in_tile = larger(nearest.distance, inner);
+        nearest.distance = larger(in_tile, outer);
+        // A tile is queried as a mesh is: those in one tile are compared before the tile's scale rounds.
+        const bool is_in_same_tile = expected.instance.index == instance.id.index;
+        const bool is_nearer = is_in_same_tile ? in_tile < least_in_tile : nearest.distance < expected.hit.distance;
+        if (!nearest || (expected && !is_nearer)) return;
+        least_in_tile = in_tile;
         nearest.point = instance.in_world(nearest.point);
         nearest.on_shape = point;
         nearest.face_normal = instance.normal_in_world(nearest.face_normal);
-        return nearest;
-    };
-    const InScene<ClosestPoint> expected = loop.best(&ClosestPoint::distance, approach, move);
+        expected = {nearest, instance.id};
+    });
     const InScene<ClosestPoint> nearest = closest_point(scene, point, max_distance, mask);
     SceneComparison result;
     result.is_found = static_cast<bool>(nearest);
