@@ -3,9 +3,6 @@
 // the answers are those of the loop over all instances. Bytes behind the size that the header states are what the
 // arguments of the queries are made of.
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -14,8 +11,8 @@
 
 #include "judge.hpp"
 #include "opening.hpp"
+#include "scene_questions.hpp"
 #include "support/base/checksum.hpp"
-#include "support/loops/scene_loop.hpp"
 #include "target.hpp"
 
 using namespace espalier;
@@ -52,79 +49,8 @@ void repair(std::span<std::byte> scene) {
     fuzz::repair_header(scene, layout::magic, layout::version_major, layout::version_minor);
 }
 
-/// Shapes near a scene, from arguments that the fuzzer chooses.
-class Shapes {
-public:
-    Shapes(const BakedScene& scene, Random& random) : random_(random) {
-        const Box box = scene.bounds();
-        center_ = {0.5f * box.min.x + 0.5f * box.max.x, 0.5f * box.min.y + 0.5f * box.max.y,
-                   0.5f * box.min.z + 0.5f * box.max.z};
-        size_ = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z, 0x1p-120f});
-        size_ = std::min(size_, 0x1p120f);
-    }
-    float length() { return random_.unit() * std::ldexp(size_, random_.between(-20, 2)); }
-    Vec3 way() { return random_.in_cube(length()); }
-    Vec3 point() {
-        const Vec3 from = way();
-        return {center_.x + from.x, center_.y + from.y, center_.z + from.z};
-    }
-
-private:
-    Random& random_;
-    Vec3 center_;
-    float size_;
-};
-
-Vec3 any_bits(Random& random) {
-    const auto number = [&] { return std::bit_cast<float>(static_cast<std::uint32_t>(random.next() >> 32)); };
-    const float x = number(), y = number(), z = number();
-    return {x, y, z};
-}
-
-/// Asks the scene everything about shapes that no query refuses for their numbers.
-void compare_all(const BakedScene& scene, bool is_sound, Random& random) {
-    const auto judge = [&](const SceneComparison& comparison) {
-        if (is_sound && comparison.fault != nullptr) fuzz::fail("scene", comparison.fault);
-    };
-    Shapes shapes(scene, random);
-    const SceneFilter filter(random.coin() ? 0xFFFFFFFF : random.below(16));
-    Ray ray = {shapes.point(), shapes.way()};
-    if (ray.direction == Vec3{}) ray.direction.x = 1.0f;
-    judge(compare_rays(scene, ray, filter));
-    judge(compare_closest_points(scene, shapes.point(), shapes.length(), filter.mask()));
-    const Sphere sphere = {shapes.point(), shapes.length()};
-    const Capsule capsule = {shapes.point(), shapes.point(), shapes.length()};
-    const Vec3 corner = shapes.point();
-    const Box box = {corner, {corner.x + shapes.length(), corner.y + shapes.length(), corner.z + shapes.length()}};
-    Cone cone = {shapes.point(), shapes.way(), shapes.length()};
-    if (cone.axis == Vec3{}) cone.axis.y = 1.0f;
-    judge(compare_overlaps(scene, sphere, filter));
-    judge(compare_overlaps(scene, capsule, filter));
-    judge(compare_overlaps(scene, box, filter));
-    judge(compare_overlaps(scene, OrientedBox{corner, {shapes.way(), shapes.way(), shapes.way()}}, filter));
-    judge(compare_overlaps(scene, Triangle{shapes.point(), shapes.point(), shapes.point()}, filter));
-    judge(compare_overlaps(scene, cone, filter));
-    judge(compare_sweeps(scene, sphere, shapes.way(), filter));
-    judge(compare_sweeps(scene, capsule, shapes.way(), filter));
-}
-
-/// Asks with any bits: only that nothing breaks counts.
-void ask_with_any_bits(const BakedScene& scene, Random& random) {
-    const Vec3 a = any_bits(random), b = any_bits(random), c = any_bits(random), d = any_bits(random);
-    const auto ignore = [](InstanceId, TriangleId) {};
-    static_cast<void>(raycast(scene, Ray{a, b, c.x, c.y}));
-    static_cast<void>(occluded(scene, Ray{a, b, c.x, c.y}));
-    static_cast<void>(for_each_hit(scene, Ray{a, b}, [](InstanceId, const RayHit&) {}));
-    static_cast<void>(closest_point(scene, a, b.x));
-    static_cast<void>(for_each_overlap(scene, Sphere{a, b.x}, ignore));
-    static_cast<void>(for_each_overlap(scene, Capsule{a, b, c.x}, ignore));
-    static_cast<void>(for_each_overlap(scene, Box{a, b}, ignore));
-    static_cast<void>(for_each_overlap(scene, OrientedBox{a, {b, c, d}}, ignore));
-    static_cast<void>(for_each_overlap(scene, Triangle{a, b, c}, ignore));
-    static_cast<void>(for_each_overlap(scene, Cone{a, b, c.x}, ignore));
-    static_cast<void>(for_each_candidate(scene, Box{a, b}, [](InstanceId) {}));
-    static_cast<void>(sweep(scene, Sphere{a, b.x}, c));
-    static_cast<void>(sweep(scene, Capsule{a, b, c.x}, d));
+/// Asks about instances by any numbers.
+void ask_for_instances(const BakedScene& scene, Random& random) {
     const InstanceId id = {random.below(scene.instance_count() + 2), random.coin() ? random.below(4) : 0xFFFFFFFF};
     static_cast<void>(instance_at(scene, id));
     static_cast<void>(mesh_at(scene, id));
@@ -143,8 +69,9 @@ void open_and_ask(std::span<const std::byte> bytes, std::span<const std::byte> a
     }
     Random random(bytes.size(), arguments);
     for (int i = 0; i < 4; ++i) {
-        compare_all(scene, is_sound, random);
-        ask_with_any_bits(scene, random);
+        fuzz::compare_with_loop(scene, is_sound, fuzz::ShapesNear(scene.bounds(), random), random);
+        fuzz::ask_with_any_bits(scene, random);
+        ask_for_instances(scene, random);
     }
 }
 
