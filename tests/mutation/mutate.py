@@ -67,6 +67,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/moving_scenes/tree", "runtime/moving_scenes/hilbert", "runtime/moving_scenes/steps_box",
     "runtime/moving_scenes/pairs", "runtime/moving_scenes/loop", "runtime/moving_scenes/scene",
     "runtime/moving_scenes/colliding", "runtime/moving_scenes/view",
+    "runtime/moving_scenes/hostile", "runtime/moving_scenes/rules",
     "runtime/pairs/pair", "runtime/pairs/distance_work", "runtime/pairs/frame", "runtime/pairs/loop",
     "runtime/pairs/pages", "runtime/proximity/closest_pair", "runtime/sweeps/sweep", "runtime/transforms/transform",
     "runtime/base/float_bits", "runtime/base/wide_integer", "runtime/kernels/ray_triangle",
