@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_golden.sh GOLDEN QUESTIONS FOLDER QUERY_ANSWERS...: asks the blobs in FOLDER by a program (a command line that ends
-# with query_answers or with its options) and looks for what it says about all scenes and about all blobs among the lines of the file GOLDEN.
+# with query_answers or with its options) and looks for its lines about all scenes, all blobs and all moving scenes in the file GOLDEN.
 # Exit status: 0 the same bits, 77 the program cannot run on this machine, other: other bits or a failure.
 set -euo pipefail
 

@@ -1,6 +1,7 @@
 // query_answers [--set NAME] QUESTIONS BLOB...: opens each blob or scene, asks it, prints one line of answers for each;
-// asks every two blobs that follow each other about both; and prints a line about all scenes and one about all blobs.
-// The line about scenes is left out where there are none. NAME is one of scalar, sse42, avx2 and avx512, to ask with
+// asks every two blobs that follow each other about both; and prints a line about all scenes, one about all blobs, and
+// one about moving scenes of the meshes and tiles of each scene. Lines about scenes are left out where there are none.
+// NAME is one of scalar, sse42, avx2 and avx512, to ask with
 // that instruction set where the machine has it. Uses the runtime and C streams only, so that it runs wherever a C++
 // compiler reaches.
 #include <cstddef>
@@ -14,6 +15,7 @@
 #include <runtime/lanes/select.hpp>
 
 #include "answers.hpp"
+#include "moving_answers.hpp"
 #include "report.hpp"
 #include "scene_answers.hpp"
 
@@ -102,6 +104,30 @@ void answer_blobs(const std::vector<Asset>& assets, std::uint32_t questions_of_a
     tally.print(questions_of_a_kind, assets.size(), "blobs");
 }
 
+/// Runs 250 calls for each question on a moving scene of the parts of each scene. Every other one has the least memory.
+void answer_moving_scenes(const std::vector<Scene>& scenes, std::uint32_t questions_of_a_kind) {
+    constexpr std::uint32_t capacity = 400;
+    alignas(32) static std::byte memory[68 * 1024];
+    platform::Fingerprint blocks;
+    platform::Answers all;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const espalier::BakedScene& scene = scenes[i].scene;
+        const std::uint64_t bytes =
+            i % 2 == 0 ? espalier::moving_scene_bytes(capacity) : espalier::least_moving_scene_bytes(capacity);
+        std::memset(memory, 0, sizeof memory);
+        const platform::MovingParts parts = {scene.meshes(), scene.tiles(), scene};
+        platform::Answers answers;
+        platform::MovingScript script(parts, std::span(memory).first(static_cast<std::size_t>(bytes)), capacity,
+                                      answers, blocks);
+        script.run(250 * questions_of_a_kind);
+        std::fputs(platform::report(answers).c_str(), stdout);
+        all.calls += answers.calls;
+        all.fingerprint.add(answers.fingerprint);
+    }
+    const auto count = static_cast<std::uint32_t>(scenes.size());
+    std::fputs(platform::summary(questions_of_a_kind, count, "moving scenes", blocks, all).c_str(), stdout);
+}
+
 /// False when this machine has no such set.
 bool choose_instruction_set(const char* name) {
 #if ESPALIER_X86
@@ -136,5 +162,6 @@ int main(int argument_count, char** arguments) {
     const auto questions_of_a_kind = static_cast<std::uint32_t>(std::strtoul(rest[0], nullptr, 10));
     if (!scenes.empty()) answer_scenes(scenes, questions_of_a_kind);
     answer_blobs(assets, questions_of_a_kind);
+    if (!scenes.empty()) answer_moving_scenes(scenes, questions_of_a_kind);
     return 0;
 }

@@ -1,0 +1,241 @@
+// A script of calls on a moving scene, the same on every machine: insertions, removals, moves and queries, and a hash
+// of every answer and of the block.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include <espalier/scenes/moving_scene.hpp>
+#include <espalier/scenes/pairs.hpp>
+#include <runtime/moving_scenes/box_tree/block.hpp>
+
+#include "answer_counts.hpp"
+
+namespace espalier::platform {
+
+/// What the instances of a script place, and a baked scene in the same world, which may be one that is not open.
+struct MovingParts {
+    std::span<const Blob> meshes;
+    std::span<const BakedScene> tiles;
+    BakedScene baked;
+};
+
+/// Adds the words of a block as numbers, so that the hash is the same for both byte orders.
+inline void add_block(Fingerprint& fingerprint, std::span<const std::byte> block) {
+    const auto* const head = static_cast<const detail::BlockHead*>(static_cast<const void*>(block.data()));
+    constexpr std::size_t small_fields = offsetof(detail::BlockHead, step_exponent);  // four of a byte each
+    const std::size_t words = block.size() - head->node_capacity;                     // marks of nodes are bytes
+    for (std::size_t at = 0; at < words; at += 4) {
+        std::uint32_t word = 0;
+        std::memcpy(&word, block.data() + at, sizeof word);
+        if (at != small_fields) fingerprint.add(word);
+    }
+    fingerprint.add(block.subspan(small_fields, 4));
+    fingerprint.add(block.subspan(words));
+}
+
+/// A moving scene, and numbers that choose what is called.
+class MovingScript {
+public:
+    MovingScript(const MovingParts& parts, std::span<std::byte> memory, std::uint32_t capacity, Answers& answers,
+                 Fingerprint& blocks)
+        : parts_(parts),
+          scene_(create_moving_scene(memory, capacity, -10, parts.meshes, parts.tiles)),
+          memory_(memory),
+          answers_(answers),
+          blocks_(blocks) {
+        hash_.add(static_cast<bool>(scene_));
+    }
+
+    void run(std::uint32_t calls) {
+        constexpr std::uint32_t round = 4096;
+        for (std::uint32_t number = 1; number <= calls; ++number) {
+            // Instances become more in one round and fewer in the next.
+            call(word() >> 8 & 63u, number / round % 2 == 0);
+            if (number % round == 0 || number == calls) end_round();
+        }
+        answers_.calls += calls;
+    }
+
+private:
+    std::uint32_t word() {  // xorshift32
+        state_ ^= state_ << 13;
+        state_ ^= state_ >> 17;
+        state_ ^= state_ << 5;
+        return state_;
+    }
+    float signed_fraction() { return static_cast<float>(static_cast<std::int32_t>(word() >> 8) - 0x800000) * 0x1p-23f; }
+    Vec3 in_cube(float half_side) {
+        const float x = signed_fraction() * half_side, y = signed_fraction() * half_side;
+        return {x, y, signed_fraction() * half_side};
+    }
+    Transform place() {
+        if (word() % 64 == 0) return any_bits();
+        Transform transform;
+        const Vec3 axis = in_cube(1.0f);
+        if (word() % 4 != 0) transform.rotation = {axis.x, axis.y, axis.z, 1.25f};
+        transform.translation = in_cube(48.0f);
+        transform.scale = 0.75f + 0.5f * signed_fraction();
+        return transform;
+    }
+    Transform any_bits() {
+        float numbers[8];
+        for (float& number : numbers) number = std::bit_cast<float>(word());
+        return {{numbers[0], numbers[1], numbers[2], numbers[3]}, {numbers[4], numbers[5], numbers[6]}, numbers[7]};
+    }
+    /// Returns the handle of a live slot, a free one or none.
+    InstanceHandle any_handle() {
+        const std::uint32_t slot = word() % (scene_.slot_end() + 1);
+        const Result<InstanceHandle> handle = handle_of(scene_, slot);
+        add(handle.status);
+        return handle ? *handle : InstanceHandle{slot, 2};
+    }
+
+    void add(QueryStatus status) { hash_.add(static_cast<std::uint32_t>(status)); }
+    void add(InstanceId instance) {
+        hash_.add(instance.index);
+        hash_.add(instance.in_tile);
+    }
+
+    void call(std::uint32_t kind, bool is_growing) {
+        if (kind < (is_growing ? 16u : 10u)) return insert_one();
+        if (kind < 26) return add(remove(scene_, any_handle()));
+        if (kind < 48) return move_one();
+        if (kind < 50) return move_some();
+        if (kind < 58) return ask_ray();
+        if (kind < 60) return ask_shapes();
+        if (kind == 60) return hash_.add(refit(scene_));
+        if (kind == 61) return set_words();
+        if (kind == 62) return end_or_repack();
+        return collect_pairs();
+    }
+    void insert_one() {
+        Instance instance;
+        instance.transform = place();
+        instance.mesh = word() % (static_cast<std::uint32_t>(parts_.meshes.size() + parts_.tiles.size()) + 1);
+        instance.mask = word() | 1u << word() % 32;
+        instance.user = word();
+        const Result<InstanceHandle> handle = insert(scene_, instance);
+        add(handle.status);
+        hash_.add(handle->slot);
+        hash_.add(handle->generation);
+    }
+    void move_one() {
+        const InstanceHandle handle = any_handle();
+        add(move(scene_, handle, place()));
+    }
+    void move_some() {
+        Movement movements[6];
+        for (Movement& movement : movements) {
+            movement.instance = any_handle();
+            movement.transform = place();
+        }
+        const Filled moved = move(scene_, movements);
+        add(moved.status);
+        hash_.add(static_cast<std::uint32_t>(moved.count));
+        if (word() % 16 != 0) hash_.add(refit(scene_));  // else the queries that follow are refused
+    }
+    void set_words() {
+        const InstanceHandle handle = any_handle();
+        add(set_mask(scene_, handle, word()));
+        add(set_user(scene_, handle, word()));
+        const Result<Box> box = box_of(scene_, handle);
+        hash_.add(box->min);
+        hash_.add(box->max);
+    }
+    void end_or_repack() {
+        if (word() % 64 == 0) repack(scene_);
+        else end_step(scene_);
+    }
+
+    void ask_ray() {
+        const Ray ray = {in_cube(64.0f), in_cube(64.0f)};
+        const std::uint32_t mask = word();
+        const InScene<RayHit> hit = raycast(scene_, ray, mask);
+        answers_.rays += 1;
+        answers_.rays_hit += hit ? 1u : 0u;
+        add(hit->status);
+        add(hit.instance);
+        hash_.add(hit->triangle.index);
+        hash_.add(hit->t);
+        hash_.add(hit->normal);
+        hash_.add(occluded(scene_, ray).yes());
+    }
+    void ask_shapes() {
+        const Vec3 point = in_cube(64.0f);
+        const InScene<ClosestPoint> nearest = closest_point(scene_, point, 8.0f);
+        answers_.points += 1;
+        answers_.points_found += nearest ? 1u : 0u;
+        add(nearest->status);
+        add(nearest.instance);
+        hash_.add(nearest->point);
+        const InScene<SweepHit> contact = sweep(scene_, Sphere{point, 0.5f}, in_cube(16.0f));
+        add(contact->status);
+        add(contact.instance);
+        hash_.add(contact->t);
+        answers_.spheres += 1;
+        const QueryStatus status = for_each_overlap(scene_, Sphere{point, 2.0f}, [&](InstanceId instance, TriangleId) {
+            answers_.overlaps += 1;
+            add(instance);
+        });
+        add(status);
+    }
+
+    void collect_pairs() {
+        const std::uint32_t kind = word() % 4, slots = scene_.slot_end() + 1;
+        const auto keep = [](InstanceId a, InstanceId b) { return (a.index + b.index + b.in_tile) % 3 != 0; };
+        PairFilter filter;
+        filter.only_moved = word() % 2 == 0;
+        if (word() % 4 == 0) filter.keep = keep;
+        const std::uint32_t from = word() % slots;
+        if (kind < 2) {
+            InstancePair page[48];
+            const FilledPairs<InstancePair> found =
+                kind == 0 ? collect_candidate_pairs(scene_, page, filter, {from, 0})
+                          : collect_colliding_pairs(scene_, page, WorkLimit(2'000), filter, {from, 0});
+            add(found.status);
+            for (const InstancePair& pair : found.in(page)) add(pair);
+            add(found.next);
+            answers_.pairs_near += static_cast<std::uint32_t>(found.count);
+            return;
+        }
+        BakedPair page[24];
+        const FilledPairs<BakedPair> found =
+            kind == 2 ? collect_candidate_pairs(scene_, parts_.baked, page, filter, {from, {0, 0}})
+                      : collect_colliding_pairs(scene_, parts_.baked, page, WorkLimit(2'000), filter, {from, {0, 0}});
+        add(found.status);
+        for (const BakedPair& pair : found.in(page)) add(pair);
+        add(found.next);
+        answers_.pairs_near += static_cast<std::uint32_t>(found.count);
+    }
+    void add(const InstancePair& pair) {
+        hash_.add(pair.a);
+        hash_.add(pair.b);
+    }
+    void add(const BakedPair& pair) {
+        hash_.add(pair.moving);
+        add(pair.baked);
+    }
+
+    /// Continues with the scene as a snapshot of it opens.
+    void end_round() {
+        hash_.add(quality(scene_));
+        hash_.add(scene_.instance_count());
+        add_block(blocks_, scene_.bytes());
+        scene_ = open_moving_scene(memory_, parts_.meshes, parts_.tiles);
+        hash_.add(static_cast<bool>(scene_));
+    }
+
+    const MovingParts& parts_;
+    MovingScene scene_;
+    std::span<std::byte> memory_;
+    Answers& answers_;
+    Fingerprint& hash_ = answers_.fingerprint;
+    Fingerprint& blocks_;
+    std::uint32_t state_ = 0x9E3779B9u;
+};
+
+}  // namespace espalier::platform
