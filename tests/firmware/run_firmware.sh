@@ -15,13 +15,13 @@ failures=0
 
 read -r _ board _ _ _ asked < <(grep "^$core " "$here/cores.txt") || { echo "failed: no such core: $core"; exit 1; }
 
-# The awkward questions of tests/platform, to a small blob of the profile.
+# The awkward questions of tests/platform, to a small blob of the profile, and the script of a moving scene.
 compare_answers() {  # PROFILE
     local blob=$platform/blobs/small.espl folder=$build/$1
     [[ $1 == fast ]] || blob=$platform/blobs/dense.espl
     TARGETS="answers without_floats" bash "$here/build_images.sh" "$core" "$1" "$blob" "$folder" -DQUESTIONS="$questions" ||
         return
-    "$platform/espalier_query_answers" "$questions" "$blob" | grep '^answers ' >"$folder/here.txt"
+    "$platform/espalier_query_answers" --moving "$questions" "$blob" | grep '^answers ' >"$folder/here.txt"
     timeout 200 qemu-system-arm -M "$board" -nographic -monitor none -serial null \
         -semihosting-config enable=on,target=native -kernel "$folder/answers.elf" </dev/null >"$folder/there.txt" 2>&1 ||
         { cat "$folder/there.txt"; echo "failed: answers.elf ended badly"; return 1; }

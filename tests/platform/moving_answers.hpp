@@ -238,4 +238,18 @@ private:
     std::uint32_t state_ = 0x9E3779B9u;
 };
 
+/// Runs calls on a moving scene of one mesh that fits into the memory of a microcontroller.
+inline Answers ask_moving(const Blob& mesh, std::uint32_t calls) {
+    constexpr std::uint32_t capacity = 24;
+    alignas(32) std::byte memory[3'328] = {};
+    const std::uint64_t bytes = least_moving_scene_bytes(capacity);
+    Answers answers;
+    Fingerprint blocks;
+    const MovingParts parts = {{&mesh, 1}, {}, {}};
+    MovingScript script(parts, std::span(memory).first(static_cast<std::size_t>(bytes)), capacity, answers, blocks);
+    script.run(calls);
+    answers.fingerprint.add(blocks);
+    return answers;
+}
+
 }  // namespace espalier::platform

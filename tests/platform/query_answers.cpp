@@ -1,9 +1,9 @@
-// query_answers [--set NAME] QUESTIONS BLOB...: opens each blob or scene, asks it, prints one line of answers for each;
-// asks every two blobs that follow each other about both; and prints a line about all scenes, one about all blobs, and
-// one about moving scenes of the meshes and tiles of each scene. Lines about scenes are left out where there are none.
-// NAME is one of scalar, sse42, avx2 and avx512, to ask with
-// that instruction set where the machine has it. Uses the runtime and C streams only, so that it runs wherever a C++
-// compiler reaches.
+// query_answers [--set NAME] [--moving] QUESTIONS BLOB...: opens each blob or scene, asks it, prints one line of
+// answers for each; asks every two blobs that follow each other about both; and prints a line about all scenes, one
+// about all blobs, and one about moving scenes of the meshes and tiles of each scene. Lines about scenes are left out
+// where there are none. With --moving each blob has a second line, about a small moving scene of it. NAME is one of
+// scalar, sse42, avx2 and avx512, to ask with that instruction set where the machine has it. Uses the runtime and C
+// streams only, so that it runs wherever a C++ compiler reaches.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -94,9 +94,14 @@ void answer_scenes(const std::vector<Scene>& scenes, std::uint32_t questions_of_
     tally.print(questions_of_a_kind, scenes.size(), "scenes");
 }
 
-void answer_blobs(const std::vector<Asset>& assets, std::uint32_t questions_of_a_kind) {
+void answer_blobs(const std::vector<Asset>& assets, std::uint32_t questions_of_a_kind, bool with_moving) {
     Tally tally;
-    for (const Asset& asset : assets) tally.add(asset.bytes, platform::ask_everything(asset.blob, questions_of_a_kind));
+    for (const Asset& asset : assets) {
+        tally.add(asset.bytes, platform::ask_everything(asset.blob, questions_of_a_kind));
+        if (!with_moving) continue;
+        const platform::Answers moving = platform::ask_moving(asset.blob, 40 * questions_of_a_kind);
+        std::fputs(platform::report(moving).c_str(), stdout);
+    }
     for (std::size_t i = 0; i + 1 < assets.size(); ++i) {
         platform::Questions questions(assets[i].blob);
         platform::ask_pairs(assets[i].blob, assets[i + 1].blob, questions, (questions_of_a_kind + 3) / 4, tally.all);
@@ -152,8 +157,10 @@ int main(int argument_count, char** arguments) {
         if (!choose_instruction_set(rest[1])) return 77;
         rest = rest.subspan(2);
     }
+    const bool with_moving = !rest.empty() && std::strcmp(rest[0], "--moving") == 0;
+    if (with_moving) rest = rest.subspan(1);
     if (rest.size() < 2) {
-        std::fputs("usage: query_answers [--set NAME] QUESTIONS BLOB...\n", stderr);
+        std::fputs("usage: query_answers [--set NAME] [--moving] QUESTIONS BLOB...\n", stderr);
         return 1;
     }
     std::vector<Asset> assets;
@@ -161,7 +168,7 @@ int main(int argument_count, char** arguments) {
     if (!read_files(rest.subspan(1), assets, scenes)) return 2;
     const auto questions_of_a_kind = static_cast<std::uint32_t>(std::strtoul(rest[0], nullptr, 10));
     if (!scenes.empty()) answer_scenes(scenes, questions_of_a_kind);
-    answer_blobs(assets, questions_of_a_kind);
+    answer_blobs(assets, questions_of_a_kind, with_moving);
     if (!scenes.empty()) answer_moving_scenes(scenes, questions_of_a_kind);
     return 0;
 }

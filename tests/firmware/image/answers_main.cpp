@@ -1,7 +1,9 @@
-// Asks the blob in the image the same questions as the host does, awkward ones among them, and prints the same line.
+// Asks the blob in the image the same questions as the host does, awkward ones among them, and a moving scene of it,
+// and prints the same lines.
 #include <espalier/espalier.hpp>
 
 #include "../../platform/answers.hpp"
+#include "../../platform/moving_answers.hpp"
 #include "../../platform/report.hpp"
 #include "blob_in_image.hpp"
 #include "semihosting.hpp"
@@ -14,5 +16,6 @@ int main() {
         return 2;
     }
     board::print(platform::report(platform::ask_everything(blob, ESPALIER_QUESTIONS)).c_str());
+    board::print(platform::report(platform::ask_moving(blob, 40 * ESPALIER_QUESTIONS)).c_str());
     return 0;
 }
