@@ -1,5 +1,7 @@
 #include <runtime/moving_scenes/check.hpp>
 
+#include <bit>
+
 #include <runtime/moving_scenes/access.hpp>
 #include <runtime/lattice/rounder.hpp>
 #include <runtime/transforms/rotation.hpp>
@@ -23,7 +25,8 @@ bool is_head_sound(const BlockHead& head) {
            (head.levels == 0) == (head.live == 0) && (head.levels == 0) == (head.root == no_child) &&
            head.must_refit <= 1 && head.reserved == 0 && head.step != 0 && is_radius(coarseness.coarsest_step) &&
            is_radius(coarseness.largest_scale) && is_radius(coarseness.farthest_origin) &&
-           (magnitude_bits(head.packed_area) == 0 || head.packed_area >= 1.0f);
+           (std::bit_cast<std::uint32_t>(head.packed_area) == 0 ||
+            (head.packed_area >= 1.0f && is_finite(head.packed_area)));
 }
 
 /// Returns whether the slots below slots_used are alive, worn, or in the list of free ones, each once.

@@ -67,6 +67,7 @@ void check_answers(MovingScene& scene) {
     const auto check = [](const SceneComparison& comparison) {
         require(comparison.fault == nullptr, comparison.fault);
     };
+    require(quality(scene) >= 0.0f, "a quality that is no number");
     check(compare_rays(scene, {{-9.0f, 0.1f, 0.2f}, {1.0f, 0.01f, 0.02f}}));
     check(compare_rays(scene, {{1.0f, 2.0f, 9.0f}, {-0.125f, -0.25f, -1.0f}}, 2));
     check(compare_closest_points(scene, {1.0f, 2.0f, 3.0f}, 2.5f));

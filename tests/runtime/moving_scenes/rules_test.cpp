@@ -248,7 +248,7 @@ TEST_SUITE("rules") {
     }
 
     TEST_CASE("scene: a snapshot whose quality no scene has is refused") {
-        for (const float packed : {0.5f, 0x1p-149f, -1.0f}) {
+        for (const float packed : {-0.0f, 0.5f, std::numeric_limits<float>::infinity()}) {
             CAPTURE(packed);
             EditedBlock edited(large_scene());
             edited.head.packed_area = packed;
