@@ -74,14 +74,7 @@ void sort_by_higher_slot(std::span<InstancePair> pairs) {
 class PairWalk {
 public:
     PairWalk(SceneBlock& block, const PairFilter& filter, InstancePair from)
-        : block_(block), filter_(filter), from_(from) {
-        if (filter.only_moved && are_few_moved()) mark_moved();
-    }
-    PairWalk(const PairWalk&) = delete;
-    PairWalk& operator=(const PairWalk&) = delete;
-    ~PairWalk() {
-        for (std::uint32_t node = 0; is_marked_ && node < block_.head->nodes_used; ++node) block_.dirty[node] = 0;
-    }
+        : block_(block), filter_(filter), from_(from), starts_at_moved_(filter.only_moved && are_few_moved()) {}
 
     template <class Visit>
     void for_each(Visit visit) const {
@@ -89,10 +82,10 @@ public:
             const InstancePair pair = sorted_pair(x, y);
             if (pair >= from_ && is_selected(block_, filter_, pair)) visit(pair);
         };
-        if (is_marked_) {
-            for_each_pair_of_marked(block_, [&](std::uint32_t marked, std::uint32_t other) {
+        if (starts_at_moved_) {
+            for_each_pair_of_moved(block_, [&](std::uint32_t moved, std::uint32_t other) {
                 // Two that have moved are met twice.
-                if (marked < other || !has_moved(block_, other)) pass_on(marked, other);
+                if (moved < other || !has_moved(block_, other)) pass_on(moved, other);
             });
         } else if (filter_.only_moved) {
             for_each_touching_pair(block_, [&](std::uint32_t x, std::uint32_t y) {
@@ -110,21 +103,10 @@ private:
         for (std::uint32_t slot = 0; slot < block_.head->slots_used; ++slot) count += has_moved(block_, slot) ? 1u : 0u;
         return count < block_.head->live / 4;
     }
-    /// Marks what has moved in the bytes that are zero since the refit.
-    void mark_moved() {
-        is_marked_ = true;
-        for (std::uint32_t slot = 0; slot < block_.head->slots_used; ++slot) {
-            if (!has_moved(block_, slot) || !is_live(block_.slots[slot])) continue;
-            const std::uint32_t place = block_.slots[slot].place;
-            std::uint8_t& marks = block_.dirty[place / 8];
-            marks = static_cast<std::uint8_t>(marks | 1u << place % 8);
-        }
-    }
-
     SceneBlock& block_;
     const PairFilter& filter_;
     InstancePair from_;
-    bool is_marked_ = false;
+    bool starts_at_moved_;
 };
 
 /// Writes the pairs of one slot that has more of them than there is room for.

@@ -13,7 +13,6 @@ inline bool is_selected(const SceneBlock& block, const PairFilter& filter, const
     if ((block.slots[pair.a].mask & block.slots[pair.b].mask) == 0) return false;
     return !filter.keep || filter.keep(InstanceId{pair.a}, InstanceId{pair.b});
 }
-inline bool has_moved(const SceneBlock& block, std::uint32_t slot) { return block.moved[slot] == block.head->step; }
 
 /// Writes the selected pairs of touching boxes from `from` on, in ascending order, as many as there is room for.
 FilledPairs<InstancePair> collect_touching_pairs(SceneBlock& block, std::span<InstancePair> out,

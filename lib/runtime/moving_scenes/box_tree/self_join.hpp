@@ -10,16 +10,16 @@ namespace espalier::detail {
 /// A visitor of two slots whose boxes touch, in either order.
 using OnTouchingBoxes = FunctionRef<void(std::uint32_t, std::uint32_t)>;
 
-#define ESPALIER_DECLARE_SELF_JOIN(instruction_set)                                   \
-    namespace instruction_set {                                                       \
-    void join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit);     \
-    void join_marked_with_all(const SceneBlock& block, const OnTouchingBoxes& visit); \
+#define ESPALIER_DECLARE_SELF_JOIN(instruction_set)                                  \
+    namespace instruction_set {                                                      \
+    void join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit);    \
+    void join_moved_with_all(const SceneBlock& block, const OnTouchingBoxes& visit); \
     }
 ESPALIER_FOR_SETS_WITH_PAIRS(ESPALIER_DECLARE_SELF_JOIN)
 #undef ESPALIER_DECLARE_SELF_JOIN
 #if ESPALIER_X86 && defined(__x86_64__)
 namespace avx512 {
-using avx2::join_marked_with_all;  // a node has eight children
+using avx2::join_moved_with_all;  // a node has eight children
 using avx2::join_with_itself;
 }  // namespace avx512
 #endif
@@ -29,10 +29,9 @@ inline void for_each_touching_pair(const SceneBlock& block, const OnTouchingBoxe
     ESPALIER_DISPATCH(join_with_itself, block, visit);
 }
 
-/// Visits each marked slot with each other slot whose box touches its box, in an order that follows the tree.
-/// SceneBlock::dirty of a leaf node has a bit for each child that is marked, and of other nodes none.
-inline void for_each_pair_of_marked(const SceneBlock& block, const OnTouchingBoxes& visit) {
-    ESPALIER_DISPATCH(join_marked_with_all, block, visit);
+/// Visits each slot that has moved since the last step ended, with each other slot whose box touches its box.
+inline void for_each_pair_of_moved(const SceneBlock& block, const OnTouchingBoxes& visit) {
+    ESPALIER_DISPATCH(join_moved_with_all, block, visit);
 }
 
 }  // namespace espalier::detail

@@ -1,15 +1,16 @@
-// The tree over moving instances against itself: two nodes of one level at a time, and of each only the children that
-// touch the other's box. Children of leaf nodes are compared in chunks.
+// The tree over moving instances, or the boxes of some slots, against the tree: one box at a time against the eight of
+// a node.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <bit>
 
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
+#include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/traversal/alone.hpp>
 #endif
 
 namespace {
 
-/// Returns which of some children of a node touch a box, a bit for each.
+/// Returns which of some children of a node touch a box, a bit for each. A place without a child has an empty box.
 [[gnu::always_inline]] inline unsigned touching(const BoxNode& node, const StepsBox& box, unsigned among) {
     unsigned mask = 0;
     if constexpr (lanes == 1) {  // only those, and only as far as it is needed
@@ -32,159 +33,145 @@ namespace {
     }
     return mask & among;
 }
-/// Returns which children touch it. A place without a child has an empty box.
-[[gnu::always_inline]] inline unsigned touching(const BoxNode& node, const StepsBox& box) {
-    return touching(node, box, (1u << BoxNode::most) - 1);
-}
-
-/// A child of a leaf node, against the children of another or the same one.
-struct ChildAgainstNode {
+/// A child of a node, against the children of another or the same one.
+struct Comparison {
     std::uint32_t place;  ///< 8 * node + child
     std::uint32_t node;
 };
 
-/// The pairs of leaf nodes that a walk finds, which are compared in chunks: in each chunk nothing waits for a branch
-/// that no processor could foresee.
-class LeafNodePairs {
+/// The comparisons that wait, at each level of their second nodes. A level's are carried out many at a time: none waits
+/// for what another finds, and few branches depend on it. Of a comparison that finds something below the second node
+/// either both sides descend by one level, or the second alone.
+template <bool both_descend>
+class SelfJoin {
 public:
-    /// `skips_lower`: of two children of one node only the pair with the lower one first counts.
-    LeafNodePairs(const SceneBlock& block, const OnTouchingBoxes& visit, bool skips_lower)
-        : block_(block), visit_(visit), skips_lower_(skips_lower) {}
+    SelfJoin(const SceneBlock& block, const OnTouchingBoxes& visit)
+        : block_(block), visit_(visit), top_(block.head->levels - 1u) {}
 
-    /// Adds a pair of leaf nodes. Of the first only the children count that touch the second one's box.
-    [[gnu::always_inline]] void add(std::uint32_t a, std::uint32_t b, const StepsBox& box_b) {
-        const unsigned children = touching(block_.node(a), box_b);
-        for (unsigned child = 0; child < BoxNode::most; ++child) {
-            waiting_[count_] = {8 * a + child, b};
-            count_ += children >> child & 1u;
+    /// Compares a child of some node with the whole tree, at once or later.
+    [[gnu::always_inline]] void add(std::uint32_t place) {
+        waiting_[top_][count_[top_]++] = {place, block_.head->root};
+        if (count_[top_] >= chunk) carry_out(top_);
+    }
+    /// Carries out what waits.
+    void finish() {
+        for (unsigned level = top_ + 1; level-- != 0;) carry_out(level);
+    }
+
+private:
+    static constexpr unsigned all_children = (1u << BoxNode::most) - 1;
+    static constexpr unsigned chunk = small_code ? 1 : 64;
+    static constexpr unsigned most_found = both_descend ? BoxNode::most * BoxNode::most : BoxNode::most;
+
+    /// Carries out all that waits at a level, and as much of what that adds to the levels below as needs the room.
+    [[gnu::noinline]] void carry_out(unsigned top) {
+        for (unsigned level = top;;) {
+            if (level == 0) {
+                visit_touching();
+            } else if (descend(level); count_[level - 1] >= chunk) {
+                --level;
+                continue;
+            }
+            do {
+                if (++level > top) return;
+            } while (count_[level] == 0);
         }
-        if (count_ >= chunk) flush();
     }
-    /// Adds some children of a leaf node, against all of another.
-    [[gnu::always_inline]] void add_some(std::uint32_t a, unsigned children, std::uint32_t b) {
-        for (; children != 0; children &= children - 1)
-            waiting_[count_++] = {8 * a + static_cast<unsigned>(std::countr_zero(children)), b};
-        if (count_ >= chunk) flush();
+
+    /// Carries out comparisons of a level until none waits, or the level below is full.
+    [[gnu::always_inline]] void descend(unsigned level) {
+        unsigned waiting = count_[level], below = count_[level - 1];
+        Comparison* const out = waiting_[level - 1];
+        while (waiting != 0 && below < chunk) {
+            const auto [place, second] = waiting_[level][--waiting];
+            const BoxNode &a = block_.node(place / 8), &b = block_.node(second);
+            const unsigned children = touching(b, a.box(place % 8), children_below(place, second));
+            if constexpr (both_descend) {
+                const std::uint32_t first = a.child[place % 8];
+                for (unsigned rest = children; rest != 0; rest &= rest - 1) {
+                    const auto child = static_cast<unsigned>(std::countr_zero(rest));
+                    const unsigned near = touching(block_.node(first), b.box(child), all_children);
+                    for (unsigned i = 0; i < BoxNode::most; ++i) {
+                        out[below] = {8 * first + i, b.child[child]};
+                        below += near >> i & 1u;
+                    }
+                }
+            } else {
+                // Mostly one or two, so that the loop's end is foreseen.
+                unsigned rest = children | 1u << BoxNode::most;
+                const unsigned end = below + count_bits(children);
+                for (unsigned i = below; i < below + 2 || i < end; ++i, rest &= rest - 1)
+                    out[i] = {place, b.child[std::countr_zero(rest) % 8]};
+                below = end;
+            }
+        }
+        count_[level] = waiting;
+        count_[level - 1] = below;
     }
-    /// Visits the pairs of children of what was added.
-    [[gnu::noinline]] void flush() {
-        unsigned found[chunk + BoxNode::most], size = 0;
-        for (unsigned i = 0; i < count_; ++i) {
-            const auto [place, node] = waiting_[i];
-            const unsigned own = 1u << place % 8, in_same = skips_lower_ ? 0u - 2 * own : ~own;
-            const unsigned others = (place / 8 == node ? in_same : ~0u) & ((1u << BoxNode::most) - 1);
-            const unsigned children = touching(block_.node(node), block_.node(place / 8).box(place % 8), others);
+    /// Returns which children of the second node count: of a node against itself each pair once, and each child
+    /// against itself.
+    [[gnu::always_inline]] static unsigned children_below(std::uint32_t place, std::uint32_t second) {
+        return both_descend && place / 8 == second ? all_children & ~0u << place % 8 : all_children;
+    }
+    /// Returns which children of the second leaf node count: of a node against itself no child against itself.
+    [[gnu::always_inline]] static unsigned others(std::uint32_t place, std::uint32_t second) {
+        const unsigned own = 1u << place % 8;
+        return place / 8 != second ? all_children : all_children & (both_descend ? 0u - 2 * own : ~own);
+    }
+
+    /// Visits the pairs that the comparisons with leaf nodes find.
+    [[gnu::always_inline]] void visit_touching() {
+        unsigned found[chunk + most_found], size = 0;
+        for (unsigned i = 0; i < count_[0]; ++i) {
+            const auto [place, second] = waiting_[0][i];
+            const unsigned children =
+                touching(block_.node(second), block_.node(place / 8).box(place % 8), others(place, second));
             found[size] = i << BoxNode::most | children;
             size += children != 0 ? 1u : 0u;
         }
         for (unsigned i = 0; i < size; ++i) {
-            const auto [place, node] = waiting_[found[i] >> BoxNode::most];
+            const auto [place, second] = waiting_[0][found[i] >> BoxNode::most];
             const std::uint32_t first = block_.node(place / 8).child[place % 8];
-            for (unsigned rest = found[i] & ((1u << BoxNode::most) - 1); rest != 0; rest &= rest - 1)
-                visit_(first, block_.node(node).child[std::countr_zero(rest)]);
+            for (unsigned rest = found[i] & all_children; rest != 0; rest &= rest - 1)
+                visit_(first, block_.node(second).child[std::countr_zero(rest)]);
         }
-        count_ = 0;
+        count_[0] = 0;
     }
-
-private:
-    static constexpr unsigned chunk = small_code ? 8 : 64;
 
     const SceneBlock& block_;
     const OnTouchingBoxes& visit_;
-    const bool skips_lower_;
-    unsigned count_ = 0;
-    ChildAgainstNode waiting_[chunk + BoxNode::most];
+    const unsigned top_;
+    unsigned count_[most_tree_levels] = {};
+    Comparison waiting_[most_tree_levels][chunk + most_found];
 };
 
-/// Two nodes above the leaf nodes, and which of their children are still to be visited.
-struct JoinStep {
-    std::uint32_t a, b;
-    unsigned children;  ///< those of a that touch b, without the one at hand
-    unsigned child;     ///< of a, at hand
-    unsigned waiting;   ///< children of b that touch it
-
-    JoinStep() = default;
-    /// The box of the second is given.
-    [[gnu::always_inline]] JoinStep(const SceneBlock& block, std::uint32_t first, std::uint32_t second,
-                                    const StepsBox& box_of_second)
-        : a(first), b(second), children(touching(block.node(first), box_of_second)), child(0), waiting(0) {}
-
-    /// Returns whether there is a next pair of children, and takes it from those that wait.
-    [[gnu::always_inline]] bool take(const SceneBlock& block, unsigned& place) {
-        while (waiting == 0) {
-            if (children == 0) return false;
-            child = static_cast<unsigned>(std::countr_zero(children));
-            children &= children - 1;
-            waiting = touching(block.node(b), block.node(a).box(child));
-            // A node against itself: each pair once, and each child against itself.
-            if (a == b) waiting &= ~0u << child;
-        }
-        place = static_cast<unsigned>(std::countr_zero(waiting));
-        waiting &= waiting - 1;
-        return true;
-    }
-};
+/// Compares the boxes of selected slots with the tree.
+template <class IsSelected>
+[[gnu::always_inline]] inline void join_slots(const SceneBlock& block, const OnTouchingBoxes& visit,
+                                              IsSelected is_selected) {
+    if (block.head->levels == 0) return;
+    SelfJoin<false> join(block, visit);
+    for (std::uint32_t slot = 0; slot < block.head->slots_used; ++slot)
+        if (is_selected(slot) && is_live(block.slots[slot])) join.add(block.slots[slot].place);
+    join.finish();
+}
 
 }  // namespace
 
 void join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit) {
-    const BlockHead& head = *block.head;
-    if (head.levels == 0) return;
-    LeafNodePairs leaves(block, visit, true);
-    const StepsBox all = block.node(head.root).bounds();
-    JoinStep path[most_tree_levels];
-    std::uint32_t level = head.levels - 1u;
-    if (level == 0) leaves.add(head.root, head.root, all);
-    else path[level] = JoinStep(block, head.root, head.root, all);
-    while (level != 0 && level != head.levels) {
-        JoinStep& step = path[level];
-        const BoxNode &a = block.node(step.a), &b = block.node(step.b);
-        unsigned place = 0;
-        if (!step.take(block, place)) {
-            ++level;
-            continue;
-        }
-        const std::uint32_t first = a.child[step.child], second = b.child[place];
-        if (level == 1) leaves.add(first, second, b.box(place));
-        else path[--level] = JoinStep(block, first, second, b.box(place));
+    if constexpr (small_code) {  // one walk for both
+        const auto once = [&](std::uint32_t a, std::uint32_t b) {
+            if (a < b) visit(a, b);
+        };
+        join_slots(block, once, [](std::uint32_t) { return true; });
+        return;
     }
-    leaves.flush();
+    if (block.head->levels == 0) return;
+    SelfJoin<true> join(block, visit);
+    for (unsigned child = 0; child < BoxNode::most; ++child) join.add(8 * block.head->root + child);
+    join.finish();
 }
 
-namespace {
-
-/// Adds the pairs of a leaf node's marked children with the leaf nodes that the box around them touches.
-[[gnu::always_inline]] inline void add_marked(const SceneBlock& block, std::uint32_t node, LeafNodePairs& leaves) {
-    const unsigned marks = block.dirty[node];
-    StepsBox around = StepsBox::none();
-    for (unsigned rest = marks; rest != 0; rest &= rest - 1)
-        around.add(block.node(node).box(static_cast<unsigned>(std::countr_zero(rest))));
-    std::uint32_t waiting[most_tree_levels * (BoxNode::most - 1) + 2];  // 16 * node + level
-    unsigned size = 1;
-    waiting[0] = 16 * block.head->root + (block.head->levels - 1u);
-    while (size != 0) {
-        const std::uint32_t level = waiting[--size] % 16;
-        const BoxNode& other = block.node(waiting[size] / 16);
-        if (level == 0) {  // the root
-            leaves.add_some(node, marks, block.head->root);
-            return;
-        }
-        unsigned near = touching(other, around);
-        for (; level == 1 && near != 0; near &= near - 1)
-            leaves.add_some(node, marks, other.child[std::countr_zero(near)]);
-        // Without a branch that no processor could foresee.
-        for (unsigned i = 0; i < BoxNode::most; ++i) {
-            waiting[size] = 16 * other.child[i] + (level - 1);
-            size += near >> i & 1u;
-        }
-    }
-}
-
-}  // namespace
-
-void join_marked_with_all(const SceneBlock& block, const OnTouchingBoxes& visit) {
-    LeafNodePairs leaves(block, visit, false);
-    for (std::uint32_t node = 0; node < block.head->nodes_used; ++node)
-        if (block.dirty[node] != 0) add_marked(block, node, leaves);
-    leaves.flush();
+void join_moved_with_all(const SceneBlock& block, const OnTouchingBoxes& visit) {
+    join_slots(block, visit, [&](std::uint32_t slot) { return has_moved(block, slot); });
 }

@@ -21,6 +21,9 @@ inline SceneBlock make_block(std::byte* memory, std::uint32_t slots, std::uint32
 
 inline bool is_live(const InstanceSlot& slot) { return (slot.generation & 1u) != 0; }
 
+/// Returns whether a slot was moved or inserted since the last step ended.
+inline bool has_moved(const SceneBlock& block, std::uint32_t slot) { return block.moved[slot] == block.head->step; }
+
 /// Returns whether a slot below slots_used has had 2^31 lives, and gets no other: each has a generation of its own.
 inline bool is_worn(const InstanceSlot& slot) { return slot.generation == 0; }
 
