@@ -1,11 +1,14 @@
 // Queries that count their work: for heat maps, cost models and tests of the culling.
 //
+// Counts are the same on every machine. A refused query counts nothing.
+//
 // Thread safety: any number of threads may query one blob, each with counters of its own. No call allocates.
 #pragma once
 
 #include <cstdint>
 
 #include <espalier/blob.hpp>
+#include <espalier/pair.hpp>
 #include <espalier/ray.hpp>
 
 namespace espalier {
@@ -30,5 +33,24 @@ struct QueryCounters {
 /// Returns what raycast() returns, and adds its work to `counters`. Uses the scalar code path, so that the counts are
 /// the same on every machine.
 RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexcept;
+
+/// The work of queries of two blobs, added up over calls.
+struct PairCounters {
+    /// Pairs of nodes or leaves that were visited: of one call the smallest WorkLimit with which it is complete.
+    std::uint64_t box_pairs = 0;
+    std::uint64_t leaf_pairs = 0;      ///< pairs of leaves whose triangles were compared
+    std::uint64_t triangle_pairs = 0;  ///< of each pair of leaves the product of their numbers of triangles
+
+    void count_leaves(unsigned a_triangles, unsigned b_triangles) {
+        ++leaf_pairs;
+        triangle_pairs += std::uint64_t{a_triangles} * b_triangles;
+    }
+};
+
+/// Returns what first_contact() returns, in the same time, and adds its work to `counters`.
+PairContact first_contact(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit, PairCounters& counters) noexcept;
+/// Returns what distance() returns, in the same time, and adds its work to `counters`.
+BlobDistance distance(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit, float max_distance,
+                      PairCounters& counters) noexcept;
 
 }  // namespace espalier

@@ -6,6 +6,15 @@ static void tell_contact(struct asking* asking, const espalier_pair_contact* con
     tell(asking, contact->status);
 }
 
+static void tell_distance(struct asking* asking, const espalier_blob_distance* nearest) {
+    tell_float(asking, nearest->distance);
+    tell_point(asking, nearest->on_a);
+    tell_point(asking, nearest->on_b);
+    tell(asking, nearest->a);
+    tell(asking, nearest->b);
+    tell(asking, nearest->status);
+}
+
 static espalier_visit visit_pair(const espalier_pair_contact* contact, void* user) {
     struct asking* asking = user;
     tell_contact(asking, contact);
@@ -18,6 +27,7 @@ static void ask_placed(struct asking* asking, const espalier_transform* own_plac
     espalier_pair_contact contact, contacts[5];
     espalier_cursor from = {{0, 0, 0}};
     espalier_blob_distance nearest;
+    espalier_pair_counters counters = {1, 2, 3};
     a.blob = asking->blob;
     a.transform = *own_placement;
     b.blob = asking->other;
@@ -36,13 +46,15 @@ static void ask_placed(struct asking* asking, const espalier_transform* own_plac
         for (int i = 0; i < 3; ++i) tell(asking, from.place[i]);
     }
     nearest = espalier_distance(&a, &b, work_limit, asking->question->lengths[1]);
-    tell_float(asking, nearest.distance);
-    tell_point(asking, nearest.on_a);
-    tell_point(asking, nearest.on_b);
-    tell(asking, nearest.a);
-    tell(asking, nearest.b);
-    tell(asking, nearest.status);
+    tell_distance(asking, &nearest);
     tell(asking, espalier_within_distance(&a, &b, asking->question->lengths[2], work_limit).status);
+    contact = espalier_first_contact_counted(&a, &b, work_limit, &counters);
+    tell_contact(asking, &contact);
+    nearest = espalier_distance_counted(&a, &b, work_limit, asking->question->lengths[1], &counters);
+    tell_distance(asking, &nearest);
+    tell(asking, (uint32_t)counters.box_pairs);
+    tell(asking, (uint32_t)counters.leaf_pairs);
+    tell(asking, (uint32_t)counters.triangle_pairs);
 }
 
 void ask_pairs(struct asking* asking) {

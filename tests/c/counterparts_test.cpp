@@ -129,6 +129,9 @@ const char* const table = R"(
     QueryCounters::count_leaf()                                   -
     QueryCounters::count_triangles(unsigned)                      -
     QueryCounters::count_candidates(unsigned)                     -
+    first_contact(PlacedBlob, PlacedBlob, WorkLimit, PairCounters) espalier_first_contact_counted
+    distance(PlacedBlob, PlacedBlob, WorkLimit, float, PairCounters) espalier_distance_counted
+    PairCounters::count_leaves(unsigned, unsigned)                -
     occluded(Blob, Ray, Accuracy, QueryCounters)                  espalier_occluded_approximate
     distance_bounds(Blob, Vec3, float, Accuracy, QueryCounters)   espalier_distance_bounds
 

@@ -65,6 +65,7 @@ private:
     void tell(const ClosestPoint& nearest);
     void tell(const SweepHit& hit);
     void tell(const PairContact& contact);
+    void tell(const BlobDistance& nearest);
     void tell(const Segment& segment);
     void tell(const Capsule& capsule);
     void tell(const OrientedBox& box);

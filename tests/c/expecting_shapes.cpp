@@ -89,6 +89,15 @@ void Expecting::tell(const PairContact& contact) {
     tell(contact.status);
 }
 
+void Expecting::tell(const BlobDistance& nearest) {
+    tell(nearest.distance);
+    tell(nearest.on_a);
+    tell(nearest.on_b);
+    tell(nearest.a);
+    tell(nearest.b);
+    tell(nearest.status);
+}
+
 void Expecting::placed(const Transform& own_placement, const Transform& placement, WorkLimit limit) {
     const PlacedBlob a(blob_, own_placement), b(other_, placement);
     tell(overlaps(a, b, limit).status());
@@ -109,14 +118,14 @@ void Expecting::placed(const Transform& own_placement, const Transform& placemen
         from = filled.next;
         for (const std::uint32_t place : from.place) tell(place);
     }
-    const BlobDistance nearest = distance(a, b, limit, length(1));
-    tell(nearest.distance);
-    tell(nearest.on_a);
-    tell(nearest.on_b);
-    tell(nearest.a);
-    tell(nearest.b);
-    tell(nearest.status);
+    tell(distance(a, b, limit, length(1)));
     tell(within_distance(a, b, length(2), limit).status());
+    PairCounters counters = {1, 2, 3};
+    tell(first_contact(a, b, limit, counters));
+    tell(distance(a, b, limit, length(1), counters));
+    tell(counters.box_pairs);
+    tell(counters.leaf_pairs);
+    tell(counters.triangle_pairs);
 }
 
 void Expecting::pairs() {

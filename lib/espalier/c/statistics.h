@@ -6,7 +6,9 @@
 
 #include <espalier/c/attributes.h>
 #include <espalier/c/blob.h>
+#include <espalier/c/pair.h>
 #include <espalier/c/ray.h>
+#include <espalier/c/transform.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -20,6 +22,19 @@ typedef struct ESPALIER_SHARED_ espalier_query_counters {
 /* Returns what espalier_raycast() returns, and adds its work to the counters. */
 espalier_ray_hit espalier_raycast_counted(const espalier_blob* blob, const espalier_ray* ray,
                                           espalier_query_counters* counters);
+
+/* The work of queries of two blobs, added up over calls. */
+typedef struct ESPALIER_SHARED_ espalier_pair_counters {
+    uint64_t box_pairs, leaf_pairs, triangle_pairs;
+} espalier_pair_counters;
+
+/* Returns what espalier_first_contact() returns, and adds its work to the counters. */
+espalier_pair_contact espalier_first_contact_counted(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                                     uint64_t work_limit, espalier_pair_counters* counters);
+/* Returns what espalier_distance() returns, and adds its work to the counters. */
+espalier_blob_distance espalier_distance_counted(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                                 uint64_t work_limit, float max_distance,
+                                                 espalier_pair_counters* counters);
 
 #ifdef __cplusplus
 }

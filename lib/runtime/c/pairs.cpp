@@ -1,4 +1,4 @@
-// espalier/c/pair.h: two placed blobs.
+// espalier/c/pair.h, and of statistics.h what two placed blobs take.
 #include <runtime/c/abi.hpp>
 
 using namespace espalier::detail;
@@ -33,4 +33,15 @@ espalier_blob_distance espalier_distance(const espalier_placed_blob* a, const es
 espalier_yes_no espalier_within_distance(const espalier_placed_blob* a, const espalier_placed_blob* b, float distance,
                                          uint64_t work_limit) {
     return c(within_distance(cpp(a), cpp(b), distance, espalier::WorkLimit(work_limit)));
+}
+
+espalier_pair_contact espalier_first_contact_counted(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                                     uint64_t work_limit, espalier_pair_counters* counters) {
+    return c(first_contact(cpp(a), cpp(b), espalier::WorkLimit(work_limit), cpp(counters)));
+}
+
+espalier_blob_distance espalier_distance_counted(const espalier_placed_blob* a, const espalier_placed_blob* b,
+                                                 uint64_t work_limit, float max_distance,
+                                                 espalier_pair_counters* counters) {
+    return c(distance(cpp(a), cpp(b), espalier::WorkLimit(work_limit), max_distance, cpp(counters)));
 }

@@ -1,4 +1,4 @@
-// espalier/c/ray.h, statistics.h, and of rounding.h what casts rays that are rounded once.
+// espalier/c/ray.h, of statistics.h what casts rays, and of rounding.h what casts rays that are rounded once.
 #include <runtime/c/abi.hpp>
 
 using namespace espalier::detail;

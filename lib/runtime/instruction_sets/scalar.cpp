@@ -22,6 +22,14 @@ RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters
     return find_closest_hit(blob, world, nullptr, WalkAccuracy{-1, &counters});
 }
 
+void count_join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit, SceneCounters& counters) {
+    join_all(block, visit, Counted{&counters});
+}
+
+void count_join_moved_with_all(const SceneBlock& block, const OnTouchingBoxes& visit, SceneCounters& counters) {
+    join_moved(block, visit, Counted{&counters});
+}
+
 // One ray after the other: a core without lanes has little to gain from company, and no stack for it.
 void closest_hits(const BlobData& blob, const Ray* rays, RayHit* hits, std::size_t count) {
     closest_hits_one_by_one<single_rays::closest_hit>(blob, rays, hits, count);

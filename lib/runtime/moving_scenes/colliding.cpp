@@ -1,5 +1,6 @@
 // Candidate and colliding pairs of a moving scene: with itself, and with a baked scene.
 #include <espalier/scenes/pairs.hpp>
+#include <espalier/scenes/statistics.hpp>
 
 #include <runtime/moving_scenes/access.hpp>
 #include <runtime/moving_scenes/collision.hpp>
@@ -18,7 +19,7 @@ PlacedPart placed_part(const MovingScene& scene, const InstanceSlot& slot) {
 }
 
 QueryStatus find_collision(const MovingScene& scene, const SceneBlock& block, const InstancePair& pair,
-                           std::uint64_t& work) {
+                           PairWork& work) {
     return detail::find_collision(placed_part(scene, block.slots[pair.a]), placed_part(scene, block.slots[pair.b]),
                                   work);
 }
@@ -65,7 +66,7 @@ PlacedPart part_in(const SceneData& holder, std::uint32_t number) {
 }
 
 QueryStatus find_collision(const MovingScene& moving, const InstanceSlot& slot, const BakedScene& baked,
-                           InstanceId instance, std::uint64_t& work) {
+                           InstanceId instance, PairWork& work) {
     PlacedPart mover = placed_part(moving, slot);
     PlacedPart other = part_in(data_of(baked), instance.index);
     if (instance.in_tile != no_instance.in_tile) {
@@ -75,27 +76,24 @@ QueryStatus find_collision(const MovingScene& moving, const InstanceSlot& slot, 
     return detail::find_collision(mover, other, work);
 }
 
-}  // namespace
-
-FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<InstancePair> pairs,
-                                                  const PairFilter& filter, InstancePair from) noexcept {
+FilledPairs<InstancePair> collect_candidates(MovingScene& scene, std::span<InstancePair> pairs,
+                                             const PairFilter& filter, InstancePair from, SelfJoin join) {
     const QueryStatus readiness = detail::readiness_of(scene);
     if (readiness != QueryStatus::ok) return {0, from, readiness};
     SceneBlock block = block_of(scene);
-    return collect_touching_pairs(block, pairs, filter, from);
+    return collect_touching_pairs(block, pairs, filter, from, join);
 }
 
-FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<InstancePair> pairs, WorkLimit limit,
-                                                  const PairFilter& filter, InstancePair from) noexcept {
+FilledPairs<InstancePair> collect_colliding(MovingScene& scene, std::span<InstancePair> pairs, PairWork& work,
+                                            const PairFilter& filter, InstancePair from, SelfJoin join) {
     const QueryStatus readiness = detail::readiness_of(scene);
     if (readiness != QueryStatus::ok) return {0, from, readiness};
     SceneBlock block = block_of(scene);
-    std::uint64_t work = limit.visits();
     FilledPairs<InstancePair> filled = {0, from, QueryStatus::output_full};
     while (filled.status == QueryStatus::output_full && filled.count < pairs.size()) {
         // Candidates take the room that is left, and those that collide stay.
         const std::span<InstancePair> room = pairs.subspan(filled.count);
-        const FilledPairs<InstancePair> page = collect_touching_pairs(block, room, filter, filled.next);
+        const FilledPairs<InstancePair> page = collect_touching_pairs(block, room, filter, filled.next, join);
         for (const InstancePair& pair : room.first(page.count)) {
             const QueryStatus status = find_collision(scene, block, pair, work);
             if (status != QueryStatus::ok && status != QueryStatus::not_found) return {filled.count, pair, status};
@@ -104,6 +102,43 @@ FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<
         filled.next = page.next;
         filled.status = page.status;
     }
+    return filled;
+}
+
+/// The walks that add their work to counters.
+struct CountedJoin {
+    SceneCounters& counters;
+    void operator()(const SceneBlock& block, bool of_moved, const OnTouchingBoxes& visit) const {
+        if (of_moved) scalar::count_join_moved_with_all(block, visit, counters);
+        else scalar::count_join_with_itself(block, visit, counters);
+    }
+};
+
+}  // namespace
+
+FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<InstancePair> pairs,
+                                                  const PairFilter& filter, InstancePair from) noexcept {
+    return collect_candidates(scene, pairs, filter, from, for_each_pair);
+}
+
+FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<InstancePair> pairs,
+                                                  SceneCounters& counters, const PairFilter& filter,
+                                                  InstancePair from) noexcept {
+    return collect_candidates(scene, pairs, filter, from, CountedJoin{counters});
+}
+
+FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<InstancePair> pairs, WorkLimit limit,
+                                                  const PairFilter& filter, InstancePair from) noexcept {
+    PairWork work = {limit.visits()};
+    return collect_colliding(scene, pairs, work, filter, from, for_each_pair);
+}
+
+FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<InstancePair> pairs, WorkLimit limit,
+                                                  SceneCounters& counters, PairCounters& of_triangles,
+                                                  const PairFilter& filter, InstancePair from) noexcept {
+    PairWork work = {limit.visits(), &of_triangles};
+    const FilledPairs<InstancePair> filled = collect_colliding(scene, pairs, work, filter, from, CountedJoin{counters});
+    of_triangles.box_pairs += limit.visits() - work.left;
     return filled;
 }
 
@@ -133,7 +168,7 @@ FilledPairs<BakedPair> collect_colliding_pairs(const MovingScene& moving, const 
     if (filled.status != QueryStatus::ok) return filled;
     const BakedPairWalk walk(moving, baked, filter, from);
     filled.next = walk.end();
-    std::uint64_t work = limit.visits();
+    PairWork work = {limit.visits()};
     walk.for_each([&](const BakedPair& pair, const InstanceSlot& slot) {
         QueryStatus status = find_collision(moving, slot, baked, pair.baked, work);
         if (status == QueryStatus::not_found) return Visit::next;

@@ -9,7 +9,7 @@ namespace espalier::detail {
 namespace {
 
 QueryStatus find_collision_of_meshes(const Blob& a, const Transform& at_a, const Blob& b, const Transform& at_b,
-                                     std::uint64_t& work) {
+                                     PairWork& work) {
     return find_first_contact(PlacedBlob(a, at_a), PlacedBlob(b, at_b), work).status;
 }
 
@@ -27,7 +27,7 @@ QueryStatus for_each_mesh_near(const BakedScene& tile, const Box& box, Collide c
 }
 
 QueryStatus find_collision_with_tile(const Blob& mesh, const Transform& at_mesh, const BakedScene& tile,
-                                     const Transform& at_tile, std::uint64_t& work) {
+                                     const Transform& at_tile, PairWork& work) {
     const Transform in_tile = to_local(at_tile, at_mesh);
     return for_each_mesh_near(tile, box_around(bounds_of(data_of(mesh)), in_tile),
                               [&](const Blob& other, const Transform& at_other) {
@@ -36,7 +36,7 @@ QueryStatus find_collision_with_tile(const Blob& mesh, const Transform& at_mesh,
 }
 
 QueryStatus find_collision_of_tiles(const BakedScene& a, const Transform& at_a, const BakedScene& b,
-                                    const Transform& at_b, std::uint64_t& work) {
+                                    const Transform& at_b, PairWork& work) {
     const Transform in_a = to_local(at_a, at_b);
     return for_each_mesh_near(a, box_around(bounds_of(b), in_a), [&](const Blob& mesh, const Transform& at_mesh) {
         return find_collision_with_tile(mesh, at_mesh, b, in_a, work);
@@ -45,7 +45,7 @@ QueryStatus find_collision_of_tiles(const BakedScene& a, const Transform& at_a, 
 
 }  // namespace
 
-QueryStatus find_collision(const PlacedPart& a, const PlacedPart& b, std::uint64_t& work) {
+QueryStatus find_collision(const PlacedPart& a, const PlacedPart& b, PairWork& work) {
     if (a.part.mesh == nullptr && b.part.mesh == nullptr)
         return find_collision_of_tiles(*a.part.tile, a.transform, *b.part.tile, b.transform, work);
     if (a.part.mesh == nullptr)

@@ -1,10 +1,9 @@
 // Whether the triangles of two placed parts touch, each a mesh or a tile.
 #pragma once
 
-#include <cstdint>
-
 #include <espalier/status.hpp>
 #include <espalier/transform.hpp>
+#include <runtime/pairs/first_contact.hpp>
 #include <runtime/scenes/instances.hpp>
 
 namespace espalier::detail {
@@ -16,6 +15,6 @@ struct PlacedPart {
 };
 
 /// Returns ok if triangles of the two parts touch, not_found, work_limit, or why overlaps() refuses their meshes.
-QueryStatus find_collision(const PlacedPart& a, const PlacedPart& b, std::uint64_t& work);
+QueryStatus find_collision(const PlacedPart& a, const PlacedPart& b, PairWork& work);
 
 }  // namespace espalier::detail

@@ -1,6 +1,5 @@
 #include <runtime/moving_scenes/pairs.hpp>
 
-#include <runtime/moving_scenes/box_tree/self_join.hpp>
 #include <runtime/moving_scenes/box_tree/slots.hpp>
 
 namespace espalier::detail {
@@ -73,8 +72,12 @@ void sort_by_higher_slot(std::span<InstancePair> pairs) {
 /// The search for the pairs of a page: visits those that count, as often as it is needed.
 class PairWalk {
 public:
-    PairWalk(SceneBlock& block, const PairFilter& filter, InstancePair from)
-        : block_(block), filter_(filter), from_(from), starts_at_moved_(filter.only_moved && are_few_moved()) {}
+    PairWalk(SceneBlock& block, const PairFilter& filter, InstancePair from, SelfJoin join)
+        : block_(block),
+          filter_(filter),
+          from_(from),
+          join_(join),
+          starts_at_moved_(filter.only_moved && are_few_moved()) {}
 
     template <class Visit>
     void for_each(Visit visit) const {
@@ -83,16 +86,16 @@ public:
             if (pair >= from_ && is_selected(block_, filter_, pair)) visit(pair);
         };
         if (starts_at_moved_) {
-            for_each_pair_of_moved(block_, [&](std::uint32_t moved, std::uint32_t other) {
+            join_(block_, true, [&](std::uint32_t moved, std::uint32_t other) {
                 // Two that have moved are met twice.
                 if (moved < other || !has_moved(block_, other)) pass_on(moved, other);
             });
         } else if (filter_.only_moved) {
-            for_each_touching_pair(block_, [&](std::uint32_t x, std::uint32_t y) {
+            join_(block_, false, [&](std::uint32_t x, std::uint32_t y) {
                 if (has_moved(block_, x) || has_moved(block_, y)) pass_on(x, y);
             });
         } else {
-            for_each_touching_pair(block_, pass_on);
+            join_(block_, false, pass_on);
         }
     }
 
@@ -106,6 +109,7 @@ private:
     SceneBlock& block_;
     const PairFilter& filter_;
     InstancePair from_;
+    SelfJoin join_;
     bool starts_at_moved_;
 };
 
@@ -130,8 +134,8 @@ FilledPairs<InstancePair> collect_of_slot(SceneBlock& block, const PairWalk& wal
 }  // namespace
 
 FilledPairs<InstancePair> collect_touching_pairs(SceneBlock& block, std::span<InstancePair> out,
-                                                 const PairFilter& filter, InstancePair from) {
-    const PairWalk walk(block, filter, from);
+                                                 const PairFilter& filter, InstancePair from, SelfJoin join) {
+    const PairWalk walk(block, filter, from, join);
     const std::uint32_t slots = block.head->slots_used;
     std::uint32_t* const counts = block.counts;
     for (std::uint32_t a = 0; a < slots; ++a) counts[a] = 0;

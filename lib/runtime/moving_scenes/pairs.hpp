@@ -5,6 +5,7 @@
 
 #include <espalier/scenes/pairs.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
+#include <runtime/moving_scenes/box_tree/self_join.hpp>
 
 namespace espalier::detail {
 
@@ -16,6 +17,7 @@ inline bool is_selected(const SceneBlock& block, const PairFilter& filter, const
 
 /// Writes the selected pairs of touching boxes from `from` on, in ascending order, as many as there is room for.
 FilledPairs<InstancePair> collect_touching_pairs(SceneBlock& block, std::span<InstancePair> out,
-                                                 const PairFilter& filter, InstancePair from);
+                                                 const PairFilter& filter, InstancePair from,
+                                                 SelfJoin join = for_each_pair);
 
 }  // namespace espalier::detail

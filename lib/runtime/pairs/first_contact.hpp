@@ -4,10 +4,17 @@
 #include <cstdint>
 
 #include <espalier/pair.hpp>
+#include <espalier/statistics.hpp>
 
 namespace espalier::detail {
 
-/// Returns what first_contact() returns for a limit of `work`, and takes from it what the search has used.
-PairContact find_first_contact(const PlacedBlob& a, const PlacedBlob& b, std::uint64_t& work) noexcept;
+/// The pairs of boxes that queries may still visit, and who counts what they do with leaves.
+struct PairWork {
+    std::uint64_t left;
+    PairCounters* counters = nullptr;
+};
+
+/// Returns what first_contact() returns for a limit of `work.left`, and takes from it what the search has used.
+PairContact find_first_contact(const PlacedBlob& a, const PlacedBlob& b, PairWork& work) noexcept;
 
 }  // namespace espalier::detail

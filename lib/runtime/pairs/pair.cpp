@@ -1,5 +1,6 @@
 // Queries of two blobs in world space: placed on one grid, decided there, translated back.
 #include <espalier/pair.hpp>
+#include <espalier/statistics.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/lattice/rounder.hpp>
@@ -54,13 +55,13 @@ QueryStatus search_pair(PairFrame& frame, const PairSearch& search, std::uint64_
     return ESPALIER_DISPATCH(search_pairs, frame, search, work);
 }
 
-QueryStatus find_touching(PairFrame& frame, TrianglePair& pair, bool& found, std::uint64_t& work) {
+QueryStatus find_touching(PairFrame& frame, TrianglePair& pair, bool& found, PairWork& work) {
     const auto keep = [&](const TrianglePair& touching) {
         pair = touching;
         found = true;
         return Visit::stop;
     };
-    return search_pair(frame, {.on_touching = keep}, work);
+    return search_pair(frame, {.on_touching = keep, .counters = work.counters}, work.left);
 }
 
 /// Where the triangles of a pair touch. What this takes of the stack is not needed beside the walk.
@@ -75,13 +76,13 @@ QueryStatus find_touching(PairFrame& frame, TrianglePair& pair, bool& found, std
 constexpr float farthest_in_spans = 1024.0f;
 
 /// Pairs at distance 0 are looked for apart: what separates boxes finds them sooner than how far apart these are.
-QueryStatus find_nearest(PairFrame& frame, LeastDistance& least, std::uint64_t work) {
+[[gnu::always_inline]] inline QueryStatus find_nearest(PairFrame& frame, LeastDistance& least, PairWork& work) {
     if (frame.gap > farthest_in_spans * frame.span)
         return frame.gap > 2.0f * least.radius ? QueryStatus::ok : QueryStatus::out_of_range;
     const QueryStatus status = find_touching(frame, least.best.pair, least.found, work);
     if (least.found) find_common_point(frame, least.best);
     if (least.found || status != QueryStatus::ok || least.radius == 0.0f) return status;
-    return search_pair(frame, {.least = &least}, work);
+    return search_pair(frame, {.least = &least, .counters = work.counters}, work.left);
 }
 
 /// A point of a triangle of the grid, in a's space.
@@ -111,13 +112,13 @@ struct NearestSearch {
     LeastDistance least;
     QueryStatus status;
 
-    NearestSearch(const PlacedBlob& a, const PlacedBlob& b, float distance, bool any, WorkLimit limit)
+    NearestSearch(const PlacedBlob& a, const PlacedBlob& b, float distance, bool any, PairWork& work)
         : placed(a, b), least{placed.frame, 0.0f, any}, status(placed.status) {
         if (status != QueryStatus::not_open && !is_radius(distance)) status = QueryStatus::invalid_argument;
         if (status != QueryStatus::ok) return;
         PairFrame& frame = placed.frame;
         least.set_radius(radius_on_grid(frame, converted(distance, a.transform().scale, false)));
-        status = find_nearest(frame, least, limit.visits());
+        status = find_nearest(frame, least, work);
         if (!least.found && status == QueryStatus::ok) status = QueryStatus::not_found;
     }
 };
@@ -183,7 +184,8 @@ bool is_valid_cursor(const Cursor& cursor, const PairFrame& frame) {
 
 }  // namespace
 
-PairContact detail::find_first_contact(const PlacedBlob& a, const PlacedBlob& b, std::uint64_t& work) noexcept {
+[[gnu::noinline]] PairContact detail::find_first_contact(const PlacedBlob& a, const PlacedBlob& b,
+                                                         PairWork& work) noexcept {
     PairContact contact;
     PlacedPair placed(a, b);
     contact.status = placed.status;
@@ -202,12 +204,20 @@ PairContact detail::find_first_contact(const PlacedBlob& a, const PlacedBlob& b,
 }
 
 PairContact first_contact(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexcept {
-    std::uint64_t work = limit.visits();
+    PairWork work = {limit.visits()};
     return find_first_contact(a, b, work);
 }
 
+PairContact first_contact(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit, PairCounters& counters) noexcept {
+    PairWork work = {limit.visits(), &counters};
+    const PairContact contact = find_first_contact(a, b, work);
+    counters.box_pairs += limit.visits() - work.left;
+    return contact;
+}
+
 YesNo overlaps(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit) noexcept {
-    return YesNo(first_contact(a, b, limit).status);
+    PairWork work = {limit.visits()};
+    return YesNo(find_first_contact(a, b, work).status);
 }
 
 QueryStatus for_each_contact(const PlacedBlob& a, const PlacedBlob& b, Visitor<const PairContact&> visit,
@@ -242,9 +252,13 @@ Filled collect_contacts(const PlacedBlob& a, const PlacedBlob& b, std::span<Pair
     return filled;
 }
 
-BlobDistance distance(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit, float max_distance) noexcept {
+namespace {
+
+/// Part of its callers: a frame of its own takes stack where no counters are given.
+[[gnu::always_inline]] inline BlobDistance find_distance(const PlacedBlob& a, const PlacedBlob& b, float max_distance,
+                                                         PairWork& work) {
     BlobDistance result;
-    const NearestSearch search(a, b, max_distance, false, limit);
+    const NearestSearch search(a, b, max_distance, false, work);
     result.status = search.status;
     if (!search.least.found) return result;
     const PairFrame& frame = search.placed.frame;
@@ -261,8 +275,24 @@ BlobDistance distance(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit,
     return result;
 }
 
+}  // namespace
+
+BlobDistance distance(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit, float max_distance) noexcept {
+    PairWork work = {limit.visits()};
+    return find_distance(a, b, max_distance, work);
+}
+
+BlobDistance distance(const PlacedBlob& a, const PlacedBlob& b, WorkLimit limit, float max_distance,
+                      PairCounters& counters) noexcept {
+    PairWork work = {limit.visits(), &counters};
+    const BlobDistance result = find_distance(a, b, max_distance, work);
+    counters.box_pairs += limit.visits() - work.left;
+    return result;
+}
+
 YesNo within_distance(const PlacedBlob& a, const PlacedBlob& b, float distance, WorkLimit limit) noexcept {
-    return YesNo(NearestSearch(a, b, distance, true, limit).status);
+    PairWork work = {limit.visits()};
+    return YesNo(NearestSearch(a, b, distance, true, work).status);
 }
 
 }  // namespace espalier

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <espalier/function_ref.hpp>
+#include <espalier/statistics.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/pairs/frame.hpp>
@@ -26,6 +27,7 @@ struct PairSearch {
     OnTouching on_touching = {};
     const TrianglePair* from = nullptr;       ///< begins at the two leaves that hold this pair
     const ReferredTriangles* only = nullptr;  ///< visits only leaves with references to both
+    PairCounters* counters = nullptr;         ///< counts the leaves
 };
 
 }  // namespace espalier::detail

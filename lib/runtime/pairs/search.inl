@@ -48,6 +48,8 @@ private:
             !(has_reference(*frame.a, leaves.a, search.only->triangles.a) &&
               has_reference(*frame.b, leaves.b, search.only->triangles.b)))
             return Visit::next;
+        if (search.counters != nullptr)
+            search.counters->count_leaves(leaves.a.triangle_count(), leaves.b.triangle_count());
         return search.least != nullptr ? visit_near(leaves, *search.least) : visit_touching(leaves, search.on_touching);
     }
 };

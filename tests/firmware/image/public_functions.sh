@@ -4,5 +4,5 @@
 # <espalier/espalier.hpp>.
 set -eu
 "$1" --defined-only --extern-only "$2" |
-    awk '$2 == "T" && $3 !~ /RNS_13QueryCounters/ &&
+    awk '$2 == "T" && $3 !~ /RNS_[0-9]+[A-Z][a-z]+Counters/ &&
         ($3 ~ /^_ZNK?8espalier/ && $3 !~ /6detail/ || $3 ~ /^_ZN8espalier6detail[0-9]+[a-z_]+ERKNS_4BlobE/) { print "EXTERN(" $3 ")" }' | sort -u >"$3"

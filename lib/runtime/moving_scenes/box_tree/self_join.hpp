@@ -2,6 +2,7 @@
 #pragma once
 
 #include <espalier/function_ref.hpp>
+#include <espalier/scenes/statistics.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
 
@@ -33,5 +34,19 @@ inline void for_each_touching_pair(const SceneBlock& block, const OnTouchingBoxe
 inline void for_each_pair_of_moved(const SceneBlock& block, const OnTouchingBoxes& visit) {
     ESPALIER_DISPATCH(join_moved_with_all, block, visit);
 }
+
+/// A choice of the two: the pairs of slots that have moved, or all pairs.
+using SelfJoin = FunctionRef<void(const SceneBlock& block, bool of_moved, const OnTouchingBoxes& visit)>;
+
+inline void for_each_pair(const SceneBlock& block, bool of_moved, const OnTouchingBoxes& visit) {
+    if (of_moved) for_each_pair_of_moved(block, visit);
+    else for_each_touching_pair(block, visit);
+}
+
+namespace scalar {
+// The same two walks, which add their work to counters. That of all pairs is that of machines that are not small.
+void count_join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit, SceneCounters& counters);
+void count_join_moved_with_all(const SceneBlock& block, const OnTouchingBoxes& visit, SceneCounters& counters);
+}  // namespace scalar
 
 }  // namespace espalier::detail

@@ -10,6 +10,18 @@
 
 namespace {
 
+/// Counts nothing.
+struct Uncounted {
+    void box_test() const {}
+    void pair() const {}
+};
+/// Counts the work of a walk.
+struct Counted {
+    SceneCounters* counters;
+    void box_test() const { ++counters->box_tests; }
+    void pair() const { ++counters->pairs; }
+};
+
 /// Returns which of some children of a node touch a box, a bit for each. A place without a child has an empty box.
 [[gnu::always_inline]] inline unsigned touching(const BoxNode& node, const StepsBox& box, unsigned among) {
     unsigned mask = 0;
@@ -33,6 +45,7 @@ namespace {
     }
     return mask & among;
 }
+
 /// A child of a node, against the children of another or the same one.
 struct Comparison {
     std::uint32_t place;  ///< 8 * node + child
@@ -42,11 +55,11 @@ struct Comparison {
 /// The comparisons that wait, at each level of their second nodes. A level's are carried out many at a time: none waits
 /// for what another finds, and few branches depend on it. Of a comparison that finds something below the second node
 /// either both sides descend by one level, or the second alone.
-template <bool both_descend>
-class SelfJoin {
+template <bool both_descend, class Counting>
+class QueuedJoin {
 public:
-    SelfJoin(const SceneBlock& block, const OnTouchingBoxes& visit)
-        : block_(block), visit_(visit), top_(block.head->levels - 1u) {}
+    QueuedJoin(const SceneBlock& block, const OnTouchingBoxes& visit, Counting counting)
+        : block_(block), visit_(visit), counting_(counting), top_(block.head->levels - 1u) {}
 
     /// Compares a child of some node with the whole tree, at once or later.
     [[gnu::always_inline]] void add(std::uint32_t place) {
@@ -86,11 +99,13 @@ private:
             const auto [place, second] = waiting_[level][--waiting];
             const BoxNode &a = block_.node(place / 8), &b = block_.node(second);
             const unsigned children = touching(b, a.box(place % 8), children_below(place, second));
+            counting_.box_test();
             if constexpr (both_descend) {
                 const std::uint32_t first = a.child[place % 8];
                 for (unsigned rest = children; rest != 0; rest &= rest - 1) {
                     const auto child = static_cast<unsigned>(std::countr_zero(rest));
                     const unsigned near = touching(block_.node(first), b.box(child), all_children);
+                    counting_.box_test();
                     for (unsigned i = 0; i < BoxNode::most; ++i) {
                         out[below] = {8 * first + i, b.child[child]};
                         below += near >> i & 1u;
@@ -126,34 +141,52 @@ private:
             const auto [place, second] = waiting_[0][i];
             const unsigned children =
                 touching(block_.node(second), block_.node(place / 8).box(place % 8), others(place, second));
+            counting_.box_test();
             found[size] = i << BoxNode::most | children;
             size += children != 0 ? 1u : 0u;
         }
         for (unsigned i = 0; i < size; ++i) {
             const auto [place, second] = waiting_[0][found[i] >> BoxNode::most];
             const std::uint32_t first = block_.node(place / 8).child[place % 8];
-            for (unsigned rest = found[i] & all_children; rest != 0; rest &= rest - 1)
+            for (unsigned rest = found[i] & all_children; rest != 0; rest &= rest - 1) {
+                counting_.pair();
                 visit_(first, block_.node(second).child[std::countr_zero(rest)]);
+            }
         }
         count_[0] = 0;
     }
 
     const SceneBlock& block_;
     const OnTouchingBoxes& visit_;
+    [[no_unique_address]] const Counting counting_;
     const unsigned top_;
     unsigned count_[most_tree_levels] = {};
     Comparison waiting_[most_tree_levels][chunk + most_found];
 };
 
+/// Compares the tree with itself.
+template <class Counting>
+[[gnu::always_inline]] inline void join_all(const SceneBlock& block, const OnTouchingBoxes& visit, Counting counting) {
+    if (block.head->levels == 0) return;
+    QueuedJoin<true, Counting> join(block, visit, counting);
+    for (unsigned child = 0; child < BoxNode::most; ++child) join.add(8 * block.head->root + child);
+    join.finish();
+}
+
 /// Compares the boxes of selected slots with the tree.
-template <class IsSelected>
-[[gnu::always_inline]] inline void join_slots(const SceneBlock& block, const OnTouchingBoxes& visit,
+template <class Counting, class IsSelected>
+[[gnu::always_inline]] inline void join_slots(const SceneBlock& block, const OnTouchingBoxes& visit, Counting counting,
                                               IsSelected is_selected) {
     if (block.head->levels == 0) return;
-    SelfJoin<false> join(block, visit);
+    QueuedJoin<false, Counting> join(block, visit, counting);
     for (std::uint32_t slot = 0; slot < block.head->slots_used; ++slot)
         if (is_selected(slot) && is_live(block.slots[slot])) join.add(block.slots[slot].place);
     join.finish();
+}
+template <class Counting>
+[[gnu::always_inline]] inline void join_moved(const SceneBlock& block, const OnTouchingBoxes& visit,
+                                              Counting counting) {
+    join_slots(block, visit, counting, [&](std::uint32_t slot) { return has_moved(block, slot); });
 }
 
 }  // namespace
@@ -163,15 +196,12 @@ void join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit) {
         const auto once = [&](std::uint32_t a, std::uint32_t b) {
             if (a < b) visit(a, b);
         };
-        join_slots(block, once, [](std::uint32_t) { return true; });
-        return;
+        join_slots(block, once, Uncounted{}, [](std::uint32_t) { return true; });
+    } else {
+        join_all(block, visit, Uncounted{});
     }
-    if (block.head->levels == 0) return;
-    SelfJoin<true> join(block, visit);
-    for (unsigned child = 0; child < BoxNode::most; ++child) join.add(8 * block.head->root + child);
-    join.finish();
 }
 
 void join_moved_with_all(const SceneBlock& block, const OnTouchingBoxes& visit) {
-    join_slots(block, visit, [&](std::uint32_t slot) { return has_moved(block, slot); });
+    join_moved(block, visit, Uncounted{});
 }
