@@ -39,7 +39,7 @@ public:
     PlainWalk(const MovingScene& scene, bool only_moved) : block_(block_of(scene)) {
         if (block_.head->levels == 0) return;
         std::uint32_t moved = 0;
-        for (std::uint32_t slot = 0; slot < block_.head->slots_used; ++slot) moved += has_moved(slot) ? 1 : 0;
+        for (std::uint32_t slot = 0; slot < block_.head->slots_used; ++slot) moved += has_moved(slot) ? 1u : 0u;
         const unsigned top = block_.head->levels - 1u;
         const auto root = block_.head->root;
         if (!only_moved || moved >= block_.head->live / 4) {
@@ -79,7 +79,7 @@ private:
             const std::uint32_t child = block_.node(node).child[i];
             if (!touch(block_.slots[slot].box, block_.node(node).box(i))) continue;
             if (level != 0) compare_slot(slot, child, level - 1);
-            else counters.pairs += child != slot ? 1 : 0;
+            else counters.pairs += child != slot ? 1u : 0u;
         }
     }
 
