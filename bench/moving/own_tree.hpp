@@ -1,7 +1,7 @@
 // What the tree of a moving scene is like, and what a step costs it, in counts.
 #pragma once
 
-#include <optional>
+#include <cstdint>
 
 #include <runtime/moving_scenes/box_tree/block.hpp>
 
@@ -12,7 +12,8 @@ namespace espalier::bench {
 /// Returns its shape; areas are in squares of the length whose exponent is that of the steps.
 TreeShape shape_of(const detail::SceneBlock& block, int step_exponent);
 
-/// Returns how many pairs of nodes a search for all pairs visits; with a step, for those of which one was moved in it.
-std::size_t count_node_pairs(const detail::SceneBlock& block, std::optional<std::uint32_t> moved_in = {});
+/// Returns how many tests of a box against a node's boxes the search for pairs took in the step that ended last: for
+/// all pairs, or those in which something moved.
+std::uint64_t count_box_tests(const detail::SceneBlock& block, bool only_moved);
 
 }  // namespace espalier::bench

@@ -22,10 +22,7 @@ void print_upkeep(const Scenario& scenario, std::size_t steps) {
     for (std::size_t step = 0; step < steps; ++step) {
         frames.next(frame);
         ours.step(frame, parts, pairs);
-        const detail::SceneBlock& block = ours.block();
-        const std::size_t node_pairs =
-            only_moved ? count_node_pairs(block, block.head->step - 1) : count_node_pairs(block);
-        work.push_back(static_cast<double>(ours.nodes_renewed() + node_pairs));
+        work.push_back(static_cast<double>(ours.nodes_renewed() + count_box_tests(ours.block(), only_moved)));
         if (step + scenario.steps_between_repacks() < steps) continue;
         own = shape_of(ours.block(), start.step_exponent);
         fresh = fresh_tree(frame.boxes);
@@ -38,7 +35,7 @@ void print_upkeep(const Scenario& scenario, std::size_t steps) {
         "tree after %zu steps: area / fresh SAH %.3f to %.3f between two repacks, fill %.2f (fresh %.2f), depth "
         "%zu (fresh %zu)\n",
         steps, *best, *worst, own.fill, fresh.fill, own.depth, fresh.depth);
-    std::fprintf(stderr, "counted work (nodes written + pairs of nodes): median %.0f, slowest / median %.2f\n",
+    std::fprintf(stderr, "counted work (nodes written + tests of boxes): median %.0f, slowest / median %.2f\n",
                  median_of(work), slowest);
     JsonObject row = row_of(scenario, "upkeep");
     row.add("aged_steps", steps);
