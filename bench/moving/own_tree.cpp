@@ -24,8 +24,8 @@ std::uint64_t count_box_tests(const detail::SceneBlock& block, bool only_moved) 
     last_step.head = &head;
     SceneCounters counters;
     const auto ignore = [](std::uint32_t, std::uint32_t) {};
-    if (only_moved) detail::scalar::count_join_moved_with_all(last_step, ignore, counters);
-    else detail::scalar::count_join_with_itself(last_step, ignore, counters);
+    const detail::JoinedSlots joined = only_moved ? detail::JoinedSlots::moved : detail::JoinedSlots::all;
+    detail::scalar::count_join(last_step, joined, 0, ignore, counters);
     return counters.box_tests;
 }
 

@@ -1,6 +1,7 @@
 // Pairs of instances that moving scenes find while they count their work: for cost models and tests of the tree.
 //
-// Counts are the same on every machine. A refused call counts nothing.
+// Counts are the same on every machine, except on small cores, which search slot by slot. A refused call counts
+// nothing.
 //
 // Thread safety: that of the calls without counters (pairs.hpp). No call allocates.
 #pragma once
@@ -15,12 +16,13 @@
 
 namespace espalier {
 
-/// The work of the search for pairs of instances, added up over calls. A page that is too small for all pairs takes
-/// two walks, and both count.
+/// The work of the search for pairs of instances, added up over calls. A first page that is too small for all pairs
+/// takes a walk for all, and like each later page one for each of its slots. Both count.
 struct SceneCounters {
     std::uint64_t box_tests = 0;  ///< tests of one box against the boxes of a node
     /// Pairs of instances whose boxes touch, before masks and a filter select them. With PairFilter::only_moved, if few
-    /// have moved, those of which one has moved; if both have, the pair counts twice.
+    /// have moved, those of which one has moved; if both have, the pair counts twice. A walk for a slot counts all its
+    /// pairs.
     std::uint64_t pairs = 0;
 };
 

@@ -22,12 +22,9 @@ RayHit closest_hit_counted(const BlobData& blob, const Ray& world, QueryCounters
     return find_closest_hit(blob, world, nullptr, WalkAccuracy{-1, &counters});
 }
 
-void count_join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit, SceneCounters& counters) {
-    join_all(block, visit, Counted{&counters});
-}
-
-void count_join_moved_with_all(const SceneBlock& block, const OnTouchingBoxes& visit, SceneCounters& counters) {
-    join_moved(block, visit, Counted{&counters});
+void count_join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit,
+                SceneCounters& counters) {
+    join_counting(block, joined, slot, visit, Counted{&counters});
 }
 
 // One ray after the other: a core without lanes has little to gain from company, and no stack for it.

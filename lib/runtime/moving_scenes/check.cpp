@@ -35,6 +35,7 @@ bool are_slots_sound(const SceneBlock& block) {
     std::uint32_t live = 0, worn = 0;
     for (std::uint32_t number = 0; number < head.slots_used; ++number) {
         const InstanceSlot& slot = block.slots[number];
+        if (block.moved[number] > head.step) return false;
         worn += is_worn(slot) ? 1u : 0u;
         if (!is_live(slot)) continue;
         ++live;

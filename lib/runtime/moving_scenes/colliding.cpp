@@ -89,18 +89,27 @@ FilledPairs<InstancePair> collect_colliding(MovingScene& scene, std::span<Instan
     const QueryStatus readiness = detail::readiness_of(scene);
     if (readiness != QueryStatus::ok) return {0, from, readiness};
     SceneBlock block = block_of(scene);
-    FilledPairs<InstancePair> filled = {0, from, QueryStatus::output_full};
-    while (filled.status == QueryStatus::output_full && filled.count < pairs.size()) {
-        // Candidates take the room that is left, and those that collide stay.
-        const std::span<InstancePair> room = pairs.subspan(filled.count);
-        const FilledPairs<InstancePair> page = collect_touching_pairs(block, room, filter, filled.next, join);
-        for (const InstancePair& pair : room.first(page.count)) {
-            const QueryStatus status = find_collision(scene, block, pair, work);
-            if (status != QueryStatus::ok && status != QueryStatus::not_found) return {filled.count, pair, status};
-            if (status == QueryStatus::ok) pairs[filled.count++] = pair;
+    TouchingPairs touching(block, filter, join);
+    FilledPairs<InstancePair> filled = {0, touching.end(), QueryStatus::ok};
+    const auto add_if_colliding = [&](const InstancePair& pair) {
+        QueryStatus status = QueryStatus::output_full;
+        if (filled.count < pairs.size()) status = find_collision(scene, block, pair, work);
+        if (status == QueryStatus::not_found) return Visit::next;
+        if (status == QueryStatus::ok) {
+            pairs[filled.count++] = pair;
+            return Visit::next;
         }
-        filled.next = page.next;
-        filled.status = page.status;
+        filled.next = pair;
+        filled.status = status;
+        return Visit::stop;
+    };
+    std::size_t candidates = 0;
+    if (takes_shortcut(from == InstancePair{}) && touching.collect_all(pairs, candidates)) {
+        // Those that collide stay.
+        for (const InstancePair& pair : pairs.first(candidates))
+            if (add_if_colliding(InstancePair(pair)) == Visit::stop) break;
+    } else {
+        touching.for_each_from(from, add_if_colliding);
     }
     return filled;
 }
@@ -108,9 +117,9 @@ FilledPairs<InstancePair> collect_colliding(MovingScene& scene, std::span<Instan
 /// The walks that add their work to counters.
 struct CountedJoin {
     SceneCounters& counters;
-    void operator()(const SceneBlock& block, bool of_moved, const OnTouchingBoxes& visit) const {
-        if (of_moved) scalar::count_join_moved_with_all(block, visit, counters);
-        else scalar::count_join_with_itself(block, visit, counters);
+    void operator()(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,
+                    const OnTouchingBoxes& visit) const {
+        scalar::count_join(block, joined, slot, visit, counters);
     }
 };
 
@@ -118,7 +127,7 @@ struct CountedJoin {
 
 FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<InstancePair> pairs,
                                                   const PairFilter& filter, InstancePair from) noexcept {
-    return collect_candidates(scene, pairs, filter, from, for_each_pair);
+    return collect_candidates(scene, pairs, filter, from, join_by_best_set);
 }
 
 FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<InstancePair> pairs,
@@ -130,7 +139,7 @@ FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<
 FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<InstancePair> pairs, WorkLimit limit,
                                                   const PairFilter& filter, InstancePair from) noexcept {
     PairWork work = {limit.visits()};
-    return collect_colliding(scene, pairs, work, filter, from, for_each_pair);
+    return collect_colliding(scene, pairs, work, filter, from, join_by_best_set);
 }
 
 FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<InstancePair> pairs, WorkLimit limit,

@@ -1,12 +1,49 @@
 #include <runtime/moving_scenes/pairs.hpp>
 
-#include <runtime/moving_scenes/box_tree/slots.hpp>
-
 namespace espalier::detail {
 
 namespace {
 
-InstancePair sorted_pair(std::uint32_t a, std::uint32_t b) { return a < b ? InstancePair{a, b} : InstancePair{b, a}; }
+template <class Item>
+void sort_by_insertion(std::span<Item> items) {
+    for (std::size_t i = 1; i < items.size(); ++i) {
+        const Item item = items[i];
+        std::size_t at = i;
+        for (; at > 0 && item < items[at - 1]; --at) items[at] = items[at - 1];
+        items[at] = item;
+    }
+}
+
+/// Moves the item at a place of a heap down until none below it is greater.
+template <class Item>
+void sift_down(std::span<Item> heap, std::size_t at) {
+    const Item item = heap[at];
+    for (std::size_t child = 2 * at + 1; child < heap.size(); child = 2 * at + 1) {
+        if (child + 1 < heap.size() && heap[child] < heap[child + 1]) ++child;
+        if (!(item < heap[child])) break;
+        heap[at] = heap[child];
+        at = child;
+    }
+    heap[at] = item;
+}
+template <class Item>
+void sort_by_heap(std::span<Item> items) {
+    for (std::size_t i = items.size() / 2; i-- > 0;) sift_down(items, i);
+    for (std::size_t size = items.size(); size > 1; --size) {
+        const Item greatest = items[0];
+        items[0] = items[size - 1];
+        items[size - 1] = greatest;
+        sift_down(items.first(size - 1), 0);
+    }
+}
+
+/// Sorts few items by insertion, and many, of a slot that touches all, by a heap.
+template <class Item>
+void sort(std::span<Item> items) {
+    constexpr std::size_t few = 32;
+    if (takes_shortcut(items.size() <= few)) sort_by_insertion(items);
+    else sort_by_heap(items);
+}
 
 /// Sorts pairs by their lower slots in place; counts[a] is how many pairs have a, and is overwritten.
 void sort_by_lower_slot(std::span<InstancePair> pairs, std::uint32_t* counts, std::uint32_t slots) {
@@ -26,142 +63,93 @@ void sort_by_lower_slot(std::span<InstancePair> pairs, std::uint32_t* counts, st
     }
 }
 
-void sort_by_insertion(std::span<InstancePair> pairs) {
-    for (std::size_t i = 1; i < pairs.size(); ++i) {
-        const InstancePair pair = pairs[i];
-        std::size_t at = i;
-        for (; at > 0 && pair < pairs[at - 1]; --at) pairs[at] = pairs[at - 1];
-        pairs[at] = pair;
-    }
-}
-
-/// Moves the pair at a place of a heap down until none below it is greater.
-void sift_down(std::span<InstancePair> heap, std::size_t at) {
-    const InstancePair pair = heap[at];
-    for (std::size_t child = 2 * at + 1; child < heap.size(); child = 2 * at + 1) {
-        if (child + 1 < heap.size() && heap[child] < heap[child + 1]) ++child;
-        if (!(pair < heap[child])) break;
-        heap[at] = heap[child];
-        at = child;
-    }
-    heap[at] = pair;
-}
-void sort_by_heap(std::span<InstancePair> pairs) {
-    for (std::size_t i = pairs.size() / 2; i-- > 0;) sift_down(pairs, i);
-    for (std::size_t size = pairs.size(); size > 1; --size) {
-        const InstancePair greatest = pairs[0];
-        pairs[0] = pairs[size - 1];
-        pairs[size - 1] = greatest;
-        sift_down(pairs.first(size - 1), 0);
-    }
-}
-
-/// Sorts the pairs of each lower slot by the higher one: few of them by insertion, a slot that touches many by a heap.
+/// Sorts the pairs of each lower slot by the higher one.
 void sort_by_higher_slot(std::span<InstancePair> pairs) {
-    constexpr std::size_t few = 32;
     for (std::size_t first = 0; first < pairs.size();) {
         std::size_t end = first + 1;
         while (end < pairs.size() && pairs[end].a == pairs[first].a) ++end;
-        const std::span<InstancePair> of_slot = pairs.subspan(first, end - first);
-        if (of_slot.size() <= few) sort_by_insertion(of_slot);
-        else sort_by_heap(of_slot);
+        sort(pairs.subspan(first, end - first));
         first = end;
     }
 }
 
-/// The search for the pairs of a page: visits those that count, as often as it is needed.
-class PairWalk {
-public:
-    PairWalk(SceneBlock& block, const PairFilter& filter, InstancePair from, SelfJoin join)
-        : block_(block),
-          filter_(filter),
-          from_(from),
-          join_(join),
-          starts_at_moved_(filter.only_moved && are_few_moved()) {}
+}  // namespace
 
-    template <class Visit>
-    void for_each(Visit visit) const {
-        const auto pass_on = [&](std::uint32_t x, std::uint32_t y) {
-            const InstancePair pair = sorted_pair(x, y);
-            if (pair >= from_ && is_selected(block_, filter_, pair)) visit(pair);
-        };
-        if (starts_at_moved_) {
-            join_(block_, true, [&](std::uint32_t moved, std::uint32_t other) {
-                // Two that have moved are met twice.
-                if (moved < other || !has_moved(block_, other)) pass_on(moved, other);
-            });
-        } else if (filter_.only_moved) {
-            join_(block_, false, [&](std::uint32_t x, std::uint32_t y) {
-                if (has_moved(block_, x) || has_moved(block_, y)) pass_on(x, y);
-            });
-        } else {
-            join_(block_, false, pass_on);
-        }
-    }
-
-private:
-    /// Returns whether a walk for those that have moved takes less than one for all.
-    [[nodiscard]] bool are_few_moved() const {
-        std::uint32_t count = 0;
-        for (std::uint32_t slot = 0; slot < block_.head->slots_used; ++slot) count += has_moved(block_, slot) ? 1u : 0u;
-        return count < block_.head->live / 4;
-    }
-    SceneBlock& block_;
-    const PairFilter& filter_;
-    InstancePair from_;
-    SelfJoin join_;
-    bool starts_at_moved_;
-};
-
-/// Writes the pairs of one slot that has more of them than there is room for.
-FilledPairs<InstancePair> collect_of_slot(SceneBlock& block, const PairWalk& walk, std::span<InstancePair> out,
-                                          InstancePair from) {
-    const std::uint32_t slots = block.head->slots_used;
-    for (std::uint32_t b = 0; b < slots; ++b) block.counts[b] = 0;
-    walk.for_each([&](const InstancePair& pair) {
-        if (pair.a == from.a) block.counts[pair.b] = 1;
-    });
-    FilledPairs<InstancePair> page = {0, from, QueryStatus::output_full};
-    for (std::uint32_t b = 0; b < slots; ++b) {
-        if (block.counts[b] == 0) continue;
-        page.next = {from.a, b};
-        if (page.count == out.size()) break;
-        out[page.count++] = {from.a, b};
-    }
-    return page;
+bool TouchingPairs::is_selected(const InstancePair& pair) const {
+    const auto [a, b] = pair;
+    if ((block_.slots[a].mask & block_.slots[b].mask) == 0) return false;
+    if (filter_.only_moved && !has_moved(block_, a) && !has_moved(block_, b)) return false;
+    return !filter_.keep || filter_.keep(InstanceId{a}, InstanceId{b});
 }
 
-}  // namespace
+/// Returns whether a walk from each that has moved takes less than one for all.
+bool TouchingPairs::are_few_moved() const {
+    std::uint32_t count = 0;
+    for (std::uint32_t slot = 0; slot < block_.head->slots_used; ++slot) count += has_moved(block_, slot) ? 1u : 0u;
+    return count < block_.head->live / 4;
+}
+
+/// Calls `visit(pair)` with each selected pair, in an order that follows the tree.
+template <class OnPair>
+void TouchingPairs::for_each(OnPair visit) const {
+    const bool starts_at_moved = filter_.only_moved && are_few_moved();
+    join_(block_, starts_at_moved ? JoinedSlots::moved : JoinedSlots::all, 0, [&](std::uint32_t x, std::uint32_t y) {
+        // Two that have moved are met twice.
+        if (starts_at_moved && y < x && has_moved(block_, y)) return;
+        const InstancePair pair = x < y ? InstancePair{x, y} : InstancePair{y, x};
+        if (is_selected(pair)) visit(pair);
+    });
+}
+
+bool TouchingPairs::collect_all(std::span<InstancePair> out, std::size_t& count) {
+    const std::uint32_t slots = block_.head->slots_used;
+    std::uint32_t* const counts = block_.counts;
+    for (std::uint32_t a = 0; a < slots; ++a) counts[a] = 0;
+    const std::uint64_t room = out.size() < UINT32_MAX ? out.size() : UINT32_MAX;
+    std::uint64_t found = 0;
+    for_each([&](const InstancePair& pair) {
+        ++counts[pair.a];
+        if (found < room) out[static_cast<std::size_t>(found)] = pair;
+        ++found;
+    });
+    if (found <= room) {
+        count = static_cast<std::size_t>(found);
+        sort_by_lower_slot(out.first(count), counts, slots);
+        sort_by_higher_slot(out.first(count));
+    }
+    clear_others(slots);
+    return found <= room;
+}
+
+std::span<const std::uint32_t> TouchingPairs::find_others(InstancePair from) {
+    if (!is_live(block_.slots[from.a])) return {};
+    std::size_t count = 0;
+    join_(block_, JoinedSlots::one, from.a, [&](std::uint32_t, std::uint32_t b) {
+        if (b > from.a && b >= from.b) block_.counts[count++] = b;
+    });
+    const std::span others(block_.counts, count);
+    sort(others);
+    return others;
+}
+
+void TouchingPairs::clear_others(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) block_.counts[i] = 0;
+}
 
 FilledPairs<InstancePair> collect_touching_pairs(SceneBlock& block, std::span<InstancePair> out,
                                                  const PairFilter& filter, InstancePair from, SelfJoin join) {
-    const PairWalk walk(block, filter, from, join);
-    const std::uint32_t slots = block.head->slots_used;
-    std::uint32_t* const counts = block.counts;
-    for (std::uint32_t a = 0; a < slots; ++a) counts[a] = 0;
-    std::uint64_t found = 0;
-    walk.for_each([&](const InstancePair& pair) {
-        ++counts[pair.a];
-        if (found < out.size()) out[static_cast<std::size_t>(found)] = pair;
-        ++found;
+    TouchingPairs pairs(block, filter, join);
+    FilledPairs<InstancePair> page = {0, pairs.end(), QueryStatus::ok};
+    if (takes_shortcut(from == InstancePair{}) && pairs.collect_all(out, page.count)) return page;
+    pairs.for_each_from(from, [&](const InstancePair& pair) {
+        if (page.count == out.size()) {
+            page.next = pair;
+            page.status = QueryStatus::output_full;
+            return Visit::stop;
+        }
+        out[page.count++] = pair;
+        return Visit::next;
     });
-    FilledPairs<InstancePair> page = {static_cast<std::size_t>(found), {slots, 0}, QueryStatus::ok};
-    if (found > out.size()) {
-        // The lower slots whose pairs fit in.
-        std::uint32_t end = 0;
-        for (page.count = 0; page.count + counts[end] <= out.size(); ++end) page.count += counts[end];
-        page.next = {end, end == from.a ? from.b : 0};
-        page.status = QueryStatus::output_full;
-        if (page.count == 0) return collect_of_slot(block, walk, out, page.next);
-        for (std::uint32_t a = end; a < slots; ++a) counts[a] = 0;
-        std::size_t at = 0;
-        walk.for_each([&](const InstancePair& pair) {
-            if (pair.a < end) out[at++] = pair;
-        });
-    }
-    const std::span<InstancePair> pairs = out.first(page.count);
-    sort_by_lower_slot(pairs, counts, slots);
-    sort_by_higher_slot(pairs);
     return page;
 }
 

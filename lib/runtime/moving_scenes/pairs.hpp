@@ -1,4 +1,4 @@
-// Pairs of instances whose boxes touch, sorted, in pages.
+// Pairs of instances whose boxes touch, in ascending order.
 #pragma once
 
 #include <span>
@@ -6,18 +6,55 @@
 #include <espalier/scenes/pairs.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
+#include <runtime/moving_scenes/box_tree/slots.hpp>
 
 namespace espalier::detail {
 
-/// Returns whether a pair of live slots counts, for the masks and the filter.
-inline bool is_selected(const SceneBlock& block, const PairFilter& filter, const InstancePair& pair) {
-    if ((block.slots[pair.a].mask & block.slots[pair.b].mask) == 0) return false;
-    return !filter.keep || filter.keep(InstanceId{pair.a}, InstanceId{pair.b});
-}
+/// The pairs of live slots whose boxes touch and that a filter selects. They are found with room in the block that is
+/// zero before and after, so that questions leave no traces in a snapshot.
+class TouchingPairs {
+public:
+    TouchingPairs(SceneBlock& block, const PairFilter& filter, SelfJoin join)
+        : block_(block), filter_(filter), join_(join) {}
 
-/// Writes the selected pairs of touching boxes from `from` on, in ascending order, as many as there is room for.
+    /// Writes all pairs in ascending order, and how many they are. Returns false if there is no room for them. Takes
+    /// one walk of the tree against itself, or from all that has moved.
+    bool collect_all(std::span<InstancePair> out, std::size_t& count);
+
+    /// Calls `visit(pair)` with each pair from `from` on in ascending order, until it returns stop. Takes a walk of the
+    /// tree for each slot, and no room but the block's.
+    template <class OnPair>
+    void for_each_from(InstancePair from, OnPair visit) {
+        for (; from.a < block_.head->slots_used; from = {from.a + 1, 0}) {
+            const std::span<const std::uint32_t> others = find_others(from);
+            Visit next = Visit::next;
+            for (std::size_t i = 0; i < others.size() && next == Visit::next; ++i)
+                if (const InstancePair pair = {from.a, others[i]}; is_selected(pair)) next = visit(pair);
+            clear_others(others.size());
+            if (next == Visit::stop) return;
+        }
+    }
+
+    /// Returns the pair behind all others.
+    [[nodiscard]] InstancePair end() const { return {block_.head->slots_used, 0}; }
+
+private:
+    /// Returns the slots above from.a and from from.b on whose boxes touch that of from.a, in ascending order.
+    std::span<const std::uint32_t> find_others(InstancePair from);
+    void clear_others(std::size_t count);
+    [[nodiscard]] bool is_selected(const InstancePair& pair) const;
+    [[nodiscard]] bool are_few_moved() const;
+    template <class OnPair>
+    void for_each(OnPair visit) const;
+
+    SceneBlock& block_;
+    const PairFilter& filter_;
+    SelfJoin join_;
+};
+
+/// Writes the selected pairs from `from` on, in ascending order, as many as there is room for.
 FilledPairs<InstancePair> collect_touching_pairs(SceneBlock& block, std::span<InstancePair> out,
                                                  const PairFilter& filter, InstancePair from,
-                                                 SelfJoin join = for_each_pair);
+                                                 SelfJoin join = join_by_best_set);
 
 }  // namespace espalier::detail

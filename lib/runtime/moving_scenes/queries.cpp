@@ -50,7 +50,7 @@ MovingSceneQuery::MovingSceneQuery(const MovingScene& scene) {
     for (int k = 0; k < 3; ++k) {
         const std::int32_t origin = lattice_point_below(all.low[k]);
         data.tree.origin[k] = static_cast<float>(origin) * step;
-        data.tree.extent_steps[k] = static_cast<float>(all.high[k] - origin);
+        data.tree.extent_steps[k] = static_cast<float>(lattice_point_above(all.high[k]) - origin);
     }
 }
 

@@ -10,6 +10,7 @@ namespace espalier::detail {
 
 /// A lattice point at or below a coordinate of a box that is exact as a float: the origin of a tree.
 constexpr std::int32_t lattice_point_below(std::int32_t steps) { return steps & ~127; }
+constexpr std::int32_t lattice_point_above(std::int32_t steps) { return (steps + 127) & ~127; }
 
 /// The tree of a moving scene as its walks take it: its boxes are counted from the lattice point at its low corner.
 struct MovingTree {

@@ -27,12 +27,6 @@ Counts counts_of(const SceneCounters& counters) { return {counters.box_tests, co
 Counts counts_of(const PairCounters& counters) {
     return {counters.box_pairs, counters.leaf_pairs, counters.triangle_pairs};
 }
-template <class Counters>
-Counts twice(const Counters& counters) {
-    const auto [x, y, z] = counts_of(counters);
-    return {2 * x, 2 * y, 2 * z};
-}
-
 /// The walks for pairs, by recursion.
 class PlainWalk {
 public:
@@ -151,23 +145,50 @@ TEST_SUITE("counters") {
             }
     }
 
-    TEST_CASE("work: a page that is too small for the pairs of moving instances counts two walks") {
+    TEST_CASE("work: a page that is too small for the pairs of moving instances counts a walk for each slot at most") {
         Crowd crowd(300, 1);
         MovingScene& scene = crowd.made.scene;
-        SceneCounters once, counters;
+        SceneCounters once, of_slots;
         std::vector<InstancePair> all(6'000);
         const auto whole = collect_candidate_pairs(scene, all, once);
         REQUIRE(whole.status == QueryStatus::ok);
         REQUIRE(whole.count > 200);
+        REQUIRE(collect_candidate_pairs(scene, all, of_slots, {}, {0, 1}).count == whole.count);
+        CHECK(of_slots.box_tests > once.box_tests);
         for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{100}, whole.count - 1}) {
+            const std::span page = std::span(all).first(size);
+            SceneCounters counters;
+            CHECK(collect_candidate_pairs(scene, page, counters).status == QueryStatus::output_full);
+            CHECK(counters.box_tests <= once.box_tests + of_slots.box_tests);
+            PairCounters triangles;
             counters = {};
-            const auto page = collect_candidate_pairs(scene, std::span(all).first(size), counters);
-            CHECK(page.status == QueryStatus::output_full);
-            CHECK(counts_of(counters) == twice(once));
-            const auto after = collect_candidate_pairs(scene, all, counters = once, {}, page.next);
-            CHECK(after.count == whole.count - page.count);
-            CHECK(counts_of(counters) == twice(once));
+            CHECK(collect_colliding_pairs(scene, page, WorkLimit::unlimited(), counters, triangles).count <= size);
+            CHECK(counters.box_tests <= once.box_tests + of_slots.box_tests);
         }
+        SceneCounters of_pages;
+        InstancePair from;
+        while (from.a < 300) from = collect_candidate_pairs(scene, std::span(all).first(100), of_pages, {}, from).next;
+        CHECK(of_pages.box_tests <= once.box_tests + 2 * of_slots.box_tests);
+    }
+
+    TEST_CASE("work: colliding pairs in a page without room take a walk for each slot however many there are") {
+        OpenedBlob cube(make_cube(-0.5f, 0.5f));
+        const std::vector<Blob> meshes = {cube.blob};
+        constexpr std::uint32_t count = 100;
+        MadeScene made(count, -12, meshes);
+        Instance shell;  // each within the next: all boxes touch, and no triangles
+        for (std::uint32_t i = 0; i < count; ++i) {
+            shell.transform.scale = 1.0f + static_cast<float>(i);
+            REQUIRE(insert(made.scene, shell));
+        }
+        InstancePair one;
+        SceneCounters counters;
+        PairCounters triangles;
+        const auto none =
+            collect_colliding_pairs(made.scene, std::span(&one, 1), WorkLimit::unlimited(), counters, triangles);
+        CHECK(none.status == QueryStatus::ok);
+        CHECK(none.count == 0);
+        CHECK(counters.pairs <= count * (count + 1) * 2);
     }
 
     TEST_CASE("work: colliding pairs of moving instances count one walk and the work of all their candidates") {

@@ -109,4 +109,36 @@ TEST_SUITE("pairs") {
             CHECK(is_sound(block));
         }
     }
+
+    TEST_CASE("scene: a filter that contradicts itself gets a list that fits") {
+        MadeBlock made(60);
+        for (int i = 0; i < 60; ++i) made.insert({{i, 0, 0}, {i + 30, 9, 9}});
+        std::uint64_t calls = 0;
+        for (std::uint64_t kind = 2; kind < 6; ++kind)
+            for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{40}, std::size_t{2'000}}) {
+                std::vector<InstancePair> page(size + 100, InstancePair{7, 7});
+                const auto keep = [&](InstanceId, InstanceId) { return ++calls / kind % 2 == 0; };
+                const PairFilter filter = {false, keep};
+                const auto found = collect_touching_pairs(made.block, std::span(page).first(size), filter, {});
+                REQUIRE(found.count <= size);
+                const std::span<const InstancePair> list = found.in(page);
+                CHECK(std::is_sorted(list.begin(), list.end()));
+                for (std::size_t i = size; i < page.size(); ++i) REQUIRE(page[i] == InstancePair{7, 7});
+            }
+    }
+
+    TEST_CASE("scene: questions for pairs leave the bytes of a block as they are") {
+        Random random(3);
+        MadeBlock made(100);
+        for (int i = 0; i < 100; ++i) made.insert(random_box(random, 1 << 20));
+        const std::vector<std::byte> before(made.bytes(), made.bytes() + made.size());
+        const auto is_same = [&] { return std::equal(before.begin(), before.end(), made.bytes()); };
+        for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{30}, std::size_t{10'000}})
+            for (const InstancePair from : {InstancePair{}, InstancePair{20, 3}}) {
+                std::vector<InstancePair> page(size);
+                const auto found = collect_touching_pairs(made.block, page, {}, from);
+                CHECK((found.count != 0 || size == 0));
+                CHECK(is_same());
+            }
+    }
 }

@@ -8,6 +8,7 @@
 
 #include <runtime/moving_scenes/check.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
+#include <runtime/moving_scenes/box_tree/slots.hpp>
 
 #include "made_block.hpp"
 #include "support/base/test_scale.hpp"
@@ -22,11 +23,21 @@ constexpr std::int32_t region = 1 << 25;
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
+/// Returns the pairs that walks from each slot find, and on machines that are not small also the walk of all together.
 Pairs pairs_of_tree(const SceneBlock& block) {
-    Pairs pairs;
-    for_each_touching_pair(block, [&](std::uint32_t a, std::uint32_t b) { pairs.emplace_back(std::minmax(a, b)); });
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
+    Pairs all, of_slots;
+    join_by_best_set(block, JoinedSlots::all, 0,
+                     [&](std::uint32_t a, std::uint32_t b) { all.emplace_back(std::minmax(a, b)); });
+    for (std::uint32_t slot = 0; slot < block.head->slots_used; ++slot)
+        if (is_live(block.slots[slot]))
+            join_by_best_set(block, JoinedSlots::one, slot, [&](std::uint32_t a, std::uint32_t b) {
+                REQUIRE(a == slot);
+                if (a < b) of_slots.emplace_back(a, b);
+            });
+    std::sort(all.begin(), all.end());
+    std::sort(of_slots.begin(), of_slots.end());
+    if (!small_code) REQUIRE(all == of_slots);
+    return of_slots;
 }
 Pairs pairs_of_loop(const SceneBlock& block) {
     Pairs pairs;
@@ -127,6 +138,26 @@ TEST_SUITE("tree") {
         CHECK(depth_of([&](std::int32_t i) { return cube(i % 55 * 200, i / 55 * 200, 0); }) <= most_levels(count));
         CHECK(depth_of([&](std::int32_t i) { return cube(i % 2 == 0 ? -i : i, 1 << 29, -(1 << 29)); }) <=
               most_levels(count));
+    }
+
+    TEST_CASE("scene: a block with nodes for any order of insertions repacks none") {
+        for (const std::uint32_t capacity : {1u, 4u, 5u, 7u, 10u, 41u, 79u, 159u}) {
+            CAPTURE(capacity);
+            MadeBlock made(capacity);
+            Random random(capacity);
+            std::vector<std::uint32_t> live;
+            for (std::uint64_t i = 0; i < scaled(20'000); ++i) {
+                if (live.size() == capacity || (!live.empty() && random.below(2) == 0)) {
+                    const std::size_t at = random.below(static_cast<std::uint32_t>(live.size()));
+                    made.remove(live[at]);
+                    live[at] = live.back();
+                    live.pop_back();
+                } else {
+                    live.push_back(made.insert(random_box(random, 1 << 22)));
+                }
+            }
+            CHECK(made.block.head->packed_area == 0.0f);
+        }
     }
 
     TEST_CASE("scene: a tree is the same after a repack whatever came before it") {

@@ -144,18 +144,30 @@ std::uint32_t split(SceneBlock& block, std::uint32_t level, std::uint32_t node, 
     return other;
 }
 
+/// Returns how many nodes another child of a leaf node takes: one for each full node on its way to the root, and a
+/// root.
+std::uint32_t count_nodes_to_take(const SceneBlock& block, std::uint32_t leaf_node) {
+    std::uint32_t count = 0;
+    for (std::uint32_t node = leaf_node; block.node(node).free_place() == BoxNode::most;
+         node = block.parent[node] / 8) {
+        ++count;
+        if (block.parent[node] == no_child) return count + 1;
+    }
+    return count;
+}
+
 }  // namespace
 
 void insert_box(SceneBlock& block, std::uint32_t slot) {
     BlockHead& head = *block.head;
-    // A split for each level, and a root.
-    if (head.node_capacity - head.nodes_used + head.free_nodes < head.levels + 1u) return repack_boxes(block);
     Entry entry = {block.slots[slot].box, slot};
     if (head.levels == 0) {
         head.root = take_node(block);
         head.levels = 1;
     }
     std::uint32_t node = find_leaf_node(block, entry.box);
+    if (head.node_capacity - head.nodes_used + head.free_nodes < count_nodes_to_take(block, node))
+        return repack_boxes(block);
     for (std::uint32_t level = 0;; ++level) {
         const unsigned place = block.node(node).free_place();
         if (place < BoxNode::most) {

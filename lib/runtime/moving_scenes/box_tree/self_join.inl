@@ -164,44 +164,27 @@ private:
     Comparison waiting_[most_tree_levels][chunk + most_found];
 };
 
-/// Compares the tree with itself.
 template <class Counting>
-[[gnu::always_inline]] inline void join_all(const SceneBlock& block, const OnTouchingBoxes& visit, Counting counting) {
-    if (block.head->levels == 0) return;
-    QueuedJoin<true, Counting> join(block, visit, counting);
-    for (unsigned child = 0; child < BoxNode::most; ++child) join.add(8 * block.head->root + child);
-    join.finish();
-}
-
-/// Compares the boxes of selected slots with the tree.
-template <class Counting, class IsSelected>
-[[gnu::always_inline]] inline void join_slots(const SceneBlock& block, const OnTouchingBoxes& visit, Counting counting,
-                                              IsSelected is_selected) {
-    if (block.head->levels == 0) return;
+[[gnu::always_inline]] inline void join_counting(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,
+                                                 const OnTouchingBoxes& visit, Counting counting) {
+    const BlockHead& head = *block.head;
+    if (head.levels == 0) return;
+    if constexpr (!small_code) {  // pairs of small cores are found slot by slot
+        if (joined == JoinedSlots::all) {
+            QueuedJoin<true, Counting> join(block, visit, counting);
+            for (unsigned child = 0; child < BoxNode::most; ++child) join.add(8 * head.root + child);
+            return join.finish();
+        }
+    }
     QueuedJoin<false, Counting> join(block, visit, counting);
-    for (std::uint32_t slot = 0; slot < block.head->slots_used; ++slot)
-        if (is_selected(slot) && is_live(block.slots[slot])) join.add(block.slots[slot].place);
+    if (joined == JoinedSlots::one) join.add(block.slots[slot].place);
+    for (std::uint32_t i = 0; !small_code && joined == JoinedSlots::moved && i < head.slots_used; ++i)
+        if (has_moved(block, i) && is_live(block.slots[i])) join.add(block.slots[i].place);
     join.finish();
-}
-template <class Counting>
-[[gnu::always_inline]] inline void join_moved(const SceneBlock& block, const OnTouchingBoxes& visit,
-                                              Counting counting) {
-    join_slots(block, visit, counting, [&](std::uint32_t slot) { return has_moved(block, slot); });
 }
 
 }  // namespace
 
-void join_with_itself(const SceneBlock& block, const OnTouchingBoxes& visit) {
-    if constexpr (small_code) {  // one walk for both
-        const auto once = [&](std::uint32_t a, std::uint32_t b) {
-            if (a < b) visit(a, b);
-        };
-        join_slots(block, once, Uncounted{}, [](std::uint32_t) { return true; });
-    } else {
-        join_all(block, visit, Uncounted{});
-    }
-}
-
-void join_moved_with_all(const SceneBlock& block, const OnTouchingBoxes& visit) {
-    join_moved(block, visit, Uncounted{});
+void join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit) {
+    join_counting(block, joined, slot, visit, Uncounted{});
 }
