@@ -1,5 +1,5 @@
-// The coordinates of a vector, computed side by side in one register. Each operation is that of the single coordinates,
-// with the same bits.
+// The coordinates of a vector, computed side by side: in one register, or on small cores by functions. Each operation
+// is that of the single coordinates, with the same bits.
 #pragma once
 
 #include <bit>
@@ -7,8 +7,77 @@
 
 #include <espalier/types.hpp>
 #include <runtime/base/bits.hpp>
+#include <runtime/base/options.hpp>
 
 namespace espalier::detail {
+
+#if ESPALIER_SMALL_CODE
+
+/// Three floats.
+class Coordinates {
+    float values_[3];
+
+    Coordinates() = default;
+    template <class Compute>
+    [[gnu::always_inline]] static Coordinates of_each(Compute compute) {
+        Coordinates result;
+        for (int k = 0; k < 3; ++k) result.values_[k] = compute(k);
+        return result;
+    }
+
+public:
+    /// Written out, so that compilers pass and return it in memory.
+    Coordinates(const Coordinates& other) : values_{other[0], other[1], other[2]} {}
+    Coordinates(float x, float y, float z) : values_{x, y, z} {}
+    explicit Coordinates(float all) : Coordinates(all, all, all) {}
+    explicit Coordinates(const Vec3& v) : Coordinates(v.x, v.y, v.z) {}
+
+    [[gnu::noinline]] friend Coordinates operator+(const Coordinates& a, const Coordinates& b) {
+        return of_each([&](int k) { return a[k] + b[k]; });
+    }
+    [[gnu::noinline]] friend Coordinates operator-(const Coordinates& a, const Coordinates& b) {
+        return of_each([&](int k) { return a[k] - b[k]; });
+    }
+    [[gnu::noinline]] friend Coordinates operator*(const Coordinates& a, const Coordinates& b) {
+        return of_each([&](int k) { return a[k] * b[k]; });
+    }
+    [[gnu::noinline]] friend Coordinates operator/(const Coordinates& a, const Coordinates& b) {
+        return of_each([&](int k) { return a[k] / b[k]; });
+    }
+    [[gnu::noinline]] friend Coordinates without_below(const Coordinates& a, std::uint32_t least) {
+        return of_each([&](int k) {
+            const std::uint32_t bits = std::bit_cast<std::uint32_t>(a[k]);
+            return (bits & 0x7FFFFFFFu) < least ? 0.0f : a[k];
+        });
+    }
+    [[gnu::noinline]] friend Coordinates magnitude(const Coordinates& a) {
+        return of_each([&](int k) { return absolute(a[k]); });
+    }
+    void store_whole_below(std::int32_t* to) const {
+        for (int k = 0; k < 3; ++k) {
+            const auto whole = static_cast<std::int32_t>(values_[k]);
+            const bool is_below_zero = std::bit_cast<std::int32_t>(values_[k]) < 0;
+            to[k] = static_cast<float>(whole) > values_[k] || (is_below_zero && whole == 0) ? whole - 1 : whole;
+        }
+    }
+    friend bool are_at_least(const Coordinates& a, const Coordinates& b, float least) {
+        for (int k = 0; k < 3; ++k)
+            if (!(a[k] >= least && b[k] >= least)) return false;
+        return true;
+    }
+    template <int x, int y, int z>
+    static Coordinates picked(const Coordinates& a, const Coordinates& b, const Coordinates& c) {
+        return {a[x], b[y], c[z]};
+    }
+    template <int x, int y, int z>
+    [[nodiscard]] Coordinates in_order() const {
+        return {values_[x], values_[y], values_[z]};
+    }
+    float operator[](int k) const { return values_[k]; }
+    [[nodiscard]] Vec3 vector() const { return {values_[0], values_[1], values_[2]}; }
+};
+
+#else
 
 /// Three floats in a vector of four; the fourth has any value.
 class Coordinates {
@@ -76,5 +145,7 @@ public:
 private:
     Values values_;
 };
+
+#endif
 
 }  // namespace espalier::detail

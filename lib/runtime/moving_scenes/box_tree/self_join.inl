@@ -23,7 +23,7 @@ struct Counted {
 };
 
 /// Returns which of some children of a node touch a box, a bit for each. A place without a child has an empty box.
-[[gnu::always_inline]] inline unsigned touching(const BoxNode& node, const StepsBox& box, unsigned among) {
+ESPALIER_SHARED_OR_PART_OF_CALLER inline unsigned touching(const BoxNode& node, const StepsBox& box, unsigned among) {
     unsigned mask = 0;
     if constexpr (lanes == 1) {  // only those, and only as far as it is needed
         for (; among != 0; among &= among - 1) {
