@@ -23,7 +23,7 @@ struct Counted {
 };
 
 /// Returns which of some children of a node touch a box, a bit for each. A place without a child has an empty box.
-ESPALIER_SHARED_OR_PART_OF_CALLER inline unsigned touching(const BoxNode& node, const StepsBox& box, unsigned among) {
+[[gnu::always_inline]] inline unsigned touching(const BoxNode& node, const StepsBox& box, unsigned among) {
     unsigned mask = 0;
     if constexpr (lanes == 1) {  // only those, and only as far as it is needed
         for (; among != 0; among &= among - 1) {
@@ -73,7 +73,7 @@ public:
 
 private:
     static constexpr unsigned all_children = (1u << BoxNode::most) - 1;
-    static constexpr unsigned chunk = small_code ? 1 : 64;
+    static constexpr unsigned chunk = 64;
     static constexpr unsigned most_found = both_descend ? BoxNode::most * BoxNode::most : BoxNode::most;
 
     /// Carries out all that waits at a level, and as much of what that adds to the levels below as needs the room.
@@ -164,23 +164,47 @@ private:
     Comparison waiting_[most_tree_levels][chunk + most_found];
 };
 
+/// Compares the box of a slot with the tree.
+template <class Counting>
+[[gnu::always_inline]] inline void join_one(const SceneBlock& block, std::uint32_t slot, const OnTouchingBoxes& visit,
+                                            Counting counting) {
+    const StepsBox& box = block.slots[slot].box;
+    std::uint32_t waiting[most_tree_levels * (BoxNode::most - 1) + 1];  // 16 * node + level
+    unsigned size = 1;
+    waiting[0] = 16 * block.head->root + (block.head->levels - 1u);
+    while (size != 0) {
+        const std::uint32_t number = waiting[--size], level = number % 16;
+        const BoxNode& node = block.node(number / 16);
+        counting.box_test();
+        for (unsigned rest = touching(node, box, (1u << BoxNode::most) - 1); rest != 0; rest &= rest - 1) {
+            const std::uint32_t child = node.child[std::countr_zero(rest)];
+            if (level != 0) {
+                waiting[size++] = 16 * child + (level - 1);
+            } else if (child != slot) {
+                counting.pair();
+                visit(slot, child);
+            }
+        }
+    }
+}
+
 template <class Counting>
 [[gnu::always_inline]] inline void join_counting(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,
                                                  const OnTouchingBoxes& visit, Counting counting) {
     const BlockHead& head = *block.head;
     if (head.levels == 0) return;
+    if (joined == JoinedSlots::one) return join_one(block, slot, visit, counting);
     if constexpr (!small_code) {  // pairs of small cores are found slot by slot
         if (joined == JoinedSlots::all) {
             QueuedJoin<true, Counting> join(block, visit, counting);
             for (unsigned child = 0; child < BoxNode::most; ++child) join.add(8 * head.root + child);
             return join.finish();
         }
+        QueuedJoin<false, Counting> join(block, visit, counting);
+        for (std::uint32_t i = 0; i < head.slots_used; ++i)
+            if (has_moved(block, i) && is_live(block.slots[i])) join.add(block.slots[i].place);
+        join.finish();
     }
-    QueuedJoin<false, Counting> join(block, visit, counting);
-    if (joined == JoinedSlots::one) join.add(block.slots[slot].place);
-    for (std::uint32_t i = 0; !small_code && joined == JoinedSlots::moved && i < head.slots_used; ++i)
-        if (has_moved(block, i) && is_live(block.slots[i])) join.add(block.slots[i].place);
-    join.finish();
 }
 
 }  // namespace
