@@ -61,9 +61,13 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
         for (CLI::Option* mode : modes) limit->excludes(mode);
     }
     if (takes(option_from)) {
-        CLI::Option* from = verb->add_option("--from", arguments.from,
-                                             of(option_from, "List from this triangle on, to go on after a --limit"))
-                                ->type_name("TRIANGLE");
+        const bool is_of_pairs = kind.is_of_scenes_only;
+        CLI::Option* from =
+            verb->add_option(
+                    "--from", arguments.from,
+                    of(option_from, is_of_pairs ? "List from this pair on, counted from 0, to go on after a --limit"
+                                                : "List from this triangle on, to go on after a --limit"))
+                ->type_name(is_of_pairs ? "PAIR" : "TRIANGLE");
         for (CLI::Option* mode : modes) from->excludes(mode);
     }
     if (takes(option_t_range)) {

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include <espalier/scenes/moving_scene.hpp>
@@ -72,22 +74,30 @@ private:
     QueryStatus status_ = QueryStatus::ok;
 };
 
+/// The instance, and its number in the list that was baked.
+Record record_of(const QueryCall& call, InstanceId id) {
+    Record record(call.options().json);
+    record.instance(*call.scene(), id).add_count("source", instance_at(*call.scene(), id)->source);
+    return record;
+}
+
 Answer pairs_answer(QueryCall& call) {
     Instances instances(*call.scene(), call.mask());
     std::vector<InstancePair> pairs;
     const FilledPairs<InstancePair> found = instances.collect(pairs, WorkLimit(call.options().work_limit));
     Answer answer(call, found.status);
-    for (const InstancePair& pair : found.in(pairs)) {
+    std::uint32_t next = call.options().from;
+    const std::span<InstancePair> all = found.in(pairs);
+    for (const InstancePair& pair : all.subspan(std::min<std::size_t>(next, all.size()))) {
         if (call.options().limit && answer.list.size() == *call.options().limit) {
             answer.status = QueryStatus::output_full;
             break;
         }
-        Record a(call.options().json), b(call.options().json);
         Record& record = answer.list.emplace_back(call.options().json).title("pair");
-        record.add("a", a.instance(*call.scene(), instances.id_of(pair.a)));
-        record.add("b", b.instance(*call.scene(), instances.id_of(pair.b)));
+        record.add("a", record_of(call, instances.id_of(pair.a))).add("b", record_of(call, instances.id_of(pair.b)));
+        ++next;
     }
-    return answer.counted_list("pairs", "pair");
+    return answer.counted_list("pairs", "pair", &next);
 }
 
 }  // namespace
@@ -101,7 +111,7 @@ QueryKinds scene_pair_kinds() {
          0,
          pairs_answer,
          false,
-         option_limit | option_mask | option_work_limit,
+         option_limit | option_from | option_mask | option_work_limit,
          true},
     };
 }

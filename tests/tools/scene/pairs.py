@@ -74,13 +74,26 @@ def pairs():
     listed = ask("case.esps", "pairs")
     found = [(pair["a"]["instance"], pair["b"]["instance"]) for pair in listed["pairs"]]
     is_equal("the pairs", found, sorted(wanted))
-    claim("a limit, a mask and a limit of work shorten the list of pairs")
+    claim("pages, a mask and a limit of work shorten the list of pairs, which names the sources")
     limited = ask("case.esps", "pairs", "--limit", "3")
     is_equal("the limited list", (limited["status"], limited["pairs"]), ("output_full", listed["pairs"][:3]))
+    is_equal("where the next page begins", (limited["next"], "next" in listed), (3, False))
+    pages, page = [], {"status": "output_full", "next": 0}
+    while page["status"] == "output_full":
+        page = ask("case.esps", "pairs", "--limit", "7", "--from", page["next"])
+        pages += page["pairs"]
+    is_equal("pages that are joined", pages, listed["pairs"])
+    behind = ask("case.esps", "pairs", "--from", len(found) + 1)
+    is_equal("behind the last pair", (behind["status"], behind["pairs"]), ("ok", []))
+    for pair in listed["pairs"]:
+        for side in "ab":
+            is_equal("the source", pair[side]["source"], scene.instances[pair[side]["instance"]]["source"])
     is_equal("pairs of no instance", ask("case.esps", "pairs", "--mask", "0")["count"], 0)
     stopped = ask("case.esps", "pairs", "--work-limit", "5", code=6)
     is_equal("after little work", (stopped["status"], stopped["pairs"]), ("work_limit", listed["pairs"][:stopped["count"]]))
     text = run("query", "case.esps", "pairs").stdout
     if "a instance %d of mesh 0" % found[0][0] not in text or "%d pairs" % len(found) not in text:
         fail("the text is %s" % text[-300:])
+    if ": --from 3 goes on" not in run("query", "case.esps", "pairs", "--limit", "3").stdout:
+        fail("the text of a page does not name the next one")
     run("query", "mesh.espl", "pairs", code=5)
