@@ -216,6 +216,7 @@ const char* const table = R"(
     end_step(MovingScene)                                         espalier_moving_scene_end_step
     handle_of(MovingScene, uint32_t)                              espalier_moving_scene_handle_of
     instance_at(MovingScene, InstanceHandle)                      espalier_moving_scene_instance_at
+    instance_at(MovingScene, InstanceId)                          espalier_moving_scene_instance_of_id
     box_of(MovingScene, InstanceHandle)                           espalier_moving_scene_box_of
 
     raycast(MovingScene, Ray, SceneFilter)                        espalier_scene_raycast

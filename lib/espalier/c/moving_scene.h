@@ -139,6 +139,12 @@ espalier_box_result espalier_moving_scene_box_of(const espalier_moving_scene* sc
  * ESPALIER_QUERY_INVALID_ARGUMENT, and then nothing is written. O(1).
  *
  * A view is valid until the next change of the moving scene or of a copy of it: make one for the queries between two
+/* Returns the instance that a result or a pair names: that in the slot `index`. With `in_tile` it is the one in the
+ * tile of that slot, whose transform leads to the tile's local space and whose mesh is one of the tile's. Refuses a
+ * slot as espalier_moving_scene_handle_of() does, and an instance that the slot's tile does not have
+ * (ESPALIER_QUERY_INVALID_ARGUMENT). */
+espalier_instance_result espalier_moving_scene_instance_of_id(const espalier_moving_scene* scene,
+                                                              espalier_instance_id instance);
  * changes. An older one must not be used. Of a result, espalier_instance_id.index is a slot.
  *
  * Functions of scene.h other than queries: espalier_scene_instance_at(), espalier_scene_mesh_at() and

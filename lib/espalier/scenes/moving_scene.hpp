@@ -17,9 +17,11 @@
 
 #include <compare>
 #include <cstddef>
+#include <concepts>
 #include <cstdint>
 #include <span>
 
+#include <type_traits>
 #include <espalier/blob.hpp>
 #include <espalier/scene.hpp>
 #include <espalier/status.hpp>
@@ -47,6 +49,11 @@ struct SceneBlock;
 class MovingSceneAccess;
 
 }  // namespace detail
+/// A container that is destroyed at the end of the call: what refers to its elements would dangle.
+template <class Array>
+concept TemporaryArray =
+    !std::is_lvalue_reference_v<Array> && !std::ranges::enable_borrowed_range<std::remove_cv_t<Array>>;
+
 
 /// A view of a block, and of the meshes and tiles that its instances place. Copied freely; the block and the arrays
 /// must outlive it. A default MovingScene is not open: calls refuse it with QueryStatus::not_open.
@@ -102,9 +109,19 @@ MovingScene create_moving_scene(std::span<std::byte> memory, std::uint32_t capac
 /// nothing. Their address must be a multiple of 32. O(n log n).
 MovingScene open_moving_scene(std::span<std::byte> snapshot, std::span<const Blob> meshes,
                               std::span<const BakedScene> tiles = {}) noexcept;
+/// Rejects temporary arrays at compile time: the scene would refer to elements that are gone.
+template <class Meshes = std::span<const Blob>, class Tiles = std::span<const BakedScene>>
+requires detail::TemporaryArray<Meshes> || detail::TemporaryArray<Tiles> MovingScene create_moving_scene(
+    std::span<std::byte> memory, std::uint32_t capacity, int step_exponent, Meshes&& meshes, Tiles&& tiles = {})
+= delete;
+/// Rejects temporary arrays at compile time: the scene would refer to elements that are gone.
+template <class Meshes = std::span<const Blob>, class Tiles = std::span<const BakedScene>>
+requires detail::TemporaryArray<Meshes> || detail::TemporaryArray<Tiles> MovingScene
+open_moving_scene(std::span<std::byte> snapshot, Meshes&& meshes, Tiles&& tiles = {})
+= delete;
 
-/// Inserts an instance; Instance::source is not stored. The lowest slot that was never used counts, or that of the last
-/// removal.
+/// Inserts an instance; Instance::source is not stored. It takes the slot of the latest removal that is still free,
+/// else the lowest that was never used.
 ///
 /// Refuses a number that belongs to no mesh, a mesh without triangles, a tile without instances or with tiles, or a
 /// transform that is not valid (invalid_argument), a place that is not in the world (out_of_range), and a full scene
@@ -154,6 +171,10 @@ YesNo occluded(const MovingScene& scene, const Ray& ray, const SceneFilter& filt
 YesNo occluded(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
                const SceneFilter& filter = {}) noexcept;
 QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
+/// Returns the instance that a result or a pair names: that in the slot `index`. With `in_tile` it is the one in the
+/// tile of that slot, whose transform leads to the tile's local space and whose mesh is one of the tile's. Refuses a
+/// slot as handle_of() does, and an instance that the slot's tile does not have (invalid_argument). O(1).
+Result<Instance> instance_at(const MovingScene& scene, InstanceId instance) noexcept;
                          const SceneFilter& filter = {}) noexcept;
 QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
                          Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter = {}) noexcept;
@@ -175,6 +196,11 @@ QueryStatus for_each_overlap(const MovingScene& scene, const AnySceneShape& shap
 }  // namespace detail
 
 template <SceneShape Shape>
+/// A mask comes after the distance.
+template <class Mask>
+requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point,
+                                                                               Mask mask)
+= delete;
 [[nodiscard]] YesNo overlaps(const MovingScene& scene, const Shape& shape, const SceneFilter& filter = {}) noexcept {
     return detail::overlaps(scene, detail::AnySceneShape(shape), filter);
 }

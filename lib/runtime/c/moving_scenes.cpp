@@ -115,6 +115,11 @@ espalier_instance_result espalier_moving_scene_instance_at(const espalier_moving
     return c(instance_at(cpp(scene), cpp(instance)));
 }
 
+espalier_instance_result espalier_moving_scene_instance_of_id(const espalier_moving_scene* scene,
+                                                              espalier_instance_id instance) {
+    return c(instance_at(cpp(scene), cpp(instance)));
+}
+
 espalier_box_result espalier_moving_scene_box_of(const espalier_moving_scene* scene,
                                                  espalier_instance_handle instance) {
     return c(box_of(cpp(scene), cpp(instance)));

@@ -113,6 +113,16 @@ Result<Instance> instance_at(const MovingScene& scene, InstanceHandle instance) 
     return {{slot->transform, slot->mesh, slot->mask, slot->user, instance.slot}, QueryStatus::ok};
 }
 
+Result<Instance> instance_at(const MovingScene& scene, InstanceId instance) noexcept {
+    const Result<InstanceHandle> handle = handle_of(scene, instance.index);
+    if (!handle) return {{}, handle.status};
+    const Result<Instance> placed = instance_at(scene, *handle);
+    if (instance.in_tile == no_instance.in_tile) return placed;
+    const std::size_t meshes = scene.meshes().size();
+    if (placed->mesh < meshes) return {{}, QueryStatus::invalid_argument};
+    return instance_at(scene.tiles()[placed->mesh - meshes], InstanceId{instance.in_tile});
+}
+
 Result<Box> box_of(const MovingScene& scene, InstanceHandle instance) noexcept {
     if (!scene) return {{}, QueryStatus::not_open};
     const InstanceSlot* const slot = find_slot(block_of(scene), instance);

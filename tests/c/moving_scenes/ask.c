@@ -91,6 +91,11 @@ static void tell_moving_scene(struct asking* asking) {
     tell_handle(asking, espalier_moving_scene_handle_of(scene, bits));
     tell_about(asking, some_handle(asking, bits >> 2));
     tell_about(asking, any);
+    for (uint32_t slot = 0; slot < 50u; ++slot) {
+        const espalier_instance_id id = {slot, bits >> 29}, whole = {slot, 0xFFFFFFFFu};
+        tell_instance_result(asking, espalier_moving_scene_instance_of_id(scene, id));
+        tell_instance_result(asking, espalier_moving_scene_instance_of_id(scene, whole));
+    }
 }
 
 void ask_moving_scenes(struct asking* asking) {

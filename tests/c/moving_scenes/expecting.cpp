@@ -78,6 +78,10 @@ void Expecting::moving_scene_itself() {
     tell(handle_of(moving_, bits));
     about_instance(some_handle(bits >> 2));
     about_instance({bits % 50, bits >> 30});
+    for (std::uint32_t slot = 0; slot < 50; ++slot) {
+        tell(instance_at(moving_, InstanceId{slot, bits >> 29}));
+        tell(instance_at(moving_, InstanceId{slot}));
+    }
 }
 
 void Expecting::moving_scenes() {
