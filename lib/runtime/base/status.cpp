@@ -58,11 +58,11 @@ const char* describe(QueryStatus status) noexcept {
         case QueryStatus::stopped:
             return "the visitor stopped the query";
         case QueryStatus::invalid_argument:
-            return "an argument is invalid: NaN, or infinite, negative or of length zero where that is not allowed, or "
-                   "an id or a "
-                   "number of elements that does not fit";
+            return "an argument is invalid: NaN, or infinite, negative or of length zero where that is not allowed, an "
+                   "id or a number of elements that does not fit, or a mesh or tile that is empty or not open";
         case QueryStatus::out_of_range:
-            return "an argument is too far away or too large for the lattice that the blob was baked on";
+            return "an argument is too far away or too large for the lattice that the blob was baked on or for the "
+                   "world of the moving scene, or it is a slot that was never used";
         case QueryStatus::not_closed:
             return "the blob's surface is not closed, so it has no inside";
         case QueryStatus::work_limit:
