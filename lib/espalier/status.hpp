@@ -38,7 +38,8 @@ enum class [[nodiscard]] OpenStatus : std::uint8_t{
 [[nodiscard]] const char* describe(OpenStatus status) noexcept;
 
 /// The result of a query. Below 16 the query was answered, at least in part; from 16 on it was refused and computed
-/// nothing. The numbers are stable.
+/// nothing. Two calls do part of their work before they refuse an element: move() of a batch, and
+/// collect_colliding_pairs(). Their `count` is how many elements before it are done. The numbers are stable.
 enum class [[nodiscard]] QueryStatus : std::uint8_t{
     ok = 0,           ///< complete; of a YesNo: yes. Lists and visitors have it also if there is nothing
     not_found = 1,    ///< complete: there is none; of a YesNo: no
@@ -48,7 +49,8 @@ enum class [[nodiscard]] QueryStatus : std::uint8_t{
     not_open = 16,    ///< refused: never opened, or the bytes were refused; the default of every result
     invalid_argument =
         17,             ///< refused: NaN, or an infinity or a negative size where not allowed; spans of different sizes
-    out_of_range = 18,  ///< refused: too far away or too large for exact arithmetic; each header states the limit
+    out_of_range = 18,  ///< refused: too far away or too large for exact arithmetic or the world of a moving scene, or
+                        ///< a slot that was never used; each header states the limit
     not_closed = 19,    ///< refused by contains() and signed_distance(): this surface has no inside
     no_data = 20,       ///< refused: the blob was baked without the section that the query reads
     no_room = 21,       ///< refused by insert(): a moving scene has as many instances as it has room for
@@ -56,7 +58,7 @@ enum class [[nodiscard]] QueryStatus : std::uint8_t{
     not_refitted = 23,  ///< refused: a moving scene waits for refit() since a batch of moves
 };
 
-/// Returns whether the query was refused: it computed nothing.
+/// Returns whether the query was refused: it computed nothing, or of a batch or page `count` elements.
 [[nodiscard]] constexpr bool is_refused(QueryStatus status) noexcept { return static_cast<std::uint8_t>(status) >= 16; }
 
 /// Returns one English sentence without a full stop: static, never null, for any value.

@@ -56,7 +56,7 @@ typedef struct ESPALIER_SHARED_ espalier_moving_scene {
 } espalier_moving_scene;
 
 /* Returns the bytes of a block for so many instances, 1 .. 2^24, else 0. No order of insertions and removals needs
- * more. */
+ * more. posix_memalign(&block, 32, (size_t)size) returns such memory: malloc() aligns less. */
 uint64_t espalier_moving_scene_bytes(uint32_t instances);
 /* Returns the fewest bytes that espalier_create_moving_scene() accepts. When nodes run out in such a block, an
  * insertion repacks the tree. */
@@ -65,6 +65,8 @@ uint64_t espalier_least_moving_scene_bytes(uint32_t instances);
 /* Makes an empty scene in memory whose address is a multiple of 32, and writes a view of it to `scene`. Returns whether
  * the scene is open: not if an argument is out of its range, if the memory is misaligned or smaller than
  * espalier_least_moving_scene_bytes(), or if a tile is the view of a moving scene. `scene` is then empty.
+ * The scene refers to both arrays, which must outlive it. Their elements need not be open:
+ * espalier_moving_scene_insert() refuses those that are not.
  *
  * A step of the world is 2^step_exponent long, -100 .. 80. Tiles are numbered after the meshes. A misaligned `scene` is
  * refused too, and then nothing is written; no other function may be given such an address. */
@@ -72,8 +74,10 @@ bool espalier_create_moving_scene(void* memory, size_t size, uint32_t capacity, 
                                   const espalier_blob* meshes, size_t mesh_count, const espalier_scene* tiles,
                                   size_t tile_count, espalier_moving_scene* scene);
 /* Proves that every call on a snapshot is safe, and writes a view of it to `scene`. Returns whether the scene is open:
- * not if a byte contradicts the others, or if the meshes and tiles are not those of the snapshot. Takes any bytes, at
- * an address that is a multiple of 32. Refuses what espalier_create_moving_scene() refuses. */
+ * not if a byte contradicts the others, or if an instance has another box with these meshes and tiles. Takes any bytes,
+ * at an address that is a multiple of 32, and ignores those behind the block. Refuses what
+ * espalier_create_moving_scene() refuses. Other meshes with equal bounds and lattice steps pass.
+ * It is no checksum: another mask, user word or generation is as valid as the one before. */
 bool espalier_open_moving_scene(void* snapshot, size_t size, const espalier_blob* meshes, size_t mesh_count,
                                 const espalier_scene* tiles, size_t tile_count, espalier_moving_scene* scene);
 
@@ -88,13 +92,15 @@ int espalier_moving_scene_step_exponent(const espalier_moving_scene* scene);
 /* Returns whether a batch has moved instances since the last refit: queries are then refused with
  * ESPALIER_QUERY_NOT_REFITTED. */
 bool espalier_moving_scene_must_refit(const espalier_moving_scene* scene);
-/* Returns the block, which a snapshot copies, and writes its size in bytes to `size`. */
+/* Returns the block, which a snapshot copies, and writes its size in bytes to `size`: at most that of the memory.
+ * Memory that a copy is written to needs room for it, as a block that was made with the same size has. */
 const void* espalier_moving_scene_block(const espalier_moving_scene* scene, size_t* size);
 /* Returns the array of meshes or tiles, and writes their number to `count`. */
 const espalier_blob* espalier_moving_scene_meshes(const espalier_moving_scene* scene, size_t* count);
 const espalier_scene* espalier_moving_scene_tiles(const espalier_moving_scene* scene, size_t* count);
 
-/* Inserts an instance; its `source` is not stored. A refusal changes nothing: ESPALIER_QUERY_INVALID_ARGUMENT for a
+/* Inserts an instance; its `source` is not stored. It takes the slot of the latest removal that is still free, else the
+ * lowest that was never used. A refusal changes nothing: ESPALIER_QUERY_INVALID_ARGUMENT for a
  * number that belongs to no mesh, a mesh or tile that cannot be placed, or a transform that is not valid;
  * ESPALIER_QUERY_OUT_OF_RANGE for a place outside of the world; ESPALIER_QUERY_NO_ROOM in a full scene. */
 espalier_instance_handle_result espalier_moving_scene_insert(espalier_moving_scene* scene,
@@ -105,7 +111,8 @@ espalier_query_status espalier_moving_scene_remove(espalier_moving_scene* scene,
 espalier_query_status espalier_moving_scene_move(espalier_moving_scene* scene, espalier_instance_handle instance,
                                                  const espalier_transform* transform);
 /* Moves instances, one after the other; espalier_moving_scene_refit() must follow before the next query. Stops at the
- * first that is refused, and `count` of the result is its index. */
+ * first that is refused, and `count` of the result is its index; those before it are moved. Until the refit or a call
+ * of espalier_moving_scene_repack(), queries and pairs are refused, and every other call goes on. */
 espalier_filled espalier_moving_scene_move_batch(espalier_moving_scene* scene, const espalier_movement* movements,
                                                  size_t count);
 /* Changes what queries and pairs select an instance by. */
@@ -120,7 +127,8 @@ uint32_t espalier_moving_scene_refit(espalier_moving_scene* scene);
 /* Builds the tree anew: call it every few steps, or when the quality has risen. Includes the refit. */
 void espalier_moving_scene_repack(espalier_moving_scene* scene);
 /* Returns how much more surface the boxes of the tree have, for each instance, than after the last repack: 1.3 and more
- * is worth a repack. INFINITY before the first one; 1 without instances. */
+ * is worth a repack. Below 1 if instances have come closer together since. INFINITY before the first one; 1 without
+ * instances. */
 float espalier_moving_scene_quality(const espalier_moving_scene* scene);
 /* Ends a step: no instance counts as moved until it is moved or inserted again (scene_pairs.h). */
 void espalier_moving_scene_end_step(espalier_moving_scene* scene);
@@ -131,6 +139,12 @@ espalier_instance_handle_result espalier_moving_scene_handle_of(const espalier_m
 /* Returns an instance; `source` is its slot. */
 espalier_instance_result espalier_moving_scene_instance_at(const espalier_moving_scene* scene,
                                                            espalier_instance_handle instance);
+/* Returns the instance that a result or a pair names: that in the slot `index`. With `in_tile` it is the one in the
+ * tile of that slot, whose transform leads to the tile's local space and whose mesh is one of the tile's. Refuses a
+ * slot as espalier_moving_scene_handle_of() does, and an instance that the slot's tile does not have
+ * (ESPALIER_QUERY_INVALID_ARGUMENT). */
+espalier_instance_result espalier_moving_scene_instance_of_id(const espalier_moving_scene* scene,
+                                                              espalier_instance_id instance);
 /* Returns the box of an instance in the tree, rounded outward to float. */
 espalier_box_result espalier_moving_scene_box_of(const espalier_moving_scene* scene, espalier_instance_handle instance);
 
@@ -139,18 +153,14 @@ espalier_box_result espalier_moving_scene_box_of(const espalier_moving_scene* sc
  * ESPALIER_QUERY_INVALID_ARGUMENT, and then nothing is written. O(1).
  *
  * A view is valid until the next change of the moving scene or of a copy of it: make one for the queries between two
-/* Returns the instance that a result or a pair names: that in the slot `index`. With `in_tile` it is the one in the
- * tile of that slot, whose transform leads to the tile's local space and whose mesh is one of the tile's. Refuses a
- * slot as espalier_moving_scene_handle_of() does, and an instance that the slot's tile does not have
- * (ESPALIER_QUERY_INVALID_ARGUMENT). */
-espalier_instance_result espalier_moving_scene_instance_of_id(const espalier_moving_scene* scene,
-                                                              espalier_instance_id instance);
- * changes. An older one must not be used. Of a result, espalier_instance_id.index is a slot.
+ * changes. An older one must not be used. Of a result, espalier_instance_id.index is a slot, and
+ * espalier_moving_scene_instance_of_id() returns the instance. Visitors are called in the order of the tree, which is
+ * the same on every machine, and not in ascending order of slots.
  *
  * Functions of scene.h other than queries: espalier_scene_instance_at(), espalier_scene_mesh_at() and
- * espalier_scene_is_on_common_lattice() refuse a view with ESPALIER_QUERY_INVALID_ARGUMENT: a slot leads to its
- * instance by espalier_moving_scene_handle_of(). There is no common lattice, the size is 0, and the largest error is
- * INFINITY, because neither is stored. espalier_scene_bounds() returns a box around the boxes of all instances. */
+ * espalier_scene_is_on_common_lattice() refuse a view with ESPALIER_QUERY_INVALID_ARGUMENT. There is no common lattice,
+ * the size is 0, and the largest error is INFINITY, because neither is stored. espalier_scene_bounds() returns a box
+ * around the boxes of all instances. */
 espalier_query_status espalier_moving_scene_view(const espalier_moving_scene* scene, espalier_scene* view);
 
 #ifdef __cplusplus

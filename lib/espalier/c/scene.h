@@ -133,7 +133,8 @@ espalier_yes_no espalier_scene_occluded_rounded(const espalier_scene* scene, con
 
 typedef espalier_visit (*espalier_scene_hit_visitor)(espalier_instance_id instance, const espalier_ray_hit* hit,
                                                      void* user);
-/* Calls the visitor with each hit in ascending order of instances, and of triangles within one. `user` is passed to the
+/* Calls the visitor with each hit in ascending order of instances, and of triangles within one; of a moving scene the
+ * instances are in the order of its tree (moving_scene.h). `user` is passed to the
  * visitor, `filter_user` to the filter. */
 espalier_query_status espalier_scene_for_each_hit(const espalier_scene* scene, const espalier_ray* ray,
                                                   espalier_scene_hit_visitor visit, void* user, uint32_t mask,

@@ -38,6 +38,8 @@ enum {
 };
 
 /* The result of a query. Below 16 it was answered, at least in part; from 16 on it was refused and computed nothing.
+ * Two kinds of calls do part of their work before they refuse an element: espalier_moving_scene_move_batch(), and those
+ * that collect colliding pairs. Their `count` is how many elements before it are done.
  * Structures such as espalier_ray_hit have OK for a hit and NOT_FOUND for a miss. A miss and a refusal look alike in
  * all other fields (infinite t or distance, ESPALIER_NO_TRIANGLE): test the status to distinguish them. */
 typedef uint8_t espalier_query_status;
@@ -67,8 +69,8 @@ typedef struct ESPALIER_SHARED_ espalier_yes_no {
 static inline bool espalier_yes(espalier_yes_no answer) { return answer.status == ESPALIER_QUERY_OK; }
 /* Returns whether the answer is no. A refusal and an undecided answer are neither yes nor no. */
 static inline bool espalier_no(espalier_yes_no answer) { return answer.status == ESPALIER_QUERY_NOT_FOUND; }
-/* Returns whether a query was refused: it computed nothing. Takes the status of a query; compare an
- * espalier_open_status with ESPALIER_OPEN_OK instead. */
+/* Returns whether a query was refused: it computed nothing, or of a batch or page `count` elements. Takes the status of
+ * a query; compare an espalier_open_status with ESPALIER_OPEN_OK instead. */
 static inline bool espalier_is_refused(espalier_query_status status) { return status >= 16; }
 
 /* A place in a list of results from which a query resumes. Filled with zeros it is the beginning. */

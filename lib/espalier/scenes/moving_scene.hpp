@@ -1,8 +1,9 @@
 // Scenes whose instances move, in a block of memory that the caller owns.
 //
 // A MovingScene holds instances of meshes, which are inserted, moved and removed at any time. Every query of scene.hpp
-// takes it, and pairs.hpp finds the instances in it that may touch or do. A tile, a whole BakedScene, is inserted
-// as a mesh is: queries then cover both what moves and what does not.
+// takes it: rays, sweeps, overlaps, closest points and candidates. mesh_at(), is_on_common_lattice() and bounds() are
+// for baked scenes alone. pairs.hpp finds the instances in it that may touch or do. A tile, a whole BakedScene, is
+// inserted as a mesh is: queries then cover both what moves and what does not.
 //
 // The block has no pointers. A copy of its bytes is a snapshot: it may be written back over the block of the same
 // scene, under views that exist, or opened elsewhere by open_moving_scene(). The same calls, those for pairs included,
@@ -16,12 +17,12 @@
 #pragma once
 
 #include <compare>
-#include <cstddef>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <span>
-
 #include <type_traits>
+
 #include <espalier/blob.hpp>
 #include <espalier/scene.hpp>
 #include <espalier/status.hpp>
@@ -48,12 +49,12 @@ namespace detail {
 struct SceneBlock;
 class MovingSceneAccess;
 
-}  // namespace detail
 /// A container that is destroyed at the end of the call: what refers to its elements would dangle.
 template <class Array>
 concept TemporaryArray =
     !std::is_lvalue_reference_v<Array> && !std::ranges::enable_borrowed_range<std::remove_cv_t<Array>>;
 
+}  // namespace detail
 
 /// A view of a block, and of the meshes and tiles that its instances place. Copied freely; the block and the arrays
 /// must outlive it. A default MovingScene is not open: calls refuse it with QueryStatus::not_open.
@@ -74,7 +75,8 @@ public:
     /// Returns whether instances were moved by a batch since the last refit(): queries then refuse the scene with
     /// not_refitted.
     [[nodiscard]] bool must_refit() const noexcept;
-    /// Returns the bytes of the block: what a snapshot copies.
+    /// Returns the bytes of the block, which a snapshot copies: at most as many as the memory has. Memory that a copy
+    /// is written to needs room for them, as a block that was made with the same size has.
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept;
     [[nodiscard]] constexpr std::span<const Blob> meshes() const noexcept { return {meshes_, mesh_count_}; }
     [[nodiscard]] constexpr std::span<const BakedScene> tiles() const noexcept { return {tiles_, tile_count_}; }
@@ -89,10 +91,11 @@ private:
 };
 
 /// Returns the bytes of a block for so many instances, 1 .. 2^24, else 0: about 161 an instance. No order of insertions
-/// and removals needs more.
+/// and removals needs more. Most sizes are no multiple of 32: ::operator new(size, std::align_val_t{32}) returns
+/// such memory.
 [[nodiscard]] std::uint64_t moving_scene_bytes(std::uint32_t instances) noexcept;
 /// Returns the fewest bytes that create_moving_scene() accepts: about 126 an instance. When nodes run out in such a
-/// block, insert() repacks the tree, which takes O(n log n) time.
+/// block, insert() repacks the tree, which takes O(n) time.
 [[nodiscard]] std::uint64_t least_moving_scene_bytes(std::uint32_t instances) noexcept;
 
 /// Makes an empty scene in memory whose address is a multiple of 32.
@@ -101,19 +104,26 @@ private:
 /// each axis. A thousandth of the smallest instance is a good step. `meshes` and `tiles` are what instances place;
 /// tiles are numbered after the meshes. Not open if an argument is out of its range, or if the memory is misaligned or
 /// smaller than least_moving_scene_bytes(). Clears the memory that it uses, O(size).
+///
+/// Takes any meshes and tiles: insert() refuses those that are empty or not open. The scene refers to both arrays,
+/// which must outlive it.
 MovingScene create_moving_scene(std::span<std::byte> memory, std::uint32_t capacity, int step_exponent,
                                 std::span<const Blob> meshes, std::span<const BakedScene> tiles = {}) noexcept;
-
-/// Proves that every call on a snapshot is safe and that its answers are exact, and returns a view of it. Not open if a
-/// byte contradicts the others, or if the meshes and tiles are not those of the snapshot. Takes any bytes; writes
-/// nothing. Their address must be a multiple of 32. O(n log n).
-MovingScene open_moving_scene(std::span<std::byte> snapshot, std::span<const Blob> meshes,
-                              std::span<const BakedScene> tiles = {}) noexcept;
 /// Rejects temporary arrays at compile time: the scene would refer to elements that are gone.
 template <class Meshes = std::span<const Blob>, class Tiles = std::span<const BakedScene>>
 requires detail::TemporaryArray<Meshes> || detail::TemporaryArray<Tiles> MovingScene create_moving_scene(
     std::span<std::byte> memory, std::uint32_t capacity, int step_exponent, Meshes&& meshes, Tiles&& tiles = {})
 = delete;
+
+/// Proves that every call on a snapshot is safe and that its answers are exact, and returns a view of it. Not open if a
+/// byte contradicts the others, or if an instance has another box with these meshes and tiles. Takes any bytes; writes
+/// nothing. Their address must be a multiple of 32. Ignores bytes behind the block. O(n log n).
+///
+/// Blocks store the numbers of meshes and tiles, and no checksum of them: other ones with equal bounds and lattice
+/// steps pass. The proof is no checksum of the block either: another mask, user word or generation, and another place
+/// with the same box, are as valid as those before.
+MovingScene open_moving_scene(std::span<std::byte> snapshot, std::span<const Blob> meshes,
+                              std::span<const BakedScene> tiles = {}) noexcept;
 /// Rejects temporary arrays at compile time: the scene would refer to elements that are gone.
 template <class Meshes = std::span<const Blob>, class Tiles = std::span<const BakedScene>>
 requires detail::TemporaryArray<Meshes> || detail::TemporaryArray<Tiles> MovingScene
@@ -123,9 +133,9 @@ open_moving_scene(std::span<std::byte> snapshot, Meshes&& meshes, Tiles&& tiles 
 /// Inserts an instance; Instance::source is not stored. It takes the slot of the latest removal that is still free,
 /// else the lowest that was never used.
 ///
-/// Refuses a number that belongs to no mesh, a mesh without triangles, a tile without instances or with tiles, or a
-/// transform that is not valid (invalid_argument), a place that is not in the world (out_of_range), and a full scene
-/// (no_room). A refusal changes nothing. O(depth).
+/// Refuses a number that belongs to no mesh, a mesh that is not open or has no triangles, a tile that is not open, has
+/// no instances or has tiles, or a transform that is not valid (invalid_argument), a place that is not in the world
+/// (out_of_range), and a full scene (no_room). A refusal changes nothing. O(depth).
 Result<InstanceHandle> insert(MovingScene& scene, const Instance& instance) noexcept;
 /// Removes an instance. Refuses a handle that is stale or was never returned (stale_handle). O(depth).
 QueryStatus remove(MovingScene& scene, InstanceHandle instance) noexcept;
@@ -133,6 +143,10 @@ QueryStatus remove(MovingScene& scene, InstanceHandle instance) noexcept;
 QueryStatus move(MovingScene& scene, InstanceHandle instance, const Transform& transform) noexcept;
 /// Moves instances, one after the other; refit() must follow before the next query. Stops at the first that is refused:
 /// Filled::count is then its index, and those before it are moved. O(1) each, several times cheaper than move().
+///
+/// Until refit() or repack(), queries and pairs are refused, also after an insertion that repacks. Every other call
+/// goes on: changes and reads of single instances, box_of() with the new box, snapshots, and quality() of the old
+/// boxes.
 Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept;
 /// Changes what queries and pairs select an instance by. Refuses a stale handle. O(1).
 QueryStatus set_mask(MovingScene& scene, InstanceHandle instance, std::uint32_t mask) noexcept;
@@ -146,15 +160,21 @@ std::uint32_t refit(MovingScene& scene) noexcept;
 /// whatever came before. Call it every few steps, or when quality() has risen. Includes refit(). O(n).
 void repack(MovingScene& scene) noexcept;
 /// Returns how much more surface the boxes of the tree have, for each instance, than after the last repack(): 1 is as
-/// good, 1.3 and more is worth a repack. Infinity before the first repack(); 1 without instances. O(n / 8).
+/// good, 1.3 and more is worth a repack. Below 1 if instances have come closer together since. Infinity before the
+/// first repack(); 1 without instances. O(n / 8).
 [[nodiscard]] float quality(const MovingScene& scene) noexcept;
-/// Ends a step: no instance counts as moved until it is moved or inserted again (PairFilter::only_moved). O(1).
+/// Ends a step: no instance counts as moved until it is moved or inserted again (PairFilter::only_moved). What is
+/// moved or inserted between the pairs of a step and this call is in no list of moved pairs. O(1).
 void end_step(MovingScene& scene) noexcept;
 
 /// Returns the handle of the instance in a slot. Refuses a slot that is free (not_found) or never was (out_of_range).
 Result<InstanceHandle> handle_of(const MovingScene& scene, std::uint32_t slot) noexcept;
 /// Returns an instance. Refuses a stale handle; Instance::source is the slot. O(1).
 Result<Instance> instance_at(const MovingScene& scene, InstanceHandle instance) noexcept;
+/// Returns the instance that a result or a pair names: that in the slot `index`. With `in_tile` it is the one in the
+/// tile of that slot, whose transform leads to the tile's local space and whose mesh is one of the tile's. Refuses a
+/// slot as handle_of() does, and an instance that the slot's tile does not have (invalid_argument). O(1).
+Result<Instance> instance_at(const MovingScene& scene, InstanceId instance) noexcept;
 /// Returns the box of an instance in the tree, rounded outward to float. Refuses a stale handle. O(1).
 Result<Box> box_of(const MovingScene& scene, InstanceHandle instance) noexcept;
 
@@ -171,15 +191,16 @@ YesNo occluded(const MovingScene& scene, const Ray& ray, const SceneFilter& filt
 YesNo occluded(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
                const SceneFilter& filter = {}) noexcept;
 QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, Visitor<InstanceId, const RayHit&> visit,
-/// Returns the instance that a result or a pair names: that in the slot `index`. With `in_tile` it is the one in the
-/// tile of that slot, whose transform leads to the tile's local space and whose mesh is one of the tile's. Refuses a
-/// slot as handle_of() does, and an instance that the slot's tile does not have (invalid_argument). O(1).
-Result<Instance> instance_at(const MovingScene& scene, InstanceId instance) noexcept;
                          const SceneFilter& filter = {}) noexcept;
 QueryStatus for_each_hit(const MovingScene& scene, const Ray& ray, const RoundedRay& rounded,
                          Visitor<InstanceId, const RayHit&> visit, const SceneFilter& filter = {}) noexcept;
 InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point, float max_distance = __builtin_inff(),
                                     std::uint32_t mask = 0xFFFFFFFF) noexcept;
+/// A mask comes after the distance.
+template <class Mask>
+requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point,
+                                                                               Mask mask)
+= delete;
 InScene<SweepHit> sweep(const MovingScene& scene, const Sphere& sphere, Vec3 displacement,
                         const SceneFilter& filter = {}) noexcept;
 InScene<SweepHit> sweep(const MovingScene& scene, const Capsule& capsule, Vec3 displacement,
@@ -196,11 +217,6 @@ QueryStatus for_each_overlap(const MovingScene& scene, const AnySceneShape& shap
 }  // namespace detail
 
 template <SceneShape Shape>
-/// A mask comes after the distance.
-template <class Mask>
-requires std::same_as<Mask, std::uint32_t> InScene<ClosestPoint> closest_point(const MovingScene& scene, Vec3 point,
-                                                                               Mask mask)
-= delete;
 [[nodiscard]] YesNo overlaps(const MovingScene& scene, const Shape& shape, const SceneFilter& filter = {}) noexcept {
     return detail::overlaps(scene, detail::AnySceneShape(shape), filter);
 }

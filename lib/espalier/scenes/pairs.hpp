@@ -7,7 +7,7 @@
 // Nothing is remembered from one step to the next: two sorted lists show which pairs have begun and ended
 // (docs/scenes.md has an example).
 //
-// Thread safety: the pairs of a scene with itself use its block for sorting; no other call may use that scene
+// Thread safety: the pairs of a scene with itself use its block for sorting; no other thread may use that scene
 // meanwhile. Pairs with a baked scene only read. No call allocates.
 #pragma once
 
@@ -31,7 +31,9 @@ struct InstancePair {
     friend constexpr auto operator<=>(const InstancePair&, const InstancePair&) = default;
 };
 
-/// An instance of a moving scene, by its slot, and one of a baked scene.
+/// An instance of a moving scene, by its slot, and one of a baked scene. Behind a pair come those from
+/// {moving, {index + 1, 0}} on if `in_tile` is no_instance.in_tile, as that of a mesh is, else from
+/// {moving, {index, in_tile + 1}} on.
 struct BakedPair {
     std::uint32_t moving = 0;
     InstanceId baked = {0, 0};
@@ -43,7 +45,8 @@ struct PairFilter {
     /// Only pairs of which an instance was moved or inserted since the last end_step().
     bool only_moved = false;
     /// Returns whether a pair is kept; the default keeps all. The second instance is that of the baked scene, if there
-    /// is one. It is called more than once for some pairs and must return the same each time.
+    /// is one. It is called more than once for some pairs and must return the same each time. It may read instances of
+    /// the scenes and query them; it must not change the moving scene or collect pairs of it with itself.
     FunctionRef<bool(InstanceId, InstanceId)> keep = {};
 };
 
@@ -51,7 +54,8 @@ struct PairFilter {
 template <class Pair>
 struct [[nodiscard]] FilledPairs {
     std::size_t count = 0;  ///< pairs written
-    Pair next;              ///< where to resume after output_full and work_limit: the first pair that is left
+    Pair next;              ///< where to resume after output_full and work_limit, else behind the last pair; after
+                            ///< out_of_range the pair that was refused
     /// ok: complete; output_full: there may be more; work_limit: pairs are missing; else why the query was refused.
     QueryStatus status = QueryStatus::not_open;
 
@@ -61,8 +65,12 @@ struct [[nodiscard]] FilledPairs {
 
 /// Writes the pairs of instances whose boxes touch, from the pair `from` on.
 ///
-/// Refuses a scene that is not open or waits for refit(). Cost: one walk of the tree against itself; two for a page
-/// that is too small for all pairs. It depends on the number of pairs, which is that of all if all are at one place.
+/// Refuses a scene that is not open or waits for refit(). Cost: one walk of the tree against itself; two for each page
+/// that is too small for all pairs from `from` on. It depends on the number of pairs, which is that of all if all are
+/// at one place.
+///
+/// A page ends with the last pair of a slot `a`, and may leave room: only a slot with more pairs than the array has
+/// room for goes on in the next page. An array without room gets none of the pairs: enlarge it before the next call.
 FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<InstancePair> pairs,
                                                   const PairFilter& filter = {}, InstancePair from = {}) noexcept;
 
@@ -71,8 +79,9 @@ FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<
 ///
 /// `limit` is the work of all calls of overlaps() together (WorkLimit). If a page ends with work_limit and `next`
 /// equals `from`, the limit is too small for that pair. Stops with out_of_range at a pair that overlaps() refuses:
-/// `next` is that pair, and {next.a, next.b + 1} is behind it. Otherwise refuses as collect_candidate_pairs() does. The
-/// array holds candidates meanwhile: with room for all of them there is one walk of the tree.
+/// `next` is that pair, `count` pairs before it are written, and {next.a, next.b + 1} is behind it. Otherwise refuses
+/// as collect_candidate_pairs() does. The array holds candidates meanwhile: with room for all of them there is one walk
+/// of the tree. An array without room gets output_full.
 FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<InstancePair> pairs, WorkLimit limit,
                                                   const PairFilter& filter = {}, InstancePair from = {}) noexcept;
 
@@ -81,7 +90,7 @@ FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<
 FilledPairs<BakedPair> collect_candidate_pairs(const MovingScene& moving, const BakedScene& baked,
                                                std::span<BakedPair> pairs, const PairFilter& filter = {},
                                                BakedPair from = {}) noexcept;
-/// Writes those of which triangles touch. Limit and refusals as above.
+/// Writes those of which triangles touch. Limit and refusals as above; BakedPair describes what is behind a pair.
 FilledPairs<BakedPair> collect_colliding_pairs(const MovingScene& moving, const BakedScene& baked,
                                                std::span<BakedPair> pairs, WorkLimit limit,
                                                const PairFilter& filter = {}, BakedPair from = {}) noexcept;
