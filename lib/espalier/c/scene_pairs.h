@@ -62,9 +62,9 @@ typedef struct ESPALIER_SHARED_ espalier_filled_baked_pairs {
 } espalier_filled_baked_pairs;
 
 /* Writes the pairs of instances whose boxes touch, from the pair `from` on. Refuses a scene that is not open
- * (ESPALIER_QUERY_NOT_OPEN) or waits for a refit (ESPALIER_QUERY_NOT_REFITTED). A page may leave room, since it ends
- * with the last pair of a slot `a` if that fits. An array without room gets none of the pairs: enlarge it before the
- * next call. */
+ * (ESPALIER_QUERY_NOT_OPEN) or waits for a refit (ESPALIER_QUERY_NOT_REFITTED). An array without
+ * room gets none of the pairs: enlarge it before the next call. A first page with room for all pairs takes one walk of
+ * the tree, every other page one from each of its slots. */
 espalier_filled_instance_pairs espalier_collect_candidate_pairs(espalier_moving_scene* scene,
                                                                 espalier_instance_pair* pairs, size_t capacity,
                                                                 const espalier_pair_filter* filter,

@@ -65,12 +65,11 @@ struct [[nodiscard]] FilledPairs {
 
 /// Writes the pairs of instances whose boxes touch, from the pair `from` on.
 ///
-/// Refuses a scene that is not open or waits for refit(). Cost: one walk of the tree against itself; two for each page
-/// that is too small for all pairs from `from` on. It depends on the number of pairs, which is that of all if all are
-/// at one place.
+/// Refuses a scene that is not open or waits for refit(). Cost: one walk of the tree against itself, if the page is the
+/// first and has room for all pairs. Every other page takes a walk from each of its slots; a first one that is too
+/// small takes both. The cost depends on the number of pairs, which is that of all if all are at one place.
 ///
-/// A page ends with the last pair of a slot `a`, and may leave room: only a slot with more pairs than the array has
-/// room for goes on in the next page. An array without room gets none of the pairs: enlarge it before the next call.
+/// An array without room gets none of the pairs: enlarge it before the next call.
 FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<InstancePair> pairs,
                                                   const PairFilter& filter = {}, InstancePair from = {}) noexcept;
 
@@ -80,8 +79,8 @@ FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<
 /// `limit` is the work of all calls of overlaps() together (WorkLimit). If a page ends with work_limit and `next`
 /// equals `from`, the limit is too small for that pair. Stops with out_of_range at a pair that overlaps() refuses:
 /// `next` is that pair, `count` pairs before it are written, and {next.a, next.b + 1} is behind it. Otherwise refuses
-/// as collect_candidate_pairs() does. The array holds candidates meanwhile: with room for all of them there is one walk
-/// of the tree. An array without room gets output_full.
+/// as collect_candidate_pairs() does. The array of a first page holds candidates meanwhile: with room for all of them
+/// there is one walk of the tree. An array without room gets output_full.
 FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<InstancePair> pairs, WorkLimit limit,
                                                   const PairFilter& filter = {}, InstancePair from = {}) noexcept;
 
