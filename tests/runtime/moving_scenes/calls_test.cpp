@@ -118,8 +118,7 @@ TEST_SUITE("calls") {
         CHECK(inner->source == instance_at(tile.scene, InstanceId{hit.instance.in_tile})->source);
     }
 
-    TEST_CASE(
-        "scene: a scene that waits for a refit takes changes and an insertion that repacks does not end the wait") {
+    TEST_CASE("scene: changes and insertions that repack leave a scene that waits for a refit waiting") {
         std::vector<OpenedBlob> opened;
         opened.emplace_back(make_cube(-0.5f, 0.5f));
         const std::vector<Blob> meshes = {opened[0].blob};
