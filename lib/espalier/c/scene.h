@@ -4,7 +4,8 @@
  * A tile is a scene that is an instance of another one, in place of a mesh.
  *
  * Shapes and results are in world space. Every query takes into account the instances whose mask shares a bit with
- * `mask` (UINT32_MAX for all), and of these the triangles that the filter keeps. */
+ * `mask` (UINT32_MAX for all), and of these the triangles that the filter keeps. Visitors are called in ascending order
+ * of instances; for the view of a moving scene (moving_scene.h) in the order of its tree. */
 #ifndef ESPALIER_C_SCENE_H
 #define ESPALIER_C_SCENE_H
 
@@ -133,8 +134,7 @@ espalier_yes_no espalier_scene_occluded_rounded(const espalier_scene* scene, con
 
 typedef espalier_visit (*espalier_scene_hit_visitor)(espalier_instance_id instance, const espalier_ray_hit* hit,
                                                      void* user);
-/* Calls the visitor with each hit in ascending order of instances, and of triangles within one; of a moving scene the
- * instances are in the order of its tree (moving_scene.h). `user` is passed to the
+/* Calls the visitor with each hit in ascending order of instances, and of triangles within one. `user` is passed to the
  * visitor, `filter_user` to the filter. */
 espalier_query_status espalier_scene_for_each_hit(const espalier_scene* scene, const espalier_ray* ray,
                                                   espalier_scene_hit_visitor visit, void* user, uint32_t mask,
