@@ -80,7 +80,7 @@ FilledPairs<InstancePair> collect_candidate_pairs(MovingScene& scene, std::span<
 /// equals `from`, the limit is too small for that pair. Stops with out_of_range at a pair that overlaps() refuses:
 /// `next` is that pair, `count` pairs before it are written, and {next.a, next.b + 1} is behind it. Otherwise refuses
 /// as collect_candidate_pairs() does. The array of a first page holds candidates meanwhile: with room for all of them
-/// there is one walk of the tree. An array without room gets output_full.
+/// there is one walk of the tree. An array without room gets output_full if there is a candidate.
 FilledPairs<InstancePair> collect_colliding_pairs(MovingScene& scene, std::span<InstancePair> pairs, WorkLimit limit,
                                                   const PairFilter& filter = {}, InstancePair from = {}) noexcept;
 
