@@ -72,16 +72,15 @@ public:
         if (head_.levels == 0) return head_.free_nodes == head_.nodes_used;
         if (head_.root >= head_.nodes_used || block_.parent[head_.root] != no_child) return false;
         // Each child points back to its place, so that no two places have one child and the walk ends.
-        path_[0] = {head_.root, 0, false};
+        path_[0] = {head_.root, 0};
         if (!is_node_sound()) return false;
         for (;;) {
             Level& top = path_[depth_];
             if (top.next < BoxNode::most) {
                 if (!take_child(top.node, top.next++)) return false;
+            } else if (depth_ == 0) {
+                break;
             } else {
-                if (!is_box_of_parent_sound()) return false;
-                if (depth_ == 0) break;
-                path_[depth_ - 1].is_stale |= top.is_stale;
                 --depth_;
             }
         }
@@ -92,23 +91,18 @@ private:
     struct Level {
         std::uint32_t node;
         unsigned next;  ///< the child that is next
-        bool is_stale;  ///< whether a refit renews the node's box
     };
 
-    /// Returns whether the node at hand has enough children.
-    bool is_node_sound() {
-        const std::uint32_t node = path_[depth_].node;
+    /// Returns whether the node at hand has enough children, and its parent the box around them. Only the box of a
+    /// marked node may be old: a removal may free that node with its mark, and no refit then renews the boxes above.
+    [[nodiscard]] bool is_node_sound() const {
+        const std::uint32_t number = path_[depth_].node;
+        const BoxNode& node = block_.node(number);
         const unsigned least = depth_ != 0 ? BoxNode::least : head_.levels == 1 ? 1 : 2;
-        if (block_.dirty[node] > head_.must_refit) return false;
-        path_[depth_].is_stale = block_.dirty[node] != 0;
-        return block_.node(node).count() >= least;
-    }
-    /// Returns whether the box that its parent has of the node at hand is the one around its children.
-    [[nodiscard]] bool is_box_of_parent_sound() const {
-        const Level& top = path_[depth_];
-        if (depth_ == 0 || top.is_stale) return true;
-        const std::uint32_t above = block_.parent[top.node];
-        return block_.node(above / 8).box(above % 8) == block_.node(top.node).bounds();
+        if (block_.dirty[number] > head_.must_refit || node.count() < least) return false;
+        if (depth_ == 0 || block_.dirty[number] != 0) return true;
+        const std::uint32_t above = block_.parent[number];
+        return block_.node(above / 8).box(above % 8) == node.bounds();
     }
     /// Returns whether a child is sound, and goes to it if it is a node.
     bool take_child(std::uint32_t number, unsigned place) {
@@ -123,7 +117,7 @@ private:
         }
         if (child >= head_.nodes_used || block_.parent[child] != at) return false;
         ++found_nodes_;
-        path_[++depth_] = {child, 0, false};
+        path_[++depth_] = {child, 0};
         return is_node_sound();
     }
 

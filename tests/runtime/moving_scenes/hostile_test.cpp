@@ -113,11 +113,26 @@ void change_and_check(MovingScene& scene) {
     require_open(scene);
 }
 
+/// Removes every third instance of a scene that waits for a refit, and inserts others.
+void change_before_refit(MovingScene& scene) {
+    Random random(6);
+    std::uint32_t removed = 0;
+    for (const InstanceHandle& handle : handles_of(scene)) {
+        if (handle.slot % 3 != 1) continue;
+        require(remove(scene, handle) == QueryStatus::ok, "no removal");
+        ++removed;
+    }
+    require_open(scene);
+    for (; removed > 1; --removed) (void)insert(scene, any_cube(random));
+    require_open(scene);
+}
+
 /// What became of changed bytes.
 struct Tally {
     std::size_t tried = 0, accepted = 0;
 
-    /// Opens the bytes in memory of their size. Asks the scene if they are accepted, and changes every third one.
+    /// Opens the bytes in memory of their size. Asks the scene if they are accepted, and changes every third one, and
+    /// every second one that waits for a refit.
     void add(const Bytes& bytes) {
         ++tried;
         AlignedBuffer copy(bytes);
@@ -127,6 +142,7 @@ struct Tally {
         if (scene.must_refit()) {
             const Ray ray = {{}, {0.0f, 0.0f, 1.0f}};
             require(raycast(scene, ray)->status == QueryStatus::not_refitted, "a ray that does not wait for a refit");
+            if (accepted % 2 == 0) change_before_refit(scene);
             refit(scene);
         }
         check_answers(scene);

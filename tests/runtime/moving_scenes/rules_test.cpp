@@ -182,11 +182,18 @@ TEST_SUITE("rules") {
               }}});
         check_breaches(large_scene(true),
                        {{"another mark", [](EditedBlock& edited) { edited.block.dirty[leaf_of(edited.block)] = 2; }},
-                        {"an old box outside of the world", [](EditedBlock& edited) {
+                        {"an old box outside of the world",
+                         [](EditedBlock& edited) {
                              const std::uint32_t leaf = leaf_of(edited.block);
                              REQUIRE(edited.block.dirty[leaf] == 1);
                              const std::uint32_t at = edited.block.parent[leaf];
                              edited.block.node(at / 8).high[0][at % 8] = most_world_steps + 1;
+                         }},
+                        {"an old box of a node without a mark, above one with a mark", [](EditedBlock& edited) {
+                             const std::uint32_t leaf = leaf_of(edited.block);
+                             REQUIRE(edited.block.dirty[leaf] == 1);
+                             const std::uint32_t at = edited.block.parent[edited.block.parent[leaf] / 8];
+                             ++edited.block.node(at / 8).high[0][at % 8];
                          }}});
     }
 
