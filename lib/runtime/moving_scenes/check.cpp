@@ -2,8 +2,8 @@
 
 #include <bit>
 
+#include <runtime/base/bits.hpp>
 #include <runtime/moving_scenes/access.hpp>
-#include <runtime/lattice/rounder.hpp>
 #include <runtime/transforms/rotation.hpp>
 
 namespace espalier::detail {
@@ -18,13 +18,11 @@ bool is_box(const StepsBox& box) {
 
 /// Returns whether the counts of the head fit to each other and to the capacity.
 bool is_head_sound(const BlockHead& head) {
-    const Coarseness& coarseness = head.coarseness;
     return head.magic == block_magic && is_step_exponent(head.step_exponent) && head.slots_used <= head.slot_capacity &&
-           head.live <= head.slots_used && head.nodes_used <= head.node_capacity &&
-           head.free_nodes <= head.nodes_used && head.levels <= most_tree_levels &&
-           (head.levels == 0) == (head.live == 0) && (head.levels == 0) == (head.root == no_child) &&
-           head.must_refit <= 1 && head.reserved == 0 && head.step != 0 && is_radius(coarseness.coarsest_step) &&
-           is_radius(coarseness.largest_scale) && is_radius(coarseness.farthest_origin) &&
+           head.nodes_used <= head.node_capacity && head.free_nodes <= head.nodes_used &&
+           head.levels <= most_tree_levels && (head.levels == 0) == (head.live == 0) &&
+           (head.levels == 0) == (head.root == no_child) && head.must_refit <= 1 && head.reserved == 0 &&
+           head.step != 0 &&
            (std::bit_cast<std::uint32_t>(head.packed_area) == 0 ||
             (head.packed_area >= 1.0f && is_finite(head.packed_area)));
 }
@@ -37,9 +35,7 @@ bool are_slots_sound(const SceneBlock& block) {
         const InstanceSlot& slot = block.slots[number];
         if (block.moved[number] > head.step) return false;
         worn += is_worn(slot) ? 1u : 0u;
-        if (!is_live(slot)) continue;
-        ++live;
-        if (!is_valid(slot.transform) || !is_in_range(slot.transform.scale) || !is_box(slot.box)) return false;
+        live += is_live(slot) ? 1u : 0u;
     }
     if (live != head.live) return false;
     std::uint32_t at = head.free_slot;
@@ -142,12 +138,14 @@ bool has_boxes_of_instances(const MovingScene& scene) {
     for (std::uint32_t number = 0; number < block.head->slots_used; ++number) {
         const InstanceSlot& slot = block.slots[number];
         if (!is_live(slot)) continue;
-        if (!is_placeable(scene, slot.mesh)) return false;
+        if (!is_placeable(scene, slot.mesh) || !is_in_range(slot.transform.scale)) return false;
         const PartBounds bounds = bounds_of_part(scene, slot.mesh);
         StepsBox box;
+        // The box of any other transform that is not valid is NaN.
         if (!find_steps_box(bounds, slot.transform, block.head->step_exponent, box) || box != slot.box) return false;
         coarseness.add(bounds, slot.transform);
     }
+    // No number below 0 and no NaN includes another one.
     return block.head->coarseness.includes(coarseness);
 }
 
