@@ -58,6 +58,7 @@ PARTS = {
         "runtime/lattice/region.hpp"],
     "ids": ["baker/encode/id_kinds.hpp", "baker/encode/id_kinds.cpp", "baker/encode/ids.cpp"],
     "edges": ["baker/base/edge_table.hpp"],
+    "moving": ["runtime/moving_scenes/check.cpp", "runtime/moving_scenes/changes.cpp"],
 }
 
 NUMBERS_OF_A_FILE = 1000

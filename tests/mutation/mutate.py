@@ -4,11 +4,11 @@ excuse as `instrument.py --check` does.
 mutate.py BUILD [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--most N] [--claims TEXT...] [--publish]:
 breaks the library in every way that instrument.py knows, one at a time, and prints what no claim noticed. PART is
 verifier, decode, quantiser, traversal, rounding, small (what microcontrollers have of their own), queries (what they do
-at nodes and leaves, batches), scenes (what opens them), ids (the section of original ids, as the baker writes it) or
-edges (the baker's table). --files chooses the mutants of some files of lib, --since those of files whose code has
-changed since a commit; all mutants when nothing is chosen. Exit status 1 when a mutant survives that no comment in the
-code excuses (excuses.py). --publish writes a row for each part that was run as a whole into the table of
-docs/testing.md.
+at nodes and leaves, batches), scenes (what opens them), ids (the section of original ids, as the baker writes it),
+edges (the baker's table) or moving (scenes whose instances move). --files chooses the mutants of some files of lib,
+--since those of files whose code has changed since a commit; all mutants when nothing is chosen. Exit status 1 when a
+mutant survives that no comment in the code excuses (excuses.py). --publish writes a row for each part that was run as a
+whole into the table of docs/testing.md.
 
 All mutants are compiled once, into the same programs, and again as small code (ESPALIER_SMALL_CODE); they are chosen
 when a program starts. A first run of every claim without any notes how long it takes and by which mutants it comes;
@@ -67,7 +67,8 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/moving_scenes/tree", "runtime/moving_scenes/hilbert", "runtime/moving_scenes/steps_box",
     "runtime/moving_scenes/pairs", "runtime/moving_scenes/loop", "runtime/moving_scenes/scene",
     "runtime/moving_scenes/colliding", "runtime/moving_scenes/view",
-    "runtime/moving_scenes/hostile", "runtime/moving_scenes/rules",
+    "runtime/moving_scenes/hostile", "runtime/moving_scenes/rules", "runtime/moving_scenes/borders",
+    "runtime/moving_scenes/changes",
     "runtime/pairs/pair", "runtime/pairs/distance_work", "runtime/pairs/frame", "runtime/pairs/loop",
     "runtime/pairs/pages", "runtime/pairs/counters", "runtime/moving_scenes/counters",
     "runtime/proximity/closest_pair", "runtime/sweeps/sweep", "runtime/transforms/transform",

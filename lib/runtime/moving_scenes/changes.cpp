@@ -95,6 +95,7 @@ Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept {
             filled.status = QueryStatus::stale_handle;
             break;
         }
+        // mutant(!= -> true) work: finds the bounds of the same mesh again
         if (slot->mesh != mesh) bounds = bounds_of_part(scene, mesh = slot->mesh);
         filled.status = place_slot(block, movement.instance.slot, bounds, movement.transform);
         if (filled.status != QueryStatus::ok) break;

@@ -18,6 +18,7 @@ bool is_box(const StepsBox& box) {
 
 /// Returns whether the counts of the head fit to each other and to the capacity.
 bool is_head_sound(const BlockHead& head) {
+    // mutant(<= -> < 4) huge: a tree of 12 levels has at least 2 * 4^11 instances
     return head.magic == block_magic && is_step_exponent(head.step_exponent) && head.slots_used <= head.slot_capacity &&
            head.nodes_used <= head.node_capacity && head.free_nodes <= head.nodes_used &&
            head.levels <= most_tree_levels && (head.levels == 0) == (head.live == 0) &&

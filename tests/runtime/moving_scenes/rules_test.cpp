@@ -1,15 +1,13 @@
 // Claims about the rules of a block: open_moving_scene() refuses one that breaks a single rule and keeps the others.
 #include <doctest/doctest.h>
 
-#include <functional>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 
-#include "made_bytes.hpp"
+#include "breaches.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -19,36 +17,6 @@ namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-/// A rule and what breaks it.
-struct Breach {
-    std::string rule;
-    std::function<void(EditedBlock&)> edit;
-};
-
-/// Checks that the bytes open, and that they do not after any of the edits.
-void check_breaches(std::span<const std::byte> bytes, const std::vector<Breach>& breaches) {
-    REQUIRE(EditedBlock(bytes).opens());
-    for (const Breach& breach : breaches) {
-        CAPTURE(breach.rule);
-        EditedBlock edited(bytes);
-        breach.edit(edited);
-        CHECK_FALSE(edited.opens());
-    }
-}
-
-/// A scene of three levels with free slots and free nodes; `must_refit` if one of its instances has been moved.
-std::vector<std::byte> large_scene(bool must_refit = false) { return make_bytes(80, 78, must_refit); }
-
-/// Returns the leaf node of the second slot, which is alive.
-std::uint32_t leaf_of(const SceneBlock& block) { return block.slots[1].place / 8; }
-
-/// Takes a slot out of the tree, and renews the boxes above as if no node needed more children.
-void drop_slot(SceneBlock& block, std::uint32_t slot) {
-    const std::uint32_t place = block.slots[slot].place;
-    block.node(place / 8).drop(place % 8);
-    renew_ancestors(block, place / 8);
-}
-
 /// Swaps the first child of a node of nodes with a place that has none.
 void free_first_place(SceneBlock& block, std::uint32_t node) {
     BoxNode& all = block.node(node);
@@ -57,12 +25,6 @@ void free_first_place(SceneBlock& block, std::uint32_t node) {
     all.set(place, all.box(0), all.child[0]);
     block.parent[all.child[0]] = 8 * node + place;
     all.drop(0);
-}
-
-std::uint32_t last_free_node(const SceneBlock& block) {
-    std::uint32_t node = block.head->free_node;
-    while (block.node(node).child[0] != no_child) node = block.node(node).child[0];
-    return node;
 }
 
 }  // namespace
@@ -134,6 +96,15 @@ TEST_SUITE("rules") {
                   first_free(edited).generation = 0;
                   first_free(edited).place = edited.block.slots[first_free(edited).place].place;
               }},
+             {"a worn slot in the tree",
+              [&](EditedBlock& edited) {
+                  InstanceSlot& worn = first_free(edited);
+                  const std::uint32_t number = edited.head.free_slot, at = edited.block.slots[1].place;
+                  edited.head.free_slot = worn.place;
+                  worn = edited.block.slots[1];
+                  worn.generation = 0;
+                  edited.block.node(at / 8).child[at % 8] = number;
+              }},
              {"a live slot that is not in the tree", [](EditedBlock& edited) {
                   std::uint32_t slot = 1;
                   const auto siblings = [&] { return edited.block.node(edited.block.slots[slot].place / 8).count(); };
@@ -199,9 +170,9 @@ TEST_SUITE("rules") {
 
     TEST_CASE("scene: a chain of more nodes than a tree may have levels is refused") {
         // Every node has one that is sound, and is left for it before the others are looked at.
-        EditedBlock edited(large_scene());
-        const std::uint32_t length = most_tree_levels + 3;
-        REQUIRE(length <= edited.head.nodes_used);
+        EditedBlock edited(make_bytes(1'000, 10, false));
+        const std::uint32_t length = 256;
+        REQUIRE(length < edited.head.node_capacity);
         for (std::uint32_t node = 0; node < length; ++node) {
             edited.block.node(node).clear();
             for (unsigned place = 0; place < BoxNode::least; ++place)
@@ -209,6 +180,9 @@ TEST_SUITE("rules") {
             edited.block.parent[node] = node == 0 ? no_child : 8 * (node - 1);
         }
         edited.head.root = 0;
+        edited.head.free_node = no_child;
+        edited.head.free_nodes = 0;
+        edited.head.nodes_used = length + 1;
         for (const std::uint32_t levels : {13u, 100u, 255u}) {
             edited.head.levels = static_cast<std::uint8_t>(levels);
             CHECK_FALSE(edited.opens());
@@ -230,7 +204,7 @@ TEST_SUITE("rules") {
         CHECK_FALSE(edited.opens());
     }
 
-    TEST_CASE("scene: a free node that is in the tree or has a parent is refused") {
+    TEST_CASE("scene: a free node that is in the tree or has a parent or a mark is refused") {
         const std::vector<std::byte> bytes = large_scene();
         std::size_t tried = 0;
         const std::uint32_t nodes = EditedBlock(bytes).head.nodes_used;
@@ -252,6 +226,11 @@ TEST_SUITE("rules") {
         EditedBlock edited(bytes);
         edited.block.parent[edited.head.free_node] = 8 * edited.head.root;
         CHECK_FALSE(edited.opens());
+        for (const bool must_refit : {false, true}) {
+            EditedBlock marked(large_scene(must_refit));
+            marked.block.dirty[marked.head.free_node] = 1;
+            CHECK_FALSE(marked.opens());
+        }
     }
 
     TEST_CASE("scene: a snapshot whose quality no scene has is refused") {
