@@ -110,6 +110,32 @@ TEST_SUITE("pairs") {
         }
     }
 
+    TEST_CASE("scene: pairs that moved leave out free slots and what lies behind the slots in use") {
+        Random random(3);
+        MadeBlock made(100);
+        SceneBlock& block = made.block;
+        const BlockHead& head = *block.head;
+        const StepsBox large = {{0, 0, 0}, {1 << 19, 1 << 19, 1 << 19}};
+        for (int i = 0; i < 60; ++i) made.insert(i == 3 || i == 20 ? large : random_box(random, 1 << 19));
+        block.head->step = 2;
+        for (const std::uint32_t slot : {3u, 7u, 9u}) block.moved[slot] = head.step;
+        made.remove(7);
+        made.remove(9);
+        // A copy of an instance that has not moved, as one that has.
+        const std::uint32_t behind = head.slots_used;
+        block.slots[behind] = block.slots[20];
+        block.moved[behind] = head.step;
+        const std::vector<InstancePair> loop = loop_over_slots(block);
+        std::vector<InstancePair> moved;
+        for (const InstancePair& pair : loop)
+            if (pair.a == 3 || pair.b == 3) moved.push_back(pair);
+        REQUIRE(moved.size() > 2);
+        for (const std::size_t size : {std::size_t{1}, std::size_t{10'000}}) {
+            CHECK(in_pages(block, size, {true, {}}) == moved);
+            CHECK(in_pages(block, size) == loop);
+        }
+    }
+
     TEST_CASE("scene: a filter that contradicts itself gets a list that fits") {
         MadeBlock made(60);
         for (int i = 0; i < 60; ++i) made.insert({{i, 0, 0}, {i + 30, 9, 9}});
