@@ -242,6 +242,10 @@ const char* const table = R"(
     collect_candidate_pairs(MovingScene, span<InstancePair>, PairFilter, InstancePair) espalier_collect_candidate_pairs
     collect_colliding_pairs(MovingScene, span<InstancePair>, WorkLimit, PairFilter, InstancePair)
         espalier_collect_colliding_pairs
+    collect_candidate_pairs(MovingScene, span<InstancePair>, SceneCounters, PairFilter, InstancePair)
+        espalier_collect_candidate_pairs_counted
+    collect_colliding_pairs(MovingScene, span<InstancePair>, WorkLimit, SceneCounters, PairCounters, PairFilter, InstancePair)
+        espalier_collect_colliding_pairs_counted
     collect_candidate_pairs(MovingScene, BakedScene, span<BakedPair>, PairFilter, BakedPair)
         espalier_collect_candidate_pairs_with_baked
     collect_colliding_pairs(MovingScene, BakedScene, span<BakedPair>, WorkLimit, PairFilter, BakedPair)

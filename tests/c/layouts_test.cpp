@@ -172,6 +172,8 @@ SAME_FIELD(espalier_query_counters, candidates);
 SAME_FIELD(espalier_pair_counters, box_pairs);
 SAME_FIELD(espalier_pair_counters, leaf_pairs);
 SAME_FIELD(espalier_pair_counters, triangle_pairs);
+SAME_FIELD(espalier_scene_counters, box_tests);
+SAME_FIELD(espalier_scene_counters, pairs);
 SAME_FIELD(espalier_distance_bounds_result, value);
 SAME_FIELD(espalier_distance_bounds_result, status);
 static_assert(offsetof(DistanceBounds, lower) == 0 && offsetof(DistanceBounds, upper) == sizeof(float));
@@ -363,6 +365,7 @@ TEST_SUITE("layouts") {
         CHECK(sizes.scene == sizeof(espalier::BakedScene));
         CHECK(sizes.vec3 == sizeof(espalier::Vec3));
         CHECK(sizes.rounded_ray == sizeof(espalier::RoundedRay));
+        CHECK(sizes.scene_counters == sizeof(espalier::SceneCounters));
         CHECK(sizes.moving_scene == sizeof(espalier::MovingScene));
         CHECK(sizes.filled_baked_pairs == sizeof(espalier::FilledPairs<espalier::BakedPair>));
     }

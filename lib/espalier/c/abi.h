@@ -23,8 +23,9 @@ typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
     uint16_t ray_hit, original_triangle, original_triangle_result, original_hit, convex_volume, triangle_result;
     uint16_t closest_point_result, float_result, sweep_hit, quaternion, transform, transform_result;
     uint16_t placed_blob, pair_contact, blob_distance;
-    uint16_t query_counters, pair_counters, distance_bounds_result, tree_child, tree_node, lattice_point, lattice_box;
-    uint16_t lattice_segment;
+    uint16_t query_counters, pair_counters, scene_counters, distance_bounds_result, tree_child, tree_node,
+        lattice_point;
+    uint16_t lattice_box, lattice_segment;
     uint16_t lattice_point_result, lattice_box_result, lattice_hit, lattice_result, rounded_ray;
     uint16_t instance_id, instance, instance_result, mesh_result, scene, scene_ray_hit, scene_closest_point_result,
         scene_sweep_hit;

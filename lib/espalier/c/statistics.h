@@ -1,4 +1,4 @@
-/* Queries that count their work. Counterpart of statistics.hpp. */
+/* Queries that count their work. Counterpart of statistics.hpp and scenes/statistics.hpp. */
 #ifndef ESPALIER_C_STATISTICS_H
 #define ESPALIER_C_STATISTICS_H
 
@@ -8,6 +8,7 @@
 #include <espalier/c/blob.h>
 #include <espalier/c/pair.h>
 #include <espalier/c/ray.h>
+#include <espalier/c/scene_pairs.h>
 #include <espalier/c/transform.h>
 
 #ifdef __cplusplus
@@ -35,6 +36,24 @@ espalier_pair_contact espalier_first_contact_counted(const espalier_placed_blob*
 espalier_blob_distance espalier_distance_counted(const espalier_placed_blob* a, const espalier_placed_blob* b,
                                                  uint64_t work_limit, float max_distance,
                                                  espalier_pair_counters* counters);
+
+/* The work of the search for pairs of instances, added up over calls. */
+typedef struct ESPALIER_SHARED_ espalier_scene_counters {
+    uint64_t box_tests, pairs;
+} espalier_scene_counters;
+
+/* Returns what espalier_collect_candidate_pairs() returns, and adds its work to the counters. */
+espalier_filled_instance_pairs espalier_collect_candidate_pairs_counted(espalier_moving_scene* scene,
+                                                                        espalier_instance_pair* pairs, size_t capacity,
+                                                                        espalier_scene_counters* counters,
+                                                                        const espalier_pair_filter* filter,
+                                                                        espalier_instance_pair from);
+/* Returns what espalier_collect_colliding_pairs() returns, and adds the work of the walk to `counters` and that of the
+ * candidates' triangles to `of_triangles`. */
+espalier_filled_instance_pairs espalier_collect_colliding_pairs_counted(
+    espalier_moving_scene* scene, espalier_instance_pair* pairs, size_t capacity, uint64_t work_limit,
+    espalier_scene_counters* counters, espalier_pair_counters* of_triangles, const espalier_pair_filter* filter,
+    espalier_instance_pair from);
 
 #ifdef __cplusplus
 }

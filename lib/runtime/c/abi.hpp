@@ -17,6 +17,7 @@
 
 #include <espalier/espalier.h>
 #include <espalier/espalier.hpp>
+#include <espalier/scenes/statistics.hpp>
 
 namespace espalier::detail {
 
@@ -38,7 +39,7 @@ namespace espalier::detail {
     twin(closest_point_result, ClosestPoint) twin(float_result, Result<float>) twin(sweep_hit, SweepHit)      \
     twin(quaternion, Quaternion) twin(transform, Transform) twin(transform_result, Result<Transform>)         \
     other(placed_blob, PlacedBlob) twin(pair_contact, PairContact) twin(blob_distance, BlobDistance)          \
-    twin(query_counters, QueryCounters) twin(pair_counters, PairCounters)                                     \
+    twin(query_counters, QueryCounters) twin(pair_counters, PairCounters) twin(scene_counters, SceneCounters) \
     twin(distance_bounds_result, Result<DistanceBounds>)                                                      \
     twin(tree_child, TreeChild) twin(tree_node, TreeNode)                                                     \
     twin(lattice_point, LatticePoint) twin(lattice_box, LatticeBox) twin(lattice_segment, LatticeSegment)     \

@@ -1,4 +1,4 @@
-// espalier/c/scene_pairs.h: pairs of instances that may touch, or do.
+// espalier/c/scene_pairs.h: pairs of instances that may touch, or do; and those of espalier/c/statistics.h.
 #include <runtime/c/abi.hpp>
 #include <runtime/c/views.hpp>
 
@@ -51,6 +51,24 @@ espalier_filled_instance_pairs espalier_collect_colliding_pairs(espalier_moving_
     const PairSelection selection(filter);
     return c(collect_colliding_pairs(cpp(scene), cpp(pairs, capacity), WorkLimit(work_limit), selection.filter(),
                                      cpp(from)));
+}
+
+espalier_filled_instance_pairs espalier_collect_candidate_pairs_counted(espalier_moving_scene* scene,
+                                                                        espalier_instance_pair* pairs, size_t capacity,
+                                                                        espalier_scene_counters* counters,
+                                                                        const espalier_pair_filter* filter,
+                                                                        espalier_instance_pair from) {
+    const PairSelection selection(filter);
+    return c(collect_candidate_pairs(cpp(scene), cpp(pairs, capacity), cpp(counters), selection.filter(), cpp(from)));
+}
+
+espalier_filled_instance_pairs espalier_collect_colliding_pairs_counted(
+    espalier_moving_scene* scene, espalier_instance_pair* pairs, size_t capacity, uint64_t work_limit,
+    espalier_scene_counters* counters, espalier_pair_counters* of_triangles, const espalier_pair_filter* filter,
+    espalier_instance_pair from) {
+    const PairSelection selection(filter);
+    return c(collect_colliding_pairs(cpp(scene), cpp(pairs, capacity), WorkLimit(work_limit), cpp(counters),
+                                     cpp(of_triangles), selection.filter(), cpp(from)));
 }
 
 espalier_filled_baked_pairs espalier_collect_candidate_pairs_with_baked(const espalier_moving_scene* moving,

@@ -156,6 +156,16 @@ static void ask_pages(struct asking* asking, const espalier_pair_filter* filter)
             pairs);
     tell_page(asking, espalier_collect_colliding_pairs(scene, pairs, CAPACITY, bits % 900u, filter, begin), pairs);
     tell_page(asking, espalier_collect_colliding_pairs(scene, pairs, CAPACITY, bits % 900u, filter, any), pairs);
+    espalier_scene_counters walk = {0};
+    espalier_pair_counters triangles = {0};
+    tell_page(asking, espalier_collect_candidate_pairs_counted(scene, pairs, CAPACITY, &walk, filter, middle), pairs);
+    tell_page(
+        asking,
+        espalier_collect_colliding_pairs_counted(scene, pairs, CAPACITY, bits % 900u, &walk, &triangles, filter, begin),
+        pairs);
+    tell(asking, (uint32_t)walk.box_tests);
+    tell(asking, (uint32_t)walk.pairs);
+    tell(asking, (uint32_t)triangles.box_pairs);
 }
 
 static void ask_baked_pages(struct asking* asking, const espalier_pair_filter* filter) {

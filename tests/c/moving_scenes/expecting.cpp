@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include <espalier/scenes/statistics.hpp>
+
 namespace espalier::tests {
 
 Transform Expecting::some_transform(int i) const {
@@ -126,6 +128,13 @@ void Expecting::pages(const PairFilter& filter) {
         from = show(collect_colliding_pairs(moving_, pairs, WorkLimit::unlimited(), filter, from));
     show(collect_colliding_pairs(moving_, pairs, WorkLimit(bits % 900), filter));
     show(collect_colliding_pairs(moving_, pairs, WorkLimit(bits % 900), filter, any));
+    SceneCounters walk;
+    PairCounters triangles;
+    show(collect_candidate_pairs(moving_, pairs, walk, filter, {bits % 40, bits >> 8}));
+    show(collect_colliding_pairs(moving_, pairs, WorkLimit(bits % 900), walk, triangles, filter));
+    tell(static_cast<std::uint32_t>(walk.box_tests));
+    tell(static_cast<std::uint32_t>(walk.pairs));
+    tell(static_cast<std::uint32_t>(triangles.box_pairs));
 }
 
 void Expecting::pages_with_baked(const PairFilter& filter) {

@@ -75,7 +75,6 @@ static int misbehaviour_of_create(const espalier_blob* meshes, size_t mesh_count
     return 0;
 }
 
-static bool are_equal(espalier_vec3 a, espalier_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 /* A view in the place of a baked scene, of each function that is no query. */
 static int misbehaviour_of_view(espalier_moving_scene* scene, const espalier_scene* baked, espalier_box around) {
@@ -100,7 +99,7 @@ static int misbehaviour_of_view(espalier_moving_scene* scene, const espalier_sce
     if (espalier_scene_tiles(&view, &count) != espalier_moving_scene_tiles(scene, &count)) return 58;
     const espalier_box bounds = espalier_scene_bounds(&view);
     if (bounds.min.x > around.min.x || bounds.min.y > around.min.y || bounds.min.z > around.min.z) return 59;
-    if (!are_equal(bounds.max, around.max)) return 60;
+    if (bounds.max.x < around.max.x || bounds.max.y < around.max.y || bounds.max.z < around.max.z) return 60;
 
     espalier_filled_baked_pairs page = espalier_collect_candidate_pairs_with_baked(scene, &view, &pair, 1, NULL, from);
     if (page.status != ESPALIER_QUERY_INVALID_ARGUMENT || page.count != 0) return 61;
