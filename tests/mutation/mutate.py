@@ -68,7 +68,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/moving_scenes/pairs", "runtime/moving_scenes/loop", "runtime/moving_scenes/scene",
     "runtime/moving_scenes/colliding", "runtime/moving_scenes/view",
     "runtime/moving_scenes/hostile", "runtime/moving_scenes/rules", "runtime/moving_scenes/borders",
-    "runtime/moving_scenes/changes",
+    "runtime/moving_scenes/changes", "runtime/moving_scenes/calls",
     "runtime/pairs/pair", "runtime/pairs/distance_work", "runtime/pairs/frame", "runtime/pairs/loop",
     "runtime/pairs/pages", "runtime/pairs/counters", "runtime/moving_scenes/counters",
     "runtime/proximity/closest_pair", "runtime/sweeps/sweep", "runtime/transforms/transform",

@@ -75,7 +75,6 @@ static int misbehaviour_of_create(const espalier_blob* meshes, size_t mesh_count
     return 0;
 }
 
-
 /* A view in the place of a baked scene, of each function that is no query. */
 static int misbehaviour_of_view(espalier_moving_scene* scene, const espalier_scene* baked, espalier_box around) {
     static espalier_scene room[2];
