@@ -34,22 +34,30 @@ struct PairVisitor {
         if (!reads_duplicate_references || search.only == nullptr) return near;
         return near & children_within(node, frame.blob(side).bits, search.only->bounds[side]);
     }
-    Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
-        return with_leaves_of(*frame.a, [&]<class LeafA>() {
-            return with_leaves_of(*frame.b, [&]<class LeafB>() { return visit_leaves_of<LeafA, LeafB>(a, b, a_box); });
-        });
+    ESPALIER_PART_OF_CALLER Visit visit_leaves(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
+        return with_leaves_of(
+            *frame.a, [&]<class LeafA>() __attribute__((always_inline)) {
+                return with_leaves_of(
+                    *frame.b, [&]<class LeafB>() __attribute__((always_inline)) {
+                        return visit_leaves_of<LeafA, LeafB>(a, b, a_box);
+                    });
+            });
     }
 
 private:
+    /// Apart, so that it takes no room of the frame of a search that counts nothing.
+    template <class Leaves>
+    [[gnu::noinline]] void count(const Leaves& leaves) const {
+        search.counters->count_leaves(leaves.a.triangle_count(), leaves.b.triangle_count());
+    }
     template <class LeafA, class LeafB>
-    Visit visit_leaves_of(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
+    ESPALIER_PART_OF_CALLER Visit visit_leaves_of(PairLeaf a, PairLeaf b, const TwiceBox& a_box) {
         const LeafPair<LeafA, LeafB> leaves(frame, a, b, a_box);
         if (reads_duplicate_references && search.only != nullptr &&
             !(has_reference(*frame.a, leaves.a, search.only->triangles.a) &&
               has_reference(*frame.b, leaves.b, search.only->triangles.b)))
             return Visit::next;
-        if (search.counters != nullptr)
-            search.counters->count_leaves(leaves.a.triangle_count(), leaves.b.triangle_count());
+        if (search.counters != nullptr) count(leaves);
         return search.least != nullptr ? visit_near(leaves, *search.least) : visit_touching(leaves, search.on_touching);
     }
 };
