@@ -23,7 +23,7 @@ std::uint64_t count_box_tests(const detail::SceneBlock& block, bool only_moved) 
     detail::SceneBlock last_step = block;
     last_step.head = &head;
     SceneCounters counters;
-    const auto ignore = [](std::uint32_t, std::uint32_t) {};
+    const auto ignore = [](std::span<const InstancePair>) {};
     const detail::JoinedSlots joined = only_moved ? detail::JoinedSlots::moved : detail::JoinedSlots::all;
     detail::scalar::count_join(last_step, joined, 0, ignore, counters);
     return counters.box_tests;

@@ -65,6 +65,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/scenes/loop", "runtime/scenes/gap", "runtime/scenes/tiles", "runtime/scenes/metamorphic",
     "runtime/scenes/modes", "runtime/scenes/rules",
     "runtime/moving_scenes/tree", "runtime/moving_scenes/hilbert", "runtime/moving_scenes/steps_box",
+    "runtime/moving_scenes/steps_boxes",
     "runtime/moving_scenes/pairs", "runtime/moving_scenes/loop", "runtime/moving_scenes/scene",
     "runtime/moving_scenes/colliding", "runtime/moving_scenes/view",
     "runtime/moving_scenes/hostile", "runtime/moving_scenes/rules", "runtime/moving_scenes/borders",

@@ -16,4 +16,5 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/pairs/search.inl>
 #include <runtime/scenes/instance_walk.inl>
 #include <runtime/moving_scenes/box_tree/self_join.inl>
+#include <runtime/moving_scenes/box_tree/steps_boxes.inl>
 #include <runtime/moving_scenes/walks.inl>

@@ -1,4 +1,5 @@
-// AVX-512: leaves and plain nodes sixteen lanes at a time, packed nodes, the ray itself and pairs as with AVX2.
+// AVX-512: leaves and plain nodes sixteen lanes at a time, packed nodes, the ray itself and pairs of blobs as with
+// AVX2.
 #include <runtime/instruction_sets/queries.hpp>
 #if ESPALIER_X86 && defined(__x86_64__)
 #include <runtime/lanes/avx512.hpp>
@@ -24,6 +25,7 @@ using avx2::RayLanesOf;  // the slab test of packed nodes is found by its argume
 #include <runtime/instruction_sets/one_blob.inl>
 #include <runtime/rays/batch/batch.inl>
 #include <runtime/scenes/instance_walk.inl>
+#include <runtime/moving_scenes/box_tree/self_join.inl>
 }  // namespace espalier::detail::avx512
 ESPALIER_END_TARGET
 #endif

@@ -3,6 +3,7 @@
 
 #include <runtime/moving_scenes/queries.hpp>
 #include <runtime/moving_scenes/box_tree/self_join.hpp>
+#include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
 #include <runtime/moving_scenes/box_tree/slots.hpp>
 #include <runtime/pairs/queries.hpp>
 #include <runtime/proximity/point_queries.hpp>

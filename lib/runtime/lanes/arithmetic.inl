@@ -73,6 +73,43 @@ inline unsigned at_most(Numbers a, Numbers b) {
     else return ((1u << lanes) - 1) & ~bits_of(a > b);  // the comparison that processors have
 }
 
+/// Returns which of eight boxes touch another one, a bit for each. Of the eight, a row of numbers for each axis.
+template <class Row>
+inline unsigned eight_that_touch(const Row* low, const Row* high, const std::int32_t* box_low,
+                                 const std::int32_t* box_high) {
+    static_assert(sizeof(Row) == 8 * sizeof(std::int32_t));
+    unsigned mask = 0;
+    for (unsigned first = 0; first < 8; first += lanes) {
+        auto apart = load_as<SignedInts>(&low[0][first]) > box_high[0];
+        apart = apart | (load_as<SignedInts>(&high[0][first]) < box_low[0]);
+        for (int k = 1; k < 3; ++k) {
+            apart = apart | (load_as<SignedInts>(&low[k][first]) > box_high[k]);
+            apart = apart | (load_as<SignedInts>(&high[k][first]) < box_low[k]);
+        }
+        mask |= (bits_of(apart) ^ ((1u << lanes) - 1u)) << first;
+    }
+    return mask;
+}
+/// Writes a pair of words for each bit of a mask of eight: the first one plus the number of the bit, and the second
+/// one. There is room for eight. Returns how many they are.
+template <class PairOfWords>
+inline unsigned put_marked(PairOfWords* to, std::uint32_t first, std::uint32_t second, unsigned mask) {
+    unsigned count = 0;
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        to[count] = {first + i, second};
+        count += mask >> i & 1u;
+    }
+    return count;
+}
+
+/// Writes the same first word and one of eight second ones for each bit of a mask.
+template <class PairOfWords>
+inline unsigned put_with_marked(PairOfWords* to, std::uint32_t first, const std::uint32_t* seconds, unsigned mask) {
+    unsigned count = 0;
+    for (; mask != 0; mask &= mask - 1) to[count++] = {first, seconds[std::countr_zero(mask)]};
+    return count;
+}
+
 /// The same numbers in the form that the slab test compares faster: floats, or their bits as integers. Integers order
 /// numbers from 0 on, but not -0, as floats do, and negative ones below them.
 inline Compared to_compared(Floats a) { return __builtin_bit_cast(Compared, a); }

@@ -53,6 +53,37 @@ inline unsigned at_most(SignedInts a, SignedInts b) {
     return _cvtmask16_u32(_mm512_cmple_epi32_mask(__m512i(a), __m512i(b)));
 }
 
+/// Boxes of eight children: comparisons of half a register that give masks, one after the other.
+inline unsigned eight_that_touch(const std::int32_t (*low)[8], const std::int32_t (*high)[8],
+                                 const std::int32_t* box_low, const std::int32_t* box_high) {
+    const auto row = [](const std::int32_t* at) { return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)); };
+    __mmask8 mask = _mm256_cmple_epi32_mask(row(low[0]), _mm256_set1_epi32(box_high[0]));
+    mask = _mm256_mask_cmpge_epi32_mask(mask, row(high[0]), _mm256_set1_epi32(box_low[0]));
+    for (int k = 1; k < 3; ++k) {
+        mask = _mm256_mask_cmple_epi32_mask(mask, row(low[k]), _mm256_set1_epi32(box_high[k]));
+        mask = _mm256_mask_cmpge_epi32_mask(mask, row(high[k]), _mm256_set1_epi32(box_low[k]));
+    }
+    return _cvtmask8_u32(mask);
+}
+template <class PairOfWords>
+requires(sizeof(PairOfWords) == sizeof(std::uint64_t)) inline unsigned put_marked(PairOfWords* to, std::uint32_t first,
+                                                                                  std::uint32_t second, unsigned mask) {
+    const __m512i counting = _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0);
+    const __m512i both = _mm512_set1_epi64(static_cast<long long>(std::uint64_t{second} << 32 | first));
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi64(_cvtu32_mask8(mask), _mm512_add_epi64(both, counting)));
+    return static_cast<unsigned>(std::popcount(mask));
+}
+
+template <class PairOfWords>
+requires(sizeof(PairOfWords) ==
+         sizeof(std::uint64_t)) inline unsigned put_with_marked(PairOfWords* to, std::uint32_t first,
+                                                                const std::uint32_t* seconds, unsigned mask) {
+    const __m512i high = _mm512_cvtepu32_epi64(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(seconds)));
+    const __m512i both = _mm512_or_si512(_mm512_slli_epi64(high, 32), _mm512_set1_epi64(first));
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi64(_cvtu32_mask8(mask), both));
+    return static_cast<unsigned>(std::popcount(mask));
+}
+
 /// Where the fields of one width lie in a stream: lane by lane, the bytes that hold it and how far to shift them.
 struct WideUnpackEntry {
     alignas(64) std::uint8_t bytes[64];

@@ -2,6 +2,7 @@
 #include <espalier/scenes/moving_scene.hpp>
 
 #include <runtime/moving_scenes/access.hpp>
+#include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
 #include <runtime/moving_scenes/box_tree/tree.hpp>
 #include <runtime/transforms/rotation.hpp>
 
@@ -19,17 +20,54 @@ QueryStatus find_box(const PartBounds& bounds, const Transform& transform, const
     return is_valid(transform) ? QueryStatus::out_of_range : QueryStatus::invalid_argument;
 }
 
-/// Writes a new place to a slot, and not to the tree. Returns ok or a refusal.
-QueryStatus place_slot(SceneBlock& block, std::uint32_t number, const PartBounds& bounds, const Transform& transform) {
-    StepsBox box;
-    const QueryStatus status = find_box(bounds, transform, *block.head, box);
-    if (status != QueryStatus::ok) return status;
+/// Writes a new place and its box to a slot, and not to the tree.
+void write_place(SceneBlock& block, std::uint32_t number, const Transform& transform, const StepsBox& box) {
     InstanceSlot& slot = block.slots[number];
     slot.transform = transform;
     slot.box = box;
     block.moved[number] = block.head->step;
+}
+
+/// The same after a test of the place. Returns ok or a refusal.
+QueryStatus place_slot(SceneBlock& block, std::uint32_t number, const PartBounds& bounds, const Transform& transform) {
+    StepsBox box;
+    const QueryStatus status = find_box(bounds, transform, *block.head, box);
+    if (status != QueryStatus::ok) return status;
+    write_place(block, number, transform, box);
     block.head->coarseness.add(bounds, transform);
     return QueryStatus::ok;
+}
+
+/// Moves the first eight of a batch, their boxes side by side, but not the boxes above them. Returns false, and changes
+/// nothing, if there are fewer, or one is refused or has to be moved alone.
+bool move_eight(const MovingScene& scene, SceneBlock& block, std::span<const Movement> movements) {
+    constexpr unsigned count = EightStepsBoxes::count;
+    if (movements.size() < count) return false;
+    PartBounds bounds[count];
+    const PartBounds* part = nullptr;
+    std::uint32_t mesh = no_child;
+    EightPlaces places;
+    for (unsigned i = 0; i < count; ++i) {
+        const InstanceSlot* const slot = find_slot(block, movements[i].instance);
+        if (slot == nullptr) return false;
+        // mutant(!= -> true) work: finds the bounds of the same mesh again
+        if (slot->mesh != mesh) {
+            bounds[i] = bounds_of_part(scene, mesh = slot->mesh);
+            part = &bounds[i];
+        }
+        places.parts[i] = part;
+        places.transforms[i] = &movements[i].transform;
+    }
+    EightStepsBoxes boxes;
+    if (!find_steps_boxes_by_best_set(places, block.head->step_exponent, boxes)) return false;
+    for (unsigned i = 0; i < count; ++i) {
+        write_place(block, movements[i].instance.slot, *places.transforms[i], boxes[i]);
+        set_box(block, movements[i].instance.slot);
+        const bool is_known = i != 0 && places.parts[i] == places.parts[i - 1] &&
+                              places.transforms[i]->scale == places.transforms[i - 1]->scale;
+        if (!is_known) block.head->coarseness.add(*places.parts[i], *places.transforms[i]);
+    }
+    return true;
 }
 
 /// Calls `change(block, slot)` with the live slot of a handle. Returns its status, or why the handle is refused.
@@ -56,7 +94,7 @@ Result<InstanceHandle> insert(MovingScene& scene, const Instance& instance) noex
     InstanceSlot& slot = block.slots[number];
     slot.transform = instance.transform;
     slot.mesh = instance.mesh;
-    slot.mask = instance.mask;
+    block.masks[number] = instance.mask;
     slot.user = instance.user;
     slot.box = box;
     block.moved[number] = block.head->step;
@@ -89,17 +127,23 @@ Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept {
     // Most movements are of the same mesh as the one before.
     PartBounds bounds{};
     std::uint32_t mesh = no_child;
-    for (const Movement& movement : movements) {
-        InstanceSlot* const slot = find_slot(block, movement.instance);
+    while (filled.count != movements.size()) {
+        if constexpr (!small_code)
+            if (move_eight(scene, block, movements.subspan(filled.count))) {
+                filled.count += EightStepsBoxes::count;
+                continue;
+            }
+        const auto& [instance, transform] = movements[filled.count];
+        InstanceSlot* const slot = find_slot(block, instance);
         if (slot == nullptr) {
             filled.status = QueryStatus::stale_handle;
             break;
         }
         // mutant(!= -> true) work: finds the bounds of the same mesh again
         if (slot->mesh != mesh) bounds = bounds_of_part(scene, mesh = slot->mesh);
-        filled.status = place_slot(block, movement.instance.slot, bounds, movement.transform);
+        filled.status = place_slot(block, instance.slot, bounds, transform);
         if (filled.status != QueryStatus::ok) break;
-        set_box(block, movement.instance.slot);
+        set_box(block, instance.slot);
         ++filled.count;
     }
     if (filled.count != 0) block.head->must_refit = 1;
@@ -107,8 +151,8 @@ Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept {
 }
 
 QueryStatus set_mask(MovingScene& scene, InstanceHandle instance, std::uint32_t mask) noexcept {
-    return change_slot(scene, instance, [&](SceneBlock&, InstanceSlot& slot) {
-        slot.mask = mask;
+    return change_slot(scene, instance, [&](SceneBlock& block, InstanceSlot&) {
+        block.masks[instance.slot] = mask;
         return QueryStatus::ok;
     });
 }
@@ -135,9 +179,15 @@ void repack(MovingScene& scene) noexcept {
     repack_boxes(block);
     head.packed_area = area_of_boxes(block) + 1.0f;  // not 0, also where all boxes are points
     head.coarseness = {};
+    const InstanceSlot* last = nullptr;
     for (std::uint32_t number = 0; number < head.slots_used; ++number) {
         const InstanceSlot& slot = block.slots[number];
-        if (is_live(slot)) head.coarseness.add(bounds_of_part(scene, slot.mesh), slot.transform);
+        if (!is_live(slot)) continue;
+        // mutant(== -> !=, && -> ||, without 1, without 2) work: adds an instance that adds nothing
+        const bool is_like_last =
+            last != nullptr && slot.mesh == last->mesh && slot.transform.scale == last->transform.scale;
+        if (!is_like_last) head.coarseness.add(bounds_of_part(scene, slot.mesh), slot.transform);
+        last = &slot;
     }
 }
 

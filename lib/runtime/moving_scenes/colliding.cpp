@@ -42,7 +42,7 @@ public:
                 if (pair < from_ || (filter_.keep && !filter_.keep(InstanceId{number}, baked))) return Visit::next;
                 return visit(pair, slot);
             };
-            if (for_each_candidate(baked_, box, visit_baked, slot.mask) == QueryStatus::stopped) return;
+            if (for_each_candidate(baked_, box, visit_baked, block_.masks[number]) == QueryStatus::stopped) return;
         }
     }
     [[nodiscard]] BakedPair end() const { return {block_.head->slots_used, {0, 0}}; }

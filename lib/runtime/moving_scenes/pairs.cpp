@@ -77,7 +77,7 @@ void sort_by_higher_slot(std::span<InstancePair> pairs) {
 
 bool TouchingPairs::is_selected(const InstancePair& pair) const {
     const auto [a, b] = pair;
-    if ((block_.slots[a].mask & block_.slots[b].mask) == 0) return false;
+    if ((block_.masks[a] & block_.masks[b]) == 0) return false;
     if (filter_.only_moved && !has_moved(block_, a) && !has_moved(block_, b)) return false;
     return !filter_.keep || filter_.keep(InstanceId{a}, InstanceId{b});
 }
@@ -93,11 +93,14 @@ bool TouchingPairs::are_few_moved() const {
 template <class OnPair>
 void TouchingPairs::for_each(OnPair visit) const {
     const bool starts_at_moved = filter_.only_moved && are_few_moved();
-    join_(block_, starts_at_moved ? JoinedSlots::moved : JoinedSlots::all, 0, [&](std::uint32_t x, std::uint32_t y) {
-        // Two that have moved are met twice.
-        if (starts_at_moved && y < x && has_moved(block_, y)) return;
-        const InstancePair pair = x < y ? InstancePair{x, y} : InstancePair{y, x};
-        if (is_selected(pair)) visit(pair);
+    const JoinedSlots joined = starts_at_moved ? JoinedSlots::moved : JoinedSlots::all;
+    join_(block_, joined, 0, [&](std::span<const InstancePair> touching) {
+        for (const auto [x, y] : touching) {
+            // Two that have moved are met twice.
+            if (starts_at_moved && y < x && has_moved(block_, y)) continue;
+            const InstancePair pair = x < y ? InstancePair{x, y} : InstancePair{y, x};
+            if (is_selected(pair)) visit(pair);
+        }
     });
 }
 
@@ -124,8 +127,9 @@ bool TouchingPairs::collect_all(std::span<InstancePair> out, std::size_t& count)
 std::span<const std::uint32_t> TouchingPairs::find_others(InstancePair from) {
     if (!is_live(block_.slots[from.a])) return {};
     std::size_t count = 0;
-    join_(block_, JoinedSlots::one, from.a, [&](std::uint32_t, std::uint32_t b) {
-        if (b > from.a && b >= from.b) block_.counts[count++] = b;
+    join_(block_, JoinedSlots::one, from.a, [&](std::span<const InstancePair> touching) {
+        for (const auto [a, b] : touching)
+            if (b > a && b >= from.b) block_.counts[count++] = b;
     });
     const std::span others(block_.counts, count);
     sort(others);

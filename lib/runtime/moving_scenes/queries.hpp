@@ -24,8 +24,8 @@ struct MovingTree {
 
     /// Passes an instance to an answer if its mask and its box are selected.
     Visit take(std::uint32_t number, AnyInstanceAnswer& answer) const {
+        if ((block.masks[number] & answer.mask) == 0) return Visit::next;
         const InstanceSlot& slot = block.slots[number];
-        if ((slot.mask & answer.mask) == 0) return Visit::next;
         if (answer.meeting != nullptr && !answer.meeting->meets([&](int k) { return slot.box.low[k] - origin[k]; },
                                                                 [&](int k) { return slot.box.high[k] - origin[k]; }))
             return Visit::next;

@@ -108,9 +108,10 @@ Result<InstanceHandle> handle_of(const MovingScene& scene, std::uint32_t slot) n
 
 Result<Instance> instance_at(const MovingScene& scene, InstanceHandle instance) noexcept {
     if (!scene) return {{}, QueryStatus::not_open};
-    const InstanceSlot* const slot = find_slot(block_of(scene), instance);
+    const SceneBlock block = block_of(scene);
+    const InstanceSlot* const slot = find_slot(block, instance);
     if (slot == nullptr) return {{}, QueryStatus::stale_handle};
-    return {{slot->transform, slot->mesh, slot->mask, slot->user, instance.slot}, QueryStatus::ok};
+    return {{slot->transform, slot->mesh, block.masks[instance.slot], slot->user, instance.slot}, QueryStatus::ok};
 }
 
 Result<Instance> instance_at(const MovingScene& scene, InstanceId instance) noexcept {
@@ -125,7 +126,8 @@ Result<Instance> instance_at(const MovingScene& scene, InstanceId instance) noex
 
 Result<Box> box_of(const MovingScene& scene, InstanceHandle instance) noexcept {
     if (!scene) return {{}, QueryStatus::not_open};
-    const InstanceSlot* const slot = find_slot(block_of(scene), instance);
+    const SceneBlock block = block_of(scene);
+    const InstanceSlot* const slot = find_slot(block, instance);
     if (slot == nullptr) return {{}, QueryStatus::stale_handle};
     return {box_in_world(slot->box, scene.step_exponent()), QueryStatus::ok};
 }

@@ -28,7 +28,7 @@ public:
     std::uint32_t insert(const detail::StepsBox& box) {
         const std::uint32_t slot = detail::take_slot(block);
         block.slots[slot].transform = {};
-        block.slots[slot].mask = 0xFFFFFFFF;
+        block.masks[slot] = 0xFFFFFFFF;
         block.slots[slot].box = box;
         detail::insert_box(block, slot);
         return slot;

@@ -84,7 +84,7 @@ TEST_SUITE("pairs") {
         SceneBlock& block = made.block;
         for (std::uint32_t i = 0; i < 300; ++i) {
             const std::uint32_t slot = made.insert(random_box(random, 1 << 19));
-            block.slots[slot].mask = 1u << random.below(4) | 1u << random.below(4);
+            block.masks[slot] = 1u << random.below(4) | 1u << random.below(4);
         }
         for (int round = 0; round < 20; ++round) {
             CAPTURE(round);
@@ -97,9 +97,8 @@ TEST_SUITE("pairs") {
                                                                       : FunctionRef<bool(InstanceId, InstanceId)>()};
             std::vector<InstancePair> expected;
             for (const InstancePair& pair : loop_over_slots(block)) {
-                const InstanceSlot &a = block.slots[pair.a], &b = block.slots[pair.b];
                 const bool moved = has_moved(block, pair.a) || has_moved(block, pair.b);
-                if ((a.mask & b.mask) != 0 && (moved || !filter.only_moved) &&
+                if ((block.masks[pair.a] & block.masks[pair.b]) != 0 && (moved || !filter.only_moved) &&
                     (!filter.keep || keep({pair.a}, {pair.b})))
                     expected.push_back(pair);
             }

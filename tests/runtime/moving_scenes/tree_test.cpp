@@ -26,13 +26,16 @@ using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 /// Returns the pairs that walks from each slot find, and on machines that are not small also the walk of all together.
 Pairs pairs_of_tree(const SceneBlock& block) {
     Pairs all, of_slots;
-    join_by_best_set(block, JoinedSlots::all, 0,
-                     [&](std::uint32_t a, std::uint32_t b) { all.emplace_back(std::minmax(a, b)); });
+    join_by_best_set(block, JoinedSlots::all, 0, [&](std::span<const InstancePair> touching) {
+        for (const auto [a, b] : touching) all.emplace_back(std::minmax(a, b));
+    });
     for (std::uint32_t slot = 0; slot < block.head->slots_used; ++slot)
         if (is_live(block.slots[slot]))
-            join_by_best_set(block, JoinedSlots::one, slot, [&](std::uint32_t a, std::uint32_t b) {
-                REQUIRE(a == slot);
-                if (a < b) of_slots.emplace_back(a, b);
+            join_by_best_set(block, JoinedSlots::one, slot, [&](std::span<const InstancePair> touching) {
+                for (const auto [a, b] : touching) {
+                    REQUIRE(a == slot);
+                    if (a < b) of_slots.emplace_back(a, b);
+                }
             });
     std::sort(all.begin(), all.end());
     std::sort(of_slots.begin(), of_slots.end());

@@ -13,13 +13,12 @@ namespace espalier::detail {
 struct InstanceSlot {
     Transform transform;
     std::uint32_t mesh;
-    std::uint32_t mask;
     std::uint32_t user;
     std::uint32_t generation;
     StepsBox box;
     std::uint32_t place;  ///< 8 * node + place in it; of a free slot the next free one
 };
-static_assert(sizeof(InstanceSlot) == 76);
+static_assert(sizeof(InstanceSlot) == 72);
 
 /// The head of a block.
 struct BlockHead {
@@ -48,6 +47,7 @@ struct SceneBlock {
     BlockHead* head;
     BoxNode* nodes;
     InstanceSlot* slots;
+    std::uint32_t* masks;   ///< of each slot, side by side: each pair of boxes that touch compares two
     std::uint32_t* moved;   ///< of each slot the step in which it was last moved or inserted
     std::uint32_t* counts;  ///< of each slot: room for the sort of pairs
     std::uint32_t* parent;  ///< of each node 8 * node + place in it, or no_child for the root
@@ -84,7 +84,7 @@ constexpr std::uint32_t least_nodes_of(std::uint32_t instances) {
     return packed_nodes_of(instances) + instances / 28 + 1;
 }
 constexpr std::uint64_t block_bytes(std::uint32_t slots, std::uint32_t nodes) {
-    return sizeof(BlockHead) + (sizeof(InstanceSlot) + 8) * std::uint64_t{slots} +
+    return sizeof(BlockHead) + (sizeof(InstanceSlot) + 12) * std::uint64_t{slots} +
            (sizeof(BoxNode) + 5) * std::uint64_t{nodes};
 }
 
@@ -99,6 +99,7 @@ inline SceneBlock parts_of(std::byte* block, std::uint32_t slots, std::uint32_t 
     parts.head = static_cast<BlockHead*>(take(sizeof(BlockHead)));
     parts.nodes = static_cast<BoxNode*>(take(sizeof(BoxNode) * std::uint64_t{nodes}));
     parts.slots = static_cast<InstanceSlot*>(take(sizeof(InstanceSlot) * std::uint64_t{slots}));
+    parts.masks = static_cast<std::uint32_t*>(take(4 * std::uint64_t{slots}));
     parts.moved = static_cast<std::uint32_t*>(take(4 * std::uint64_t{slots}));
     parts.counts = static_cast<std::uint32_t*>(take(4 * std::uint64_t{slots}));
     parts.parent = static_cast<std::uint32_t*>(take(4 * std::uint64_t{nodes}));

@@ -1,15 +1,18 @@
 // All pairs of instances whose boxes touch: the tree, or some of its instances, against the tree itself.
 #pragma once
 
+#include <span>
+
 #include <espalier/function_ref.hpp>
+#include <espalier/scenes/pairs.hpp>
 #include <espalier/scenes/statistics.hpp>
 #include <runtime/lanes/select.hpp>
 #include <runtime/moving_scenes/box_tree/block.hpp>
 
 namespace espalier::detail {
 
-/// A visitor of two slots whose boxes touch, in either order.
-using OnTouchingBoxes = FunctionRef<void(std::uint32_t, std::uint32_t)>;
+/// A visitor of some pairs of slots whose boxes touch, with either slot first.
+using OnTouchingBoxes = FunctionRef<void(std::span<const InstancePair>)>;
 
 /// The slots whose boxes are compared with the tree.
 enum class JoinedSlots : std::uint8_t {
@@ -27,13 +30,8 @@ using SelfJoin =
     namespace instruction_set {                                                                               \
     void join(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot, const OnTouchingBoxes& visit); \
     }
-ESPALIER_FOR_SETS_WITH_PAIRS(ESPALIER_DECLARE_SELF_JOIN)
+ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_SELF_JOIN)
 #undef ESPALIER_DECLARE_SELF_JOIN
-#if ESPALIER_X86 && defined(__x86_64__)
-namespace avx512 {
-using avx2::join;  // a node has eight children
-}  // namespace avx512
-#endif
 
 /// The walk by the best instruction set of this machine.
 inline void join_by_best_set(const SceneBlock& block, JoinedSlots joined, std::uint32_t slot,

@@ -13,13 +13,13 @@ namespace {
 /// Counts nothing.
 struct Uncounted {
     void box_test() const {}
-    void pair() const {}
+    void pairs(unsigned) const {}
 };
 /// Counts the work of a walk.
 struct Counted {
     SceneCounters* counters;
     void box_test() const { ++counters->box_tests; }
-    void pair() const { ++counters->pairs; }
+    void pairs(unsigned count) const { counters->pairs += count; }
 };
 
 /// Returns which of some children of a node touch a box, a bit for each. A place without a child has an empty box.
@@ -34,32 +34,26 @@ struct Counted {
         }
         return mask;
     }
-    for (unsigned first = 0; first < BoxNode::most; first += lanes) {
-        auto apart = load_as<SignedInts>(&node.low[0][first]) > box.high[0];
-        apart = apart | (load_as<SignedInts>(&node.high[0][first]) < box.low[0]);
-        for (int k = 1; k < 3; ++k) {
-            apart = apart | (load_as<SignedInts>(&node.low[k][first]) > box.high[k]);
-            apart = apart | (load_as<SignedInts>(&node.high[k][first]) < box.low[k]);
-        }
-        mask |= (bits_of(apart) ^ ((1u << lanes) - 1u)) << first;
-    }
-    return mask & among;
+    return eight_that_touch(node.low, node.high, box.low, box.high) & among;
 }
 
-/// A child of a node, against the children of another or the same one.
+/// The box of a child, against the children of a node.
 struct Comparison {
     std::uint32_t place;  ///< 8 * node + child
     std::uint32_t node;
 };
 
-/// The comparisons that wait, at each level of their second nodes. A level's are carried out many at a time: none waits
-/// for what another finds, and few branches depend on it. Of a comparison that finds something below the second node
-/// either both sides descend by one level, or the second alone.
+/// The comparisons that wait, in a queue for each step on the way to the leaf nodes. A queue is carried out many at a
+/// time: none waits for what another finds, and no branch depends on it. For each child of the node that touches the
+/// box, what is below the box waits to be compared with that child. Or the box itself, where one side alone descends.
 template <bool both_descend, class Counting>
 class QueuedJoin {
 public:
     QueuedJoin(const SceneBlock& block, const OnTouchingBoxes& visit, Counting counting)
-        : block_(block), visit_(visit), counting_(counting), top_(block.head->levels - 1u) {}
+        : block_(block),
+          visit_(visit),
+          counting_(counting),
+          top_((both_descend ? 2u : 1u) * (block.head->levels - 1u)) {}
 
     /// Compares a child of some node with the whole tree, at once or later.
     [[gnu::always_inline]] void add(std::uint32_t place) {
@@ -68,60 +62,43 @@ public:
     }
     /// Carries out what waits.
     void finish() {
-        for (unsigned level = top_ + 1; level-- != 0;) carry_out(level);
+        for (unsigned step = top_ + 1; step-- != 0;) carry_out(step);
     }
 
 private:
     static constexpr unsigned all_children = (1u << BoxNode::most) - 1;
     static constexpr unsigned chunk = 64;
-    static constexpr unsigned most_found = both_descend ? BoxNode::most * BoxNode::most : BoxNode::most;
+    static constexpr unsigned most_steps = (both_descend ? 2u : 1u) * (most_tree_levels - 1u) + 1u;
 
-    /// Carries out all that waits at a level, and as much of what that adds to the levels below as needs the room.
+    /// Carries out all that waits at a step, and as much of what that adds to the steps below as needs the room.
     [[gnu::noinline]] void carry_out(unsigned top) {
-        for (unsigned level = top;;) {
-            if (level == 0) {
+        for (unsigned step = top;;) {
+            if (step == 0) {
                 visit_touching();
-            } else if (descend(level); count_[level - 1] >= chunk) {
-                --level;
+            } else if (descend(step); count_[step - 1] >= chunk) {
+                --step;
                 continue;
             }
             do {
-                if (++level > top) return;
-            } while (count_[level] == 0);
+                if (++step > top) return;
+            } while (count_[step] == 0);
         }
     }
 
-    /// Carries out comparisons of a level until none waits, or the level below is full.
-    [[gnu::always_inline]] void descend(unsigned level) {
-        unsigned waiting = count_[level], below = count_[level - 1];
-        Comparison* const out = waiting_[level - 1];
+    /// Carries out comparisons of a step until none waits, or the step below is full.
+    [[gnu::always_inline]] void descend(unsigned step) {
+        unsigned waiting = count_[step], below = count_[step - 1];
+        Comparison* const out = waiting_[step - 1];
         while (waiting != 0 && below < chunk) {
-            const auto [place, second] = waiting_[level][--waiting];
+            const auto [place, second] = waiting_[step][--waiting];
             const BoxNode &a = block_.node(place / 8), &b = block_.node(second);
             const unsigned children = touching(b, a.box(place % 8), children_below(place, second));
             counting_.box_test();
-            if constexpr (both_descend) {
-                const std::uint32_t first = a.child[place % 8];
-                for (unsigned rest = children; rest != 0; rest &= rest - 1) {
-                    const auto child = static_cast<unsigned>(std::countr_zero(rest));
-                    const unsigned near = touching(block_.node(first), b.box(child), all_children);
-                    counting_.box_test();
-                    for (unsigned i = 0; i < BoxNode::most; ++i) {
-                        out[below] = {8 * first + i, b.child[child]};
-                        below += near >> i & 1u;
-                    }
-                }
-            } else {
-                // Mostly one or two, so that the loop's end is foreseen.
-                unsigned rest = children | 1u << BoxNode::most;
-                const unsigned end = below + count_bits(children);
-                for (unsigned i = below; i < below + 2 || i < end; ++i, rest &= rest - 1)
-                    out[i] = {place, b.child[std::countr_zero(rest) % 8]};
-                below = end;
-            }
+            if constexpr (both_descend) below += put_marked(out + below, 8 * second, a.child[place % 8], children);
+            else below += put_with_marked(out + below, place, b.child, children);
         }
-        count_[level] = waiting;
-        count_[level - 1] = below;
+        count_[step] = waiting;
+        count_[step - 1] = below;
     }
     /// Returns which children of the second node count: of a node against itself each pair once, and each child
     /// against itself.
@@ -136,7 +113,7 @@ private:
 
     /// Visits the pairs that the comparisons with leaf nodes find.
     [[gnu::always_inline]] void visit_touching() {
-        unsigned found[chunk + most_found], size = 0;
+        unsigned found[chunk + BoxNode::most], size = 0;
         for (unsigned i = 0; i < count_[0]; ++i) {
             const auto [place, second] = waiting_[0][i];
             const unsigned children =
@@ -145,23 +122,29 @@ private:
             found[size] = i << BoxNode::most | children;
             size += children != 0 ? 1u : 0u;
         }
+        InstancePair pairs[chunk + BoxNode::most];
+        unsigned count = 0;
         for (unsigned i = 0; i < size; ++i) {
             const auto [place, second] = waiting_[0][found[i] >> BoxNode::most];
-            const std::uint32_t first = block_.node(place / 8).child[place % 8];
-            for (unsigned rest = found[i] & all_children; rest != 0; rest &= rest - 1) {
-                counting_.pair();
-                visit_(first, block_.node(second).child[std::countr_zero(rest)]);
-            }
+            count += put_with_marked(pairs + count, block_.node(place / 8).child[place % 8], block_.node(second).child,
+                                     found[i] & all_children);
+            if (count >= chunk) visit(pairs, count);
         }
+        visit(pairs, count);
         count_[0] = 0;
+    }
+    void visit(const InstancePair* pairs, unsigned& count) {
+        counting_.pairs(count);
+        visit_({pairs, count});
+        count = 0;
     }
 
     const SceneBlock& block_;
     const OnTouchingBoxes& visit_;
     [[no_unique_address]] const Counting counting_;
     const unsigned top_;
-    unsigned count_[most_tree_levels] = {};
-    Comparison waiting_[most_tree_levels][chunk + most_found];
+    unsigned count_[most_steps] = {};
+    Comparison waiting_[most_steps][chunk + BoxNode::most];
 };
 
 /// Compares the box of a slot with the tree.
@@ -176,15 +159,15 @@ template <class Counting>
         const std::uint32_t number = waiting[--size], level = number % 16;
         const BoxNode& node = block.node(number / 16);
         counting.box_test();
+        InstancePair pairs[BoxNode::most];
+        unsigned count = 0;
         for (unsigned rest = touching(node, box, (1u << BoxNode::most) - 1); rest != 0; rest &= rest - 1) {
             const std::uint32_t child = node.child[std::countr_zero(rest)];
-            if (level != 0) {
-                waiting[size++] = 16 * child + (level - 1);
-            } else if (child != slot) {
-                counting.pair();
-                visit(slot, child);
-            }
+            if (level != 0) waiting[size++] = 16 * child + (level - 1);
+            else if (child != slot) pairs[count++] = {slot, child};
         }
+        counting.pairs(count);
+        if (count != 0) visit({pairs, count});
     }
 }
 
