@@ -159,15 +159,16 @@ template <class Counting>
         const std::uint32_t number = waiting[--size], level = number % 16;
         const BoxNode& node = block.node(number / 16);
         counting.box_test();
-        InstancePair pairs[BoxNode::most];
-        unsigned count = 0;
         for (unsigned rest = touching(node, box, (1u << BoxNode::most) - 1); rest != 0; rest &= rest - 1) {
             const std::uint32_t child = node.child[std::countr_zero(rest)];
-            if (level != 0) waiting[size++] = 16 * child + (level - 1);
-            else if (child != slot) pairs[count++] = {slot, child};
+            if (level != 0) {
+                waiting[size++] = 16 * child + (level - 1);
+            } else if (child != slot) {
+                const InstancePair pair = {slot, child};
+                counting.pairs(1);
+                visit({&pair, 1});
+            }
         }
-        counting.pairs(count);
-        if (count != 0) visit({pairs, count});
     }
 }
 
