@@ -58,6 +58,12 @@ rm -rf "$build/blobs"
 mkdir -p "$build/blobs"
 cd "$build"
 programs=$PWD
+# A kernel of x86-64 that does not execute programs of 32 bits (status 126) needs an emulator.
+if [[ $machine == i686 ]]; then
+    status=0
+    ./query_answers >/dev/null 2>&1 || status=$?
+    if [[ $status -eq 126 ]]; then emulator=(qemu-i386); fi
+fi
 (cd blobs && "${emulator[@]}" "$programs/make_blobs" . 2>/dev/null) || { echo "failed: nothing was baked"; exit 1; }
 check() { "$here/check_golden.sh" "$@" "${emulator[@]}" "$programs/query_answers"; }
 check "$here/golden.txt" "$questions" "$PWD/blobs"
