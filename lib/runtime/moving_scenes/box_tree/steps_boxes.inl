@@ -3,6 +3,8 @@
 #include <runtime/lanes/alone.hpp>
 #include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
 #include <runtime/transforms/rotation.hpp>
+static_assert(true);  // ends clangd's preamble, which cannot include this file
+#include <runtime/lanes/arithmetic.inl>
 #endif
 
 #include <runtime/moving_scenes/box_tree/ends_around.inl>
