@@ -11,6 +11,13 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 
 namespace {
 
+/// Returns the same numbers in another type, cut off towards zero.
+template <class To, class From>
+[[gnu::always_inline]] inline To converted(From a) {
+    if constexpr (std::is_arithmetic_v<From>) return static_cast<To>(a);
+    else return __builtin_convertvector(a, To);
+}
+
 /// A number of each instance.
 struct LaneNumbers {
     Floats values;
@@ -82,9 +89,9 @@ public:
     [[gnu::always_inline]] void store_whole_below(std::int32_t* to) const {
         for (int k = 0; k < 3; ++k) {
             const Floats all = values_[k].values;
-            const auto whole = __builtin_convertvector(all, SignedInts);
-            const SignedInts is_above = (__builtin_convertvector(whole, Floats) > all) |
-                                        ((__builtin_bit_cast(SignedInts, all) < 0) & (whole == 0));
+            const auto whole = (converted<SignedInts>)(all);
+            const SignedInts is_above =
+                ((converted<Floats>)(whole) > all) | ((__builtin_bit_cast(SignedInts, all) < 0) & (whole == 0));
             const SignedInts below = whole + is_above;
             __builtin_memcpy(to + EightStepsBoxes::count * static_cast<unsigned>(k), &below, sizeof below);
         }
