@@ -183,7 +183,6 @@ void repack(MovingScene& scene) noexcept {
     for (std::uint32_t number = 0; number < head.slots_used; ++number) {
         const InstanceSlot& slot = block.slots[number];
         if (!is_live(slot)) continue;
-        // mutant(== -> !=, && -> ||, without 1, without 2) work: adds an instance that adds nothing
         const bool is_like_last =
             last != nullptr && slot.mesh == last->mesh && slot.transform.scale == last->transform.scale;
         if (!is_like_last) head.coarseness.add(bounds_of_part(scene, slot.mesh), slot.transform);
