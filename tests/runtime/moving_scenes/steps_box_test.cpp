@@ -8,6 +8,7 @@
 #include <espalier/walk.hpp>
 #include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
+#include "random_place.hpp"
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/blobs/baking.hpp"
@@ -22,14 +23,6 @@ namespace {
 
 constexpr std::int32_t step_exponent = -12;
 
-Transform random_transform(Random& random) {
-    Transform transform;
-    transform.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), random.signed_unit()};
-    transform.translation = random.in_cube(std::ldexp(1.0f, random.between(-4, 14)));
-    transform.scale = std::ldexp(1.0f + random.unit(), random.between(-6, 3));
-    return transform;
-}
-
 }  // namespace
 
 TEST_SUITE("steps box") {
@@ -39,7 +32,7 @@ TEST_SUITE("steps box") {
         Random random(1);
         const double step = std::ldexp(1.0, step_exponent);
         for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
-            const Transform transform = random_transform(random);
+            const Transform transform = random_place(random);
             StepsBox box{};
             REQUIRE(find_steps_box(bounds, transform, step_exponent, box));
             double low[3] = {1e30, 1e30, 1e30}, high[3] = {-1e30, -1e30, -1e30};

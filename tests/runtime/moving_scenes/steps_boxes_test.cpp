@@ -10,6 +10,7 @@
 #include <runtime/moving_scenes/box_tree/steps_boxes.hpp>
 
 #include "made_scene.hpp"
+#include "random_place.hpp"
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/blobs/baking.hpp"
@@ -25,17 +26,9 @@ namespace {
 constexpr unsigned count = EightStepsBoxes::count;
 constexpr std::int32_t step_exponent = -12;
 
-Transform ordinary_place(Random& random) {
-    Transform place;
-    place.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), random.signed_unit()};
-    place.translation = random.in_cube(std::ldexp(1.0f, random.between(-4, 14)));
-    place.scale = std::ldexp(1.0f + random.unit(), random.between(-6, 3));
-    return place;
-}
-
 /// Makes one number of a place awkward: tiny, huge, zero, infinite or NaN.
 Transform awkward_place(Random& random) {
-    Transform place = ordinary_place(random);
+    Transform place = random_place(random);
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const float number = std::array{0.0f,  -0.0f,     std::ldexp(random.signed_unit(), random.between(-149, 127)),
                                     1e30f, -infinity, std::numeric_limits<float>::quiet_NaN()}[random.below(6)];
@@ -67,7 +60,7 @@ TEST_SUITE("steps boxes") {
                 const bool is_awkward = random.below(24) == 0;
                 are_ordinary = are_ordinary && !is_awkward;
                 parts[k] = random_part(random);
-                transforms[k] = is_awkward ? awkward_place(random) : ordinary_place(random);
+                transforms[k] = is_awkward ? awkward_place(random) : random_place(random);
                 places.parts[k] = &parts[random.below(k + 1)];
                 places.transforms[k] = &transforms[k];
             }
@@ -100,7 +93,7 @@ TEST_SUITE("steps boxes") {
             for (unsigned k = 0; k < 40; ++k) {
                 Instance instance;
                 instance.mesh = random.below(8) == 0 ? 1 : 0;
-                instance.transform = ordinary_place(random);
+                instance.transform = random_place(random);
                 handles.push_back(*insert(batch.scene, instance));
                 REQUIRE(*insert(single.scene, instance) == handles.back());
             }
@@ -108,7 +101,7 @@ TEST_SUITE("steps boxes") {
             end_step(single.scene);
             const unsigned refused = static_cast<unsigned>(random.below(60));
             std::vector<Movement> movements;
-            for (unsigned k = 0; k < 40; ++k) movements.push_back({handles[random.below(40)], ordinary_place(random)});
+            for (unsigned k = 0; k < 40; ++k) movements.push_back({handles[random.below(40)], random_place(random)});
             if (refused < 40 && refused % 2 == 0) movements[refused].instance.generation += 2;
             if (refused < 40 && refused % 2 == 1) movements[refused].transform.scale = -1.0f;
             const Filled moved = move(batch.scene, movements);
