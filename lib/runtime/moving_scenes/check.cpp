@@ -60,6 +60,13 @@ bool are_free_nodes_sound(const SceneBlock& block) {
     return at == no_child;
 }
 
+/// Returns whether the room for the sort of pairs holds zeros, as each query leaves it.
+bool is_room_clear(const SceneBlock& block) {
+    for (std::uint32_t number = 0; number < block.head->slot_capacity; ++number)
+        if (block.counts[number] != 0) return false;
+    return true;
+}
+
 /// A walk over the tree that proves it.
 class TreeProof {
 public:
@@ -130,7 +137,7 @@ private:
 
 bool is_sound(const SceneBlock& block) {
     return is_head_sound(*block.head) && are_slots_sound(block) && are_free_nodes_sound(block) &&
-           TreeProof(block).prove();
+           is_room_clear(block) && TreeProof(block).prove();
 }
 
 bool has_boxes_of_instances(const MovingScene& scene) {
