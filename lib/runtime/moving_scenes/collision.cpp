@@ -8,9 +8,11 @@ namespace espalier::detail {
 
 namespace {
 
+/// Returns out_of_range for a transform into a tile that no floats hold: those of instances are valid.
 QueryStatus find_collision_of_meshes(const Blob& a, const Transform& at_a, const Blob& b, const Transform& at_b,
                                      PairWork& work) {
-    return find_first_contact(PlacedBlob(a, at_a), PlacedBlob(b, at_b), work).status;
+    const QueryStatus status = find_first_contact(PlacedBlob(a, at_a), PlacedBlob(b, at_b), work).status;
+    return status == QueryStatus::invalid_argument ? QueryStatus::out_of_range : status;
 }
 
 /// Calls `collide(mesh, transform)` for each mesh of a tile whose box touches a box in its local space, until one

@@ -211,6 +211,30 @@ TEST_SUITE("colliding") {
               }) == trial.loop(baked, true));
     }
 
+    TEST_CASE("scene: a pair is out of range where no floats hold the place of one in the tile of the other") {
+        std::vector<OpenedBlob> cubes;
+        cubes.emplace_back(make_cube(-0.5f, 0.5f));
+        std::vector<OpenedScene> tiles;
+        tiles.emplace_back(cubes, std::vector<Instance>(1));
+        std::vector<Instance> instances(1);
+        instances[0].mesh = 1;
+        instances[0].transform.scale = 0x1p60f;
+        const OpenedScene baked(cubes, instances, tiles);
+        REQUIRE(baked.scene);
+        MadeScene made(4, -12, baked.meshes, baked.tiles);
+        Instance small;
+        small.transform.scale = 0x1p-100f;
+        REQUIRE(insert(made.scene, small));
+        refit(made.scene);
+        BakedPair pairs[4];
+        REQUIRE(collect_candidate_pairs(made.scene, baked.scene, pairs).count == 1);
+        const FilledPairs<BakedPair> filled =
+            collect_colliding_pairs(made.scene, baked.scene, pairs, WorkLimit::unlimited());
+        CHECK(filled.status == QueryStatus::out_of_range);
+        CHECK(filled.count == 0);
+        CHECK(filled.next == pairs[0]);
+    }
+
     TEST_CASE("scene: what has moved and what a filter keeps select colliding pairs") {
         Trial trial(9);
         MovingScene& scene = trial.made.scene;
