@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include <espalier/blob.hpp>
+#include <espalier/deformation.hpp>
 #include <espalier/lattice.hpp>
 
 #include <baker/bake_with.hpp>
@@ -14,6 +16,8 @@
 #include <baker/collapse/leaf_size.hpp>
 #include <baker/collapse/order.hpp>
 #include <baker/collapse/strip.hpp>
+#include <baker/deformation/motion.hpp>
+#include <baker/deformation/steered_tree.hpp>
 #include <baker/encode/encode.hpp>
 #include <baker/encode/remap.hpp>
 #include <baker/error/fit_lattice.hpp>
@@ -57,6 +61,27 @@ void fill_in(BakeReport& report, const LatticeMesh& mesh, const WideTree& wide, 
     report.bytes = bytes;
 }
 
+/// Returns the lattice points of all poses; none of a blob that does not deform.
+std::vector<std::vector<LatticePoint>> place_poses(const BakeOptions& options, const Lattice& lattice) {
+    std::vector<std::vector<LatticePoint>> poses;
+    if (!options.deformation) return poses;
+    for (const std::vector<Vec3>& pose : options.deformation->poses) poses.push_back(place(pose, lattice));
+    return poses;
+}
+
+/// Replaces the range by the box of the meshes' own positions, and reports the range apart.
+void fill_in_motion(BakeReport& report, const LatticeMesh& mesh, std::span<const std::byte> bytes) {
+    const Blob blob = open_unchecked(bytes);
+    report.motion = {{report.bounds.min, report.bounds.max},
+                     static_cast<std::uint32_t>(mesh.vertices.size()),
+                     deformable_bytes(blob)};
+    const Box box = blob.bounds();
+    report.bounds.min = box.min;
+    report.bounds.max = box.max;
+    report.bounds.extent = std::max({double(box.max.x) - double(box.min.x), double(box.max.y) - double(box.min.y),
+                                     double(box.max.z) - double(box.min.z)});
+}
+
 BakeResult refused(const Refusal& refusal) {
     BakeResult result;
     result.status = refusal.status;
@@ -83,24 +108,26 @@ BakeResult bake_in_stages(const TreeMaker& make_tree, std::span<const MeshView> 
     if (!source) return refused(source.refusal());
 
     progress.begin(stages::snap);
-    const SourceBounds bounds = bounds_of(*source);
-    const auto fitted = fit_lattice(*source, bounds, options.resolution, report.findings);
+    const SourceBounds bounds = options.deformation ? range_of(*source, *options.deformation) : bounds_of(*source);
+    const auto fitted = options.deformation ? fit_range(*source, bounds, options.resolution, report.findings)
+                                            : fit_lattice(*source, bounds, options.resolution, report.findings);
     if (!fitted) return refused(fitted.refusal());
     const LatticeMesh& mesh = fitted->mesh;
-    const Properties properties{fitted->error.largest, is_closed(mesh)};
+    const Properties properties{fitted->error.largest,
+                                options.deformation ? edges_cancel_in_pairs(mesh) : is_closed(mesh)};
 
     progress.begin(stages::build);
     BuildSettings settings = build_settings(options.effort, options.threads);
     settings.duplicate_budget = options.build.duplicate_budget;
     settings.full_leaf = full_leaf(options.profile, options.build.max_leaf_triangles);
     settings.progress = progress.within(stages::build);
-    const BinaryTree tree = make_tree(mesh, settings);
+    const BinaryTree tree = make_steered_tree(make_tree, mesh, place_poses(options, mesh.lattice), settings);
 
     progress.begin(stages::collapse);
     std::optional<StripMaker> strips;
     if (options.profile != Profile::fast) strips.emplace(mesh, tree, options.profile);
     const StripMaker* const strips_if_any = strips ? &*strips : nullptr;
-    const auto sizes = leaf_sizes(options.profile, mesh.lattice.bits, strips_if_any);
+    const auto sizes = leaf_sizes(options.profile, mesh.lattice.bits, strips_if_any, !mesh.is_deformable);
     const CollapsePlan plan(mesh, tree, *sizes,
                             {options.profile, costs, options.build.byte_price, options.build.max_leaf_triangles});
 
@@ -119,7 +146,8 @@ BakeResult bake_in_stages(const TreeMaker& make_tree, std::span<const MeshView> 
     result.bytes = std::move(*blob);
     result.remap = remap_of(*source, mesh, wide);
     fill_in(report, mesh, wide, properties, sections, result.bytes.size());
-    add_warnings(*source, bounds, mesh.lattice, lost_closed, report);
+    if (options.deformation) fill_in_motion(report, mesh, result.bytes);
+    add_warnings(*source, bounds, mesh.lattice, options.deformation ? LostClosed::left_out : lost_closed, report);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.status = BakeStatus::ok;
     return result;

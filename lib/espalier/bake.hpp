@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <espalier/format.hpp>
+#include <espalier/shapes.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier {
@@ -104,6 +105,16 @@ struct StoredBounds {
     bool k_dop = false;         ///< 80 bytes
 };
 
+/// How the vertices of a deformable blob may move (deformation.hpp).
+struct Deformation {
+    /// The box in which all positions of all poses lie, in the blob's units. Grows to hold the meshes and `poses`.
+    /// None: the box around these, wider by a tenth of its largest side on each side.
+    std::optional<Box> range = std::nullopt;
+    /// Poses that the tree suits: each has the positions of all meshes in a row, as many as the meshes have. The baked
+    /// tree is the one with the least sum of costs over the meshes' own positions and these.
+    std::vector<std::vector<Vec3>> poses = {};
+};
+
 /// The options of bake().
 struct BakeOptions {
     Resolution resolution = Resolution::bits(16);  ///< how finely vertices are rounded
@@ -119,7 +130,11 @@ struct BakeOptions {
     /// angle between two triangles that counts as flat, in degrees: from 0 to less than 90.
     std::optional<double> flat_angle = std::nullopt;
     StoredBounds bounds = {};  ///< which further bounds to store
-    unsigned threads = 1;      ///< 0: as many as the machine has. The bytes do not depend on it
+    /// Bakes a deformable blob. All triangles are kept, flat ones too, but for repetitions of one over the same three
+    /// vertices. Needs Profile::fast; excludes Builder::spatial_splits, drop_bad_triangles, flat_angle and bounds. All
+    /// positions must be finite, and there must be a triangle.
+    std::optional<Deformation> deformation = std::nullopt;
+    unsigned threads = 1;  ///< 0: as many as the machine has. The bytes do not depend on it
     /// Called now and then, from the thread that called bake, with the name of the stage and how much of the whole is
     /// done, 0..1. May be empty. An exception that it throws ends the bake.
     std::function<void(const char* stage, double done)> progress = nullptr;
@@ -192,6 +207,12 @@ struct BakeReport {
         double step = 0.0;       ///< the distance between neighbouring lattice points
         double max_error = 0.0;  ///< bounds the distance between the source, as float32, and the baked surface
     };
+    /// Of a deformable blob, else zero.
+    struct Motion {
+        Box range;                       ///< in which positions must lie
+        std::uint32_t positions = 0;     ///< that refit() takes
+        std::uint64_t moving_bytes = 0;  ///< that create_deformable() takes; the rest may stay in flash
+    };
     struct Tree {
         std::uint32_t triangles = 0;             ///< kept
         std::uint32_t duplicate_references = 0;  ///< kept triangles stored once more, by Builder::spatial_splits
@@ -205,6 +226,7 @@ struct BakeReport {
     Findings findings;
     Bounds bounds;
     Lattice lattice;
+    Motion motion;
     Tree tree;
     bool closed = false;  ///< the baked surface is closed: contains and signed_distance answer
     /// The fewest bits, above those of the lattice, with which the same source stays closed; 0 if there are none, and
@@ -265,7 +287,9 @@ struct [[nodiscard]] VerifyReport {
 ///
 /// A sound blob opens. Every box contains all vertices below it and ends near the asset. No triangle is without area,
 /// and no two are the same. The vertices of each leaf are numbered by first use. Extent, vertex count, the closed flag,
-/// duplicate references, edge flags and stored bounds are true. Of a triangle that is in several leaves, each corner
+/// duplicate references, edge flags and stored bounds are true. A deformable blob may have triangles without area and
+/// equal ones; its boxes and the sizes of its leaves are the least, as refit() makes them, and its vertices are those
+/// of its positions. Of a triangle that is in several leaves, each corner
 /// lies in the boxes of one of them.
 ///
 /// Takes about 60 bytes of memory per triangle.

@@ -35,7 +35,8 @@ struct BlobData {
     const std::byte* materials = nullptr;
     const std::byte* copies = nullptr;  // null without split references
     const std::byte* edge_flags = nullptr;
-    const std::byte* bounds = nullptr;  // the stored ones, in the order of format/sections.hpp
+    const std::byte* bounds = nullptr;   // the stored ones, in the order of format/sections.hpp
+    const std::byte* corners = nullptr;  // of all leaves, before the vertex sources; null unless deformable
     std::uint32_t size = 0;
     std::uint32_t features = 0;
     std::uint32_t triangle_count = 0;
@@ -63,7 +64,7 @@ constexpr const BlobData& data_of(const Blob& blob) noexcept;
 }  // namespace detail
 
 /// The lattice of a blob. A coordinate in the blob's units is origin + steps * 2^step_exponent; the triangles reach
-/// from 0 to `extent` steps along each axis.
+/// from 0 to `extent` steps along each axis. Those of a deformable blob never leave it.
 struct Lattice {
     Vec3 origin;
     std::int32_t step_exponent = 0;
@@ -72,8 +73,9 @@ struct Lattice {
 };
 
 /// A view of a baked mesh: a few words that are copied freely and own nothing. The bytes must outlive it and stay
-/// unchanged; they are never written. A default Blob was never opened: it has no triangles, and queries refuse it with
-/// QueryStatus::not_open. A Blob whose bytes open() refused is the same but for its status.
+/// unchanged, but by refit() (deformation.hpp). Queries never write. A default Blob was never opened: it has no
+/// triangles, and queries refuse it with QueryStatus::not_open. A Blob whose bytes open() refused is the same but for
+/// its status.
 class [[nodiscard]] Blob {
 public:
     constexpr Blob() noexcept = default;
@@ -95,6 +97,7 @@ public:
     [[nodiscard]] constexpr std::uint32_t vertex_count() const noexcept { return data_.vertex_count; }
     /// Returns the size in bytes.
     [[nodiscard]] constexpr std::uint32_t size() const noexcept { return data_.size; }
+    /// Returns the checksum that the header stores. refit() does not renew it.
     [[nodiscard]] constexpr std::uint32_t checksum() const noexcept { return data_.checksum; }
     /// Returns the number of nodes on the longest path from the root, at most format::max_depth.
     [[nodiscard]] constexpr unsigned depth() const noexcept { return data_.depth; }
@@ -116,6 +119,8 @@ public:
     /// boundary of the triangles cancels along lines. Wherever an edge runs, as many edges run one way as the other,
     /// and every point that is not on the surface has a whole winding number.
     [[nodiscard]] constexpr bool is_closed() const noexcept { return (data_.features & format::feature::closed) != 0; }
+    /// Returns whether the vertices can move (deformation.hpp).
+    [[nodiscard]] constexpr bool is_deformable() const noexcept { return data_.corners != nullptr; }
     [[nodiscard]] constexpr bool has_original_ids() const noexcept { return data_.ids != nullptr; }
     [[nodiscard]] constexpr bool has_materials() const noexcept { return data_.materials != nullptr; }
     /// Returns whether the blob stores the edge flags that contact.hpp reads.
@@ -125,6 +130,7 @@ private:
     friend constexpr const detail::BlobData& detail::data_of(const Blob& blob) noexcept;
     friend Blob open(std::span<const std::byte> bytes) noexcept;
     friend Blob open_unchecked(std::span<const std::byte> bytes) noexcept;
+    friend class Deformable;
     detail::BlobData data_;
 };
 

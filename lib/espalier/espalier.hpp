@@ -7,6 +7,7 @@
 #include <espalier/blob.hpp>
 #include <espalier/bounds.hpp>
 #include <espalier/contact.hpp>
+#include <espalier/deformation.hpp>
 #include <espalier/distance.hpp>
 #include <espalier/lattice.hpp>
 #include <espalier/scenes/moving_scene.hpp>

@@ -16,18 +16,19 @@ unsigned bits_of_side(const BinaryNode& node, std::size_t axis) {
 
 class PlainLeafSizes final : public LeafSizes {
 public:
-    explicit PlainLeafSizes(unsigned bits) : bits_(bits) {}
+    PlainLeafSizes(unsigned bits, bool has_corners) : bits_(bits), has_corners_(has_corners) {}
 
     [[nodiscard]] LeafSize of(const BinaryNode& node, unsigned vertices) const override {
         using namespace format::plain_leaf;
         if (vertices > max_vertices) return {};
-        return {true, node.count, padded_bytes(vertices, node.count, bits_)};
+        return {true, node.count, padded_bytes(vertices, has_corners_ ? node.count : 0, bits_)};
     }
     [[nodiscard]] unsigned most_triangles() const override { return format::plain_leaf::max_triangles; }
     [[nodiscard]] float byte_weight() const override { return 1.0f; }
 
 private:
     unsigned bits_;
+    bool has_corners_;
 };
 
 class StripLeafSizes final : public LeafSizes {
@@ -88,7 +89,7 @@ unsigned full_leaf(Profile profile, unsigned max_leaf_triangles) {
     return 0;
 }
 
-std::unique_ptr<LeafSizes> leaf_sizes(Profile profile, unsigned bits, const StripMaker* strips) {
+std::unique_ptr<LeafSizes> leaf_sizes(Profile profile, unsigned bits, const StripMaker* strips, bool has_corners) {
     using namespace format::strip_leaf;
     switch (profile) {
         case Profile::balanced:
@@ -100,7 +101,7 @@ std::unique_ptr<LeafSizes> leaf_sizes(Profile profile, unsigned bits, const Stri
         case Profile::fast:
             break;
     }
-    return std::make_unique<PlainLeafSizes>(bits);
+    return std::make_unique<PlainLeafSizes>(bits, has_corners);
 }
 
 }  // namespace espalier::baker

@@ -28,7 +28,8 @@ public:
 };
 
 /// On a lattice of so many bits. `strips` is null for profile fast alone.
-[[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(Profile profile, unsigned bits, const StripMaker* strips);
+[[nodiscard]] std::unique_ptr<LeafSizes> leaf_sizes(Profile profile, unsigned bits, const StripMaker* strips,
+                                                    bool has_corners = true);
 
 /// Returns the triangles of a full leaf, for the builder: the most of a plain leaf, seven eighths of the most of a
 /// predicted strip, since the entries that join paths count too, and no more than `max_leaf_triangles`; 0 for other

@@ -18,16 +18,16 @@ struct VertexList {
     [[nodiscard]] bool fits() const { return count != too_many; }
 };
 
-/// The corners of one triangle, three distinct ones.
+/// The corners of one triangle. Those of a deformable blob may repeat a vertex.
 [[nodiscard]] inline VertexList list_of(const std::array<std::uint32_t, 3>& corners) {
     const auto [a, b, c] = corners;
     const std::uint32_t low = a < b ? (a < c ? a : c) : (b < c ? b : c);
     const std::uint32_t high = a > b ? (a > c ? a : c) : (b > c ? b : c);
+    const std::uint32_t middle = a ^ b ^ c ^ low ^ high;
     VertexList list;
-    list.numbers[0] = low;
-    list.numbers[1] = a ^ b ^ c ^ low ^ high;
-    list.numbers[2] = high;
-    list.count = 3;
+    list.numbers[list.count++] = low;
+    if (middle != low) list.numbers[list.count++] = middle;
+    if (high != middle) list.numbers[list.count++] = high;
     return list;
 }
 

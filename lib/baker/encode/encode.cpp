@@ -9,6 +9,7 @@
 
 #include <baker/base/byte_writer.hpp>
 #include <baker/encode/ids.hpp>
+#include <baker/encode/motion.hpp>
 #include <baker/encode/tree.hpp>
 
 namespace espalier::baker {
@@ -23,6 +24,7 @@ std::uint32_t features_of(const Source& source, const BakeOptions& options, cons
     if (source.material_bits == 16) features |= format::feature::materials_16;
     if (properties.closed) features |= format::feature::closed;
     if (wide.copies != 0) features |= format::feature::split_references;
+    if (options.deformation) features |= format::feature::deformable;
     return features;
 }
 
@@ -87,7 +89,7 @@ void put_header(std::byte* header, const Source& source, const LatticeMesh& mesh
     const std::uint32_t features = features_of(source, options, properties, wide, sections);
     set_u32(header + magic_at, format::magic);
     set_u16(header + version_major_at, format::version_major);
-    set_u16(header + version_minor_at, format::version_minor);
+    set_u16(header + version_minor_at, options.deformation ? format::version_minor_of_deformable : 0);
     set_u32(header + features_at, features);
     set_u8(header + profile_at, static_cast<std::uint32_t>(options.profile));
     set_u8(header + bits_at, mesh.lattice.bits);
@@ -158,6 +160,7 @@ Expected<std::vector<std::byte>> encode(const Source& source, const LatticeMesh&
     if (source.material_bits != 0) put_materials(blob, source, mesh, wide);
     if (wide.copies != 0) put_copies(blob, mesh, wide);
     put_optional_sections(blob, sections, wide);
+    const std::uint32_t vertex_slots = options.deformation ? put_corners_and_sources(blob, mesh, wide) : 0;
     if (auto refusal = check_limits(wide, blob.size())) return *refusal;
 
     put_header(blob.data(), source, mesh, wide, options, properties, sections);
@@ -165,6 +168,7 @@ Expected<std::vector<std::byte>> encode(const Source& source, const LatticeMesh&
     set_u32(blob.data() + format::header::id_step_bytes_at, id_steps.bytes);
     set_u32(blob.data() + format::header::leaf_bytes_at, static_cast<std::uint32_t>(encoded.leaves.size()));
     set_u32(blob.data() + format::header::total_bytes_at, static_cast<std::uint32_t>(blob.size()));
+    if (options.deformation) put_motion(blob.data(), mesh, vertex_slots, encoded);
     set_u32(blob.data() + format::header::checksum_at, detail::checksum_of_blob(blob));
     return blob;
 }

@@ -23,6 +23,13 @@ struct StripBlock {
     std::uint32_t first_triangle;  ///< storage index
 };
 
+/// The vertices of a plain leaf, as numbers into LatticeMesh::vertices, and its three rows of corners.
+struct PlainLeafRows {
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint8_t> corners;
+};
+[[nodiscard]] PlainLeafRows rows_of_plain_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number);
+
 /// Append the data of leaf `number` of the wide tree; return its descriptor.
 [[nodiscard]] std::uint32_t put_plain_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number,
                                            std::size_t block, std::vector<std::byte>& bytes);

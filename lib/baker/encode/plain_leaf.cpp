@@ -57,6 +57,15 @@ unsigned size_field(std::uint32_t largest_side, unsigned bits) {
 
 }  // namespace
 
+PlainLeafRows rows_of_plain_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number) {
+    const Leaf& leaf = wide.leaves[number];
+    const NumberedVertices numbered(mesh, std::span(wide.triangles).subspan(leaf.first, leaf.count));
+    PlainLeafRows rows{{numbered.vertices.begin(), numbered.vertices.begin() + numbered.count}, {}};
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        for (std::uint32_t i = 0; i < leaf.count; ++i) rows.corners.push_back(numbered.corners[i][corner]);
+    return rows;
+}
+
 std::uint32_t put_plain_leaf(const LatticeMesh& mesh, const WideTree& wide, std::uint32_t number, std::size_t block,
                              std::vector<std::byte>& bytes) {
     const Leaf& leaf = wide.leaves[number];
@@ -70,8 +79,9 @@ std::uint32_t put_plain_leaf(const LatticeMesh& mesh, const WideTree& wide, std:
     };
     put_u32(bytes, leaf.first);
     for_each_coordinate([&](std::uint32_t coordinate) { put_u16(bytes, coordinate & 0xFFFF); });
-    for (std::size_t corner = 0; corner < 3; ++corner)
-        for (std::uint32_t i = 0; i < leaf.count; ++i) put_u8(bytes, numbered.corners[i][corner]);
+    if (!mesh.is_deformable)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            for (std::uint32_t i = 0; i < leaf.count; ++i) put_u8(bytes, numbered.corners[i][corner]);
     if (has_high_bytes(bits)) for_each_coordinate([&](std::uint32_t coordinate) { put_u8(bytes, coordinate >> 16); });
     pad_to(bytes, 4);
     return offset | (leaf.count - 1) << triangles_shift | (numbered.count - 1) << vertices_shift |

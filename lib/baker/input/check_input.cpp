@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <baker/base/number_text.hpp>
+#include <baker/deformation/options.hpp>
 #include <baker/input/zero_area.hpp>
 
 namespace espalier::baker {
@@ -109,8 +110,8 @@ struct Complaint {
 };
 
 /// Takes over one mesh. Sets `complaint` at the first broken triangle, if it is empty.
-void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t first_triangle, Source& source,
-                 BakeReport& report, std::optional<Complaint>& complaint) {
+void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t first_triangle, bool keeps_flat,
+                 Source& source, BakeReport& report, std::optional<Complaint>& complaint) {
     const std::size_t vertex_count = mesh.positions.size();
     source.positions.insert(source.positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -131,7 +132,7 @@ void append_mesh(const MeshView& mesh, std::uint32_t first_vertex, std::uint32_t
         }
         const SourceTriangle sound{{first_vertex + triangle[0], first_vertex + triangle[1], first_vertex + triangle[2]},
                                    id};
-        if (has_zero_area(a, b, c)) {
+        if (!keeps_flat && has_zero_area(a, b, c)) {
             count(report.findings.zero_area, source, id);
             source.without_area.push_back(sound);
         } else {
@@ -201,6 +202,7 @@ std::optional<Refusal> check_options(const BakeOptions& options) {
         return invalid_options("flat_angle, the largest angle of a flat edge, is " + number_text(*options.flat_angle) +
                                " degrees; choose 0 or more, below " + number_text(max_flat_angle));
     }
+    if (auto refusal = check_deformation(options)) return refusal;
     return check_build(options.build, options.profile);
 }
 
@@ -226,15 +228,18 @@ Expected<Source> check_input(std::span<const MeshView> meshes, const BakeOptions
     std::optional<Complaint> complaint;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const auto first_vertex = static_cast<std::uint32_t>(source.positions.size());
-        append_mesh(meshes[i], first_vertex, source.first_triangle[i], source, report, complaint);
+        append_mesh(meshes[i], first_vertex, source.first_triangle[i], options.deformation.has_value(), source, report,
+                    complaint);
     }
     const std::uint64_t broken = report.findings.not_finite.count + report.findings.index_out_of_range.count;
     if (complaint && !options.drop_bad_triangles) {
         return Refusal{BakeStatus::invalid_mesh,
-                       complaint->message + ". Broken triangles: " + std::to_string(broken) +
-                           ". Mend the mesh, or drop them with drop_bad_triangles",
+                       complaint->message + ". Broken triangles: " + std::to_string(broken) + ". Mend the mesh" +
+                           (options.deformation ? "" : ", or drop them with drop_bad_triangles"),
                        place_of(source, complaint->original_id)};
     }
+    if (options.deformation)
+        if (auto refusal = check_poses(source, *options.deformation)) return *refusal;
     return source;
 }
 

@@ -140,6 +140,10 @@ bool is_closed(const LatticeMesh& mesh) {
            cancel_along_lines(unpaired_edges(mesh.triangles, mesh.vertices.size()), mesh.vertices);
 }
 
+bool edges_cancel_in_pairs(const LatticeMesh& mesh) {
+    return !mesh.triangles.empty() && unpaired_edges(mesh.triangles, mesh.vertices.size()).empty();
+}
+
 bool is_closed(const Source& source) {
     const WeldedSource welded = weld(source);
     return !welded.triangles.empty() && unpaired_edges(welded.triangles, welded.vertex_count).empty();

@@ -10,6 +10,10 @@ namespace espalier::baker {
 /// ones that lie on it. False without triangles. Exact.
 [[nodiscard]] bool is_closed(const LatticeMesh& mesh);
 
+/// Tests whether the edges of the baked triangles, from vertex to vertex, cancel in pairs of opposite direction. False
+/// without triangles.
+[[nodiscard]] bool edges_cancel_in_pairs(const LatticeMesh& mesh);
+
 /// Tests whether the edges of all sound triangles, those without area included, cancel in pairs of opposite direction.
 /// Corners at equal positions are one vertex. False without triangles.
 [[nodiscard]] bool is_closed(const Source& source);

@@ -16,11 +16,6 @@ constexpr double half_diagonal =
 
 constexpr double text_margin = 1e-8;  // of a number of nine digits
 
-/// How far a lattice point may be from what it stands for, as a header would say it.
-float largest_snap_error(int step_exponent) {
-    return round_up_to_float(half_diagonal * std::ldexp(1.0, step_exponent));
-}
-
 constexpr int far_too_fine = -200;  // below this no float32 extent has few enough steps
 
 /// Bits of the largest coordinate that the bounds have on this lattice.
@@ -59,6 +54,10 @@ Lattice lattice_at(const SourceBounds& bounds, int step_exponent, unsigned bits)
 }
 
 }  // namespace
+
+float largest_snap_error(int step_exponent) {
+    return round_up_to_float(half_diagonal * std::ldexp(1.0, step_exponent));
+}
 
 SourceBounds bounds_of(const Source& source) {
     SourceBounds bounds;

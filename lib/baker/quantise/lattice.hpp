@@ -63,6 +63,9 @@ struct SourceBounds {
 /// The finest lattice on which `bits` hold every coordinate.
 Expected<Lattice> lattice_for_bits(const SourceBounds& bounds, unsigned bits);
 
+/// How far a lattice point may be from what it stands for, as a header would say it.
+[[nodiscard]] float largest_snap_error(int step_exponent);
+
 /// The largest step exponent at which no lattice point is farther than `tolerance` from what it stands for.
 [[nodiscard]] int step_exponent_for_tolerance(double tolerance);
 

@@ -26,6 +26,7 @@ struct LatticeMesh {
     std::vector<std::uint32_t> vertex_of_position;  ///< IndexedHashSet::none where no triangle with an area has it
     LatticePoint extent;                            ///< largest coordinates of the kept ones; the smallest are 0
     std::uint32_t used_vertices = 0;
+    bool is_deformable = false;  ///< vertices are positions of the source: none is welded
 };
 
 [[nodiscard]] inline std::uint64_t hash_of(const LatticePoint& point) {

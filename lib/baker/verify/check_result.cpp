@@ -8,6 +8,18 @@ namespace espalier::baker {
 
 namespace {
 
+/// Returns the section of corners of a deformable blob, which a guard and the vertex sources follow, or nothing.
+std::optional<std::span<const std::byte>> find_corners(std::span<const std::byte> blob, std::uint32_t triangles) {
+    namespace header = format::header;
+    const std::uint32_t positions = detail::load_u32(blob.data() + header::position_count_at);
+    const std::uint32_t slots = detail::load_u32(blob.data() + header::vertex_slots_at);
+    const auto padded = [](std::size_t bytes) { return (bytes + 3) / 4 * 4; };
+    const std::size_t corner_bytes = 3 * std::size_t{triangles};
+    const std::size_t behind = padded(corner_bytes) + 64 + padded(std::size_t{slots} * (positions <= 65536 ? 2 : 4));
+    if (behind > blob.size()) return std::nullopt;
+    return blob.subspan(blob.size() - behind, corner_bytes);
+}
+
 bool is_same(const Coordinates& decoded, const LatticePoint& meant) {
     return decoded[0] == meant.x && decoded[1] == meant.y && decoded[2] == meant.z;
 }
@@ -27,12 +39,18 @@ std::optional<std::string> check_result(std::span<const std::byte> blob, const L
     const auto extent_at = [&](std::size_t axis) {
         return static_cast<std::int32_t>(detail::load_u32(blob.data() + header::extent_at + 4 * axis));
     };
-    const TreeBytes tree{blob.subspan(header::bytes, node_bytes),
-                         blob.subspan(header::bytes + node_bytes, leaf_bytes),
-                         detail::load_u8(blob.data() + header::bits_at),
-                         profile,
-                         wide.copies != 0,
-                         {extent_at(0), extent_at(1), extent_at(2)}};
+    TreeBytes tree{blob.subspan(header::bytes, node_bytes),
+                   blob.subspan(header::bytes + node_bytes, leaf_bytes),
+                   detail::load_u8(blob.data() + header::bits_at),
+                   profile,
+                   wide.copies != 0,
+                   {extent_at(0), extent_at(1), extent_at(2)}};
+
+    if (mesh.is_deformable) {
+        const auto corners = find_corners(blob, triangle_count);
+        if (!corners) return "the corners and the vertex sources do not fit into the bytes";
+        tree.corners = *corners;
+    }
 
     std::size_t leaf_number = 0;
     const auto check_leaf = [&](const DecodedLeaf& leaf, const DecodedBox& region) -> std::optional<std::string> {

@@ -52,6 +52,9 @@ public:
         for (unsigned child = 0; child < node.children(); ++child) {
             if (!tree_.has_copies && !node.boxes[child].contains(contents[child]))
                 return complain_about_box(number, child, node, contents[child]);
+            if (tree_.corners && !is_least(node.boxes[child], contents[child]))
+                return complain(number,
+                                "has a box around its child " + std::to_string(child) + " that could be smaller");
             content.add(contents[child]);
         }
         return true;
@@ -82,6 +85,15 @@ private:
             end = leaf.at + leaf.bytes;
         }
         counts_.leaf_bytes = (end + 3) / 4 * 4;
+        return true;
+    }
+
+    /// Whether a box of a plain node is the least around its content.
+    [[nodiscard]] bool is_least(const DecodedBox& box, const DecodedBox& content) const {
+        const unsigned unit = format::unit_shift(tree_.bits);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (box.lo[axis] >> unit != content.lo[axis] >> unit || box.hi[axis] >> unit != content.hi[axis] >> unit)
+                return false;
         return true;
     }
 

@@ -12,11 +12,11 @@ bool TreeBytes::decode_plain_leaf(const DecodedNode& node, unsigned index, Decod
     leaf.vertex_count = (descriptor >> layout::vertices_shift & 31) + 1;
     leaf.at = node.leaf_block + 4 * std::size_t{descriptor & ((1u << layout::offset_bits) - 1)};
 
-    // The first triangle; three rows of words, three of corners, and on a lattice of more than 16 bits three of the
-    // bytes above the words.
+    // The first triangle; three rows of words, three of corners unless these lie apart, and on a lattice of more than
+    // 16 bits three of the bytes above the words.
     const std::size_t words = leaf.at + 4;
-    const std::size_t corners = words + 6 * std::size_t{leaf.vertex_count};
-    const std::size_t bytes_above = corners + 3 * std::size_t{leaf.triangle_count};
+    const std::size_t after_words = words + 6 * std::size_t{leaf.vertex_count};
+    const std::size_t bytes_above = after_words + (corners ? 0 : 3 * std::size_t{leaf.triangle_count});
     const std::size_t end = bytes_above + (bits > 16 ? 3 * std::size_t{leaf.vertex_count} : 0);
     leaf.bytes = end - leaf.at;
     if (end > leaves.size()) return false;
@@ -28,10 +28,13 @@ bool TreeBytes::decode_plain_leaf(const DecodedNode& node, unsigned index, Decod
             leaf.vertices[i][axis] = static_cast<std::int32_t>(read(leaves, words + 2 * place, 2) | above << 16);
         }
     }
+    const std::span<const std::byte> corner_bytes = corners.value_or(leaves);
+    const std::size_t corners_at = corners ? 3 * std::size_t{leaf.first_triangle} : after_words;
+    if (corners_at + 3 * std::size_t{leaf.triangle_count} > corner_bytes.size()) return false;
     bool is_sound = true;
     for (std::size_t i = 0; i < leaf.triangle_count; ++i) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            leaf.corners[i][corner] = read(leaves, corners + corner * leaf.triangle_count + i, 1);
+            leaf.corners[i][corner] = read(corner_bytes, corners_at + corner * leaf.triangle_count + i, 1);
             is_sound &= leaf.corners[i][corner] < leaf.vertex_count;
         }
     }

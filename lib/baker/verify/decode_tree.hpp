@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include <espalier/format.hpp>
@@ -53,6 +54,8 @@ struct TreeBytes {
     Profile profile = Profile::fast;
     bool has_copies = false;  ///< the blob has split references
     Coordinates extent{};
+    /// Of a deformable blob the section of corners. Each of its boxes is then the least that holds its vertices.
+    std::optional<std::span<const std::byte>> corners = std::nullopt;
 
     /// Node `number`; false when there is none or when it has more children than its profile allows.
     [[nodiscard]] bool decode_node(std::uint32_t number, DecodedNode& node) const;

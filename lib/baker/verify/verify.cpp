@@ -11,6 +11,7 @@
 #include <baker/quantise/closed.hpp>
 #include <baker/quantise/lattice_mesh.hpp>
 #include <baker/sections/optional_sections.hpp>
+#include <baker/verify/check_motion.hpp>
 #include <baker/verify/check_tree.hpp>
 
 namespace espalier {
@@ -130,6 +131,11 @@ std::optional<std::string> find_fault(std::span<const std::byte> bytes) {
                          data.profile,
                          data.copies != nullptr,
                          {extent_of(0), extent_of(1), extent_of(2)}};
+    if (blob.is_deformable()) {
+        TreeBytes moving = tree;
+        moving.corners = std::span(data.corners, std::size_t{3} * data.triangle_count);
+        return check_motion(bytes, blob, moving);
+    }
 
     Gatherer gatherer(data, leaves_at);
     TreeCounts counts;

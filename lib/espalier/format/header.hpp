@@ -20,7 +20,9 @@ namespace espalier::format {
 
 /// The format's version, apart from the library's. Readers accept the same major and a minor up to their own.
 inline constexpr std::uint16_t version_major = 2;
-inline constexpr std::uint16_t version_minor = 0;
+inline constexpr std::uint16_t version_minor = 1;
+/// The least minor version of a blob with each feature; a writer states the least that its features need.
+inline constexpr std::uint16_t version_minor_of_deformable = 1;
 inline constexpr std::uint32_t magic = 0x4C505345u;  // "ESPL"
 
 // ---- limits -------------------------------------------------------------------------------------------------------
@@ -51,14 +53,21 @@ inline constexpr std::size_t vertex_count_at = 28;      // u32, distinct lattice
 inline constexpr std::size_t node_count_at = 32;        // u32, 0 only for an empty mesh
 inline constexpr std::size_t leaf_bytes_at = 36;        // u32, a multiple of 4
 inline constexpr std::size_t origin_at = 40;            // 3 x f32, of lattice point 0 0 0; a multiple of the step
-inline constexpr std::size_t extent_at = 52;            // 3 x u32, largest coordinate per axis (the smallest is 0)
+inline constexpr std::size_t extent_at = 52;            // 3 x u32, largest coordinate per axis (the smallest is 0);
+                                                        // of a deformable blob the range of motion
 inline constexpr std::size_t max_error_at = 64;         // f32, the blob's units
 inline constexpr std::size_t depth_at = 68;             // u8
 inline constexpr std::size_t id_kind_bits_at = 69;      // u8, 0..7, see `ids`
 inline constexpr std::size_t source_count_at = 72;      // u32, entries of the source table
 inline constexpr std::size_t source_triangles_at = 76;  // u32, triangles in the sources, dropped ones included
 inline constexpr std::size_t id_step_bytes_at = 80;     // u32, see `ids`
-inline constexpr std::size_t reserved_at = 84;          // zero up to the end (and the two bytes at 70)
+// Of a deformable blob, else zero.
+inline constexpr std::size_t position_count_at = 84;  // u32, positions of the sources, which refit() takes
+inline constexpr std::size_t vertex_slots_at = 88;    // u32, vertices of all leaves together
+inline constexpr std::size_t rest_cost_at = 92;       // f32, cost of the tree at rest; above 0
+inline constexpr std::size_t pose_low_at = 96;        // 3 x u32, least coordinate of any vertex in this pose
+inline constexpr std::size_t pose_high_at = 108;      // 3 x u32, greatest coordinate of any vertex in this pose
+inline constexpr std::size_t reserved_at = 120;       // zero up to the end (and the two bytes at 70)
 inline constexpr std::size_t bytes = 128;
 static_assert(reserved_at < bytes && bytes % 64 == 0);
 }  // namespace header
@@ -74,9 +83,13 @@ inline constexpr std::uint32_t edge_flags = 1u << 5;        // see `edge_flags` 
 inline constexpr std::uint32_t oriented_box = 1u << 6;      // see `bounds`, also for the next two
 inline constexpr std::uint32_t bounding_sphere = 1u << 7;
 inline constexpr std::uint32_t k_dop = 1u << 8;
+inline constexpr std::uint32_t deformable =
+    1u << 9;  // vertices move, see `corners` and `vertex_sources`; profile fast only
 inline constexpr std::uint32_t bounds = oriented_box | bounding_sphere | k_dop;
 inline constexpr std::uint32_t known =
-    original_ids | materials_8 | materials_16 | closed | split_references | edge_flags | bounds;
+    original_ids | materials_8 | materials_16 | closed | split_references | edge_flags | bounds | deformable;
+/// What a deformable blob does not have: these sections describe one pose.
+inline constexpr std::uint32_t not_deformable = split_references | edge_flags | bounds;
 }  // namespace feature
 
 }  // namespace espalier::format

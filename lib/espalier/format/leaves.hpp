@@ -26,7 +26,8 @@ constexpr unsigned least_size(unsigned bits) { return 1 + unit_shift(bits); }
 // Data: the storage index of the first triangle (u32). Then, where lattice coordinates count from 0: the low 16 bits of
 // x of each vertex (u16), of y, of z; the first corner of each triangle (u8, a vertex number), the second, the third;
 // on a lattice of more than 16 bits then bits 16 to 23 of x of each vertex (u8), of y, of z. Padded with zeros to 4
-// bytes. The size depends on the counts alone.
+// bytes. The size depends on the counts alone. The leaves of a deformable blob have no corners (sections.hpp): their
+// sizes are those of leaves without triangles.
 inline constexpr std::size_t first_at = 0;
 inline constexpr std::size_t words_at = 4;
 constexpr bool has_high_bytes(unsigned bits) { return bits > 16; }

@@ -1,5 +1,6 @@
-// The sections of a blob but its nodes and leaves: source table, original ids, copies, edge flags, bounds. They lie in
-// this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros to 4 bytes.
+// The sections of a blob but its nodes and leaves: source table, original ids, copies, edge flags, bounds, corners,
+// vertex sources. They lie in this order: nodes, leaves, guard, then the optional ones; each of these padded with zeros
+// to 4 bytes.
 #pragma once
 
 #include <bit>
@@ -117,5 +118,25 @@ constexpr std::size_t bytes(std::uint32_t features) {
            ((features & feature::k_dop) != 0 ? k_dop_bytes : 0);
 }
 }  // namespace bounds
+
+// The section of corners, which do not move: for each leaf, from three times the storage index of its first triangle
+// on, the three rows of corners that the leaves of other blobs of profile fast have (leaves.hpp). Padded to 4 bytes,
+// then a guard.
+namespace corners {
+inline constexpr std::size_t triangle_bytes = 3;
+inline constexpr std::size_t guard_bytes = format::guard_bytes;  ///< zeros, so that wide loads stay inside the blob
+/// Returns the bytes of the section without its guard.
+constexpr std::size_t padded_bytes(std::uint32_t triangle_count) {
+    return (std::size_t{triangle_count} * triangle_bytes + 3) / 4 * 4;
+}
+}  // namespace corners
+
+// The section of vertex sources: for each vertex of each leaf the number of its position in the sources, where the
+// positions of all meshes are numbered in a row. Leaves are in the order of their nodes' numbers, and in a node in the
+// order of its children. Positions without a triangle are counted too.
+namespace vertex_sources {
+/// Returns the bits of a number: u16 where that suffices, else u32.
+constexpr unsigned number_bits(std::uint32_t position_count) { return position_count <= 0x10000 ? 16 : 32; }
+}  // namespace vertex_sources
 
 }  // namespace espalier::format

@@ -1,6 +1,7 @@
 // The bounds of a blob and the materials of its triangles.
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
+#include <runtime/blob/pose_bounds.hpp>
 #include <runtime/lattice/to_world.hpp>
 
 namespace espalier {
@@ -9,7 +10,9 @@ using namespace detail;
 
 Box Blob::bounds() const noexcept {
     if (data_.triangle_count == 0) return {};
-    return {{data_.origin[0], data_.origin[1], data_.origin[2]}, to_world(data_, data_.extent)};
+    if (!is_deformable()) return {{data_.origin[0], data_.origin[1], data_.origin[2]}, to_world(data_, data_.extent)};
+    const PoseBounds bounds = pose_bounds_of(data_);
+    return {to_world(data_, bounds.low), to_world(data_, bounds.high)};
 }
 
 std::uint16_t material(const Blob& blob, TriangleId triangle) noexcept {

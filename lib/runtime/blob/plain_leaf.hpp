@@ -33,7 +33,10 @@ struct PlainLeaf : LeafVertices<PlainNode> {
     /// Whether coordinates have more than the words.
     [[nodiscard]] bool has_high_bytes() const { return format::plain_leaf::has_high_bytes(blob->bits); }
     /// Bits 16 to 23 of each coordinate, axis by axis.
-    [[nodiscard]] const std::byte* high_bytes() const { return corner_row + std::size_t{3} * slot_count; }
+    [[nodiscard]] const std::byte* high_bytes() const {
+        const unsigned corners = blob->corners == nullptr ? 3u * slot_count : 0;  // those of deformable blobs lie apart
+        return words() + (6u * vertex_count + corners);
+    }
 
     static constexpr std::int32_t anchor(int) { return 0; }
     [[nodiscard, gnu::always_inline]] std::int32_t offset(int axis, unsigned vertex) const {
@@ -70,7 +73,9 @@ ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, 
     leaf.vertex_count = static_cast<std::uint8_t>((descriptor >> vertices_shift & 31u) + 1);
     leaf.size_bits = static_cast<std::uint8_t>((descriptor >> size_shift & 15u) + least_size(blob.bits));
     leaf.data = data;
-    leaf.corner_row = leaf.words() + std::size_t{6} * leaf.vertex_count;
+    leaf.corner_row = blob.corners == nullptr
+                          ? leaf.words() + std::size_t{6} * leaf.vertex_count
+                          : blob.corners + format::corners::triangle_bytes * std::size_t{leaf.first()};
 }
 
 }  // namespace espalier::detail

@@ -27,7 +27,8 @@ inline bool is_padded_with_zeros(const std::byte* stream, unsigned bit_count) {
 struct OpenProgress {
     const BlobData& blob;
     std::uint32_t triangles = 0;
-    std::uint32_t leaf_bytes = 0;  ///< at most those of the section
+    std::uint32_t leaf_bytes = 0;    ///< at most those of the section
+    std::uint32_t vertex_slots = 0;  ///< of plain leaves
 };
 
 /// The leaves of a node: inside the section, every vertex inside the asset, every corner a vertex.

@@ -9,8 +9,32 @@
 namespace espalier::detail {
 namespace {
 
+/// The origin of a deformable blob is less than 2^127 steps from 0.
+constexpr int max_origin_exponent = 126;
+
 using format::feature::materials_16;
 using format::feature::materials_8;
+
+/// Tests the fields that only a deformable blob has. They are zero in every other one.
+bool are_moving_fields_sound(const BlobData& blob) {
+    using namespace format::header;
+    const std::byte* const h = blob.bytes;
+    if (!is_zero(h + reserved_at, bytes - reserved_at)) return false;
+    if ((blob.features & format::feature::deformable) == 0)
+        return is_zero(h + position_count_at, reserved_at - position_count_at);
+    const std::uint32_t rest_cost = load_u32(h + rest_cost_at);
+    if (load_u16(h + version_minor_at) < format::version_minor_of_deformable || !has_plain_leaves(blob.profile) ||
+        (blob.features & format::feature::not_deformable) != 0 || blob.triangle_count == 0 || rest_cost == 0 ||
+        rest_cost >= infinity_bits)
+        return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t high = load_u32(h + pose_high_at + 4 * k);
+        if (high > static_cast<std::uint32_t>(blob.extent[k]) || load_u32(h + pose_low_at + 4 * k) > high) return false;
+        // The origin in steps is a float, and so refit() can count from it.
+        if (exponent_of(blob.origin[k]) - blob.step_exponent > max_origin_exponent) return false;
+    }
+    return true;
+}
 
 bool is_minus_zero(float x) { return std::bit_cast<std::uint32_t>(x) == 0x80000000u; }
 
@@ -122,7 +146,7 @@ OpenStatus read_header(BlobData& blob) {
         return OpenStatus::bad_header;
 
     if (!read_lattice(blob)) return OpenStatus::bad_header;
-    if (!is_zero(h + reserved_at, format::header::bytes - reserved_at)) return OpenStatus::bad_header;
+    if (!are_moving_fields_sound(blob)) return OpenStatus::bad_header;
     blob.derive();
     return locate_sections(blob, false);
 }
@@ -155,6 +179,12 @@ OpenStatus locate_sections(BlobData& blob, bool looks_at_padding) {
         rest.take(blob.triangle_count, format::edge_flags::triangle_bits);
     }
     if ((features & format::feature::bounds) != 0) blob.bounds = rest.take(format::bounds::bytes(blob.features), 8);
+    if ((features & format::feature::deformable) != 0) {
+        blob.corners = rest.take(blob.triangle_count, 8 * format::corners::triangle_bytes);
+        rest.take(format::corners::guard_bytes, 8);
+        rest.take(load_u32(blob.bytes + format::header::vertex_slots_at),
+                  format::vertex_sources::number_bits(load_u32(blob.bytes + format::header::position_count_at)));
+    }
     return rest.at == end ? OpenStatus::ok : OpenStatus::bad_section;
 }
 

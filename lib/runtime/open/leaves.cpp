@@ -3,6 +3,7 @@
 #include <bit>
 
 #include <runtime/blob/leaf_kinds.hpp>
+#include <runtime/blob/pose_bounds.hpp>
 #include <runtime/open/checks.hpp>
 
 namespace espalier::detail {
@@ -35,8 +36,9 @@ ESPALIER_SHARED_CODE inline bool take_padding(OpenProgress& seen, std::uint32_t 
     return is_zero(at, padding);
 }
 
-/// Tests whether all coordinates are inside the asset and differ along an axis as the leaf's size states.
+/// Tests whether all coordinates are inside the asset's box and differ along an axis as the leaf's size states.
 bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
+    const PoseBounds bounds = pose_bounds_of(blob);
     const std::byte* word = leaf.words();
     const std::byte* high_byte = leaf.high_bytes();
     const bool has_high_bytes = leaf.has_high_bytes();
@@ -52,7 +54,7 @@ bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
             // mutant(> -> >=) equivalent: both sides are equal then
             most = coordinate > most ? coordinate : most;
         }
-        if (most > blob.extent[k]) return false;
+        if (least < bounds.low[k] || most > bounds.high[k]) return false;
         differences |= static_cast<std::uint32_t>(most - least);
     }
     // The least size that is true, as far as a descriptor can hold it.
@@ -200,15 +202,20 @@ bool take_leaves(PlainNode node, OpenProgress& seen) {
             continue;
         }
         if (4 * (descriptor & ((1u << offset_bits) - 1u)) != seen.leaf_bytes - block) return false;
+        // Here the leaf begins, or the guard. A decoded leaf has its corners by the number of its first triangle.
+        static_assert(first_at == 0);
+        if (load_u32(seen.blob.leaves + seen.leaf_bytes) != seen.triangles) return false;
         const auto leaf = leaf_at<PlainLeaf>(seen.blob, node, number);
-        const std::size_t bytes = data_bytes(leaf.vertex_count, leaf.slot_count, seen.blob.bits);
-        if (take_stream(seen, 8 * static_cast<unsigned>(bytes)) == nullptr || leaf.first() != seen.triangles ||
-            !are_sound_coordinates(leaf, seen.blob) || !take_padding(seen, 4))
+        const unsigned own_corners = seen.blob.corners == nullptr ? leaf.slot_count : 0;
+        const std::size_t bytes = data_bytes(leaf.vertex_count, own_corners, seen.blob.bits);
+        if (take_stream(seen, 8 * static_cast<unsigned>(bytes)) == nullptr || !are_sound_coordinates(leaf, seen.blob) ||
+            !take_padding(seen, 4))
             return false;
+        if (leaf.slot_count > seen.blob.triangle_count - seen.triangles) return false;
         for (unsigned corner = 0; corner < 3u * leaf.slot_count; ++corner)
             if (load_u8(leaf.corner_row + corner) >= leaf.vertex_count) return false;
+        seen.vertex_slots += leaf.vertex_count;
         seen.triangles += leaf.slot_count;
-        if (seen.triangles > seen.blob.triangle_count) return false;
     }
     return true;
 }

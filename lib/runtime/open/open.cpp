@@ -9,6 +9,7 @@
 #include <runtime/blob/checksum.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/id_steps.hpp>
+#include <runtime/blob/vertex_sources.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/open/check_tree.hpp>
 #include <runtime/open/checks.hpp>
@@ -33,7 +34,9 @@ OpenStatus check_tree_of(const BlobData& blob) {
     LeafBlocks<Node> blocks = {{blob}};
     const OpenStatus status = check_tree<Node>(blob, blocks);
     if (status != OpenStatus::ok) return status;
-    const bool are_all_seen = blocks.seen.triangles == blob.triangle_count && blocks.seen.leaf_bytes == blob.leaf_bytes;
+    const bool are_all_seen =
+        blocks.seen.triangles == blob.triangle_count && blocks.seen.leaf_bytes == blob.leaf_bytes &&
+        (blob.corners == nullptr || blocks.seen.vertex_slots == load_u32(blob.bytes + format::header::vertex_slots_at));
     return are_all_seen ? OpenStatus::ok : OpenStatus::bad_leaf;
 }
 
@@ -141,6 +144,20 @@ bool are_bounds_sound(const BlobData& blob) {
     return true;
 }
 
+/// Every vertex has a position, and the guard behind the corners is zero. The pass over the leaves has read the
+/// corners.
+bool are_vertex_sources_sound(const BlobData& blob) {
+    const std::byte* at = vertex_sources_of(blob);
+    if (!is_zero(at - format::corners::guard_bytes, format::corners::guard_bytes)) return false;
+    const std::uint32_t count = load_u32(blob.bytes + format::header::position_count_at);
+    const bool is_short = format::vertex_sources::number_bits(count) == 16;
+    for (std::uint32_t left = load_u32(blob.bytes + format::header::vertex_slots_at); left != 0; --left) {
+        if ((is_short ? load_u16(at) : load_u32(at)) >= count) return false;
+        at += is_short ? 2 : 4;
+    }
+    return true;
+}
+
 /// Each in its turn, as far as they are there.
 [[gnu::noinline]] bool are_optional_sections_sound(const BlobData& blob) {
     using namespace format::feature;
@@ -148,7 +165,8 @@ bool are_bounds_sound(const BlobData& blob) {
     return (!reads(original_ids) || blob.ids == nullptr || are_ids_sound(blob)) &&
            (!reads(split_references) || blob.copies == nullptr || are_copies_sound(blob)) &&
            (!reads(edge_flags) || blob.edge_flags == nullptr || are_edge_flags_sound(blob)) &&
-           (!reads(bounds) || blob.bounds == nullptr || are_bounds_sound(blob));
+           (!reads(bounds) || blob.bounds == nullptr || are_bounds_sound(blob)) &&
+           (blob.corners == nullptr || are_vertex_sources_sound(blob));
 }
 
 OpenStatus check_sections(BlobData& blob) {

@@ -54,8 +54,9 @@ bool boxes_end_near_asset(const DecodedBlob& decoded) {
 
 bool is_sound(const DecodedBlob& decoded) {
     if (!boxes_end_near_asset(decoded)) return false;
+    const bool may_be_flat = (decoded.features & format::feature::deformable) != 0;
     for (const GridTriangle& triangle : decoded.triangles)
-        if (!has_area(triangle)) return false;
+        if (!may_be_flat && !has_area(triangle)) return false;
     if ((decoded.features & format::feature::split_references) != 0) return false;  // parts of triangles in boxes
     constexpr std::int32_t everything = 0x7FFFFFFF;
     std::vector<GridBox> around(decoded.nodes.size());

@@ -31,6 +31,7 @@ public:
 
 private:
     [[nodiscard]] bool has_copies() const { return (decoded_.features & format::feature::split_references) != 0; }
+    [[nodiscard]] bool is_deformable() const { return (decoded_.features & format::feature::deformable) != 0; }
 
     void read_header() {
         namespace at = format::header;
@@ -53,6 +54,38 @@ private:
         source_count_ = bytes_.u32(at::source_count_at);
         decoded_.source_triangles = bytes_.u32(at::source_triangles_at);
         leaves_at_ = at::bytes + std::size_t{node_count_} * (has_strips_ ? 64 : 256);
+        if (is_deformable()) read_motion();
+    }
+
+    /// The last two sections of a deformable blob are found from its end.
+    void read_motion() {
+        namespace at = format::header;
+        if (has_strips_) throw std::runtime_error("decoder: a deformable blob has another profile than fast");
+        decoded_.position_count = bytes_.u32(at::position_count_at);
+        decoded_.rest_cost = bytes_.f32(at::rest_cost_at);
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            decoded_.pose.low[axis] = static_cast<std::int32_t>(bytes_.u32(at::pose_low_at + 4 * axis));
+            decoded_.pose.high[axis] = static_cast<std::int32_t>(bytes_.u32(at::pose_high_at + 4 * axis));
+        }
+        vertex_slots_ = bytes_.u32(at::vertex_slots_at);
+        const std::size_t number_bytes = decoded_.position_count > 65536 ? 4 : 2;
+        const std::size_t source_bytes = padded(number_bytes * vertex_slots_);
+        const std::size_t corner_bytes = std::size_t{3} * decoded_.triangle_count;
+        const std::size_t end = bytes_.u32(at::total_bytes_at);
+        if (source_bytes + 64 + padded(corner_bytes) > end)
+            throw std::runtime_error("decoder: the corners and the vertex sources are more than the blob");
+        vertex_sources_at_ = end - source_bytes;
+        corner_rows_.at = vertex_sources_at_ - 64 - padded(corner_bytes);
+        corner_rows_.end = corner_rows_.at + corner_bytes;
+    }
+
+    [[nodiscard]] std::uint32_t vertex_source(std::size_t slot) const {
+        if (slot >= vertex_slots_) throw std::runtime_error("decoder: leaves have more vertices than have a source");
+        const std::uint32_t source = decoded_.position_count > 65536 ? bytes_.u32(vertex_sources_at_ + 4 * slot)
+                                                                     : bytes_.u16(vertex_sources_at_ + 2 * slot);
+        if (source >= decoded_.position_count)
+            throw std::runtime_error("decoder: a vertex has a position that there is not");
+        return source;
     }
 
     // Leaf blocks hold consecutive storage indices but are reached in the order of the nodes, so each leaf's triangles
@@ -61,12 +94,15 @@ private:
         decoded_.nodes.resize(node_count_);
         decoded_.nodes[0].depth = 1;
         decoded_.triangles.resize(decoded_.triangle_count);
+        if (is_deformable()) decoded_.corner_sources.resize(decoded_.triangle_count);
         std::vector<std::pair<std::uint32_t, std::uint8_t>> leaf_sizes;
         std::size_t filled = 0;
         for (std::uint32_t node = 0; node < node_count_; ++node) read_node(node, leaf_sizes, filled);
         if (filled != decoded_.triangle_count) {
             throw std::runtime_error("decoder: the leaves hold another number of triangles than the header says");
         }
+        if (vertex_slots_seen_ != vertex_slots_)
+            throw std::runtime_error("decoder: the leaves hold another number of vertices than the header says");
         std::sort(leaf_sizes.begin(), leaf_sizes.end());
         for (const auto& [first, count] : leaf_sizes) decoded_.triangles_in_leaf.push_back(count);
     }
@@ -137,6 +173,8 @@ private:
     struct LeafTriangles {
         std::uint32_t first = 0;
         std::vector<GridTriangle> triangles;
+        unsigned vertex_count = 0;                          // of a plain leaf
+        std::vector<std::array<std::uint32_t, 3>> corners;  // as vertices of a plain leaf
     };
 
     [[nodiscard]] LeafTriangles read_leaf(const Node& node, std::uint32_t number) const {
@@ -145,7 +183,9 @@ private:
             const std::size_t place = node.at + format::plain_node::leaves_at + 3 * std::size_t{number};
             const std::uint32_t descriptor = bytes_.u16(place) | bytes_.u8(place + 2) << 16;
             const std::size_t at = node.block + 4 * std::size_t{descriptor & 0x7FFu};
-            return {bytes_.u32(at), read_plain_leaf(bytes_, {descriptor, at, box}, decoded_.bits)};
+            PlainLeafContent content = read_plain_leaf(bytes_, {descriptor, at, box}, decoded_.bits,
+                                                       is_deformable() ? &corner_rows_ : nullptr);
+            return {bytes_.u32(at), std::move(content.triangles), content.vertex_count, std::move(content.corners)};
         }
         namespace layout = format::strip_leaf;
         const std::size_t descriptors = node.block + layout::descriptors_at;
@@ -158,7 +198,7 @@ private:
                     read_predicted_strip(bytes_, {descriptor, at, node.boxes[node.nodes + i]}, decoded_.bits);
                 if (leaf.bytes != (descriptor & 1023u))
                     throw std::runtime_error("decoder: a leaf's bytes are not as many as its descriptor says");
-                if (i == number) return {first, std::move(leaf.triangles)};
+                if (i == number) return {first, std::move(leaf.triangles), 0, {}};
                 at += leaf.bytes;
                 first += static_cast<std::uint32_t>(leaf.triangles.size());
             }
@@ -166,7 +206,9 @@ private:
         const std::size_t data = descriptors + 4 * std::size_t{node.leaves};
         const std::uint32_t descriptor = bytes_.u32(descriptors + 4 * std::size_t{number});
         return {bytes_.u32(node.block) + (descriptor >> layout::first_shift),
-                read_strip_leaf(bytes_, {descriptor, data + (descriptor & 0x1FFFu), box}, decoded_.bits)};
+                read_strip_leaf(bytes_, {descriptor, data + (descriptor & 0x1FFFu), box}, decoded_.bits),
+                0,
+                {}};
     }
 
     void read_node(std::uint32_t number, std::vector<std::pair<std::uint32_t, std::uint8_t>>& leaf_sizes,
@@ -193,12 +235,22 @@ private:
                     throw std::runtime_error("decoder: a leaf's storage indices are out of range");
                 }
                 std::copy(leaf.triangles.begin(), leaf.triangles.end(), decoded_.triangles.begin() + leaf.first);
+                if (is_deformable()) read_corner_sources(leaf);
                 leaf_sizes.emplace_back(leaf.first, static_cast<std::uint8_t>(leaf.triangles.size()));
                 filled += leaf.triangles.size();
                 triangle = leaf.first + out.triangle_count;
             }
             decoded_.nodes[number].children.push_back(out);
         }
+    }
+
+    /// Vertex sources are in the order of the nodes' numbers, in which leaves are read.
+    void read_corner_sources(const LeafTriangles& leaf) {
+        for (std::size_t i = 0; i < leaf.corners.size(); ++i)
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                decoded_.corner_sources[leaf.first + i][corner] =
+                    vertex_source(vertex_slots_seen_ + leaf.corners[i][corner]);
+        vertex_slots_seen_ += leaf.vertex_count;
     }
 
     /// Returns where the section ends.
@@ -304,6 +356,11 @@ private:
         }
         if ((decoded_.features & format::feature::bounding_sphere) != 0) take_integers(4, decoded_.sphere);
         if ((decoded_.features & format::feature::k_dop) != 0) take_integers(20, decoded_.k_dop);
+        if (is_deformable()) {
+            if (at != corner_rows_.at)
+                throw std::runtime_error("decoder: the corners do not follow the other sections");
+            at = bytes_.u32(format::header::total_bytes_at);
+        }
         if (at != bytes_.u32(format::header::total_bytes_at)) {
             throw std::runtime_error("decoder: the sections do not fill the blob");
         }
@@ -317,6 +374,10 @@ private:
     std::uint32_t source_count_ = 0;
     unsigned id_kind_bits_ = 0;
     std::size_t leaves_at_ = 0;
+    CornerRows corner_rows_{};
+    std::size_t vertex_sources_at_ = 0;
+    std::size_t vertex_slots_ = 0;
+    std::size_t vertex_slots_seen_ = 0;
 };
 
 }  // namespace

@@ -74,6 +74,11 @@ struct DecodedBlob {
     std::vector<std::int32_t> oriented_box;  // quaternion w x y z, low 3, high 3
     std::vector<std::int32_t> sphere;        // center 3, radius
     std::vector<std::int32_t> k_dop;         // low, high for each direction
+    // Of a deformable blob, else zero or empty.
+    std::uint32_t position_count = 0;  // of the sources
+    float rest_cost = 0.0f;
+    GridBox pose{};                                            // around the vertices in this pose
+    std::vector<std::array<std::uint32_t, 3>> corner_sources;  // of each triangle: the positions that its corners are
 };
 
 /// Throws std::runtime_error on bytes that do not follow the format; it checks what it needs to go on, not every rule.

@@ -48,7 +48,7 @@ std::vector<GridTriangle> windows_of(const std::vector<std::uint32_t>& numbers, 
 
 }  // namespace
 
-std::vector<GridTriangle> read_plain_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits) {
+PlainLeafContent read_plain_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits, const CornerRows* corner_rows) {
     namespace layout = format::plain_leaf;
     const std::size_t triangle_count = (leaf.descriptor >> layout::triangles_shift & 15u) + 1;
     std::vector<GridPoint> vertices((leaf.descriptor >> layout::vertices_shift & 31u) + 1);
@@ -58,8 +58,11 @@ std::vector<GridTriangle> read_plain_leaf(const Bytes& bytes, const Leaf& leaf, 
             vertex[axis] = static_cast<std::int32_t>(bytes.u16(at));
             at += 2;
         }
-    const std::size_t corners = at;
-    at += 3 * triangle_count;
+    const std::size_t corners =
+        corner_rows == nullptr ? at : corner_rows->at + std::size_t{3} * bytes.u32(leaf.at + layout::first_at);
+    if (corner_rows == nullptr) at += 3 * triangle_count;
+    else if (corners + 3 * triangle_count > corner_rows->end)
+        throw std::runtime_error("decoder: a leaf's corners are outside of their section");
     if (bits > 16) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (GridPoint& vertex : vertices) vertex[axis] += static_cast<std::int32_t>(bytes.u8(at++) * 65536);
@@ -72,16 +75,19 @@ std::vector<GridTriangle> read_plain_leaf(const Bytes& bytes, const Leaf& leaf, 
     for (const unsigned least = bits > 16 ? bits - 15 : 1; size >= std::int64_t{1} << (field + least);) ++field;
     if (field != (leaf.descriptor >> layout::size_shift & 15u))
         throw std::runtime_error("decoder: a leaf's size is another one than its descriptor says");
-    std::vector<GridTriangle> triangles;
+    PlainLeafContent content;
+    content.vertex_count = static_cast<unsigned>(vertices.size());
     for (std::size_t i = 0; i < triangle_count; ++i) {
-        const auto vertex = [&](std::size_t k) {
-            const std::uint32_t number = bytes.u8(corners + k * triangle_count + i);
-            if (number >= vertices.size()) throw std::runtime_error("decoder: a triangle names no vertex of its leaf");
-            return vertices[number];
-        };
-        triangles.push_back({vertex(0), vertex(1), vertex(2)});
+        std::array<std::uint32_t, 3> numbers{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            numbers[k] = bytes.u8(corners + k * triangle_count + i);
+            if (numbers[k] >= vertices.size())
+                throw std::runtime_error("decoder: a triangle names no vertex of its leaf");
+        }
+        content.triangles.push_back({vertices[numbers[0]], vertices[numbers[1]], vertices[numbers[2]]});
+        content.corners.push_back(numbers);
     }
-    return triangles;
+    return content;
 }
 
 std::vector<GridTriangle> read_strip_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits) {

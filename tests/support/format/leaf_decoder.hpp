@@ -1,6 +1,7 @@
 // The triangles of a leaf, decoded without code of the library.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,12 +18,25 @@ struct Leaf {
     GridBox box;
 };
 
+/// The section of corners of a deformable blob. The leaves of other blobs have their own corners.
+struct CornerRows {
+    std::size_t at;
+    std::size_t end;
+};
+
+/// The triangles of a plain leaf, and the vertex numbers of their corners.
+struct PlainLeafContent {
+    unsigned vertex_count = 0;
+    std::vector<GridTriangle> triangles;
+    std::vector<std::array<std::uint32_t, 3>> corners;
+};
+
 struct PredictedLeaf {
     std::vector<GridTriangle> triangles;
     std::size_t bytes = 0;
 };
 
-std::vector<GridTriangle> read_plain_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits);
+PlainLeafContent read_plain_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits, const CornerRows* corner_rows);
 
 std::vector<GridTriangle> read_strip_leaf(const Bytes& bytes, const Leaf& leaf, unsigned bits);
 

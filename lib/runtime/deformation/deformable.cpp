@@ -1,0 +1,69 @@
+// Deformable meshes: the parts that move and that stay, and whole blobs of both.
+#include <espalier/deformation.hpp>
+
+#include <runtime/base/bits.hpp>
+#include <runtime/blob/checksum.hpp>
+#include <runtime/deformation/store.hpp>
+#include <runtime/lattice/to_world.hpp>
+
+namespace espalier {
+
+using namespace detail;
+
+namespace {
+
+/// Copies bytes that may overlap.
+void move_bytes(std::byte* to, const std::byte* from, std::size_t count) { __builtin_memmove(to, from, count); }
+
+}  // namespace
+
+std::uint32_t Deformable::position_count() const noexcept {
+    return *this ? load_u32(data_of(blob_).bytes + format::header::position_count_at) : 0;
+}
+
+Box Deformable::range() const noexcept {
+    if (!*this) return {};
+    const BlobData& data = data_of(blob_);
+    return {{data.origin[0], data.origin[1], data.origin[2]}, to_world(data, data.extent)};
+}
+
+std::size_t deformable_bytes(const Blob& blob) noexcept {
+    const BlobData& data = data_of(blob);
+    if (!blob.is_deformable()) return 0;
+    return format::header::bytes + std::size_t{data.node_count} * format::plain_node::bytes + data.leaf_bytes +
+           format::guard_bytes;
+}
+
+void Deformable::create(const Blob& blob, std::byte* memory) noexcept {
+    const BlobData& from = data_of(blob);
+    const std::size_t moving = deformable_bytes(blob);
+    blob_ = blob;
+    memory_ = memory;
+    // The first section behind the guard; the blob of another Deformable has them elsewhere than the moving part.
+    still_ = from.sources != nullptr ? from.sources : from.materials != nullptr ? from.materials : from.corners;
+    move_bytes(memory, from.bytes, moving);
+    blob_.data_.bytes = memory;
+    blob_.data_.nodes = memory + (from.nodes - from.bytes);
+    blob_.data_.leaves = memory + (from.leaves - from.bytes);
+}
+
+Deformable create_deformable(const Blob& blob, std::span<std::byte> memory) noexcept {
+    Deformable mesh;
+    if (!blob) return mesh;
+    const std::size_t moving = deformable_bytes(blob);
+    mesh.status_ = moving == 0 ? QueryStatus::no_data : memory.size() < moving ? QueryStatus::no_room : QueryStatus::ok;
+    if (mesh) mesh.create(blob, memory.data());
+    return mesh;
+}
+
+QueryStatus seal(const Deformable& mesh, std::span<std::byte> bytes) noexcept {
+    if (!mesh) return mesh.status();
+    if (bytes.size() != mesh.blob_.size()) return QueryStatus::no_room;
+    const std::size_t moving = deformable_bytes(mesh.blob_);
+    move_bytes(bytes.data() + moving, mesh.still_, bytes.size() - moving);
+    move_bytes(bytes.data(), mesh.memory_, moving);
+    store_u32(bytes.data() + format::header::checksum_at, checksum_of_blob(bytes));
+    return QueryStatus::ok;
+}
+
+}  // namespace espalier

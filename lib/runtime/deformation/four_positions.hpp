@@ -1,0 +1,65 @@
+// Four positions at a time, on near axes. The compiler's vector types become the machine's own instructions. The bits
+// are those of PoseAxis::coordinate().
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/types.hpp>
+#include <runtime/base/options.hpp>
+#include <runtime/deformation/pose_axis.hpp>
+
+namespace espalier::detail {
+
+/// Rows of a leaf are little-endian numbers, which a little-endian machine stores four at a time.
+inline constexpr bool takes_four_positions = !small_code && std::endian::native == std::endian::little;
+
+using FourFloats = float __attribute__((vector_size(16)));
+using FourWords = std::int32_t __attribute__((vector_size(16)));
+
+/// Four positions, axis by axis.
+struct FourPositions {
+    FourFloats axis[3];
+
+    /// Loads positions, two numbers at a time where that takes fewer instructions.
+    [[gnu::always_inline]] FourPositions(const Vec3* a, const Vec3* b, const Vec3* c, const Vec3* d) {
+        using TwoPairs = std::uint64_t __attribute__((vector_size(16)));
+        const auto pair = [](const Vec3* position) {
+            std::uint64_t x_and_y;
+            __builtin_memcpy(&x_and_y, position, sizeof x_and_y);
+            return x_and_y;
+        };
+        const auto first = std::bit_cast<FourFloats>(TwoPairs{pair(a), pair(b)});
+        const auto second = std::bit_cast<FourFloats>(TwoPairs{pair(c), pair(d)});
+        axis[0] = FourFloats{first[0], first[2], second[0], second[2]};
+        axis[1] = FourFloats{first[1], first[3], second[1], second[3]};
+        axis[2] = FourFloats{a->z, b->z, c->z, d->z};
+    }
+};
+
+/// Returns the sums of PoseAxis::coordinate(): in the order of the coordinates, and as many apart in their bits.
+[[gnu::always_inline]] inline FourFloats four_sums(const PoseAxis& axis, FourFloats positions) {
+    return positions * axis.steps_per_unit + PoseAxis::shifter;
+}
+
+/// Tests whether four positions in a row are in range.
+[[gnu::always_inline]] inline bool are_four_in_range(const PoseAxes& axes, const Vec3* positions) {
+    static_assert(sizeof(Vec3) == 12);
+    FourWords outside = {};
+    for (unsigned row = 0; row < 3; ++row) {
+        // Of twelve numbers in a row, number i is on axis i modulo 3.
+        const PoseAxis &a = axes.axis[row], &b = axes.axis[(row + 1) % 3], &c = axes.axis[(row + 2) % 3];
+        FourFloats numbers;
+        __builtin_memcpy(&numbers, reinterpret_cast<const std::byte*>(positions) + 16 * row, sizeof numbers);
+        const auto word = [](std::uint32_t bits) { return static_cast<std::int32_t>(bits); };
+        const FourWords zero = {word(a.zero_bits), word(b.zero_bits), word(c.zero_bits), word(a.zero_bits)};
+        const FourWords extent = {word(a.extent), word(b.extent), word(c.extent), word(a.extent)};
+        const FourWords coordinates = std::bit_cast<FourWords>(numbers * a.steps_per_unit + PoseAxis::shifter) - zero;
+        // Above the extent, the coordinate or its difference has the highest bit.
+        outside |= coordinates | (extent - coordinates);
+    }
+    return ((outside[0] | outside[1]) | (outside[2] | outside[3])) >= 0;
+}
+
+}  // namespace espalier::detail

@@ -1,0 +1,123 @@
+// The vertices of one plain leaf, moved to their positions.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <espalier/types.hpp>
+#include <runtime/base/bits.hpp>
+#include <runtime/deformation/four_positions.hpp>
+#include <runtime/deformation/pose_axis.hpp>
+#include <runtime/deformation/store.hpp>
+
+namespace espalier::detail {
+
+/// A box in lattice steps.
+struct VertexBox {
+    std::uint32_t low[3] = {~std::uint32_t{0}, ~std::uint32_t{0}, ~std::uint32_t{0}};
+    std::uint32_t high[3] = {0, 0, 0};
+
+    void add(const VertexBox& box) {
+        for (int k = 0; k < 3; ++k) {
+            low[k] = box.low[k] < low[k] ? box.low[k] : low[k];
+            high[k] = box.high[k] > high[k] ? box.high[k] : high[k];
+        }
+    }
+};
+
+/// The rows of a leaf that moves, and the numbers of its vertices in the sources.
+struct MovingLeaf {
+    std::byte* words;
+    std::byte* high_bytes;  ///< null if coordinates have no more than the words
+    const std::byte* sources;
+    unsigned vertex_count;
+    bool has_short_sources;
+
+    [[nodiscard]] std::size_t source(unsigned vertex) const {
+        return has_short_sources ? load_u16(sources + 2 * std::size_t{vertex})
+                                 : load_u32(sources + 4 * std::size_t{vertex});
+    }
+};
+
+/// Writes the coordinates of each vertex, axis by axis. Returns the box around them.
+template <bool near>
+inline VertexBox place_one_by_one(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
+    VertexBox box;
+    for (int k = 0; k < 3; ++k) {
+        const PoseAxis axis = axes.axis[k];
+        const std::size_t row = static_cast<std::size_t>(k) * leaf.vertex_count;
+        std::uint32_t low = ~std::uint32_t{0}, high = 0;
+        for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+            const Vec3& position = positions[leaf.source(vertex)];
+            const std::uint32_t coordinate = axis.coordinate<near>(k == 0   ? position.x
+                                                                   : k == 1 ? position.y
+                                                                            : position.z);
+            store_u16(leaf.words + 2 * (row + vertex), coordinate & 0xFFFFu);
+            if (leaf.high_bytes != nullptr) store_u8(leaf.high_bytes + (row + vertex), coordinate >> 16);
+            low = coordinate < low ? coordinate : low;
+            high = coordinate > high ? coordinate : high;
+        }
+        box.low[k] = low;
+        box.high[k] = high;
+    }
+    return box;
+}
+
+/// The same for four vertices or more on near axes. The last four overlap others where their number is no multiple.
+template <bool has_short_sources, bool has_high_bytes>
+inline VertexBox place_by_fours(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
+    using FourShorts = std::uint16_t __attribute__((vector_size(8)));
+    FourFloats low[3], high[3];
+    for (int k = 0; k < 3; ++k) {
+        low[k] = FourFloats{} + 0x1p25f;  // above and below all sums
+        high[k] = FourFloats{};
+    }
+    const unsigned last = leaf.vertex_count - 4;
+    for (unsigned first = 0;; first = first + 4 < last ? first + 4 : last) {
+        const auto position = [&](unsigned i) {
+            const std::size_t vertex = first + i;
+            return positions +
+                   (has_short_sources ? load_u16(leaf.sources + 2 * vertex) : load_u32(leaf.sources + 4 * vertex));
+        };
+        const FourPositions four(position(0), position(1), position(2), position(3));
+        for (unsigned k = 0; k < 3; ++k) {
+            const FourFloats sums = four_sums(axes.axis[k], four.axis[k]);
+            low[k] = sums < low[k] ? sums : low[k];
+            high[k] = sums > high[k] ? sums : high[k];
+            const auto coordinates = std::bit_cast<FourWords>(sums) - static_cast<std::int32_t>(axes.axis[k].zero_bits);
+            const std::size_t place = std::size_t{k} * leaf.vertex_count + first;
+            const auto words = __builtin_convertvector(coordinates & 0xFFFF, FourShorts);
+            __builtin_memcpy(leaf.words + 2 * place, &words, sizeof words);
+            if constexpr (has_high_bytes) {
+                const FourWords above = coordinates >> 16;
+                const auto bytes =
+                    static_cast<std::uint32_t>(above[0] | above[1] << 8 | above[2] << 16 | above[3] << 24);
+                __builtin_memcpy(leaf.high_bytes + place, &bytes, sizeof bytes);
+            }
+        }
+        if (first == last) break;
+    }
+    VertexBox box;
+    for (int k = 0; k < 3; ++k) {
+        const float least = minimum(minimum(low[k][0], low[k][1]), minimum(low[k][2], low[k][3]));
+        const float most = maximum(maximum(high[k][0], high[k][1]), maximum(high[k][2], high[k][3]));
+        box.low[k] = std::bit_cast<std::uint32_t>(least) - axes.axis[k].zero_bits;
+        box.high[k] = std::bit_cast<std::uint32_t>(most) - axes.axis[k].zero_bits;
+    }
+    return box;
+}
+
+template <bool near>
+inline VertexBox place_vertices(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
+    if constexpr (near && takes_four_positions) {
+        if (leaf.vertex_count >= 4)
+            return leaf.high_bytes == nullptr ? leaf.has_short_sources
+                                                    ? place_by_fours<true, false>(axes, positions, leaf)
+                                                    : place_by_fours<false, false>(axes, positions, leaf)
+                   : leaf.has_short_sources ? place_by_fours<true, true>(axes, positions, leaf)
+                                              : place_by_fours<false, true>(axes, positions, leaf);
+    }
+    return place_one_by_one<near>(axes, positions, leaf);
+}
+
+}  // namespace espalier::detail
