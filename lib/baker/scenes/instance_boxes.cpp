@@ -79,6 +79,8 @@ PartBoxes::PartBoxes(const ScenePart& part) {
     add_nodes({{data.nodes, data.node_count * node_bytes}, {}, data.bits, data.profile, false, extent}, data, whole);
     for (const Node& node : nodes_)
         if (node.children == 0) size_ = std::max(node.box.size(), size_);
+    // Queries of a deformable mesh are rounded by its range, which may be larger than its pose.
+    if (data.corners != nullptr) size_ = std::max(LocalBox(data, whole).size(), size_);
     lattice_.emplace_back(data, whole);
 }
 

@@ -59,7 +59,7 @@ private:
 
     std::vector<Node> nodes_;        ///< breadth first
     std::vector<LocalBox> lattice_;  ///< one, or none without triangles
-    double size_ = 0.0;              ///< the largest size of a leaf
+    double size_ = 0.0;              ///< the largest size of a leaf; of a deformable mesh at least that of its range
 };
 
 /// The lattice of a scene's tree, and the boxes of the instances on it.

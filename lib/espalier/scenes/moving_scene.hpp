@@ -148,6 +148,13 @@ QueryStatus move(MovingScene& scene, InstanceHandle instance, const Transform& t
 /// goes on: changes and reads of single instances, box_of() with the new box, snapshots, and quality() of the old
 /// boxes.
 Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept;
+/// Renews the boxes of all instances of a mesh whose vertices moved (refit() of deformation.hpp), at the places that
+/// they have; refit() of the scene must follow before the next query. Until both are called, queries may miss the mesh.
+/// The instances count as moved.
+///
+/// Refuses a scene that is not open (not_open), a number that belongs to no mesh (invalid_argument), and a pose that
+/// leaves the world at the place of an instance (out_of_range); a refusal changes nothing. O(slots).
+QueryStatus move_instances_of(MovingScene& scene, std::uint32_t mesh) noexcept;
 /// Changes what queries and pairs select an instance by. Refuses a stale handle. O(1).
 QueryStatus set_mask(MovingScene& scene, InstanceHandle instance, std::uint32_t mask) noexcept;
 /// Changes the caller's word of an instance. Refuses a stale handle. O(1).

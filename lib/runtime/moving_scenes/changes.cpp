@@ -150,6 +150,32 @@ Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept {
     return filled;
 }
 
+QueryStatus move_instances_of(MovingScene& scene, std::uint32_t mesh) noexcept {
+    if (!scene) return QueryStatus::not_open;
+    if (!is_placeable(scene, mesh)) return QueryStatus::invalid_argument;
+    SceneBlock block = block_of(scene);
+    const PartBounds bounds = bounds_of_part(scene, mesh);
+    const auto for_each_instance = [&](auto change) {
+        for (std::uint32_t number = 0; number < block.head->slots_used; ++number) {
+            const InstanceSlot& slot = block.slots[number];
+            if (!is_live(slot) || slot.mesh != mesh) continue;
+            StepsBox box;
+            const QueryStatus status = find_box(bounds, slot.transform, *block.head, box);
+            if (status != QueryStatus::ok) return status;
+            change(number, box);
+        }
+        return QueryStatus::ok;
+    };
+    const QueryStatus status = for_each_instance([](std::uint32_t, const StepsBox&) {});
+    if (status != QueryStatus::ok) return status;
+    return for_each_instance([&](std::uint32_t number, const StepsBox& box) {
+        block.slots[number].box = box;
+        block.moved[number] = block.head->step;
+        set_box(block, number);
+        block.head->must_refit = 1;
+    });
+}
+
 QueryStatus set_mask(MovingScene& scene, InstanceHandle instance, std::uint32_t mask) noexcept {
     return change_slot(scene, instance, [&](SceneBlock& block, InstanceSlot&) {
         block.masks[instance.slot] = mask;

@@ -39,7 +39,11 @@ Transform awkward_place(Random& random) {
 }
 
 PartBounds random_part(Random& random) {
-    return {random.in_cube(3.0f), {random.unit(), random.unit(), random.unit()}, random.unit() * 1e-3f, 1.0f};
+    return {random.in_cube(3.0f),
+            {random.unit(), random.unit(), random.unit()},
+            random.unit() * 1e-3f,
+            random.unit() * 9.0f,
+            1.0f};
 }
 
 bool is_scale_in_range(float scale) { return scale >= 0x1p-100f && scale <= 0x1p100f; }

@@ -11,13 +11,6 @@ struct BoxEnds {
     Vector low, high;
 };
 
-/// Returns at least how far a point of the part is from its local origin along any axis.
-template <class Part>
-[[gnu::always_inline]] inline auto size_of(const Part& part) {
-    const auto &c = part.center, &h = part.half;
-    return ((absolute(c.x) + h.x) + (absolute(c.y) + h.y)) + (absolute(c.z) + h.z);
-}
-
 /// Returns the box around a part at its place. Its rotation is computed with one division and is off by some 2^-22,
 /// which the margin covers; like that of PreparedTransform it is the same where subnormal numbers are flushed. Part
 /// and Place have the members of PartBounds and Transform.
@@ -45,7 +38,7 @@ ESPALIER_SHARED_OR_PART_OF_CALLER inline BoxEnds<Vector> ends_around(const Part&
     const Vector from = combined(entries[0], entries[1], entries[2], center);
     const Vector half = combined(magnitude(entries[0]), magnitude(entries[1]), magnitude(entries[2]), half_local);
     const Vector by = without_tiny(Vector(place.translation));
-    const auto own_margin = (size_of)(part)*0x1p-16f + (part.coarsest_step * 0x1p-6f + 0x1p-97f);
+    const auto own_margin = part.size * 0x1p-16f + (part.coarsest_step * 0x1p-6f + 0x1p-97f);
     const Vector margin(place.scale * own_margin + 0x1p-96f);
     const Vector reach = half + (margin + (magnitude(by) + magnitude(from)) * Vector(0x1p-21f));
     return {(from + by) - reach, (from + by) + reach};

@@ -1,5 +1,6 @@
 #include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
+#include <runtime/blob/pose_bounds.hpp>
 #include <runtime/lanes/fragments.hpp>
 #include <runtime/transforms/rotation.hpp>
 
@@ -25,13 +26,20 @@ Coordinates without_tiny(const Coordinates& v) { return without_below(v, least_c
 
 PartBounds bounds_of(const BlobData& mesh) {
     const float step = power_of_two(mesh.step_exponent);
-    PartBounds bounds = {{}, {}, step, 1.0f};
+    PartBounds bounds = {{}, {}, step, 0.0f, 1.0f};
+    const PoseBounds pose = pose_bounds_of(mesh);
     float* const center[3] = {&bounds.center.x, &bounds.center.y, &bounds.center.z};
     float* const half[3] = {&bounds.half.x, &bounds.half.y, &bounds.half.z};
+    float sizes[3];
     for (int k = 0; k < 3; ++k) {
-        *half[k] = 0.5f * (mesh.extent_steps[k] * step);
-        *center[k] = mesh.origin[k] + *half[k];
+        // Exact numbers of steps; a box that begins at 0 has its half added to the origin at once.
+        const float range = 0.5f * (mesh.extent_steps[k] * step);
+        sizes[k] = absolute(mesh.origin[k] + range) + range;
+        const auto side = static_cast<float>(pose.high[k] - pose.low[k]);
+        *half[k] = 0.5f * (side * step);
+        *center[k] = mesh.origin[k] + (static_cast<float>(pose.low[k]) * step + *half[k]);
     }
+    bounds.size = (sizes[0] + sizes[1]) + sizes[2];
     return bounds;
 }
 
@@ -46,7 +54,7 @@ PartBounds bounds_of(const BakedScene& tile) {
 void Coarseness::add(const PartBounds& bounds, const Transform& transform) {
     coarsest_step = maximum(detail::without_tiny(transform.scale * bounds.coarsest_step), coarsest_step);
     largest_scale = maximum(detail::without_tiny(transform.scale * bounds.largest_scale), largest_scale);
-    farthest_origin = maximum(detail::without_tiny(transform.scale * size_of(bounds)), farthest_origin);
+    farthest_origin = maximum(detail::without_tiny(transform.scale * bounds.size), farthest_origin);
 }
 
 Box box_around(const PartBounds& bounds, const Transform& transform) {

@@ -52,12 +52,13 @@ constexpr bool touch(const StepsBox& a, const StepsBox& b) {
     return true;
 }
 
-/// A mesh or a tile as the tree needs it: its box in local space by its middle, its coarsest lattice step, and the
-/// largest scale in it.
+/// A mesh or a tile as the tree needs it: its box in local space by its middle, its coarsest lattice step, its size,
+/// and the largest scale in it.
 struct PartBounds {
     Vec3 center;
     Vec3 half;
     float coarsest_step;
+    float size;  ///< at least how far a point is from the local origin along any axis, in any pose
     float largest_scale;
 };
 PartBounds bounds_of(const BlobData& mesh);

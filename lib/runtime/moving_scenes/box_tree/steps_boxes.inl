@@ -109,7 +109,7 @@ struct LaneTransform {
 };
 struct LanePart {
     LaneVec3 center, half;
-    LaneNumbers coarsest_step;
+    LaneNumbers coarsest_step, size;
 };
 struct LaneScaledRotation {
     LaneCoordinates axis;
@@ -135,10 +135,10 @@ struct LaneScaledRotation {
     return {{scaled(q.x), scaled(q.y), scaled(q.z)}, scaled(q.w)};
 }
 
-/// Loads structures of eight numbers, one for each lane, and returns number k of all in numbers[k].
+/// Loads the first eight numbers of structures, one for each lane, and returns number k of all in numbers[k].
 template <unsigned width, class Structure>
 [[gnu::always_inline]] inline void load_eight(const Structure* const* from, LaneNumbers* numbers) {
-    static_assert(sizeof(Structure) == 8 * sizeof(float));
+    static_assert(sizeof(Structure) >= 8 * sizeof(float));
     if constexpr (width == 8) {
         Vector<float, width> row[8], pair[8];
         for (unsigned i = 0; i < 8; ++i) __builtin_memcpy(&row[i], from[i], sizeof row[i]);
@@ -175,7 +175,8 @@ bool find_steps_boxes(const EightPlaces& places, std::int32_t step_exponent, Eig
         (load_eight<lanes>)(places.parts + first, of_part);
         const LaneTransform place = {
             {of_place[0], of_place[1], of_place[2], of_place[3]}, {of_place[4], of_place[5], of_place[6]}, of_place[7]};
-        const LanePart part = {{of_part[0], of_part[1], of_part[2]}, {of_part[3], of_part[4], of_part[5]}, of_part[6]};
+        const LanePart part = {
+            {of_part[0], of_part[1], of_part[2]}, {of_part[3], of_part[4], of_part[5]}, of_part[6], of_part[7]};
         if (!(are_between)((greatest_bits)(place.rotation), -60, 60) ||
             !(are_between)(__builtin_bit_cast(SignedInts, place.scale.values), -100, 100) ||
             !(to_steps)((ends_around<LaneCoordinates>)(part, place), step_exponent, &boxes.low[0][first],

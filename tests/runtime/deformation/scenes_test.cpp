@@ -1,0 +1,180 @@
+// Instances of deformable meshes in scenes: after a refit, one call renews their boxes.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include <espalier/scenes/moving_scene.hpp>
+#include <espalier/scenes/pairs.hpp>
+
+#include "runtime/moving_scenes/made_scene.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/deformed_mesh.hpp"
+#include "support/loops/scene_loop.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/meshes/motions.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+Transform any_place(Random& random) {
+    Transform place;
+    place.rotation = {random.signed_unit(), random.signed_unit(), random.signed_unit(), random.signed_unit()};
+    place.translation = random.in_cube(8.0f);
+    place.scale = 0.5f + random.unit();
+    return place;
+}
+
+/// A moving scene of instances of two deformable meshes.
+struct DeformingScene {
+    explicit DeformingScene(unsigned bits, std::uint64_t seed)
+        : cloth(make_plane_grid(8), bits),
+          ring(make_torus(12, 6, 2.0, 0.5), bits),
+          meshes{cloth.deformable.blob(), ring.deformable.blob()},
+          made(40, -12, meshes),
+          random(seed) {
+        REQUIRE(made.scene);
+        for (std::uint32_t i = 0; i < 24; ++i) {
+            Instance instance;
+            instance.mesh = i % 2;
+            instance.transform = any_place(random);
+            REQUIRE(insert(made.scene, instance));
+        }
+        refit(made.scene);
+    }
+
+    void move_to(Motion motion, double amount) {
+        cloth.move_to(posed(cloth.mesh, motion, amount, random.next()));
+        ring.move_to(posed(ring.mesh, motion, amount, random.next()));
+        REQUIRE(move_instances_of(made.scene, 0) == QueryStatus::ok);
+        REQUIRE(move_instances_of(made.scene, 1) == QueryStatus::ok);
+        CHECK(made.scene.must_refit());
+        refit(made.scene);
+    }
+
+    /// Returns a place on the surface of an instance or anywhere.
+    Vec3 place() {
+        const Result<Instance> instance = instance_of_number(made.scene, random.below(24));
+        const DeformedMesh& mesh = instance->mesh == 0 ? cloth : ring;
+        const Box box = mesh.deformable.blob().bounds();
+        const Vec3 inside = {box.min.x + (box.max.x - box.min.x) * random.unit(),
+                             box.min.y + (box.max.y - box.min.y) * random.unit(),
+                             box.min.z + (box.max.z - box.min.z) * random.unit()};
+        return random.below(4) == 0 ? random.in_cube(10.0f) : to_world(instance->transform, inside);
+    }
+
+    DeformedMesh cloth, ring;
+    std::vector<Blob> meshes;
+    MadeScene made;
+    Random random;
+};
+
+std::size_t checked(const SceneComparison& comparison) {
+    REQUIRE_MESSAGE(comparison.fault == nullptr, comparison.fault);
+    return comparison.is_found ? 1u : 0u;
+}
+
+}  // namespace
+
+TEST_SUITE("deformation") {
+    TEST_CASE("deformation: queries of a moving scene equal the loop over its instances in every pose") {
+        std::size_t found = 0;
+        for (const unsigned bits : {10u, 16u, 22u}) {
+            DeformingScene scene(bits, bits);
+            for (const Motion motion : every_motion) {
+                const std::string name = name_of(motion);
+                CAPTURE(bits);
+                CAPTURE(name);
+                scene.move_to(motion, scene.random.coin() ? 1.0 : 0.4);
+                const MovingScene& moving = scene.made.scene;
+                for (std::uint64_t i = 0; i < scaled(40); ++i) {
+                    const Vec3 from = scene.place(), to = scene.place();
+                    found += checked(compare_rays(
+                        moving, Ray{.origin = from, .direction = {to.x - from.x, to.y - from.y, to.z - from.z}}));
+                    found += checked(compare_closest_points(moving, from, i % 2 == 0 ? 0.5f : __builtin_inff()));
+                    found += checked(compare_overlaps(moving, Sphere{to, 0.2f}));
+                    found += checked(compare_sweeps(moving, Sphere{from, 0.1f}, Vec3{0.5f, -0.5f, to.x}));
+                }
+            }
+        }
+        if (asks_enough()) CHECK(found > 1000);
+    }
+
+    TEST_CASE("deformation: a pose that is small in a large range is found in a moving scene") {
+        // Numbers of a lattice of many bits round by the size of the range, not of the pose.
+        for (const unsigned bits : {16u, 20u, 24u})
+            for (std::uint64_t seed = 0; seed < 20; ++seed) {
+                CAPTURE(bits);
+                CAPTURE(seed);
+                Random random(seed);
+                const float radius = std::ldexp(50e3f, -static_cast<int>(bits));  // about 30 steps
+                const Mesh mesh = scaled_by(make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f}), radius);
+                BakeOptions options = deformable_options(mesh, bits);
+                options.deformation->range = Box{{-900.0f, -900.0f, -900.0f}, {900.0f, 900.0f, 900.0f}};
+                DeformedMesh moving(mesh, options);
+                std::vector<Vec3> pose = mesh.positions;
+                const Vec3 center = random.in_cube(800.0f);
+                for (Vec3& p : pose) p = {p.x + center.x, p.y + center.y, p.z + center.z};
+                moving.move_to(pose);
+                const std::vector<Blob> meshes = {moving.deformable.blob()};
+                MadeScene made(4, -14, meshes);
+                Instance instance;
+                instance.transform = any_place(random);
+                REQUIRE(insert(made.scene, instance));
+                refit(made.scene);
+                std::size_t found = 0;
+                for (std::uint64_t i = 0; i < scaled(60); ++i) {
+                    const Vec3& vertex = pose[random.below(static_cast<std::uint32_t>(pose.size()))];
+                    const Vec3 at = to_world(instance.transform, vertex), way = random.in_cube(1.0f);
+                    const Vec3 from = {at.x - way.x, at.y - way.y, at.z - way.z};
+                    found += checked(compare_rays(made.scene, Ray{.origin = from, .direction = way}));
+                    found += checked(compare_overlaps(made.scene, Sphere{at, radius}));
+                    found += checked(compare_closest_points(made.scene, at, radius));
+                }
+                if (asks_enough()) CHECK(found > 0);
+            }
+    }
+
+    TEST_CASE("deformation: a mesh that left the world is refused and no box changes") {
+        DeformedMesh moving(make_plane_grid(4));
+        const std::vector<Blob> meshes = {moving.deformable.blob()};
+        MadeScene made(8, -30, meshes);  // a world of about two units
+        Instance inside, outside;
+        inside.transform.scale = 0x1p-4f;
+        outside.transform.scale = 0x1p-4f;
+        REQUIRE(insert(made.scene, inside));
+        REQUIRE(insert(made.scene, outside));
+        refit(made.scene);
+        const std::vector<std::byte> before(made.bytes().begin(), made.bytes().end());
+        CHECK(move_instances_of(made.scene, 1) == QueryStatus::invalid_argument);
+        MovingScene none;
+        CHECK(move_instances_of(none, 0) == QueryStatus::not_open);
+        CHECK(std::vector<std::byte>(made.bytes().begin(), made.bytes().end()) == before);
+        CHECK_FALSE(made.scene.must_refit());
+    }
+
+    TEST_CASE("deformation: instances that deform collide as pairs of their meshes do") {
+        for (const unsigned bits : {12u, 20u}) {
+            DeformingScene scene(bits, 50 + bits);
+            for (const Motion motion : {Motion::twist, Motion::collapse, Motion::noise}) {
+                scene.move_to(motion, 1.0);
+                const MovingScene& moving = scene.made.scene;
+                std::size_t expected = 0;
+                for (std::uint32_t i = 0; i < 24; ++i)
+                    for (std::uint32_t j = i + 1; j < 24; ++j) {
+                        const Instance a = *instance_of_number(moving, i), b = *instance_of_number(moving, j);
+                        const PlacedBlob first(scene.meshes[a.mesh], a.transform);
+                        const PlacedBlob second(scene.meshes[b.mesh], b.transform);
+                        expected += overlaps(first, second, WorkLimit::unlimited()).yes() ? 1u : 0u;
+                    }
+                std::vector<InstancePair> pairs(300);
+                const auto found = collect_colliding_pairs(scene.made.scene, pairs, WorkLimit::unlimited());
+                REQUIRE(found.status == QueryStatus::ok);
+                CHECK(found.count == expected);
+            }
+        }
+    }
+}
