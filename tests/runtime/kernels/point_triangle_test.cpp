@@ -5,6 +5,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include <runtime/kernels/point_triangle.hpp>
 
@@ -12,6 +14,7 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/exact/as_rationals.hpp"
+#include "support/exact/grid_triangles.hpp"
 
 using namespace espalier;
 using detail::PointDistance;
@@ -57,9 +60,8 @@ struct Case {
     RoundedPoint point;
 };
 
-/// Triangles and points on and around one another, at all sizes; false when the triangle has no area.
-bool some_case(Random& random, Case& result) {
-    const unsigned bits = 1 + random.below(24);
+/// At all sizes; nothing if a triangle without area was drawn.
+std::optional<GridTriangle> triangle_with_area(Random& random, unsigned bits) {
     const std::int32_t limit = (1 << bits) - 1;
     const auto some_point = [&] {
         const std::int32_t x = random.between(0, limit);
@@ -67,14 +69,17 @@ bool some_case(Random& random, Case& result) {
         const std::int32_t z = random.below(3) == 0 ? 0 : random.between(0, limit);
         return GridPoint{x, y, z};
     };
-    GridTriangle& triangle = result.triangle;
-    triangle = {some_point(), some_point(), some_point()};
+    GridTriangle triangle = {some_point(), some_point(), some_point()};
     if (random.below(3) == 0) {
         for (unsigned k = 0; k < 3; ++k)
             triangle.c[k] = std::clamp((triangle.a[k] + triangle.b[k]) / 2 + random.between(-1, 1), 0, limit);
     }
-    if (oracle::normal_of(tests::exact_triangle(triangle)) == oracle::Point(0, 0, 0)) return false;
+    if (oracle::normal_of(tests::exact_triangle(triangle)) == oracle::Point(0, 0, 0)) return std::nullopt;
+    return triangle;
+}
 
+/// Draws a point on or around a triangle; false if it is too far away.
+bool some_point(Random& random, unsigned bits, const GridTriangle& triangle, RoundedPoint& result) {
     const GridPoint corners[3] = {triangle.a, triangle.b, triangle.c};
     const GridPoint p = corners[random.below(3)];
     const GridPoint q = corners[random.below(3)];
@@ -86,7 +91,16 @@ bool some_case(Random& random, Case& result) {
         random.below(4) == 0 ? 0.0f : std::ldexp(1.0f, random.between(-6, static_cast<std::int32_t>(bits) + 12));
     const Vec3 off = random.in_cube(reach);
     const Vec3 world{coordinate(0, share, off.x), coordinate(1, share, off.y), coordinate(2, share, off.z)};
-    return detail::round_point(tests::lattice_asset(bits), world, 0.0f, result.point) == QueryStatus::ok;
+    return detail::round_point(tests::lattice_asset(bits), world, 0.0f, result) == QueryStatus::ok;
+}
+
+/// Triangles and points on and around one another; false if the triangle has no area.
+bool some_case(Random& random, Case& result) {
+    const unsigned bits = 1 + random.below(24);
+    const auto triangle = triangle_with_area(random, bits);
+    if (!triangle) return false;
+    result.triangle = *triangle;
+    return some_point(random, bits, *triangle, result.point);
 }
 
 }  // namespace
@@ -130,6 +144,65 @@ TEST_SUITE("point triangle") {
         for (const std::uint64_t met : features) CHECK(met > count / 100);
     }
 
+    TEST_CASE("kernel: the distance of a point from a triangle without area is that from its segment or point") {
+        Random random(3);
+        Rational worst = 0;
+        std::uint64_t zero = 0, checked = 0;
+        const std::uint64_t count = scaled(8'000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            CAPTURE(i);
+            const unsigned bits = 1 + random.below(24);
+            Case c;
+            c.triangle = tests::flat_triangle(random, bits);
+            if (!some_point(random, bits, c.triangle, c.point)) continue;
+            const oracle::Triangle t = tests::exact_triangle(c.triangle);
+            const std::array<oracle::Point, 1> center = {tests::exact_center(c.point)};
+            const auto from = [&](std::vector<oracle::Point> hull) { return oracle::squared_distance(center, hull); };
+            const Rational expected = from({t.a, t.b, t.c});
+            const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
+            REQUIRE(exact_square(distance, c.point.fraction_bits) == expected);
+            worst = std::max(worst, oracle::error_in_ulp(distance.squared, expected));
+            // The feature that is named has the closest point.
+            const std::vector<oracle::Point> features[] = {{t.a, t.b, t.c}, {t.a, t.b}, {t.b, t.c}, {t.c, t.a},
+                                                           {t.a},           {t.b},      {t.c}};
+            const auto named = [&]() -> std::size_t {
+                switch (distance.feature) {
+                    case Feature::edge_ab:
+                        return 1;
+                    case Feature::edge_bc:
+                        return 2;
+                    case Feature::edge_ca:
+                        return 3;
+                    case Feature::vertex_a:
+                        return 4;
+                    case Feature::vertex_b:
+                        return 5;
+                    case Feature::vertex_c:
+                        return 6;
+                    default:
+                        return 0;
+                }
+            }();
+            REQUIRE(named != 0);
+            REQUIRE(from(features[named]) == expected);
+            // The weights lead there: sqrt(reached) <= sqrt(expected) + off, squared twice.
+            REQUIRE(distance.u >= 0.0f);
+            REQUIRE(distance.v >= 0.0f);
+            const oracle::Point at =
+                t.a + (t.b - t.a) * Rational::of(distance.u) + (t.c - t.a) * Rational::of(distance.v);
+            Rational size = 0;
+            for (int k = 0; k < 3; ++k) size += oracle::absolute(t.b[k] - t.a[k]) + oracle::absolute(t.c[k] - t.a[k]);
+            const Rational off = size * Rational::of(1, -22);
+            const Rational above = from({at}) - expected - off * off;
+            REQUIRE((above.sign() <= 0 || above * above <= Rational(4) * off * off * expected));
+            if (expected.sign() == 0) ++zero;
+            ++checked;
+        }
+        CHECK(worst <= Rational(6));
+        CHECK(checked > count / 2);
+        CHECK(zero > count / 100);
+    }
+
     TEST_CASE("kernel: a triangle within a radius of a point is decided exactly") {
         std::uint64_t decided = 0;
         Random random(2);
@@ -137,7 +210,10 @@ TEST_SUITE("point triangle") {
         const std::uint64_t count = scaled(10'000);
         for (std::uint64_t i = 0; i < count; ++i) {
             Case c;
-            if (!some_case(random, c)) continue;
+            const unsigned flat_bits = 1 + random.below(24);
+            const bool is_flat = random.below(4) == 0;
+            if (is_flat) c.triangle = tests::flat_triangle(random, flat_bits);
+            if (!(is_flat ? some_point(random, flat_bits, c.triangle, c.point) : some_case(random, c))) continue;
             const PointDistance distance = detail::distance_to(c.point, tests::lattice_triangle(c.triangle));
             const Rational squared = exact_square(distance, c.point.fraction_bits);
             float radius = std::sqrt(distance.squared);

@@ -146,6 +146,22 @@ TEST_SUITE("ray triangle") {
         MESSAGE(decisions_made("ray and triangle", decided));
     }
 
+    TEST_CASE("kernel: a ray misses a triangle without area") {
+        std::uint64_t decided = 0;
+        Random random(4);
+        for (std::uint64_t i = 0; i < scaled(10'000); ++i) {
+            const unsigned bits = 1 + random.below(24);
+            const GridTriangle triangle = tests::flat_triangle(random, bits);
+            LatticeRay ray;
+            if (!detail::round_ray(tests::lattice_asset(bits), some_ray(random, bits, triangle), ray)) continue;
+            REQUIRE_FALSE(oracle::cross(tests::exact_line(ray), tests::exact_triangle(triangle)));
+            detail::TriangleHit hit{};
+            ++decided;
+            REQUIRE_FALSE(both_intersect(ray, tests::lattice_triangle(triangle), hit));
+        }
+        MESSAGE(decisions_made("ray and flat triangle", decided));
+    }
+
     TEST_CASE("kernel: the window of a ray is closed and exact to the next float") {
         Random random(2);
         std::uint64_t exact_hits = 0;

@@ -80,6 +80,25 @@ bool has_area(const LatticeTriangle& t) {
     return !(oracle::normal_of(exact(t)) == oracle::Point(Rational(0), Rational(0), Rational(0)));
 }
 
+/// Takes the area from a triangle: it becomes a segment or a point.
+void flatten(LatticeTriangle& t, Random& random) {
+    const unsigned from = random.below(3);
+    for (int k = 0; k < 3; ++k) {
+        if (random.below(4) != 0) t.corner[(from + 1) % 3][k] = t.corner[from][k];
+        else t.corner[(from + 1) % 3][k] = (t.corner[from][k] + t.corner[(from + 2) % 3][k]) / 2;
+    }
+    if (has_area(t)) std::copy_n(t.corner[from], 3, t.corner[(from + 1) % 3]);
+    if (random.below(4) == 0) std::copy_n(t.corner[from], 3, t.corner[(from + 2) % 3]);
+    if (has_area(t)) std::copy_n(t.corner[from], 3, t.corner[(from + 1) % 3]);
+}
+
+/// Of any triangles: all pairs of corners, sides and faces.
+Rational squared_distance_of_hulls(const LatticeTriangle& a, const LatticeTriangle& b) {
+    const std::array<oracle::Point, 3> of_a = {corner_of(a, 0), corner_of(a, 1), corner_of(a, 2)};
+    const std::array<oracle::Point, 3> of_b = {corner_of(b, 0), corner_of(b, 1), corner_of(b, 2)};
+    return oracle::squared_distance(of_a, of_b);
+}
+
 }  // namespace
 
 TEST_SUITE("triangle distance") {
@@ -87,7 +106,7 @@ TEST_SUITE("triangle distance") {
         std::uint64_t decided = 0;
         Random random(31);
         Rational worst = 0;
-        std::uint64_t touching = 0, checked = 0;
+        std::uint64_t touching = 0, checked = 0, flat = 0;
         const std::uint64_t count = scaled(1'500);
         for (std::uint64_t i = 0; i < count; ++i) {
             const unsigned bits = 1 + random.below(24);
@@ -95,9 +114,11 @@ TEST_SUITE("triangle distance") {
             if (random.coin())  // beside each other
                 for (auto& corner : b.corner)
                     corner[random.below(3)] += random.coin() ? 0 : 1 << (bits < 23 ? bits : 22);
-            if (!has_area(a) || !has_area(b)) continue;
-            ++checked;
-            const Rational expected = squared_distance(a, b);
+            if (random.below(4) == 0) flatten(a, random);
+            if (random.below(4) == 0) flatten(b, random);
+            const bool is_flat = !has_area(a) || !has_area(b);
+            (is_flat ? flat : checked) += 1;
+            const Rational expected = is_flat ? squared_distance_of_hulls(a, b) : squared_distance(a, b);
             const detail::TriangleDistance distance = detail::distance_between(a, b);
             ++decided;
             REQUIRE((distance.squared == 0.0f) == (expected.sign() == 0));
@@ -126,6 +147,7 @@ TEST_SUITE("triangle distance") {
             }
         }
         CHECK(worst <= Rational(6));
+        CHECK(flat > checked / 4);
         CHECK(touching > checked / 20);
         CHECK(touching < checked);
         MESSAGE(decisions_made("two triangles that touch, by distance", decided));

@@ -14,10 +14,12 @@
 #include "support/base/random.hpp"
 #include "support/base/test_scale.hpp"
 #include "support/blobs/baking.hpp"
+#include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/test_blobs.hpp"
 #include "support/blobs/weird_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/meshes/makers.hpp"
+#include "support/meshes/motions.hpp"
 
 using namespace espalier;
 using namespace espalier::tests;
@@ -73,15 +75,15 @@ struct Tally {
 };
 
 /// Compares the triangles that a cone overlaps with the oracle, all of them or some of each kind.
-std::vector<std::uint32_t> check_overlaps(const OpenedBlob& opened, const DecodedBlob& decoded, const Cone& cone,
+std::vector<std::uint32_t> check_overlaps(const Blob& blob, const DecodedBlob& decoded, const Cone& cone,
                                           std::size_t samples, Random& random, Tally& tally) {
     CAPTURE(describe(cone));
     std::vector<std::uint32_t> found;
-    REQUIRE(for_each_overlap(opened.blob, cone, [&](TriangleId t) { found.push_back(t.index); }) == QueryStatus::ok);
+    REQUIRE(for_each_overlap(blob, cone, [&](TriangleId t) { found.push_back(t.index); }) == QueryStatus::ok);
     REQUIRE(std::is_sorted(found.begin(), found.end()));
-    REQUIRE(overlaps(opened.blob, cone).yes() == !found.empty());
+    REQUIRE(overlaps(blob, cone).yes() == !found.empty());
     std::vector<TriangleId> page(found.size() + 1);
-    const Filled filled = collect_overlaps(opened.blob, cone, page);
+    const Filled filled = collect_overlaps(blob, cone, page);
     REQUIRE(filled.status == QueryStatus::ok);
     REQUIRE(filled.count == found.size());
     const oracle::Cone exact = rounded_in_truth(decoded, cone);
@@ -286,6 +288,25 @@ TEST_SUITE("cone") {
         CHECK(overlaps(cube.blob, Cone{{0, 0, -0.5f}, {0, 0, 1}, 0.5f}).no());
         CHECK(overlaps(cube.blob, Cone{{0, 0, -0.5f}, {0, 0, 1}, 1.0f}).yes());
     }
+    TEST_CASE("deformation: cones equal exact arithmetic in every pose and on triangles without area") {
+        Tally tally;
+        Random random(5);
+        for (const Mesh& mesh : {make_plane_grid(6), make_icosphere(1, 1.0, {1.0f, 0.0f, 0.0f})})
+            for (const unsigned bits : {4u, 16u}) {
+                DeformedMesh moving(mesh, bits);
+                for (const Motion motion : every_motion) {
+                    moving.move_to(posed(mesh, motion));
+                    const DecodedBlob decoded = moving.decoded();
+                    for (std::uint64_t i = 0; i < scaled(12); ++i) {
+                        const Cone cone = large_cone(decoded, random);
+                        if (!is_refused(overlaps(moving.deformable.blob(), cone).status()))
+                            check_overlaps(moving.deformable.blob(), decoded, cone, 8, random, tally);
+                    }
+                }
+            }
+        CHECK(tally.yes > 0);
+        CHECK(tally.no > 0);
+    }
     TEST_CASE("overlap: cones in every profile equal exact arithmetic") {
         Tally tally;
         Random random(3);
@@ -295,7 +316,7 @@ TEST_SUITE("cone") {
                 for (std::uint64_t i = 0; i < scaled_share(20); ++i) {
                     const Cone cone = large_cone(blob.decoded, random);
                     if (!is_refused(overlaps(blob.opened.blob, cone).status()))
-                        check_overlaps(blob.opened, blob.decoded, cone, 6, random, tally);
+                        check_overlaps(blob.opened.blob, blob.decoded, cone, 6, random, tally);
                 }
             }
         }
@@ -313,7 +334,7 @@ TEST_SUITE("cone") {
             for (int k = 0; k < 4; ++k) {
                 const Cone cone = large_cone(decoded, random);
                 if (!is_refused(overlaps(opened.blob, cone).status()))
-                    check_overlaps(opened, decoded, cone, 8, random, tally);
+                    check_overlaps(opened.blob, decoded, cone, 8, random, tally);
             }
         }
         CHECK(tally.yes > 0);
@@ -331,10 +352,10 @@ TEST_SUITE("cone") {
             const DecodedBlob decoded = decode(opened.bytes);
             for (int k = 0; k < 8; ++k) {
                 Cone cone = random.coin() ? small_cone(bits, random) : touching_cone(decoded, random);
-                const auto found = check_overlaps(opened, decoded, cone, 40, random, tally);
+                const auto found = check_overlaps(opened.blob, decoded, cone, 40, random, tally);
                 if (cone.radius == 0.0f) continue;
                 cone.radius = std::nextafter(cone.radius, 0.0f);
-                touching += check_overlaps(opened, decoded, cone, 40, random, tally) != found ? 1u : 0u;
+                touching += check_overlaps(opened.blob, decoded, cone, 40, random, tally) != found ? 1u : 0u;
             }
         }
         MESSAGE(tally.yes << " yes, " << tally.no << " no, " << touching << " that only touched something");
@@ -354,7 +375,7 @@ TEST_SUITE("cone") {
                 const Cone cone = large_cone(decoded, random);
                 const YesNo any = overlaps(opened.blob, cone);
                 if (is_refused(any.status())) continue;
-                check_overlaps(opened, decoded, cone, 6, random, tally);
+                check_overlaps(opened.blob, decoded, cone, 6, random, tally);
             }
         }
         MESSAGE(tally.yes << " yes, " << tally.no << " no");

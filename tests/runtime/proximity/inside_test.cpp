@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,16 +11,19 @@
 #include <vector>
 
 #include <espalier/distance.hpp>
+#include <espalier/walk.hpp>
 #include <runtime/answers/nearest_to_world.hpp>
 #include <runtime/proximity/winding.hpp>
 
 #include "support/base/calls.hpp"
 #include "support/base/profiles.hpp"
 #include "support/base/same_bits.hpp"
+#include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/test_blobs.hpp"
 #include "support/exact/as_rationals.hpp"
 #include "support/loops/triangle_loop.hpp"
 #include "support/meshes/makers.hpp"
+#include "support/meshes/motions.hpp"
 #include "support/queries/ray_maker.hpp"
 #include "support/queries/winding_points.hpp"
 
@@ -39,16 +43,23 @@ constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr AxisDirection all_directions[] = {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}};
 
 bool is_on(const oracle::Triangle& triangle, const oracle::Point& point) {
+    if (oracle::normal_of(triangle) == oracle::Point(0, 0, 0)) {
+        const std::array<oracle::Point, 1> center = {point};
+        const std::array<oracle::Point, 3> corners = {triangle.a, triangle.b, triangle.c};
+        return oracle::squared_distance(center, corners).sign() == 0;
+    }
     if (oracle::normal_of(triangle).dot(point - triangle.a).sign() != 0) return false;
     return oracle::closest_on_triangle(triangle, point).squared_distance.sign() == 0;
 }
 
 /// By crossings of a line that meets no side, in whatever direction that is; nothing for a point on the surface.
-std::optional<int> exact_winding(const TestBlob& blob, const oracle::Point& point, Random& random) {
+std::optional<int> exact_winding(const DecodedBlob& blob, const oracle::Point& point, Random& random) {
     std::vector<oracle::Triangle> triangles;
-    for (const GridTriangle& triangle : blob.decoded.triangles) {
-        triangles.push_back(exact_triangle(triangle));
-        if (is_on(triangles.back(), point)) return std::nullopt;
+    for (const GridTriangle& grid : blob.triangles) {
+        const oracle::Triangle triangle = exact_triangle(grid);
+        if (is_on(triangle, point)) return std::nullopt;
+        // A triangle without area has no side from which to leave.
+        if (oracle::normal_of(triangle) != oracle::Point(0, 0, 0)) triangles.push_back(triangle);
     }
     for (;;) {
         const oracle::Point direction(Rational(random.between(-1000, 1000)), Rational(random.between(-1000, 1000)),
@@ -82,7 +93,7 @@ TEST_SUITE("inside") {
                 RoundedPoint rounded{};
                 REQUIRE(detail::round_point(detail::data_of(blob.opened.blob), point, infinity, rounded) ==
                         QueryStatus::ok);
-                const std::optional<int> expected = exact_winding(blob, exact_center(rounded), random);
+                const std::optional<int> expected = exact_winding(blob.decoded, exact_center(rounded), random);
                 const YesNo answer = contains(blob.opened.blob, point);
                 REQUIRE(!is_refused(answer.status()));
                 const bool inside = answer.yes();
@@ -103,6 +114,36 @@ TEST_SUITE("inside") {
         CHECK(inside_count > closed_blobs().size() * scaled_share(60) / 10);
         CHECK(on_surface > closed_blobs().size() * scaled_share(60) / 10);
         MESSAGE(decisions_made("inside of a closed mesh", decided));
+    }
+
+    TEST_CASE("deformation: contains is true where the exact winding number of the pose is not 0 and on the surface") {
+        std::uint64_t decided = 0, inside_count = 0, on_surface = 0;
+        for (const unsigned bits : {3u, 5u, 16u}) {  // on coarse lattices many triangles are flat
+            DeformedMesh moving(make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f}), bits);
+            Random random(1500 + bits);
+            for (const Motion motion : every_motion) {
+                moving.move_to(posed(moving.mesh, motion, motion == Motion::collapse ? 0.95 : 1.0));
+                const Blob& blob = moving.deformable.blob();
+                const DecodedBlob decoded = moving.decoded();
+                for (std::uint64_t i = 0; i < scaled(40); ++i) {
+                    const Box box = blob.bounds();
+                    Vec3 point = {box.min.x + (box.max.x - box.min.x) * random.unit(),
+                                  box.min.y + (box.max.y - box.min.y) * random.unit(),
+                                  box.min.z + (box.max.z - box.min.z) * random.unit()};
+                    if (i % 4 == 0) point = triangle_at(blob, TriangleId{random.below(blob.triangle_count())})->a;
+                    RoundedPoint rounded{};
+                    REQUIRE(detail::round_point(detail::data_of(blob), point, infinity, rounded) == QueryStatus::ok);
+                    const std::optional<int> expected = exact_winding(decoded, exact_center(rounded), random);
+                    const YesNo answer = contains(blob, point);
+                    REQUIRE(!is_refused(answer.status()));
+                    ++decided;
+                    REQUIRE(answer.yes() == (!expected || *expected != 0));
+                    (expected ? inside_count : on_surface) += answer.yes() ? 1 : 0;
+                }
+            }
+        }
+        CHECK(inside_count > decided / 20);
+        CHECK(on_surface > decided / 20);
     }
 }
 

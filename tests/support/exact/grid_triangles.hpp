@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "as_rationals.hpp"
 #include "support/base/random.hpp"
@@ -55,6 +56,34 @@ inline GridTriangle some_triangle(Random& random, unsigned bits) {
         }
         if (oracle::normal_of(exact_triangle(triangle)) != oracle::Point(0, 0, 0)) return triangle;
     }
+}
+
+/// Without area: on a line, with two corners at one place or all three.
+inline GridTriangle flat_triangle(Random& random, unsigned bits) {
+    const std::int32_t limit = (1 << bits) - 1;
+    GridTriangle triangle{some_grid_point(random, bits), some_grid_point(random, bits), {}};
+    triangle.c = triangle.a;
+    switch (random.below(6)) {
+        case 0:
+            triangle.b = triangle.a;
+            break;
+        case 1:
+            std::swap(triangle.a, triangle.b);
+            break;
+        case 2:
+            break;
+        default: {
+            const std::int32_t along = random.between(-9, 9), other = random.between(-9, 9);
+            for (unsigned k = 0; k < 3; ++k) {
+                // So short that all three stay on the lattice.
+                const std::int32_t room = std::min(triangle.a[k], limit - triangle.a[k]) / 9;
+                const std::int32_t side = random.between(-room, room);
+                triangle.b[k] = triangle.a[k] + along * side;
+                triangle.c[k] = triangle.a[k] + other * side;
+            }
+        }
+    }
+    return triangle;
 }
 
 }  // namespace espalier::tests
