@@ -1,6 +1,7 @@
 // Instances of deformable meshes in scenes: after a refit, one call renews their boxes.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -138,22 +139,43 @@ TEST_SUITE("deformation") {
             }
     }
 
-    TEST_CASE("deformation: a mesh that left the world is refused and no box changes") {
-        DeformedMesh moving(make_plane_grid(4));
+    TEST_CASE("deformation: a mesh that leaves the world is refused and no box changes") {
+        const Mesh mesh = make_plane_grid(4);
+        BakeOptions options = deformable_options(mesh);
+        options.deformation->range = Box{{-9.0f, -9.0f, -9.0f}, {9.0f, 9.0f, 9.0f}};
+        DeformedMesh moving(mesh, options);
         const std::vector<Blob> meshes = {moving.deformable.blob()};
-        MadeScene made(8, -30, meshes);  // a world of about two units
+        MadeScene made(8, -20, meshes);
+        REQUIRE(made.scene);
         Instance inside, outside;
-        inside.transform.scale = 0x1p-4f;
-        outside.transform.scale = 0x1p-4f;
+        // The farthest place, by halves, where the mesh is still in the world.
+        for (float by = 0x1p12f; by >= 1.0f; by *= 0.5f) {
+            outside.transform.translation.x += by;
+            const Result<InstanceHandle> handle = insert(made.scene, outside);
+            if (handle) REQUIRE(remove(made.scene, *handle) == QueryStatus::ok);
+            else outside.transform.translation.x -= by;
+        }
         REQUIRE(insert(made.scene, inside));
-        REQUIRE(insert(made.scene, outside));
+        const Result<InstanceHandle> handle = insert(made.scene, outside);
+        REQUIRE(handle);
         refit(made.scene);
         const std::vector<std::byte> before(made.bytes().begin(), made.bytes().end());
+        const auto is_unchanged = [&] {
+            return std::equal(before.begin(), before.end(), made.bytes().begin()) && !made.scene.must_refit();
+        };
         CHECK(move_instances_of(made.scene, 1) == QueryStatus::invalid_argument);
         MovingScene none;
         CHECK(move_instances_of(none, 0) == QueryStatus::not_open);
-        CHECK(std::vector<std::byte>(made.bytes().begin(), made.bytes().end()) == before);
-        CHECK_FALSE(made.scene.must_refit());
+        CHECK(is_unchanged());
+        std::vector<Vec3> pose = moving.mesh.positions;
+        for (Vec3& p : pose) p.x = moving.deformable.range().max.x;
+        moving.move_to(pose);
+        REQUIRE(pose.front().x > 2.0f);
+        CHECK(move_instances_of(made.scene, 0) == QueryStatus::out_of_range);
+        CHECK(is_unchanged());
+        REQUIRE(remove(made.scene, *handle) == QueryStatus::ok);
+        CHECK(move_instances_of(made.scene, 0) == QueryStatus::ok);
+        CHECK(made.scene.must_refit());
     }
 
     TEST_CASE("deformation: instances that deform collide as pairs of their meshes do") {
