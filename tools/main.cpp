@@ -1,6 +1,6 @@
 // The espalier command: its arguments, and nothing else.
+#include <espalier/espalier.hpp>
 #include <espalier/format.hpp>
-#include <espalier/version.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +25,25 @@
 namespace espalier::tools {
 
 namespace {
+
+void add_refit(CLI::App& app, Chosen& chosen) {
+    auto arguments = std::make_shared<RefitArguments>();
+    CLI::App* verb = add_verb(app, "refit", "Move the vertices of a deformable blob to a pose");
+    verb->add_option("blob", arguments->blob, "A blob of bake --deformable")->required()->type_name("BLOB");
+    verb->add_option("pose", arguments->pose,
+                     "A mesh file with all vertices of the baked mesh, in the same order: OBJ, PLY or glTF. Its faces "
+                     "do not count; give --unit, --scale and --up as for bake")
+        ->required()
+        ->type_name("POSE");
+    verb->add_option("-o,--output", arguments->output, "The blob to write, in this pose")
+        ->required()
+        ->type_name("BLOB");
+    add_source(verb, arguments->source);
+    verb->remove_option(verb->get_option("--allow-empty"));  // a pose needs no triangles
+    add_json(verb, arguments->json);
+    add_quiet(verb, arguments->quiet);
+    verb->callback([arguments, &chosen] { chosen = [arguments] { return run_refit(*arguments); }; });
+}
 
 void add_embed(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<EmbedArguments>();
@@ -149,6 +168,7 @@ ExitCode run(int count, char** values) {
     app.require_subcommand(1);
     Chosen chosen;
     add_bake(app, chosen);
+    add_refit(app, chosen);
     add_embed(app, chosen);
     add_info(app, chosen);
     add_verify(app, chosen);

@@ -63,7 +63,7 @@ def licence():
 
 
 def version():
-    return re.search(r'library_version = "([^"]+)"', (LIBRARY / "espalier/version.hpp").read_text()).group(1)
+    return re.search(r'library_version = "([^"]+)"', (LIBRARY / "espalier/espalier.hpp").read_text()).group(1)
 
 
 def classify(path):
@@ -232,7 +232,7 @@ def make_header():
     header = SingleFile(skips_public_headers=False)
     for folder in ("espalier", "espalier/scenes"):
         for path in sorted((LIBRARY / folder).glob("*.hpp")):
-            if path.name not in ("bake.hpp", "espalier.hpp"):
+            if path.name != "bake.hpp":
                 header.add_once(f"{folder}/{path.name}", path)
     return header.text(HEADER_PREAMBLE)
 

@@ -19,15 +19,19 @@
 namespace espalier {
 
 /// A deformable mesh: a view of the moving part, in memory that the caller owns, and of the rest, in the blob that it
-/// was created from. Copied freely; both must outlive it. A default Deformable refuses every call with not_open.
+/// was created from. Copied freely; both must outlive it. A default Deformable, and one filled with zeros, refuses
+/// every call with not_open.
 class [[nodiscard]] Deformable {
 public:
     constexpr Deformable() noexcept = default;
 
     /// Returns ok, or why create_deformable() refused its arguments.
-    [[nodiscard]] constexpr QueryStatus status() const noexcept { return status_; }
+    [[nodiscard]] constexpr QueryStatus status() const noexcept {
+        if (memory_ != nullptr) return QueryStatus::ok;
+        return refusal_ == QueryStatus::ok ? QueryStatus::not_open : refusal_;
+    }
     /// Returns whether status() is ok.
-    [[nodiscard]] explicit constexpr operator bool() const noexcept { return status_ == QueryStatus::ok; }
+    [[nodiscard]] explicit constexpr operator bool() const noexcept { return memory_ != nullptr; }
 
     /// Returns the blob for queries. A copy of it stays valid, and always has the latest pose.
     [[nodiscard]] constexpr const Blob& blob() const noexcept { return blob_; }
@@ -42,9 +46,9 @@ private:
     friend QueryStatus seal(const Deformable& mesh, std::span<std::byte> bytes) noexcept;
     void create(const Blob& blob, std::byte* memory) noexcept;
     Blob blob_;
-    std::byte* memory_ = nullptr;       // header, nodes, leaves and guard
-    const std::byte* still_ = nullptr;  // the sections behind the guard
-    QueryStatus status_ = QueryStatus::not_open;
+    std::byte* memory_ = nullptr;            // header, nodes, leaves and guard
+    const std::byte* still_ = nullptr;       // the sections behind the guard
+    QueryStatus refusal_ = QueryStatus::ok;  // why create_deformable() refused; ok if it did not
 };
 
 /// The outcome of refit(). Converts to true if the vertices moved.
@@ -60,9 +64,8 @@ struct [[nodiscard]] RefitResult {
     explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
 };
 
-/// Returns how many bytes create_deformable() needs: about 8.5 a triangle at 16 bits or
-/// fewer, 11.5 above. 0 if the blob is
-/// not open or not deformable.
+/// Returns how many bytes create_deformable() needs: about 8.5 a triangle at 16 bits or fewer, 11.5 above. 0 if the
+/// blob is not open or not deformable.
 [[nodiscard]] std::size_t deformable_bytes(const Blob& blob) noexcept;
 
 /// Copies the moving part of a blob to `memory`, at any alignment, in the pose that the blob has. The rest is read from

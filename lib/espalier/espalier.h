@@ -3,7 +3,8 @@
  * Each header of espalier/c is the counterpart of the C++ header of the same name. It states what each call does; the
  * C++ header (ray.hpp for ray.h) has arguments, refusals, costs and numerics, which hold for both. Functions that C++
  * overloads end in their shape (espalier_overlaps_box), those with a filter in _filtered. Those of a scene begin with
- * espalier_scene_ and take a mask, and most a filter. Those of a moving scene begin with espalier_moving_scene_.
+ * espalier_scene_ and take a mask, and most a filter. Those of a moving scene begin with espalier_moving_scene_, those
+ * of a deformable mesh with espalier_deformable_.
  *
  * Threads. Any number of threads may query one blob or scene. Functions use no heap.
  *
@@ -25,6 +26,7 @@
 #include <espalier/c/blob.h>
 #include <espalier/c/bounds.h>
 #include <espalier/c/contact.h>
+#include <espalier/c/deformation.h>
 #include <espalier/c/distance.h>
 #include <espalier/c/lattice.h>
 #include <espalier/c/moving_scene.h>
@@ -41,7 +43,6 @@
 #include <espalier/c/sweep.h>
 #include <espalier/c/transform.h>
 #include <espalier/c/types.h>
-#include <espalier/c/version.h>
 #include <espalier/c/visitor.h>
 #include <espalier/c/walk.h>
 

@@ -1,4 +1,5 @@
-// All headers of the runtime: opening a blob, and every query. The baker is separate: <espalier/bake.hpp>.
+// All headers of the runtime: opening a blob, and every query; and the library's version. The format has its own
+// (format.hpp). The baker is separate: <espalier/bake.hpp>.
 //
 // No heap, no exceptions, no libc. Thread safety: any number of threads may query one blob.
 #pragma once
@@ -23,5 +24,13 @@
 #include <espalier/sweep.hpp>
 #include <espalier/transform.hpp>
 #include <espalier/types.hpp>
-#include <espalier/version.hpp>
 #include <espalier/walk.hpp>
+
+namespace espalier {
+
+inline constexpr int library_version_major = 0;
+inline constexpr int library_version_minor = 1;
+inline constexpr int library_version_patch = 0;
+inline constexpr const char* library_version = "0.1.0";
+
+}  // namespace espalier

@@ -21,10 +21,11 @@ static void tell_blob(struct asking* asking) {
     const espalier_lattice lattice = espalier_blob_lattice(blob);
     const espalier_abi_sizes sizes = espalier_abi();
     const espalier_box bounds = espalier_blob_bounds(blob);
-    tell(asking, sizes.blob == sizeof(espalier_blob) && sizes.scene == sizeof(espalier_scene) &&
-                     sizes.rounded_ray == sizeof(espalier_rounded_ray) &&
-                     sizes.moving_scene == sizeof(espalier_moving_scene) &&
-                     sizes.filled_baked_pairs == sizeof(espalier_filled_baked_pairs));
+    tell(asking,
+         sizes.blob == sizeof(espalier_blob) && sizes.scene == sizeof(espalier_scene) &&
+             sizes.rounded_ray == sizeof(espalier_rounded_ray) && sizes.moving_scene == sizeof(espalier_moving_scene) &&
+             sizes.filled_baked_pairs == sizeof(espalier_filled_baked_pairs) &&
+             sizes.deformable == sizeof(espalier_deformable) && sizes.refit_result == sizeof(espalier_refit_result));
     tell(asking, espalier_blob_status(blob));
     tell(asking, espalier_blob_triangle_count(blob));
     tell(asking, espalier_blob_duplicate_reference_count(blob));
@@ -40,6 +41,8 @@ static void tell_blob(struct asking* asking) {
     tell_point(asking, bounds.min);
     tell_point(asking, bounds.max);
     tell(asking, espalier_blob_is_closed(blob));
+    tell(asking, espalier_blob_is_deformable(blob));
+    tell(asking, (uint32_t)espalier_deformable_bytes(blob));
     tell(asking, espalier_blob_has_original_ids(blob));
     tell(asking, espalier_blob_has_materials(blob));
     tell(asking, espalier_blob_has_edge_flags(blob));

@@ -44,6 +44,13 @@ static inline struct asked_shapes shapes_of(const struct question* question) {
     return shapes;
 }
 
+/* A deformable mesh and the positions of a refit. */
+struct asked_refit {
+    espalier_deformable* mesh;
+    const espalier_vec3* positions;
+    size_t count;
+};
+
 struct asking {
     const espalier_blob* blob;
     const espalier_blob* other; /* of pairs */
@@ -53,6 +60,7 @@ struct asking {
     void (*tell)(uint32_t word, void* log);
     void* log;
     uint32_t visits; /* left, of visitors */
+    const struct asked_refit* refit;
 };
 
 /* Fills an array: rays of three kinds, then the same from other places. */
@@ -77,6 +85,8 @@ void ask_changes(struct asking* asking);
 void ask_moving_scenes(struct asking* asking);
 /* Pairs of the moving scene with itself and with the baked scene. */
 void ask_scene_pairs(struct asking* asking);
+/* A deformable mesh itself, and refits of it: one to the positions, and some that are refused. */
+void ask_refits(struct asking* asking);
 /* Null functions and arrays of no elements. */
 void ask_nothing(struct asking* asking);
 void ask_nothing_of_scenes(struct asking* asking);
@@ -87,6 +97,21 @@ int misbehaviour_of_open(const void* bytes, size_t size);
 int misbehaviour_of_open_scene(const void* bytes, size_t size);
 /* The same of moving scenes that place the meshes and tiles of a baked one, at least one of each. */
 int misbehaviour_of_moving_scenes(const espalier_scene* baked);
+
+/* A deformable blob at any address, the positions that it was baked with and others, and a blob that does not deform.
+ */
+struct deformable_blob {
+    const void* bytes;
+    size_t size;
+    const espalier_vec3* rest;
+    const espalier_vec3* pose;
+    uint32_t count;
+    const espalier_blob* rigid;
+};
+/* The number of what deformable meshes do otherwise than deformation.h states. */
+int misbehaviour_of_deformables(const struct deformable_blob* blob);
+/* The same of moving scenes that place a deformable mesh, whose pose reaches beyond its rest along x. */
+int misbehaviour_of_deformables_in_scenes(const struct deformable_blob* blob);
 
 static inline void tell(struct asking* asking, uint32_t word) { asking->tell(word, asking->log); }
 

@@ -38,6 +38,12 @@ void compare(const std::string& family, Ask ask, Expect expect, asking from_c, E
 
 }  // namespace
 
+std::vector<espalier_vec3> in_c(std::span<const Vec3> positions) {
+    std::vector<espalier_vec3> result;
+    for (const Vec3& position : positions) result.push_back(c(position));
+    return result;
+}
+
 question some_question(const Blob& blob, Random& random) {
     question result = {};
     for (espalier_vec3& point : result.points) point = c(some_point(blob, random));
@@ -73,7 +79,7 @@ void compare_all(const espalier_blob& c_blob, const espalier_blob& c_other, cons
     espalier_moving_scene c_moving = {};
     MovingScene moving;
     const auto both = [&](const std::string& family, Ask ask, Expect expect) {
-        compare(family, ask, expect, {&c_blob, &c_other, &c_scene, &c_moving, &asked, nullptr, nullptr, 0},
+        compare(family, ask, expect, {&c_blob, &c_other, &c_scene, &c_moving, &asked, nullptr, nullptr, 0, nullptr},
                 {blob, other, scene, moving, asked});
     };
     both("lookups", ask_lookups, &Expecting::lookups);
@@ -95,7 +101,7 @@ void compare_scenes(const espalier_scene& c_scene, const BakedScene& scene, cons
     espalier_moving_scene c_moving = {};
     MovingScene moving;
     const auto both = [&](const std::string& family, Ask ask, Expect expect) {
-        compare(family, ask, expect, {&c_blob, &c_blob, &c_scene, &c_moving, &asked, nullptr, nullptr, 0},
+        compare(family, ask, expect, {&c_blob, &c_blob, &c_scene, &c_moving, &asked, nullptr, nullptr, 0, nullptr},
                 {blob, blob, scene, moving, asked});
     };
     both("scenes", ask_scenes, &Expecting::scenes);
@@ -107,12 +113,27 @@ void compare_moving_scenes(espalier_moving_scene& c_moving, const espalier_scene
     const espalier_blob c_blob = {};
     const Blob blob;
     const auto both = [&](const std::string& family, Ask ask, Expect expect) {
-        compare(family, ask, expect, {&c_blob, &c_blob, &c_baked, &c_moving, &asked, nullptr, nullptr, 0},
+        compare(family, ask, expect, {&c_blob, &c_blob, &c_baked, &c_moving, &asked, nullptr, nullptr, 0, nullptr},
                 {blob, blob, baked, moving, asked});
     };
     both("changes", ask_changes, &Expecting::changes);
     both("moving scenes", ask_moving_scenes, &Expecting::moving_scenes);
     both("scene pairs", ask_scene_pairs, &Expecting::scene_pairs);
+}
+
+void compare_refits(espalier_deformable& c_mesh, Deformable& mesh, std::span<const Vec3> positions,
+                    const question& asked) {
+    const espalier_blob* const c_blob = espalier_deformable_blob(&c_mesh);
+    const espalier_scene c_scene = {};
+    const BakedScene scene;
+    espalier_moving_scene c_moving = {};
+    MovingScene moving;
+    const std::vector<espalier_vec3> c_positions = in_c(positions);
+    const asked_refit refit = {&c_mesh, c_positions.data(), c_positions.size()};
+    Expecting expecting(mesh.blob(), mesh.blob(), scene, moving, asked);
+    compare("refits", ask_refits, &Expecting::refits,
+            {c_blob, c_blob, &c_scene, &c_moving, &asked, nullptr, nullptr, 0, &refit},
+            expecting.with(mesh, positions));
 }
 
 espalier_blob open_from_c(std::span<const std::byte> bytes) {

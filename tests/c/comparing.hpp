@@ -21,6 +21,7 @@
 namespace espalier::tests {
 
 inline espalier_vec3 c(Vec3 v) { return {v.x, v.y, v.z}; }
+std::vector<espalier_vec3> in_c(std::span<const Vec3> positions);
 
 /// Makes a question whose points and lengths are near the blob or hostile.
 question some_question(const Blob& blob, Random& random);
@@ -36,6 +37,10 @@ void compare_scenes(const espalier_scene& c_scene, const BakedScene& scene, cons
 /// Requires that changes, queries and pairs of a moving scene give the same from C and from C++.
 void compare_moving_scenes(espalier_moving_scene& c_moving, const espalier_scene& c_baked, MovingScene& moving,
                            const BakedScene& baked, const question& asked);
+
+/// Requires that refits of a deformable mesh, and what it returns about itself, are the same from C and from C++.
+void compare_refits(espalier_deformable& c_mesh, Deformable& mesh, std::span<const Vec3> positions,
+                    const question& asked);
 
 /// A value of which every bit is random, or every float or integer one that breaks careless code.
 template <class T>

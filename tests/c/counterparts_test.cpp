@@ -47,6 +47,7 @@ const char* const table = R"(
     Blob::max_error()                                             espalier_blob_max_error
     Blob::bounds()                                                espalier_blob_bounds
     Blob::is_closed()                                             espalier_blob_is_closed
+    Blob::is_deformable()                                         espalier_blob_is_deformable
     Blob::has_original_ids()                                      espalier_blob_has_original_ids
     Blob::has_materials()                                         espalier_blob_has_materials
     Blob::has_edge_flags()                                        espalier_blob_has_edge_flags
@@ -54,6 +55,16 @@ const char* const table = R"(
 
     edge_kinds(Blob, TriangleId)                                  espalier_edge_kinds_of
     fix_internal_edge_normal(Blob, TriangleId, Feature, Vec3)     espalier_fix_internal_edge_normal
+
+    deformable_bytes(Blob)                                        espalier_deformable_bytes
+    create_deformable(Blob, span<byte>)                           espalier_create_deformable
+    Deformable::status()                                          espalier_deformable_status
+    Deformable::blob()                                            espalier_deformable_blob
+    Deformable::position_count()                                  espalier_deformable_position_count
+    Deformable::range()                                           espalier_deformable_range
+    Deformable::create(Blob, byte)                                -
+    refit(Deformable, span<Vec3>)                                 espalier_deformable_refit
+    seal(Deformable, span<byte>)                                  espalier_deformable_seal
 
     bounding_sphere(Blob)                                         espalier_bounding_sphere
     oriented_bounds(Blob)                                         espalier_oriented_bounds
@@ -208,6 +219,7 @@ const char* const table = R"(
     remove(MovingScene, InstanceHandle)                           espalier_moving_scene_remove
     move(MovingScene, InstanceHandle, Transform)                  espalier_moving_scene_move
     move(MovingScene, span<Movement>)                             espalier_moving_scene_move_batch
+    move_instances_of(MovingScene, uint32_t)                      espalier_moving_scene_move_instances_of
     set_mask(MovingScene, InstanceHandle, uint32_t)               espalier_moving_scene_set_mask
     set_user(MovingScene, InstanceHandle, uint32_t)               espalier_moving_scene_set_user
     refit(MovingScene)                                            espalier_moving_scene_refit
@@ -256,7 +268,7 @@ const char* const table = R"(
 const std::set<std::string> only_in_c = {"espalier_abi", "espalier_default_ray", "espalier_identity",
                                          "espalier_moving_scene_is_open", "espalier_moving_scene_view"};
 /// Headers without queries: the baker's, the bytes of a blob, a type of parameters, numbers.
-const std::set<std::string> other_headers = {"bake.hpp", "format.hpp", "function_ref.hpp", "version.hpp"};
+const std::set<std::string> other_headers = {"bake.hpp", "format.hpp", "function_ref.hpp"};
 
 std::string text_of(const Path& path) {
     std::ifstream file(path);

@@ -98,6 +98,8 @@ void Expecting::lookups() {
     tell(blob_.bounds().min);
     tell(blob_.bounds().max);
     tell(blob_.is_closed());
+    tell(blob_.is_deformable());
+    tell(static_cast<std::uint32_t>(deformable_bytes(blob_)));
     tell(blob_.has_original_ids());
     tell(blob_.has_materials());
     tell(blob_.has_edge_flags());

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <espalier/espalier.hpp>
@@ -41,6 +42,14 @@ public:
     void changes();
     void moving_scenes();
     void scene_pairs();
+
+    /// Chooses the mesh and the positions of refits().
+    Expecting& with(Deformable& mesh, std::span<const Vec3> positions) {
+        mesh_ = &mesh;
+        positions_ = positions;
+        return *this;
+    }
+    void refits();
 
     [[nodiscard]] const std::vector<std::uint32_t>& words() const { return words_; }
 
@@ -113,6 +122,8 @@ private:
     void tell(const FilledPairs<Pair>& page, const std::array<Pair, size>& pairs);
     void tell(const InstancePair& pair);
     void tell(const BakedPair& pair);
+    void tell(const RefitResult& result);
+    void mesh_itself();
 
     [[nodiscard]] Vec3 point(int i) const { return cpp(asked_.points[i]); }
     [[nodiscard]] Vec3 direction(int i) const { return cpp(asked_.directions[i]); }
@@ -155,6 +166,8 @@ private:
     const BakedScene& scene_;
     MovingScene& moving_;
     const question& asked_;
+    Deformable* mesh_ = nullptr;
+    std::span<const Vec3> positions_;
     std::uint32_t visits_ = 0;
     std::vector<std::uint32_t> words_;
 };

@@ -36,8 +36,9 @@ constexpr std::size_t initialisers() {
     else return initialisers<T, count - 1>();
 }
 
-/// Returns whether one passes for the other. Where it fails for espalier_blob or espalier_scene, give that the size of
-/// Blob or BakedScene, for pointers of 4 and of 8 bytes. Classes with private members have no initialisers.
+/// Returns whether one passes for the other. Where it fails for espalier_blob, espalier_scene or
+/// espalier_deformable, give that the size of Blob, BakedScene or Deformable, for pointers of 4 and of 8 bytes. Classes
+/// with private members have no initialisers.
 template <class C, class Cpp>
 constexpr bool same_layout() {
     static_assert(std::is_same_v<Twin<C>, Cpp> && std::is_same_v<Twin<Cpp>, C>);
@@ -236,6 +237,9 @@ SAME_FIELD(espalier_filled_instance_pairs, status);
 SAME_FIELD(espalier_filled_baked_pairs, count);
 SAME_FIELD(espalier_filled_baked_pairs, next);
 SAME_FIELD(espalier_filled_baked_pairs, status);
+SAME_FIELD(espalier_refit_result, status);
+SAME_FIELD(espalier_refit_result, position);
+SAME_FIELD(espalier_refit_result, quality);
 
 // ---- enumerations and numbers -------------------------------------------------------------------------------------
 
@@ -368,5 +372,7 @@ TEST_SUITE("layouts") {
         CHECK(sizes.scene_counters == sizeof(espalier::SceneCounters));
         CHECK(sizes.moving_scene == sizeof(espalier::MovingScene));
         CHECK(sizes.filled_baked_pairs == sizeof(espalier::FilledPairs<espalier::BakedPair>));
+        CHECK(sizes.deformable == sizeof(espalier::Deformable));
+        CHECK(sizes.refit_result == sizeof(espalier::RefitResult));
     }
 }

@@ -101,8 +101,9 @@ check_layers(runtime "<espalier/(scenes/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${m
   "transforms: base"
   "pairs: ${walks} transforms"
   "scenes: ${walks} open rays proximity transforms"
-  "moving_scenes/box_tree: base lanes traversal transforms"
+  "moving_scenes/box_tree: base blob lanes traversal transforms"
   "moving_scenes: base lattice lanes proximity scenes pairs transforms moving_scenes/box_tree"
+  "deformation: base lattice blob"
   "asset: base lattice blob traversal"
   "instruction_sets: ${walks} rays rays/batch proximity pairs scenes moving_scenes moving_scenes/box_tree"
   "c: moving_scenes")
@@ -114,6 +115,7 @@ check_layers(baker "<espalier/(scenes/)?[a-z_]+\\.hpp>|<runtime/(base|lattice|bl
   "quantise: base input"
   "build: base input quantise"
   "error: base input quantise build"
+  "deformation: base input quantise build error"
   "optimise: base input quantise build"
   "collapse: base input quantise build"
   "sections: base input quantise build collapse"

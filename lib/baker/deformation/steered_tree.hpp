@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <baker/bake_with.hpp>
+#include <baker/build/tree_maker.hpp>
 #include <baker/quantise/lattice_mesh.hpp>
 
 namespace espalier::baker {

@@ -4,7 +4,7 @@
 #include <bit>
 
 #include <espalier/blob.hpp>
-#include <runtime/deformation/tree_cost.hpp>
+#include <runtime/blob/tree_cost.hpp>
 
 #include <baker/base/byte_writer.hpp>
 #include <baker/encode/leaf.hpp>

@@ -1,4 +1,4 @@
-// What a deformable blob has besides: corners, vertex sources, and fields of the header.
+// What only a deformable blob has: corners, vertex sources, and fields of the header.
 #pragma once
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <baker/base/number_text.hpp>
-#include <baker/deformation/options.hpp>
+#include <baker/input/check_deformation.hpp>
 #include <baker/input/zero_area.hpp>
 
 namespace espalier::baker {

@@ -1,4 +1,5 @@
-/* The version and the structure sizes of the library, for callers that load it at run time. */
+/* The version of these headers; the version and the structure sizes of the library, for callers that load it at run
+ * time. Counterpart of espalier.hpp. */
 #ifndef ESPALIER_C_ABI_H
 #define ESPALIER_C_ABI_H
 
@@ -10,6 +11,11 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+#define ESPALIER_VERSION "0.1.0"
+#define ESPALIER_VERSION_MAJOR 0
+#define ESPALIER_VERSION_MINOR 1
+#define ESPALIER_VERSION_PATCH 0
 
 /* The version of the library and the sizes of its structures in bytes, each under its name. A later version may add
  * sizes: compare the version first. */
@@ -31,6 +37,7 @@ typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
         scene_sweep_hit;
     uint16_t instance_handle, instance_handle_result, box_result, movement, moving_scene;
     uint16_t instance_pair, baked_pair, pair_filter, filled_instance_pairs, filled_baked_pairs;
+    uint16_t deformable, refit_result;
 } espalier_abi_sizes;
 #undef ESPALIER_SIZE_
 

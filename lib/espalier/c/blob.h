@@ -15,8 +15,9 @@
 extern "C" {
 #endif
 
-/* A view of a baked mesh: copied freely, owning nothing. The bytes must outlive it and stay unchanged. Filled with
- * zeros it was never opened: it has no triangles, and queries refuse it. Its content may change. */
+/* A view of a baked mesh: copied freely, owning nothing. The bytes must outlive it and stay unchanged, but by a refit
+ * (deformation.h). Filled with zeros it was never opened: it has no triangles, and queries refuse it. Its content may
+ * change. */
 typedef struct ESPALIER_BLOB_ espalier_blob {
     unsigned char opaque_[sizeof(void*) == 8 ? 192 : 160];
 } espalier_blob;
@@ -55,6 +56,7 @@ uint32_t espalier_blob_duplicate_reference_count(const espalier_blob* blob);
 uint32_t espalier_blob_vertex_count(const espalier_blob* blob);
 /* Returns the size in bytes. */
 uint32_t espalier_blob_size(const espalier_blob* blob);
+/* Returns the checksum that the header stores. A refit does not renew it. */
 uint32_t espalier_blob_checksum(const espalier_blob* blob);
 /* Returns the number of nodes on the longest path from the root. */
 unsigned espalier_blob_depth(const espalier_blob* blob);
@@ -67,6 +69,8 @@ float espalier_blob_max_error(const espalier_blob* blob);
 espalier_box espalier_blob_bounds(const espalier_blob* blob);
 /* Returns whether the surface has an inside, which espalier_contains() and espalier_signed_distance() need. */
 bool espalier_blob_is_closed(const espalier_blob* blob);
+/* Returns whether the vertices can move (deformation.h). */
+bool espalier_blob_is_deformable(const espalier_blob* blob);
 /* Returns whether the blob stores what original.h, espalier_material() and contact.h read. */
 bool espalier_blob_has_original_ids(const espalier_blob* blob);
 bool espalier_blob_has_materials(const espalier_blob* blob);

@@ -52,7 +52,8 @@ namespace espalier::detail {
     twin(instance_handle, InstanceHandle) twin(instance_handle_result, Result<InstanceHandle>)                \
     twin(box_result, Result<Box>) twin(movement, Movement) twin(moving_scene, MovingScene)                    \
     twin(instance_pair, InstancePair) twin(baked_pair, BakedPair) other(pair_filter, PairFilter)              \
-    twin(filled_instance_pairs, FilledPairs<InstancePair>) twin(filled_baked_pairs, FilledPairs<BakedPair>)
+    twin(filled_instance_pairs, FilledPairs<InstancePair>) twin(filled_baked_pairs, FilledPairs<BakedPair>)   \
+    twin(deformable, Deformable) twin(refit_result, RefitResult)
 // clang-format on
 
 // Overloads without a body: what they return is the twin of what they take.

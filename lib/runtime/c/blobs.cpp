@@ -45,6 +45,7 @@ espalier_lattice espalier_blob_lattice(const espalier_blob* blob) { return c(cpp
 float espalier_blob_max_error(const espalier_blob* blob) { return cpp(blob).max_error(); }
 espalier_box espalier_blob_bounds(const espalier_blob* blob) { return c(cpp(blob).bounds()); }
 bool espalier_blob_is_closed(const espalier_blob* blob) { return cpp(blob).is_closed(); }
+bool espalier_blob_is_deformable(const espalier_blob* blob) { return cpp(blob).is_deformable(); }
 bool espalier_blob_has_original_ids(const espalier_blob* blob) { return cpp(blob).has_original_ids(); }
 bool espalier_blob_has_materials(const espalier_blob* blob) { return cpp(blob).has_materials(); }
 bool espalier_blob_has_edge_flags(const espalier_blob* blob) { return cpp(blob).has_edge_flags(); }

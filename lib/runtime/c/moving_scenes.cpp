@@ -91,6 +91,10 @@ espalier_filled espalier_moving_scene_move_batch(espalier_moving_scene* scene, c
     return c(move(cpp(scene), cpp(movements, count)));
 }
 
+espalier_query_status espalier_moving_scene_move_instances_of(espalier_moving_scene* scene, uint32_t mesh) {
+    return c(move_instances_of(cpp(scene), mesh));
+}
+
 espalier_query_status espalier_moving_scene_set_mask(espalier_moving_scene* scene, espalier_instance_handle instance,
                                                      uint32_t mask) {
     return c(set_mask(cpp(scene), cpp(instance), mask));

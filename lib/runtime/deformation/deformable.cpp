@@ -51,8 +51,9 @@ Deformable create_deformable(const Blob& blob, std::span<std::byte> memory) noex
     Deformable mesh;
     if (!blob) return mesh;
     const std::size_t moving = deformable_bytes(blob);
-    mesh.status_ = moving == 0 ? QueryStatus::no_data : memory.size() < moving ? QueryStatus::no_room : QueryStatus::ok;
-    if (mesh) mesh.create(blob, memory.data());
+    if (moving == 0) mesh.refusal_ = QueryStatus::no_data;
+    else if (memory.size() < moving) mesh.refusal_ = QueryStatus::no_room;
+    else mesh.create(blob, memory.data());
     return mesh;
 }
 

@@ -10,7 +10,7 @@
 #include <runtime/deformation/check_positions.hpp>
 #include <runtime/deformation/place_vertices.hpp>
 #include <runtime/deformation/store.hpp>
-#include <runtime/deformation/tree_cost.hpp>
+#include <runtime/blob/tree_cost.hpp>
 
 namespace espalier {
 

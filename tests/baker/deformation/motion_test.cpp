@@ -34,7 +34,7 @@ bool holds(const Box& outer, const Box& inner) {
 
 }  // namespace
 
-TEST_SUITE("deformation") {
+TEST_SUITE("motion") {
     TEST_CASE("deformation: without a range it is the box of mesh and poses and a tenth of the largest side around") {
         const Mesh mesh = make_torus(16, 8, 2.0, 0.5);
         BakeOptions options = deforming();

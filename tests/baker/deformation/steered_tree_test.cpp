@@ -14,7 +14,7 @@
 using namespace espalier;
 using namespace espalier::tests;
 
-TEST_SUITE("deformation") {
+TEST_SUITE("steered tree") {
     TEST_CASE("deformation: a tree that poses steered costs less in them") {
         // At rest, neighbours are far apart in the pose.
         const Mesh mesh = make_soup(400, 11);

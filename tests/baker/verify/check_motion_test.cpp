@@ -42,7 +42,7 @@ std::size_t sources_of(const Bytes& bytes) {
 
 }  // namespace
 
-TEST_SUITE("verify deformable") {
+TEST_SUITE("check motion") {
     TEST_CASE("verify: deformable blobs are sound in every pose") {
         for (const Mesh& mesh : {make_plane_grid(12), make_soup(150, 2), make_torus(14, 9, 2.0, 0.7)})
             for (const unsigned bits : {4u, 16u, 22u}) {

@@ -49,6 +49,8 @@ void ask_changes(struct asking* asking) {
         movements[i].transform = some_transform(question, (int)i);
     }
     tell_filled(asking, espalier_moving_scene_move_batch(scene, movements, 4));
+    tell(asking, espalier_moving_scene_move_instances_of(scene, (bits >> 4) % 7u));
+    tell(asking, espalier_moving_scene_move_instances_of(scene, bits));
     tell(asking, espalier_moving_scene_must_refit(scene));
     if (bits % 8u != 0) tell(asking, espalier_moving_scene_refit(scene));
     if (bits % 16u == 3u) espalier_moving_scene_repack(scene);

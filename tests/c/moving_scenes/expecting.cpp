@@ -43,6 +43,8 @@ void Expecting::changes() {
     std::array<Movement, 4> movements;
     for (std::uint32_t i = 0; i < 4; ++i) movements[i] = {some_handle(bits >> i), some_transform(static_cast<int>(i))};
     tell(move(moving_, movements));
+    tell(move_instances_of(moving_, (bits >> 4) % 7));
+    tell(move_instances_of(moving_, bits));
     tell(moving_.must_refit());
     if (bits % 8 != 0) tell(refit(moving_));
     if (bits % 16 == 3) repack(moving_);

@@ -32,6 +32,7 @@ static int misbehaviour_of_empty(espalier_moving_scene* scene) {
     if (espalier_moving_scene_insert(scene, &instance).status != ESPALIER_QUERY_NOT_OPEN) return 6;
     if (espalier_moving_scene_remove(scene, handle) != ESPALIER_QUERY_NOT_OPEN) return 7;
     if (espalier_moving_scene_refit(scene) != 0) return 8;
+    if (espalier_moving_scene_move_instances_of(scene, 0) != ESPALIER_QUERY_NOT_OPEN) return 12;
     espalier_moving_scene_repack(scene);
     espalier_moving_scene_end_step(scene);
     memset(&view, 0xA5, sizeof view);

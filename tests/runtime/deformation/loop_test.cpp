@@ -64,7 +64,7 @@ TestBlob test_blob_of(const DeformedMesh& moving) {
 
 }  // namespace
 
-TEST_SUITE("deformation") {
+TEST_SUITE("loop") {
     TEST_CASE("deformation: triangles have the corners of the positions and every box holds what is below it") {
         for_each_pose([](const DeformedMesh& moving, const std::vector<Vec3>& positions, std::uint64_t) {
             const DecodedBlob decoded = moving.decoded();

@@ -49,7 +49,7 @@ Box steps_box(const DeformedMesh& moving, std::span<const Vec3> positions) {
 
 }  // namespace
 
-TEST_SUITE("deformation") {
+TEST_SUITE("refit") {
     TEST_CASE("deformation: the positions of the bake give the baked bytes") {
         for (const Mesh& mesh : meshes_that_move())
             for (const unsigned bits : {6u, 16u, 17u, 24u}) {

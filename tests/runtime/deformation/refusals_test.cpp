@@ -34,7 +34,7 @@ void check_refusal(DeformedMesh& moving, const std::vector<Vec3>& positions, Que
 
 }  // namespace
 
-TEST_SUITE("deformation") {
+TEST_SUITE("refusals") {
     TEST_CASE("deformation: a position that is not finite is refused by its number and changes nothing") {
         constexpr float infinity = std::numeric_limits<float>::infinity();
         const Mesh mesh = make_plane_grid(6);

@@ -80,7 +80,7 @@ std::size_t checked(const SceneComparison& comparison) {
 
 }  // namespace
 
-TEST_SUITE("deformation") {
+TEST_SUITE("scenes") {
     TEST_CASE("deformation: queries of a moving scene equal the loop over its instances in every pose") {
         std::size_t found = 0;
         for (const unsigned bits : {10u, 16u, 22u}) {

@@ -1,4 +1,4 @@
-#include <baker/deformation/options.hpp>
+#include <baker/input/check_deformation.hpp>
 
 #include <cmath>
 #include <string>

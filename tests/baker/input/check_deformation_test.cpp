@@ -33,7 +33,7 @@ void check_refused(const BakeResult& result, BakeStatus status, std::initializer
 
 }  // namespace
 
-TEST_SUITE("deformation") {
+TEST_SUITE("check deformation") {
     TEST_CASE("deformation: options that exclude a deformable blob are refused") {
         const Mesh mesh = make_plane_grid(3);
         for (const Profile profile : {Profile::balanced, Profile::small, Profile::tiny}) {
