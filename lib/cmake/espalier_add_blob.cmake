@@ -20,22 +20,24 @@ mark_as_advanced(ESPALIER_HOST_OPTIONS)
 set_property(GLOBAL PROPERTY ESPALIER_BLOB_VERSION "${espalier_VERSION}")
 
 # Each is an option of `espalier bake` by the same name: MAX_BYTES is --max-bytes.
-set_property(GLOBAL PROPERTY ESPALIER_BAKE_FLAGS IDS MATERIALS DROP_BAD_TRIANGLES STRICT ALLOW_EMPTY)
+set_property(GLOBAL PROPERTY ESPALIER_BAKE_FLAGS IDS MATERIALS DEFORMABLE DROP_BAD_TRIANGLES STRICT ALLOW_EMPTY)
 set_property(GLOBAL PROPERTY ESPALIER_BAKE_VALUES TOLERANCE BITS STEP LATTICE_OF MAX_BYTES FASTEST_UNDER MAX_ERROR PROFILE LEAF_SIZE
   BYTE_PRICE BUILDER DUPLICATE_BUDGET UNIT SCALE UP FLAT_ANGLE BOUNDS EFFORT THREADS MAX_DROPPED EXPECT_SIZE IMPORT_MEMORY IMPORT_SECONDS
   REMAP REORDER INSTANCES)
+set_property(GLOBAL PROPERTY ESPALIER_BAKE_LISTS RANGE POSES) # of several values
 
 function(espalier_add_blob target)
   get_property(bake_flags GLOBAL PROPERTY ESPALIER_BAKE_FLAGS)
   get_property(bake_values GLOBAL PROPERTY ESPALIER_BAKE_VALUES)
+  get_property(bake_lists GLOBAL PROPERTY ESPALIER_BAKE_LISTS)
   set(headers_of_c assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg
     stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype)
-  set(lists MESH DEPENDS)
+  set(lists MESH DEPENDS ${bake_lists})
   set(embed_values SYMBOL SECTION ALIGNMENT)
   cmake_parse_arguments(PARSE_ARGV 1 blob "${bake_flags}" "${bake_values};${embed_values};FORMAT;OUTPUT" "${lists}")
-  set(choices ${lists} ${bake_values} ${bake_flags} FORMAT ${embed_values} OUTPUT)
+  set(choices MESH DEPENDS ${bake_values} ${bake_lists} ${bake_flags} FORMAT ${embed_values} OUTPUT)
   list(JOIN choices ", " choices)
-  foreach(word IN LISTS blob_UNPARSED_ARGUMENTS blob_MESH blob_DEPENDS)
+  foreach(word IN LISTS blob_UNPARSED_ARGUMENTS blob_MESH blob_DEPENDS blob_POSES)
     # what is misspelt after MESH would be one more mesh
     if(word IN_LIST blob_UNPARSED_ARGUMENTS OR (word MATCHES "^[A-Z][A-Z_]+$" AND NOT TARGET ${word}))
       message(FATAL_ERROR "espalier_add_blob(${target}): '${word}' is no option; the options are ${choices}")
@@ -48,6 +50,14 @@ function(espalier_add_blob target)
   endforeach()
   if(NOT blob_MESH)
     message(FATAL_ERROR "espalier_add_blob(${target}): MESH and at least one mesh file are needed")
+  endif()
+
+  if(NOT blob_DEFORMABLE AND (blob_RANGE OR blob_POSES))
+    message(FATAL_ERROR "espalier_add_blob(${target}): RANGE and POSES need DEFORMABLE")
+  endif()
+  list(LENGTH blob_RANGE range_numbers)
+  if(DEFINED blob_RANGE AND NOT range_numbers EQUAL 6)
+    message(FATAL_ERROR "espalier_add_blob(${target}): RANGE has ${range_numbers} numbers; six are needed, X0 Y0 Z0 X1 Y1 Z1")
   endif()
 
   if(target IN_LIST headers_of_c)
@@ -89,6 +99,14 @@ function(espalier_add_blob target)
     cmake_path(ABSOLUTE_PATH mesh BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
     list(APPEND meshes ${mesh})
   endforeach()
+  set(poses "")
+  foreach(pose IN LISTS blob_POSES)
+    cmake_path(ABSOLUTE_PATH pose BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+    list(APPEND poses ${pose})
+  endforeach()
+  if(poses)
+    set(blob_POSES ${poses})
+  endif()
   if(blob_LATTICE_OF) # a target of this function, or a blob as a file
     if(TARGET ${blob_LATTICE_OF})
       get_target_property(neighbour ${blob_LATTICE_OF} ESPALIER_BLOB)
@@ -110,12 +128,12 @@ function(espalier_add_blob target)
     endif()
   endforeach()
   set(bake_options "")
-  foreach(option IN LISTS bake_values bake_flags)
+  foreach(option IN LISTS bake_values bake_lists bake_flags)
     if(DEFINED blob_${option} AND NOT (option IN_LIST bake_flags AND NOT blob_${option}))
       string(TOLOWER "--${option}" name)
       string(REPLACE "_" "-" name ${name})
       list(APPEND bake_options ${name})
-      if(option IN_LIST bake_values)
+      if(NOT option IN_LIST bake_flags)
         list(APPEND bake_options ${blob_${option}})
       endif()
     endif()
@@ -130,7 +148,7 @@ function(espalier_add_blob target)
 
   add_custom_command(OUTPUT ${bake_outputs}
     COMMAND ${command} bake ${meshes} -o ${blob} --depfile ${folder}/${target}.d --quiet ${bake_options} ${forget}
-    DEPENDS ${meshes} ${blob_DEPENDS} ${blob_LATTICE_OF} ${made_by} DEPFILE ${folder}/${target}.d
+    DEPENDS ${meshes} ${poses} ${blob_DEPENDS} ${blob_LATTICE_OF} ${made_by} DEPFILE ${folder}/${target}.d
     COMMENT "Baking ${target}" VERBATIM)
   # The header keeps its time while it stays the same, so it is a byproduct: who includes it is compiled again only then.
   add_custom_command(OUTPUT ${source} BYPRODUCTS ${header}

@@ -22,8 +22,8 @@ version=$("$espalier" --version | sed 's/^espalier \([0-9.]*\).*/\1/')
 claim "every option of bake that shapes the blob is an option of the function, and the other way round"
 run 0 bake --help
 sed -n 's/^ *\(-[a-z],\)\{0,1\}--\([a-z-]*\).*/\2/p' out | grep -vxE 'help|output|depfile|json|quiet|verbose' | tr 'a-z-' 'A-Z_' | sort >of_bake
-sed -n '/ESPALIER_BAKE_\(FLAGS\|VALUES\)/,/)/p' "$espalier_sources/lib/cmake/espalier_add_blob.cmake" | sed '/get_property/d' |
-    grep -oE '\b[A-Z_]+\b' | grep -vxE 'GLOBAL|PROPERTY|ESPALIER_BAKE_(FLAGS|VALUES)' | sort >of_function
+sed -n '/ESPALIER_BAKE_\(FLAGS\|VALUES\|LISTS\)/,/)/p' "$espalier_sources/lib/cmake/espalier_add_blob.cmake" | sed '/get_property/d' |
+    grep -oE '\b[A-Z_]+\b' | grep -vxE 'GLOBAL|PROPERTY|ESPALIER_BAKE_(FLAGS|VALUES|LISTS)' | sort >of_function
 [ "$(wc -l <of_bake)" -gt 15 ] || fail "the help has only $(wc -l <of_bake) options"
 diff of_bake of_function >differences || fail "$(cat differences)"
 
@@ -46,6 +46,13 @@ refused "TOLERANCE needs a value" level MESH level.obj TOLERANCE BITS 12
 refused "TOLERANCE needs a value" level MESH level.obj TOLERANCE "\"\${tolerence}\""
 refused "MESH and at least one mesh file are needed" level TOLERANCE 0.5mm
 refused "MESH needs a value" level MESH TOLERANCE 0.5mm
+
+claim "a range without six numbers is refused, and a range or poses of a blob that is not deformable"
+refused "RANGE has 3 numbers; six are needed, X0 Y0 Z0 X1 Y1 Z1" level MESH level.obj DEFORMABLE RANGE 0 0 0
+refused "RANGE needs a value" level MESH level.obj RANGE DEFORMABLE
+refused "RANGE and POSES need DEFORMABLE" level MESH level.obj RANGE 0 0 0 1 1 1
+refused "RANGE and POSES need DEFORMABLE" level MESH level.obj POSES level.obj
+refused "'BITZ' is no option" level MESH level.obj DEFORMABLE POSES level.obj BITZ 12
 
 claim "a name whose header would take the place of one of the C library is refused"
 refused "espalier_add_blob(string): its header would hide <string.h>; give the target another name" string MESH level.obj
@@ -89,6 +96,24 @@ same expected.ply build/models/all.ply
 [ "$(cat build/blob.txt)" = "$folder/build/blobs/all.espl" ] || fail "the target says $(cat build/blob.txt)"
 build/game >game.bytes
 same game.bytes expected.espl
+
+claim "a deformable blob is baked with its range and its poses, and again when a pose changes"
+cp level/level.obj level/bent.obj
+cp level/CMakeLists.txt kept.txt
+echo 'espalier_add_blob(cloth MESH level.obj DEFORMABLE RANGE -1 -1 -0.5 2 2mm 2 POSES bent.obj level.obj BITS 12)' >>level/CMakeLists.txt
+must configure level build
+for top in 0.5 0.75; do
+    sed "s/^v 0 0 1/v 0 $top 1/" level/level.obj >level/bent.obj
+    must build build --target cloth
+    run 0 bake level/level.obj -o cloth.espl -q --deformable --range -1 -1 -0.5 2 2mm 2 --poses level/bent.obj level/level.obj --bits 12
+    same cloth.espl build/espalier_blobs/cloth/cloth.espl
+    sleep 0.05 # a file system may count time in steps
+done
+sed 's/^v 0 0 1/v nan 0 1/' level/level.obj >level/bent.obj
+must_not build build --target cloth
+log_has "bent.obj, mesh 0, vertex 3 has x = NaN"
+cp kept.txt level/CMakeLists.txt
+must configure level build
 
 claim "a blob takes the step that is given, or that of another target, which is baked before it"
 must build build --target tile-2

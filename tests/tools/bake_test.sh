@@ -6,7 +6,7 @@
 
 # ---- usage ----------------------------------------------------------------------------------------------------------
 claim "help goes to stdout and names the exit status, for the command and for every verb"
-for verb in "" bake embed info verify query "query x ray" "query x sphere" "query x closest-point" render trade dump; do
+for verb in "" bake refit embed info verify query "query x ray" "query x sphere" "query x closest-point" render trade dump; do
     # shellcheck disable=SC2086
     run 0 $verb --help
     out_has "0 ok, 1 usage, 2 file cannot be read or written, 3 invalid input, 4 internal, 5 unsupported"

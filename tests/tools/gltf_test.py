@@ -9,6 +9,7 @@ import tempfile
 from gltf.checks import summary
 from gltf.compression import draco, gltfpack, meshopt
 from gltf.container import containers, extensions, hostile, restarts
+from gltf.deformation import deformation
 from gltf.geometry import positions, topology
 from gltf.scene import instances, nodes, scenes
 from gltf.skin import morphs, skins
@@ -19,7 +20,7 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         os.chdir(folder or temporary)
         for part in (containers, topology, positions, nodes, scenes, skins, morphs, instances, meshopt, draco, restarts, extensions,
-                     hostile, gltfpack):
+                     hostile, gltfpack, deformation):
             if len(sys.argv) < 4 or part.__name__ in sys.argv[3:]:
                 part()
         os.chdir("/")

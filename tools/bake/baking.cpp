@@ -31,11 +31,11 @@ ExitCode exit_code_of(BakeStatus status) {
     return ExitCode::internal;
 }
 
-BakeResult sound_or_throw(BakeResult result, const Imported& imported) {
+BakeResult sound_or_throw(BakeResult result, const Imported& imported, const BakeOptions& options) {
     if (!result) {
         std::string message = result.message;
         if (!message.ends_with('.')) message += '.';
-        if (result.status == BakeStatus::invalid_mesh) {
+        if (result.status == BakeStatus::invalid_mesh && !options.deformation) {
             message += " --drop-bad-triangles drops such triangles and counts them.";
         }
         const std::optional<SourcePlace>& place = result.place;
@@ -60,11 +60,11 @@ BakeResult bake_or_throw(const Imported& imported, const BakeOptions& options) {
 }
 
 BakeResult bake_or_throw(std::span<const MeshView> meshes, const Imported& imported, const BakeOptions& options) {
-    return sound_or_throw(bake(meshes, options), imported);
+    return sound_or_throw(bake(meshes, options), imported, options);
 }
 
 BakeResult bake_trial_or_throw(const Imported& imported, const BakeOptions& options) {
-    return sound_or_throw(baker::bake_trial(imported.views(), options), imported);
+    return sound_or_throw(baker::bake_trial(imported.views(), options), imported, options);
 }
 
 Blob opened(const BakeResult& baked) {

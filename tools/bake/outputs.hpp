@@ -16,7 +16,9 @@ struct BakeOutputs {
     std::span<const std::byte> reordered;
 };
 
-/// Writes the outputs that the arguments name. Throws CommandError (file_access).
-void write_outputs(const BakeArguments& arguments, const Imported& imported, const BakeOutputs& outputs);
+/// Writes the outputs that the arguments name. The depfile lists the files of the import and `poses`. Throws
+/// CommandError (file_access).
+void write_outputs(const BakeArguments& arguments, const Imported& imported, std::span<const ImportedFile> poses,
+                   const BakeOutputs& outputs);
 
 }  // namespace espalier::tools

@@ -5,6 +5,7 @@
 
 #include "base/numbers.hpp"
 #include "layout/blob_layout.hpp"
+#include "layout/motion.hpp"
 #include "report/diagnostics.hpp"
 
 namespace espalier::tools {
@@ -104,6 +105,13 @@ void say_report(const Console& console, const BakeReport& report) {
                      report.closed ? ", closed" : ", not closed"));
     console.say(
         text("size: ", counted(report.bytes, "byte"), ", ", rounded(bytes_per_triangle(report), 4), " per triangle"));
+    if (report.motion.positions != 0) {
+        console.say(text("motion: ", counted(report.motion.positions, "position"), " in the range ",
+                         shortest(report.motion.range.min), " to ", shortest(report.motion.range.max), "; ",
+                         counted(report.motion.moving_bytes, "byte"), " move, ",
+                         rounded(static_cast<double>(report.motion.moving_bytes) / report.tree.triangles, 4),
+                         " per triangle"));
+    }
     if (report.bounds.volumes.box > 0.0) {
         std::string volumes = text("volume: axis-aligned box ", rounded(report.bounds.volumes.box, 4));
         for (const NamedVolume& volume : volumes_of(report)) {
@@ -172,6 +180,8 @@ Json bake_json(const BakeArguments& arguments, const Imported& imported, const B
         report.bits_that_keep_closed == 0 ? Json(nullptr) : Json(report.bits_that_keep_closed);
     document["rays_rounded_coarsely"] = report.warns_of(BakeWarning::Kind::rays_rounded_coarsely);
     document["profile"] = name_of(blob.profile());
+    document["deformable"] = blob.is_deformable();
+    if (blob.is_deformable()) document["motion"] = motion_json(blob);
     document["checksum"] = checksum_text(blob.checksum());
     document["warnings"] = warnings_json(warnings);
     return document;

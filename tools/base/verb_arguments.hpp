@@ -58,10 +58,22 @@ struct BakeArguments {
     std::optional<double> flat_angle;  ///< degrees; without one no edge flags are stored
     std::vector<std::string> bounds;   ///< of obb, sphere, kdop
     bool drop_bad_triangles = false;
-    double max_dropped = 10.0;  ///< percent
-    std::string expected_size;  ///< two lengths with ".." between; empty: any
+    bool deformable = false;
+    std::vector<std::string> range;  ///< six lengths, the low corner and the high one; empty: around the meshes
+    std::vector<std::string> poses;  ///< mesh files
+    double max_dropped = 10.0;       ///< percent
+    std::string expected_size;       ///< two lengths with ".." between; empty: any
     Effort effort = Effort::normal;
     unsigned threads = 0;
+    bool json = false;
+    bool quiet = false;
+};
+
+struct RefitArguments {
+    std::string blob;
+    std::string pose;  ///< a mesh file
+    std::string output;
+    SourceArguments source;
     bool json = false;
     bool quiet = false;
 };

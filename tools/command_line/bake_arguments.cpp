@@ -34,6 +34,25 @@ void add_picking(CLI::App* verb, BakeArguments& arguments, const std::vector<CLI
     for (CLI::Option* option : lattice) max_error->excludes(option);
 }
 
+void add_deformation(CLI::App* verb, BakeArguments& arguments) {
+    CLI::Option* deformable = verb->add_flag(
+        "--deformable", arguments.deformable,
+        "Bake a blob whose vertices may move, by refit. Profile fast, and all vertices in the order of their file: "
+        "OBJ, PLY and glTF");
+    verb->add_option("--range", arguments.range,
+                     "The box that no vertex of any pose leaves, by two corners, as lengths in the blob's units and "
+                     "axes. It grows to hold the mesh and --poses. Without it, the box around these, wider by a tenth "
+                     "of its largest side on each side")
+        ->expected(6)
+        ->needs(deformable)
+        ->type_name("X0 Y0 Z0 X1 Y1 Z1");
+    verb->add_option("--poses", arguments.poses,
+                     "Poses that the tree suits, each a file with all vertices of the mesh, in the same order. Its "
+                     "faces do not count; --unit, --scale and --up apply to it as well")
+        ->needs(deformable)
+        ->type_name("MESH");
+}
+
 }  // namespace
 
 void add_bake(CLI::App& app, Chosen& chosen) {
@@ -132,6 +151,7 @@ void add_bake(CLI::App& app, Chosen& chosen) {
         ->type_name("NAMES");
     verb->add_flag("--drop-bad-triangles", arguments->drop_bad_triangles,
                    "Drop triangles with NaN, infinite or missing corners instead of refusing the mesh");
+    add_deformation(verb, *arguments);
     verb->add_option(
             "--max-dropped", arguments->max_dropped,
             "Most triangles of the source, in percent, that may be dropped for having no area, in the source or "

@@ -7,6 +7,7 @@
 
 #include "bake/asset_size.hpp"
 #include "bake/baking.hpp"
+#include "bake/deformation.hpp"
 #include "bake/lattice_step.hpp"
 #include "bake/outputs.hpp"
 #include "bake/policy.hpp"
@@ -71,6 +72,10 @@ BakeOptions bake_options(const BakeArguments& arguments) {
     BakeOptions options;
     options.resolution = resolution(arguments);
     if (arguments.profile) options.profile = *arguments.profile;
+    if (arguments.deformable) {
+        options.profile = Profile::fast;
+        options.deformation = deformation_of(arguments);
+    }
     options.original_ids = arguments.original_ids;
     options.flat_angle = arguments.flat_angle;
     for (const std::string& name : arguments.bounds) {
@@ -100,17 +105,18 @@ std::optional<PickGoal> pick_goal(const BakeArguments& arguments) {
         return std::nullopt;
     }
     goal.max_dropped = arguments.max_dropped;
-    goal.profile = arguments.profile;
+    goal.profile = arguments.deformable ? Profile::fast : arguments.profile;
     goal.builder = arguments.builder;
     goal.leaf_size = arguments.leaf_size;
     return goal;
 }
 
-void write_blob(const BakeArguments& arguments, const Imported& imported, const BakeResult& baked) {
+void write_blob(const BakeArguments& arguments, const Imported& imported, std::span<const ImportedFile> poses,
+                const BakeResult& baked) {
     const std::vector<std::byte> remap = arguments.remap.empty() ? std::vector<std::byte>() : remap_file(baked);
     const std::vector<std::byte> reordered =
         arguments.reorder.empty() ? std::vector<std::byte>() : reordered_mesh(arguments.reorder, imported, baked.remap);
-    write_outputs(arguments, imported, {baked.bytes, remap, reordered});
+    write_outputs(arguments, imported, poses, {baked.bytes, remap, reordered});
 }
 
 /// Throws CommandError (usage) for options that make sense for a single blob only.
@@ -147,17 +153,18 @@ struct Baking {
     const BakePolicy& policy;
     const Console& console;
     const Imported& imported;
+    const std::vector<ImportedFile>& poses;
     const BakeOptions& options;
 };
 
 ExitCode bake_blob(const Baking& baking, std::vector<Warning>& warnings) {
-    const auto& [arguments, policy, console, imported, options] = baking;
+    const auto& [arguments, policy, console, imported, poses, options] = baking;
     Json picked_json;
     const BakeResult baked = bake_or_pick(imported, arguments, options, console, picked_json);
     give(bake_warnings(baked.report, policy, imported), warnings);
     enforce(policy, imported, baked.report, warnings);
     say_report(console, baked.report);
-    write_blob(arguments, imported, baked);
+    write_blob(arguments, imported, poses, baked);
     for (const std::string& written : {arguments.remap, arguments.reorder, arguments.output})
         if (!written.empty()) console.say(text("wrote ", printable(written)));
     if (arguments.json) {
@@ -176,7 +183,7 @@ SceneBake bake_scene_with_progress(const Baking& baking) {
 }
 
 ExitCode bake_scene(const Baking& baking, std::vector<Warning>& warnings) {
-    const auto& [arguments, policy, console, imported, options] = baking;
+    const auto& [arguments, policy, console, imported, poses, options] = baking;
     SceneBake baked = bake_scene_with_progress(baking);
     baked.total.bounds.extent = asset_size(imported).extent;
     const SceneFile file = opened_scene(arguments.output, baked.bytes);
@@ -184,7 +191,7 @@ ExitCode bake_scene(const Baking& baking, std::vector<Warning>& warnings) {
     give(border_warnings(imported, baked, file.scene), warnings);
     enforce(policy, imported, baked.total, warnings);
     say_scene(console, baked, file.scene);
-    write_outputs(arguments, imported, {.result = baked.bytes, .remap = {}, .reordered = {}});
+    write_outputs(arguments, imported, poses, {.result = baked.bytes, .remap = {}, .reordered = {}});
     console.say(text("wrote ", printable(arguments.output)));
     if (arguments.json) print_json(scene_json(arguments, imported, baked, file.scene, warnings));
     return ExitCode::ok;
@@ -198,7 +205,9 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
                                    {"--reorder", arguments.reorder}};
     refuse_one_file_for_two(outputs);
     for (const std::string& input : arguments.inputs) refuse_to_overwrite_input(outputs, input);
+    for (const std::string& pose : arguments.poses) refuse_to_overwrite_input(outputs, pose);
     refuse_to_overwrite_input(outputs, arguments.lattice_of);
+    refuse_options_of_rigid_blobs(arguments);
     refuse_options_of_blobs(arguments);
     require_writable_mesh(arguments.reorder);
     require_writable(outputs);
@@ -207,14 +216,17 @@ ExitCode bake_with_warnings(const BakeArguments& arguments, std::vector<Warning>
     ImportOptions source = import_options(arguments.source, arguments.json, warnings);
     source.materials = arguments.materials;
     source.keep_places = arguments.instancing != Instancing::off;
-    const BakeOptions options = bake_options(arguments);  // reports typing errors before a long import
+    source.keep_vertices = arguments.deformable;
+    BakeOptions options = bake_options(arguments);  // reports typing errors before a long import
     static_cast<void>(pick_goal(arguments));
 
     const Imported imported = import_with_progress(arguments.inputs, source, arguments.quiet);
     for (const ImportedFile& file : imported.files)
         for (const std::string& opened : file.opened) refuse_to_overwrite_input(outputs, opened);
     say_import(console, arguments, imported);
-    const Baking baking{arguments, policy, console, imported, options};
+    Poses poses = import_poses(arguments, source, imported);
+    if (options.deformation) options.deformation->poses = std::move(poses.positions);
+    const Baking baking{arguments, policy, console, imported, poses.files, options};
     return arguments.instancing == Instancing::off ? bake_blob(baking, warnings) : bake_scene(baking, warnings);
 }
 

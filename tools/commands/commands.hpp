@@ -7,6 +7,7 @@
 namespace espalier::tools {
 
 ExitCode run_bake(const BakeArguments& arguments);
+ExitCode run_refit(const RefitArguments& arguments);
 ExitCode run_embed(const EmbedArguments& arguments);
 ExitCode run_trade(const TradeArguments& arguments);
 ExitCode run_info(const InfoArguments& arguments);

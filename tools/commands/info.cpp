@@ -6,12 +6,14 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
+#include <runtime/blob/pose_bounds.hpp>
 
 #include "base/numbers.hpp"
 #include "commands.hpp"
 #include "files/blob_file.hpp"
 #include "files/scene_file.hpp"
 #include "layout/blob_layout.hpp"
+#include "layout/motion.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"
 #include "scene_info.hpp"
@@ -27,9 +29,11 @@ double bytes_per_triangle(std::size_t bytes, const Blob& blob) {
     return blob.triangle_count() == 0 ? 0.0 : static_cast<double>(bytes) / triangles_of(blob);
 }
 
+/// The largest side of the bounds.
 double extent_of(const Blob& blob) {
+    const detail::PoseBounds bounds = detail::pose_bounds_of(detail::data_of(blob));
     std::int32_t largest = 0;
-    for (const std::int32_t side : detail::data_of(blob).extent) largest = std::max(largest, side);
+    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, bounds.high[axis] - bounds.low[axis]);
     return std::ldexp(1.0, blob.lattice().step_exponent) * largest;
 }
 
@@ -85,17 +89,29 @@ void print_json_info(const InfoArguments& arguments, const BlobFile& file) {
     document["leaves"] = leaf_count(file.bytes, blob);
     document["features"] = feature_names(detail::data_of(blob).features);
     document["closed"] = blob.is_closed();
+    document["deformable"] = blob.is_deformable();
+    if (blob.is_deformable()) document["motion"] = motion_json(blob);
     document["sources"] = detail::data_of(blob).source_count;
     document["source_triangles"] = detail::data_of(blob).source_triangles;
     document["checksum"] = checksum_text(blob.checksum());
     print_json(document);
 }
 
+/// A line of the table.
+void line(const char* name, const std::string& value) {
+    std::cout << "  " << std::left << std::setw(14) << name << value << '\n';
+}
+
+void print_motion(const Blob& blob) {
+    const Motion motion = motion_of(blob);
+    line("range", text(shortest(motion.range.min), " to ", shortest(motion.range.max)));
+    line("positions", text(motion.positions));
+    line("moving bytes", text(motion.moving_bytes, ", ", rounded(bytes_per_triangle(motion.moving_bytes, blob), 4),
+                              " per triangle; the rest may stay in flash"));
+}
+
 void print_table(const InfoArguments& arguments, const BlobFile& file) {
     const Blob& blob = file.blob;
-    const auto line = [](const char* name, const std::string& value) {
-        std::cout << "  " << std::left << std::setw(14) << name << value << '\n';
-    };
     std::cout << printable(arguments.blob) << '\n';
     line("format", text(format_version(file), ", profile ", name_of(blob.profile())));
     line("triangles", text(triangles_of(blob)));
@@ -111,6 +127,7 @@ void print_table(const InfoArguments& arguments, const BlobFile& file) {
         for (const Vec3& axis : box->half_axes) line("  half axis", shortest(axis));
     }
     line("extent", rounded(extent_of(blob)));
+    if (blob.is_deformable()) print_motion(blob);
     line("lattice", text(unsigned{detail::data_of(blob).bits}, " bits, step ",
                          shortest(std::ldexp(1.0f, blob.lattice().step_exponent))));
     line("max error", shortest(blob.max_error()));

@@ -51,6 +51,16 @@ void require_readable(const std::string& path) {
 
 using Import = void(const std::string& path, const ImportOptions& options, Imported& imported);
 
+/// Throws CommandError (unsupported) for readers that do not keep the vertices of a file. In STL and RAW each triangle
+/// has three of its own, and assimp joins and sorts those of the other formats.
+void require_kept_vertices(Import* import, const std::string& path) {
+    if (import == import_obj || import == import_ply) return;
+    throw CommandError(ExitCode::unsupported,
+                       text("'", printable(path), "' is read without the order of its vertices, by which poses of a ",
+                            "deformable mesh match. Export it as OBJ, PLY or glTF."),
+                       {.file = path});
+}
+
 /// By the content where it names its format, else by the name's ending. Throws CommandError (unsupported) for a blob.
 Import* importer_of(const std::string& path) {
     char begin[5] = {};
@@ -82,7 +92,11 @@ Import* importer_of(const std::string& path) {
 void import_within_limits(const std::string& path, const ImportOptions& options, Imported& imported) {
     const LimitGuard guard(path, options);
     try {
-        if (!import_gltf(path, options, imported)) importer_of(path)(path, options, imported);
+        if (!import_gltf(path, options, imported)) {
+            Import* const import = importer_of(path);
+            if (options.keep_vertices) require_kept_vertices(import, path);
+            import(path, options, imported);
+        }
     } catch (const CommandError& error) {
         if (guard.memory_ran_out()) guard.refuse_memory();
         rethrow_with_file(error, path);

@@ -34,6 +34,11 @@ std::size_t padded_to_4(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
 }  // namespace
 
+unsigned vertex_source_bits(const Blob& blob) {
+    const detail::BlobData& data = detail::data_of(blob);
+    return format::vertex_sources::number_bits(read_u32({data.bytes, data.size}, format::header::position_count_at));
+}
+
 std::vector<Section> sections_of(const Blob& blob) {
     const detail::BlobData& data = detail::data_of(blob);
     std::vector<Section> sections;
@@ -66,6 +71,11 @@ std::vector<Section> sections_of(const Blob& blob) {
     if ((data.features & format::feature::oriented_box) != 0) add("oriented_box", format::bounds::oriented_box_bytes);
     if ((data.features & format::feature::bounding_sphere) != 0) add("sphere", format::bounds::sphere_bytes);
     if ((data.features & format::feature::k_dop) != 0) add("k_dop", format::bounds::k_dop_bytes);
+    if (blob.is_deformable()) {
+        add("corners", format::corners::padded_bytes(data.triangle_count) + format::corners::guard_bytes);
+        add("vertex_sources", padded_to_4(read_u32({data.bytes, data.size}, format::header::vertex_slots_at) *
+                                          std::size_t{vertex_source_bits(blob) / 8}));
+    }
     if (at != data.size) {
         throw CommandError(ExitCode::internal, "the sections do not add up to the blob: please report this blob.");
     }
@@ -233,6 +243,7 @@ std::vector<std::string> feature_names(std::uint32_t features) {
     if ((features & format::feature::oriented_box) != 0) names.emplace_back("oriented_box");
     if ((features & format::feature::bounding_sphere) != 0) names.emplace_back("bounding_sphere");
     if ((features & format::feature::k_dop) != 0) names.emplace_back("k_dop");
+    if ((features & format::feature::deformable) != 0) names.emplace_back("deformable");
     return names;
 }
 

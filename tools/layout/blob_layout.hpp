@@ -31,6 +31,9 @@ struct Section {
 std::vector<Section> sections_of(const Blob& blob);
 const Section& section_named(const std::vector<Section>& sections, std::string_view name);
 
+/// The bits of a number in the section of vertex sources.
+unsigned vertex_source_bits(const Blob& blob);
+
 /// What every kind of node holds, as it stands in the bytes.
 struct NodeFields {
     std::size_t at;  ///< of its first byte

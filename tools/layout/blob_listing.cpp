@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "blob_layout.hpp"
 #include "header_listing.hpp"
 #include "leaf_listing.hpp"
+#include "motion_listing.hpp"
 #include "node_listing.hpp"
 
 namespace espalier::tools {
@@ -44,9 +46,25 @@ constexpr HeaderField header_fields[] = {
     {format::header::source_count_at, 4, "source meshes", HeaderField::Kind::integer},
     {format::header::source_triangles_at, 4, "source triangles", HeaderField::Kind::integer},
     {format::header::id_step_bytes_at, 4, "bytes of the steps of ids", HeaderField::Kind::integer},
-    {format::header::reserved_at, format::header::bytes - format::header::reserved_at, "reserved",
-     HeaderField::Kind::zero},
 };
+constexpr HeaderField deformable_fields[] = {
+    {format::header::position_count_at, 4, "positions", HeaderField::Kind::integer},
+    {format::header::vertex_slots_at, 4, "vertices of all leaves together", HeaderField::Kind::integer},
+    {format::header::rest_cost_at, 4, "cost of the tree at rest", HeaderField::Kind::real},
+    {format::header::pose_low_at, 12, "low corner of the pose in steps", HeaderField::Kind::vector},
+    {format::header::pose_high_at, 12, "high corner of the pose in steps", HeaderField::Kind::vector},
+};
+
+/// Of any bytes, also those of a blob that was refused.
+std::vector<HeaderField> fields_of(Bytes bytes) {
+    using namespace format::header;
+    std::vector<HeaderField> fields(std::begin(header_fields), std::end(header_fields));
+    if (bytes.size() >= features_at + 4 && (read_u32(bytes, features_at) & format::feature::deformable) != 0)
+        fields.insert(fields.end(), std::begin(deformable_fields), std::end(deformable_fields));
+    const std::size_t at = fields.back().at + fields.back().bytes;
+    fields.push_back({at, format::header::bytes - at, "reserved", HeaderField::Kind::zero});
+    return fields;
+}
 
 void list_leaves(Bytes bytes, const Blob& blob, const Section& leaves, ByteListing& listing) {
     struct Block {
@@ -208,12 +226,16 @@ void list_section(Bytes bytes, const Blob& blob, const Section& section, ByteLis
         list_sphere(bytes, listing);
     } else if (name == "k_dop") {
         list_k_dop(bytes, listing);
+    } else if (name == "corners") {
+        list_corners(bytes, blob, section, listing);
+    } else if (name == "vertex_sources") {
+        list_vertex_sources(bytes, blob, section, listing);
     }
 }
 
 }  // namespace
 
-void list_blob_header(Bytes bytes, ByteListing& listing) { list_header(bytes, header_fields, listing); }
+void list_blob_header(Bytes bytes, ByteListing& listing) { list_header(bytes, fields_of(bytes), listing); }
 
 void list_blob(Bytes bytes, const Blob& blob, ByteListing& listing) {
     for (const Section& section : sections_of(blob)) {

@@ -26,10 +26,11 @@ void list_row(Bytes bytes, const char* name, unsigned count, unsigned number_byt
     list_numbers(bytes, text("  ", name), count, 8 * number_bytes, listing);
 }
 
-void list_plain_leaf(Bytes bytes, const LeafFields& leaf, unsigned bits, ByteListing& listing) {
+void list_plain_leaf(Bytes bytes, const LeafFields& leaf, const Blob& blob, ByteListing& listing) {
     for (const char* name : {"x", "y", "z"}) list_row(bytes, name, leaf.vertices, 2, listing);
-    for (const char* name : {"corner a", "corner b", "corner c"}) list_row(bytes, name, leaf.triangles, 1, listing);
-    if (!format::plain_leaf::has_high_bytes(bits)) return;
+    for (const char* name : {"corner a", "corner b", "corner c"})
+        if (!blob.is_deformable()) list_row(bytes, name, leaf.triangles, 1, listing);
+    if (!format::plain_leaf::has_high_bytes(detail::data_of(blob).bits)) return;
     for (const char* name : {"x / 65536", "y / 65536", "z / 65536"}) list_row(bytes, name, leaf.vertices, 1, listing);
 }
 
@@ -42,7 +43,7 @@ void list_plain_leaves(Bytes bytes, const Blob& blob, const NodeFields& node, st
         const std::uint32_t triangle = read_u32(bytes, listing.at());
         listing.heading(text("leaf ", i, " of node ", number, ", triangles from ", triangle));
         listing.field(4, text("  first triangle ", triangle));
-        list_plain_leaf(bytes, leaf, detail::data_of(blob).bits, listing);
+        list_plain_leaf(bytes, leaf, blob, listing);
     }
 }
 

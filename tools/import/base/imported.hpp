@@ -33,6 +33,10 @@ struct ImportOptions {
     /// Keeps a mesh that a file places several times once, where its own space has it, and lists its places. Without it
     /// each place has a mesh of its own, in the asset's units and axes.
     bool keep_places = false;
+    /// Keeps all vertices in the order of the file, those without a triangle too, so that poses of one mesh have the
+    /// same positions. An OBJ file is one mesh then. Refuses formats whose order of vertices is not that of their
+    /// files.
+    bool keep_vertices = false;
     /// Called now and then with what is read and how much of it is done, 0..1.
     std::function<void(const char* stage, double done)> progress;
     /// Called with each warning about a file when the file is read; not called when empty.

@@ -150,7 +150,8 @@ private:
         std::vector<GltfPrimitive>& result = primitives_[number];
         for (std::size_t i = 0; i < mesh.size_of("primitives"); ++i) {
             const std::string words = text(mesh.words(), ", primitive ", i);
-            result.push_back(read_gltf_primitive(mesh.object_in("primitives", i, words), accessors_, views_));
+            result.push_back(read_gltf_primitive(mesh.object_in("primitives", i, words), accessors_, views_,
+                                                 options_.keep_vertices));
         }
         return result;
     }

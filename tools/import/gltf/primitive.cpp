@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -143,8 +144,12 @@ std::vector<GltfAccessor> GltfPrimitive::displacements(const std::vector<double>
     return result;
 }
 
-GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views) {
+GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views,
+                                  bool keeps_vertices) {
     PrimitiveReader reader(object, accessors, views);
+    if (keeps_vertices && reader.is_packed()) {
+        object.refuse("Draco sorts its vertices, so poses of it do not match. Export it without compression.");
+    }
     GltfPrimitive result{object, {}, {}, 0, 0, false, false, {}, {}, {}};
     const std::uint64_t mode = object.whole("mode").value_or(gltf_triangles);
     if (reader.is_packed() && mode != gltf_triangles) object.fail("Draco packs triangles, and its mode is another one");
@@ -155,7 +160,12 @@ GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& acces
     const auto indices = reader.indices();
     if (indices) require_stored(*indices, object);
     read_gltf_topology(object, mode, indices, result);
-    keep_used_vertices(result);
+    if (keeps_vertices) {
+        result.vertices.resize(result.positions.count);
+        std::iota(result.vertices.begin(), result.vertices.end(), 0u);
+    } else {
+        keep_used_vertices(result);
+    }
     result.influences = read_influences(reader, object, result.positions.count);
     result.differs_from_accessors = reader.differs_from_accessors();
     return result;

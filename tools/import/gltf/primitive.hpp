@@ -17,7 +17,7 @@ namespace espalier::tools {
 struct GltfPrimitive {
     GltfObject object;
     std::vector<TriangleVertices> triangles;  ///< indices into `vertices`; those beyond the source's stay as they are
-    std::vector<std::uint32_t> vertices;      ///< elements of `positions` that triangles use, ascending
+    std::vector<std::uint32_t> vertices;      ///< elements of `positions` that triangles use, or all; ascending
     std::uint64_t points_and_lines = 0;
     std::uint64_t left_over_corners = 0;  ///< one or two at the end, too few for a triangle
     bool has_positions = false;
@@ -36,8 +36,10 @@ struct GltfPrimitive {
                                                           GltfAccessors& accessors) const;
 };
 
-/// Throws CommandError when it is broken.
-GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views);
+/// Throws CommandError when it is broken; with `keeps_vertices` (ImportOptions), also (unsupported) when it is packed
+/// by Draco, which sorts vertices.
+GltfPrimitive read_gltf_primitive(const GltfObject& object, GltfAccessors& accessors, GltfBufferViews& views,
+                                  bool keeps_vertices);
 
 /// Returns how many triangles it will have, by what the accessors claim.
 std::uint64_t count_gltf_triangles(const GltfObject& object, GltfAccessors& accessors);

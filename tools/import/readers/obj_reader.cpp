@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -80,7 +81,11 @@ public:
             }
             read_line(joined(line, lines));
         }
-        add_meshes();
+        if (options_.keep_vertices) {
+            add_one_mesh();
+        } else {
+            add_meshes();
+        }
         warn();
         file_.record().materials = materials_.count();
         file_.finish();
@@ -241,6 +246,21 @@ private:
                       std::move(target.materials));
         }
         count_unused_vertices();
+    }
+
+    /// All faces and vertices in the order of the file (ImportOptions::keep_vertices).
+    void add_one_mesh() {
+        ObjMesh target{0, positions_, {}, {}};
+        owners_.assign(positions_.size(), target.number);
+        locals_.resize(positions_.size());
+        std::iota(locals_.begin(), locals_.end(), 0u);
+        std::size_t corner = 0;
+        for (const Face& face : faces_) {
+            add_face(face, std::span(corners_).subspan(corner, face.corners), target);
+            corner += face.corners;
+        }
+        file_.add(mesh_names_.size() == 1 ? mesh_names_.front() : "", std::move(target.positions),
+                  std::move(target.triangles), std::move(target.materials));
     }
 
     struct ObjMesh {

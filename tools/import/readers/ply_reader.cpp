@@ -21,8 +21,8 @@ constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 template <class Values>
 class PlyReader {
 public:
-    PlyReader(const PlyHeader& header, Values values, UnitlessFile& file)
-        : header_(header), values_(values), file_(file) {}
+    PlyReader(const PlyHeader& header, Values values, bool keeps_vertices, UnitlessFile& file)
+        : header_(header), values_(values), keeps_vertices_(keeps_vertices), file_(file) {}
 
     void read() {
         // Faces are cut into triangles by their vertices, which may follow them.
@@ -214,19 +214,23 @@ private:
             warn("trailing_bytes", text("after the elements that the header states more follows, from ",
                                         values_.place(), " on; it was not read."));
         }
+        if (!keeps_vertices_) file_.record().points_and_lines += count_unused_vertices();
+        file_.add("", std::move(positions_), std::move(triangles_), {});
+    }
+
+    [[nodiscard]] std::uint64_t count_unused_vertices() const {
         std::vector<bool> is_used(positions_.size());
         for (const TriangleVertices& triangle : triangles_) {
             for (const std::uint32_t vertex : triangle) {
                 if (vertex < is_used.size()) is_used[vertex] = true;
             }
         }
-        file_.record().points_and_lines +=
-            static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), false));
-        file_.add("", std::move(positions_), std::move(triangles_), {});
+        return static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), false));
     }
 
     const PlyHeader& header_;
     Values values_;
+    bool keeps_vertices_;  // unused ones are no points then
     UnitlessFile& file_;
     PolygonCutter cutter_;
     std::vector<Vec3> positions_;
@@ -241,8 +245,8 @@ private:
 };
 
 template <class Values>
-void read_values(const PlyHeader& header, const std::string& content, UnitlessFile& file) {
-    PlyReader<Values>(header, Values(file.path(), header, content), file).read();
+void read_values(const PlyHeader& header, const std::string& content, bool keeps_vertices, UnitlessFile& file) {
+    PlyReader<Values>(header, Values(file.path(), header, content), keeps_vertices, file).read();
 }
 
 }  // namespace
@@ -252,9 +256,9 @@ void import_ply(const std::string& path, const ImportOptions& options, Imported&
     const std::string content = utf8_text(read_bytes(path));
     const PlyHeader header = read_ply_header(path, content);
     if (header.form == PlyForm::text) {
-        read_values<PlyText>(header, content, file);
+        read_values<PlyText>(header, content, options.keep_vertices, file);
     } else {
-        read_values<PlyBytes>(header, content, file);
+        read_values<PlyBytes>(header, content, options.keep_vertices, file);
     }
     file.finish();
 }
