@@ -287,10 +287,11 @@ struct [[nodiscard]] VerifyReport {
 ///
 /// A sound blob opens. Every box contains all vertices below it and ends near the asset. No triangle is without area,
 /// and no two are the same. The vertices of each leaf are numbered by first use. Extent, vertex count, the closed flag,
-/// duplicate references, edge flags and stored bounds are true. A deformable blob may have triangles without area and
-/// equal ones; its boxes and the sizes of its leaves are the least, as refit() makes them, and its vertices are those
-/// of its positions. Of a triangle that is in several leaves, each corner
+/// duplicate references, edge flags and stored bounds are true. Of a triangle that is in several leaves, each corner
 /// lies in the boxes of one of them.
+///
+/// A deformable blob may have triangles without area and equal ones. Its boxes and the sizes of its leaves are the
+/// least, as refit() makes them, and its vertices are those of its positions.
 ///
 /// Takes about 60 bytes of memory per triangle.
 VerifyReport verify(std::span<const std::byte> bytes);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # consume.sh KIND STAGE BUILD CMAKE GENERATOR COMPILER: builds a consumer of the package that install.sh has put into STAGE, runs it
 # on the blob baked there, and compares what it says. KIND is find_package, refusals, fetch_content, pkg_config, or
-# game, city or falling, the examples.
+# game, city, falling or flag, the examples.
 set -euo pipefail
 
 kind=$1 stage=$2 build=$3 cmake=$4 generator=$5 compiler=$6
@@ -91,6 +91,16 @@ case $kind in
         quietly "$build/espalier_city" "$build/city.esps"
         "$build/espalier_falling" "$build/city.esps" | compare
         tail -n 3 "$answers" | while read -r line; do
+            grep -qF "$line" "$source/README.md" || { echo "failed: the example's page does not show: $line"; exit 1; }
+        done
+        ;;
+    flag)
+        answers=$here/flag_answers.txt
+        source=$here/../../docs/examples/flag
+        configure -DCMAKE_PREFIX_PATH="$stage/installed" -DCMAKE_BUILD_TYPE=Release
+        quietly "$cmake" --build "$build/build"
+        "$build/build/espalier_flag" | compare
+        tail -n 2 "$answers" | while read -r line; do
             grep -qF "$line" "$source/README.md" || { echo "failed: the example's page does not show: $line"; exit 1; }
         done
         ;;

@@ -13,6 +13,7 @@ demo() {
     "$cmake/tools/demo/city/espalier_city" "$scene"
     "$cmake/tools/espalier" verify "$scene" --deep >/dev/null
     "$cmake/tools/demo/falling/espalier_falling" "$scene" | tail -n 2
+    "$cmake/tools/demo/flag/espalier_flag" | tail -n 1
     "$cmake/tools/espalier" render "$scene" -o "$scene_picture" --up z --azimuth 200 --elevation 35 --quiet
     echo "picture  $scene_picture"
 }
