@@ -1,0 +1,132 @@
+// The time of a refit. Systems take turns within each pose. A turn begins with a refit to the pose before, which is not
+// measured: it brings the tree back into the cache, where those of the other systems were.
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "processor_time.hpp"
+#include "refit_system.hpp"
+#include "spread.hpp"
+#include "subject.hpp"
+
+namespace espalier::bench {
+namespace {
+
+RefitMakers all_makers(unsigned bits) {
+    RefitMakers makers = espalier_refit_makers(bits);
+    const auto append = [&](RefitMakers more) {
+        for (RefitMaker& maker : more) makers.push_back(std::move(maker));
+    };
+#ifdef ESPALIER_BENCH_EMBREE
+    append(embree_refit_makers());
+#endif
+#ifdef ESPALIER_BENCH_BULLET
+    append(bullet_refit_makers());
+#endif
+#ifdef ESPALIER_BENCH_FCL
+    append(fcl_refit_makers());
+#endif
+    append(textbook_refit_makers());
+    return makers;
+}
+
+/// Returns Espalier, and the systems whose names begin with a word of `only`.
+RefitMakers selected(RefitMakers makers, const std::vector<std::string>& only) {
+    if (only.empty()) return makers;
+    for (const std::string& word : only)
+        if (std::none_of(makers.begin(), makers.end(),
+                         [&](const RefitMaker& maker) { return maker.name().starts_with(word); }))
+            throw std::invalid_argument("there is no system '" + word + "'");
+    std::erase_if(makers, [&](const RefitMaker& maker) {
+        return maker.system != "espalier" && std::none_of(only.begin(), only.end(), [&](const std::string& word) {
+                   return maker.name().starts_with(word);
+               });
+    });
+    return makers;
+}
+
+/// A system and the seconds of its refits, a number for each round.
+struct Run {
+    const RefitMaker* maker;
+    std::unique_ptr<RefitSystem> system;
+    std::vector<double> seconds;
+    std::size_t lost_poses = 0;
+};
+
+void check(Run& run, const Pose& pose, const Subject& subject) {
+    const Box& range = subject.range();
+    const float rounding =
+        0.001f * std::max({range.max.x - range.min.x, range.max.y - range.min.y, range.max.z - range.min.z});
+    const auto is_inside = [&](const TriangleVertices& triangle) {
+        return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
+            return run.system->contains(pose.positions[vertex], rounding);
+        });
+    };
+    const std::vector<TriangleVertices>& triangles = subject.rest().triangles;
+    if (std::all_of(triangles.begin(), triangles.end(), is_inside)) return;
+    const bool is_flat = pose.motion == Motion::collapse && pose.time == 1.0;
+    if (!is_flat || !run.maker->may_lose_flat_poses)
+        throw std::runtime_error(subject.rest().name + ": " + run.maker->name() + " lost a position of " +
+                                 name_of(pose.motion));
+    ++run.lost_poses;
+}
+
+void take_turn(Run& run, const std::vector<Vec3>& before, const Pose& pose) {
+    run.system->set_positions(before);
+    run.system->refit();
+    run.system->set_positions(pose.positions);
+    const ProcessorTime time;
+    run.system->refit();
+    run.seconds.back() += time.seconds();
+}
+
+void print(const Subject& subject, const Run& run, const Run& reference) {
+    std::vector<double> nanoseconds, ratios;
+    const double refits = static_cast<double>(subject.poses().size()) * subject.triangles();
+    for (std::size_t round = 0; round < run.seconds.size(); ++round) {
+        nanoseconds.push_back(1e9 * run.seconds[round] / refits);
+        ratios.push_back(run.seconds[round] / reference.seconds[round]);
+    }
+    JsonObject row = subject.row("refit");
+    row.add("system", run.maker->system);
+    row.add("profile", run.maker->profile);
+    row.add("version", run.maker->version);
+    row.add("poses", subject.poses().size());
+    add_spread(row, "ns_per_triangle", nanoseconds, 3);
+    add_spread(row, "times_espalier", ratios, 3);
+    row.add("lost_poses", run.lost_poses);
+    row.add("bytes", run.system->bytes());
+    if (const auto work = run.system->work()) {
+        row.add("moving_bytes", work->moving_bytes);
+        row.add("source_bytes", work->source_bytes);
+        row.add("still_bytes", work->still_bytes);
+        row.add("step", work->step, 9);
+    }
+    row.print();
+    std::fprintf(stderr, "%-10s %-28s %9.2f ns/triangle %8.2f x\n", subject.rest().name.c_str(),
+                 run.maker->name().c_str(), median_of(nanoseconds), median_of(ratios));
+}
+
+}  // namespace
+
+void measure_refits(const Subject& subject) {
+    const RefitMakers makers = selected(all_makers(subject.options().bits), subject.options().only);
+    std::vector<Run> runs;
+    for (const RefitMaker& maker : makers) runs.push_back({&maker, maker.make(subject.rest(), subject.range()), {}});
+    for (std::size_t round = 0; round < subject.options().rounds; ++round) {
+        for (Run& run : runs) run.seconds.push_back(0.0);
+        for (std::size_t i = 0; i < subject.poses().size(); ++i) {
+            const Pose& pose = subject.poses()[i];
+            const std::vector<Vec3>& before = i == 0 ? subject.rest().positions : subject.poses()[i - 1].positions;
+            for (std::size_t turn = 0; turn < runs.size(); ++turn) {
+                Run& run = runs[(turn + i + round) % runs.size()];
+                take_turn(run, before, pose);
+                if (round == 0) check(run, pose, subject);
+            }
+        }
+    }
+    for (const Run& run : runs) print(subject, run, runs.front());
+    std::fflush(stdout);
+}
+
+}  // namespace espalier::bench
