@@ -1,5 +1,6 @@
 #include <baker/verify/check_motion.hpp>
 
+#include <algorithm>
 #include <vector>
 
 #include <runtime/base/bits.hpp>
@@ -24,8 +25,9 @@ public:
           sources_(detail::vertex_sources_of(detail::data_of(blob))),
           leaves_at_(format::header::bytes + tree.nodes.size()),
           triangles_(blob.triangle_count()) {
-        mesh_.vertices.resize(field(format::header::position_count_at));
-        mesh_.is_used.assign(mesh_.vertices.size(), 0);
+        find_positions();
+        mesh_.vertices.resize(positions_.size());
+        mesh_.is_used.assign(positions_.size(), 0);
     }
 
     std::optional<std::string> run() {
@@ -48,8 +50,22 @@ public:
 private:
     [[nodiscard]] std::uint32_t field(std::size_t place) const { return detail::load_u32(header_ + place); }
     [[nodiscard]] std::uint32_t source(std::size_t slot) const {
-        return mesh_.vertices.size() <= 0x10000 ? detail::load_u16(sources_ + 2 * slot)
-                                                : detail::load_u32(sources_ + 4 * slot);
+        return format::vertex_sources::number_bits(field(format::header::position_count_at)) == 16
+                   ? detail::load_u16(sources_ + 2 * slot)
+                   : detail::load_u32(sources_ + 4 * slot);
+    }
+    /// Finds the positions that have a vertex: not more than the blob's bytes hold, whatever their number is.
+    void find_positions() {
+        const std::size_t slots = field(format::header::vertex_slots_at);
+        positions_.reserve(slots);
+        for (std::size_t slot = 0; slot < slots; ++slot) positions_.push_back(source(slot));
+        std::sort(positions_.begin(), positions_.end());
+        positions_.erase(std::unique(positions_.begin(), positions_.end()), positions_.end());
+    }
+    /// Returns the vertex of the mesh at a slot.
+    [[nodiscard]] std::uint32_t vertex_at(std::size_t slot) const {
+        const auto found = std::lower_bound(positions_.begin(), positions_.end(), source(slot));
+        return static_cast<std::uint32_t>(found - positions_.begin());
     }
     static std::string at(std::size_t place) { return "the header (byte " + std::to_string(place) + ") "; }
 
@@ -76,14 +92,15 @@ private:
         };
         const std::size_t slot = slots_[leaf.at / 4];
         for (unsigned i = 0; i < leaf.vertex_count; ++i) {
-            const std::uint32_t position = source(slot + i);
+            const std::uint32_t vertex = vertex_at(slot + i);
             const LatticePoint point{leaf.vertices[i][0], leaf.vertices[i][1], leaf.vertices[i][2]};
-            if (mesh_.is_used[position] == 0) {
-                mesh_.is_used[position] = 1;
-                mesh_.vertices[position] = point;
+            if (mesh_.is_used[vertex] == 0) {
+                mesh_.is_used[vertex] = 1;
+                mesh_.vertices[vertex] = point;
                 ++mesh_.used_vertices;
-            } else if (!(mesh_.vertices[position] == point)) {
-                return about(leaf.first_triangle, "is in a leaf that has position " + std::to_string(position) +
+            } else if (!(mesh_.vertices[vertex] == point)) {
+                return about(leaf.first_triangle, "is in a leaf that has position " +
+                                                      std::to_string(positions_[vertex]) +
                                                       " elsewhere than another leaf");
             }
         }
@@ -94,7 +111,7 @@ private:
                 const std::uint32_t vertex = leaf.corners[i][corner];
                 if (vertex > used) return about(leaf.first_triangle + i, "uses a vertex before those numbered lower");
                 used += vertex == used ? 1 : 0;
-                corners[corner] = source(slot + vertex);
+                corners[corner] = vertex_at(slot + vertex);
             }
             const std::uint32_t next = triangles_.size();
             if (const std::uint32_t same = triangles_.find_or_insert(corners); same != next)
@@ -128,8 +145,9 @@ private:
     const std::byte* sources_;
     std::size_t leaves_at_;
     std::vector<std::size_t> slots_;
+    std::vector<std::uint32_t> positions_;  ///< their numbers, each once, sorted
     TriangleSet triangles_;
-    LatticeMesh mesh_;  ///< vertices are positions
+    LatticeMesh mesh_;  ///< has a vertex for each of `positions_`
     DecodedBox all_{{far, far, far}, {-far, -far, -far}};
 };
 

@@ -39,26 +39,23 @@ struct MovingLeaf {
     }
 };
 
-/// Writes the coordinates of each vertex, axis by axis. Returns the box around them.
+/// Writes the coordinates of each vertex. Returns the box around them.
 template <bool near>
 inline VertexBox place_one_by_one(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
     VertexBox box;
-    for (int k = 0; k < 3; ++k) {
-        const PoseAxis axis = axes.axis[k];
-        const std::size_t row = static_cast<std::size_t>(k) * leaf.vertex_count;
-        std::uint32_t low = ~std::uint32_t{0}, high = 0;
-        for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
-            const Vec3& position = positions[leaf.source(vertex)];
-            const std::uint32_t coordinate = axis.coordinate<near>(k == 0   ? position.x
-                                                                   : k == 1 ? position.y
-                                                                            : position.z);
-            store_u16(leaf.words + 2 * (row + vertex), coordinate & 0xFFFFu);
-            if (leaf.high_bytes != nullptr) store_u8(leaf.high_bytes + (row + vertex), coordinate >> 16);
-            low = coordinate < low ? coordinate : low;
-            high = coordinate > high ? coordinate : high;
-        }
-        box.low[k] = low;
-        box.high[k] = high;
+    for (unsigned vertex = 0; vertex < leaf.vertex_count; ++vertex) {
+        const Vec3& position = positions[leaf.source(vertex)];
+        const auto place = [&](unsigned k, float number) __attribute__((always_inline)) {
+            const std::uint32_t coordinate = axes.axis[k].coordinate<near>(number);
+            const std::size_t at = std::size_t{k} * leaf.vertex_count + vertex;
+            store_u16(leaf.words + 2 * at, coordinate & 0xFFFFu);
+            if (leaf.high_bytes != nullptr) store_u8(leaf.high_bytes + at, coordinate >> 16);
+            box.low[k] = coordinate < box.low[k] ? coordinate : box.low[k];
+            box.high[k] = coordinate > box.high[k] ? coordinate : box.high[k];
+        };
+        place(0, position.x);
+        place(1, position.y);
+        place(2, position.z);
     }
     return box;
 }

@@ -1,6 +1,7 @@
 // Numbers of the format, written to any address.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -8,8 +9,13 @@ namespace espalier::detail {
 
 inline void store_u8(std::byte* at, std::uint32_t value) { *at = static_cast<std::byte>(value); }
 inline void store_u16(std::byte* at, std::uint32_t value) {
-    store_u8(at, value & 0xFFu);
-    store_u8(at + 1, value >> 8 & 0xFFu);
+    if constexpr (std::endian::native == std::endian::little) {
+        const auto word = static_cast<std::uint16_t>(value);
+        __builtin_memcpy(at, &word, sizeof word);
+    } else {
+        store_u8(at, value & 0xFFu);
+        store_u8(at + 1, value >> 8 & 0xFFu);
+    }
 }
 inline void store_u32(std::byte* at, std::uint32_t value) {
     store_u16(at, value & 0xFFFFu);

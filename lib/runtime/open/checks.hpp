@@ -9,6 +9,7 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/blob/node.hpp>
+#include <runtime/blob/pose_bounds.hpp>
 
 namespace espalier::detail {
 
@@ -26,6 +27,7 @@ inline bool is_padded_with_zeros(const std::byte* stream, unsigned bit_count) {
 /// How far the pass over the nodes has come.
 struct OpenProgress {
     const BlobData& blob;
+    PoseBounds bounds = pose_bounds_of(blob);  ///< in which every vertex must be
     std::uint32_t triangles = 0;
     std::uint32_t leaf_bytes = 0;    ///< at most those of the section
     std::uint32_t vertex_slots = 0;  ///< of plain leaves

@@ -3,7 +3,6 @@
 #include <bit>
 
 #include <runtime/blob/leaf_kinds.hpp>
-#include <runtime/blob/pose_bounds.hpp>
 #include <runtime/open/checks.hpp>
 
 namespace espalier::detail {
@@ -37,8 +36,7 @@ ESPALIER_SHARED_CODE inline bool take_padding(OpenProgress& seen, std::uint32_t 
 }
 
 /// Tests whether all coordinates are inside the asset's box and differ along an axis as the leaf's size states.
-bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
-    const PoseBounds bounds = pose_bounds_of(blob);
+bool are_sound_coordinates(const PlainLeaf& leaf, const OpenProgress& seen) {
     const std::byte* word = leaf.words();
     const std::byte* high_byte = leaf.high_bytes();
     const bool has_high_bytes = leaf.has_high_bytes();
@@ -54,11 +52,11 @@ bool are_sound_coordinates(const PlainLeaf& leaf, const BlobData& blob) {
             // mutant(> -> >=) equivalent: both sides are equal then
             most = coordinate > most ? coordinate : most;
         }
-        if (least < bounds.low[k] || most > bounds.high[k]) return false;
+        if (least < seen.bounds.low[k] || most > seen.bounds.high[k]) return false;
         differences |= static_cast<std::uint32_t>(most - least);
     }
     // The least size that is true, as far as a descriptor can hold it.
-    const unsigned least_size = format::plain_leaf::least_size(blob.bits);
+    const unsigned least_size = format::plain_leaf::least_size(seen.blob.bits);
     const auto size = static_cast<unsigned>(std::bit_width(differences));
     // mutant(> -> >=) equivalent: both sides are equal then
     return leaf.size_bits == (size > least_size ? size : least_size);
@@ -208,7 +206,7 @@ bool take_leaves(PlainNode node, OpenProgress& seen) {
         const auto leaf = leaf_at<PlainLeaf>(seen.blob, node, number);
         const unsigned own_corners = seen.blob.corners == nullptr ? leaf.slot_count : 0;
         const std::size_t bytes = data_bytes(leaf.vertex_count, own_corners, seen.blob.bits);
-        if (take_stream(seen, 8 * static_cast<unsigned>(bytes)) == nullptr || !are_sound_coordinates(leaf, seen.blob) ||
+        if (take_stream(seen, 8 * static_cast<unsigned>(bytes)) == nullptr || !are_sound_coordinates(leaf, seen) ||
             !take_padding(seen, 4))
             return false;
         if (leaf.slot_count > seen.blob.triangle_count - seen.triangles) return false;
