@@ -1,7 +1,11 @@
 // Any bytes as a mesh and options: refused with a reason, or baked to a blob that opens, passes the deep check, is
 // sound and answers every query as the loop over all its triangles does.
+#include <algorithm>
 #include <cstring>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include <espalier/bake.hpp>
 #include <espalier/espalier.hpp>
@@ -43,10 +47,24 @@ struct Question {
     BakeOptions options;
 };
 
+/// Makes the blob deformable, by options that go together. Its tree suits a pose in which each position is the next
+/// one.
+void deform(const Mesh& mesh, BakeOptions& options) {
+    options.profile = Profile::fast;
+    if (options.build.builder == Builder::spatial_splits) options.build.builder = Builder::binned_sah;
+    options.drop_bad_triangles = false;
+    options.flat_angle = std::nullopt;
+    options.bounds = {};
+    std::vector<Vec3> pose = mesh.positions;
+    if (!pose.empty()) std::rotate(pose.begin(), pose.begin() + 1, pose.end());
+    options.deformation.emplace().poses.push_back(std::move(pose));
+}
+
 Question read_question(Input& input) {
     Question question;
     BakeOptions& options = question.options;
-    options.resolution = Resolution::bits(1 + input.byte() % 24);
+    const unsigned lattice = input.byte();
+    options.resolution = Resolution::bits(1 + lattice % 24);
     constexpr Builder builders[] = {Builder::binned_sah, Builder::sweep_sah, Builder::agglomerative, Builder::linear,
                                     Builder::insertion};
     const unsigned choices = input.byte();
@@ -89,6 +107,7 @@ Question read_question(Input& input) {
         mesh.triangles.push_back({a, b, c});
         if (material_width != 0) mesh.materials.push_back(a << (material_width * material_width - 1));
     }
+    if (lattice >= 240) deform(mesh, options);
     return question;
 }
 

@@ -1,5 +1,6 @@
 // Blobs that follow the format and that no baker would make: the input says what to build. They must open, mean to the
-// independent decoder what was written, and stand everything that a blob must.
+// independent decoder what was written, and stand everything that a blob must. Some are deformable, and walk through
+// poses too.
 #include <algorithm>
 #include <exception>
 #include <span>
@@ -7,6 +8,8 @@
 #include <espalier/espalier.hpp>
 
 #include "judge.hpp"
+#include "refit/deform.hpp"
+#include "refit/walk.hpp"
 #include "support/blobs/weird_blobs.hpp"
 #include "support/machine/exact_buffer.hpp"
 #include "target.hpp"
@@ -45,12 +48,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto input = std::as_bytes(std::span(data, size));
     const std::size_t for_arguments = std::min<std::size_t>(size / 4, 256);
     Random shape(size, input.first(size - for_arguments));
-    const PlainBlob plain = make_weird_blob(shape);
+    PlainBlob plain = make_weird_blob(shape);
+    if (fuzz::can_deform(plain) && shape.below(3) == 0) fuzz::deform(plain, shape);
     const ExactBuffer buffer(encode(plain), size % 16);
     const Blob blob = open(buffer.bytes());
     if (!blob) fuzz::fail("open", describe(blob.status()));
     compare(plain, buffer.bytes(), blob.duplicate_reference_count() != 0);
     Random arguments(size, input.last(for_arguments));
     fuzz::judge(buffer.bytes(), blob, arguments);
+    if (blob.is_deformable()) fuzz::walk_poses(buffer.bytes(), arguments);
     return 0;
 }

@@ -24,6 +24,7 @@ public:
     std::vector<std::byte> run() {
         if (!blob_.nodes.empty()) {
             nodes_.resize(1);
+            sources_.resize(1);
             node_count_ = 1;
             visit(0, 0, 1);
         }
@@ -49,10 +50,12 @@ private:
         const std::uint32_t first = node_children == 0 ? 0 : node_count_;
         node_count_ += node_children;
         nodes_.resize(node_count_);
+        sources_.resize(node_count_);
 
         const std::uint32_t block = leaf_children == 0 ? 0 : static_cast<std::uint32_t>(leaves_.bytes.size() / 4);
         Writer descriptors;
         if (leaf_children != 0) put_block(node, descriptors);
+        if (is_deformable()) put_sources(node, sources_[number]);
         Writer out;
         if (has_strips()) {
             for (const std::uint32_t base : node.base) out.put(base, 2);
@@ -76,6 +79,16 @@ private:
     }
 
     [[nodiscard]] bool has_strips() const { return head_.profile != Profile::fast; }
+    [[nodiscard]] bool is_deformable() const { return (head_.features & 1u << 9) != 0; }
+
+    void put_sources(const PlainNode& node, Writer& out) {
+        for (const PlainChild& child : node.children) {
+            if (!child.leaf) continue;
+            for (const std::uint32_t source : child.leaf->sources)
+                out.put(source, head_.position_count > 65536 ? 4 : 2);
+            vertex_slots_ += child.leaf->sources.size();
+        }
+    }
 
     static void put_planes(Writer& out, const PlainNode& node, std::size_t places, unsigned size) {
         for (const bool high : {false, true})
@@ -107,7 +120,7 @@ private:
         leaves_.pad_to(4);
     }
 
-    void put_triangles(Writer& descriptors, Writer& data, const PlainLeaf& leaf) const {
+    void put_triangles(Writer& descriptors, Writer& data, const PlainLeaf& leaf) {
         const auto triangles = static_cast<std::uint32_t>(leaf.triangles.size());
         const auto vertices = static_cast<std::uint32_t>(leaf.vertices.size());
         std::uint32_t size = 0;
@@ -126,8 +139,9 @@ private:
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (const GridPoint& vertex : leaf.vertices)
                 data.put(static_cast<std::uint32_t>(vertex[axis]) & 0xFFFFu, 2);
+        Writer& corners = is_deformable() ? corners_ : data;
         for (std::size_t corner = 0; corner < 3; ++corner)
-            for (const auto& triangle : leaf.triangles) data.put(triangle[corner], 1);
+            for (const auto& triangle : leaf.triangles) corners.put(triangle[corner], 1);
         for (std::size_t axis = 0; axis < 3 && head_.bits > 16; ++axis)
             for (const GridPoint& vertex : leaf.vertices) data.put(static_cast<std::uint32_t>(vertex[axis]) >> 16, 1);
         data.pad_to(4);
@@ -258,6 +272,12 @@ private:
             out.put(static_cast<std::uint32_t>(head_.oriented_box[i]), i < 4 ? 2 : 4);
         for (const std::int32_t number : head_.sphere) out.put(static_cast<std::uint32_t>(number), 4);
         for (const std::int32_t number : head_.k_dop) out.put(static_cast<std::uint32_t>(number), 4);
+        if (!is_deformable()) return;
+        out.append(corners_);
+        out.pad_to(4);
+        for (std::size_t i = 0; i < 64; ++i) out.put(0, 1);
+        for (const Writer& sources : sources_) out.append(sources);
+        out.pad_to(4);
     }
 
     void put_ids(Writer& out) {
@@ -322,7 +342,7 @@ private:
             128 + std::size_t{has_strips() ? 64u : 256u} * node_count_ + leaves_.bytes.size() + 64 + section_bytes;
         out.put(0x4C505345u, 4);
         out.put(2, 2);
-        out.put(0, 2);
+        out.put(is_deformable() ? 1 : 0, 2);
         out.put(total, 4);
         out.put(0, 4);  // the checksum comes last
         out.put(head_.features, 4);
@@ -343,13 +363,21 @@ private:
         out.put(head_.sources.size(), 4);
         out.put(head_.source_triangles, 4);
         out.put(id_step_bytes_, 4);
-        for (int i = 0; i < 11; ++i) out.put(0, 4);
+        out.put(head_.position_count, 4);
+        out.put(vertex_slots_, 4);
+        out.put(std::bit_cast<std::uint32_t>(head_.rest_cost), 4);
+        for (const GridPoint& point : {head_.pose.low, head_.pose.high})
+            for (const std::int32_t coordinate : point) out.put(static_cast<std::uint32_t>(coordinate), 4);
+        out.put(0, 8);
     }
 
     const PlainBlob& blob_;
     const DecodedBlob& head_;
     std::vector<Writer> nodes_;
     Writer leaves_;
+    Writer corners_;
+    std::vector<Writer> sources_;  ///< of each node's leaves
+    std::size_t vertex_slots_ = 0;
     std::uint32_t node_count_ = 0;
     std::uint32_t triangles_ = 0;
     std::size_t id_step_bytes_ = 0;

@@ -24,6 +24,7 @@ struct PlainLeaf {
         bool is_triangle = false;  ///< the window that begins here; of the last two entries: false
     };
     std::vector<Entry> entries;
+    std::vector<std::uint32_t> sources;  ///< of a deformable blob: the position that each vertex is
 
     [[nodiscard]] std::vector<GridTriangle> corners() const;
 };
@@ -54,7 +55,8 @@ struct PlainIdKind {
     unsigned replaced = 0;
 };
 
-/// What a blob holds. `decoded` gives the header and the optional sections; its nodes and triangles are not looked at.
+/// What a blob holds. `decoded` gives the header and the optional sections; its nodes, triangles and corner sources are
+/// not looked at.
 struct PlainBlob {
     DecodedBlob decoded;
     /// A row for each value of the bits that a step begins with: 1, 2, 4 .. 128. Rows that agree in the low `prefix`
