@@ -21,6 +21,19 @@ struct Answers {
     std::uint32_t points = 0;
     std::uint32_t points_found = 0;
     std::uint32_t pairs_near = 0;  // of two placed blobs
+
+    constexpr void add(const Answers& part) {
+        fingerprint.add(part.fingerprint);
+        calls += part.calls;
+        rays += part.rays;
+        rays_hit += part.rays_hit;
+        hits += part.hits;
+        spheres += part.spheres;
+        overlaps += part.overlaps;
+        points += part.points;
+        points_found += part.points_found;
+        pairs_near += part.pairs_near;
+    }
 };
 
 /// Returns the number that the status of a lookup had when golden.txt was recorded.

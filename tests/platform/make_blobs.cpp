@@ -1,7 +1,7 @@
 // make_blobs FOLDER: bakes the blobs that every machine is asked about, as .espl files: five of everything
-// that a blob may carry, one by each builder in each profile, and scenes of them. The meshes are made here, from
-// integers: a landscape and a lumpy closed body above it, so that ids, materials and several inputs have something to
-// say.
+// that a blob may carry, one by each builder in each profile, scenes of them, and three that deform. The meshes are
+// made here, from integers: a landscape and a lumpy closed body above it, so that ids, materials and several inputs
+// have something to say.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -192,6 +192,31 @@ bool bake_scenes(const std::string& folder, const Mesh& meadow, const Mesh& ston
            write_file(folder + "scene_with_tiles.espl", with_tiles.bytes.data(), with_tiles.bytes.size());
 }
 
+/// Bakes a cloth with poses and words for each triangle, a body far from the origin on a fine lattice, and a coarse one
+/// whose mesh has more positions than two bytes can number.
+bool bake_deformables(const std::string& folder, const Mesh& meadow) {
+    espalier::BakeOptions cloth;
+    cloth.profile = espalier::Profile::fast;
+    cloth.original_ids = true;
+    espalier::Deformation& motion = cloth.deformation.emplace();
+    motion.range = {{-4.0f, -4.0f, -8.0f}, {20.0f, 20.0f, 8.0f}};
+    std::vector<espalier::Vec3> sagging = meadow.positions;
+    for (espalier::Vec3& position : sagging) position.z -= (position.x - 8.0f) * (position.x - 8.0f) * 0.0625f;
+    motion.poses.push_back(sagging);
+    espalier::BakeOptions fine;
+    fine.profile = espalier::Profile::fast;
+    fine.resolution = espalier::Resolution::bits(24);
+    fine.deformation.emplace();
+    espalier::BakeOptions coarse = fine;
+    coarse.resolution = espalier::Resolution::bits(6);
+    Mesh sparse = make_body(6, 2.0f, {1.0f, -1.0f, 0.5f});
+    sparse.positions.resize(70'000, sparse.positions.front());
+    return bake_to(folder + "cloth.espl", {view(meadow, 0, "cloth")}, cloth) &&
+           bake_to(folder + "far_muscle.espl",
+                   {view(make_body(8, 2.0f, {148376.0f, 1234.0f, -223423.0f}), 0, "muscle")}, fine) &&
+           bake_to(folder + "sparse_muscle.espl", {view(sparse, 0, "muscle")}, coarse);
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -233,5 +258,6 @@ int main(int argument_count, char** arguments) {
     const Mesh stone = make_body(6, 2.0f, {7.0f, 8.0f, 2.0f});
     const bool built = bake_by_every_builder(folder, {view(meadow, 0, "meadow"), view(stone, 1, "stone")});
     const bool scenes = bake_scenes(folder, meadow, stone);
-    return small && fine && coarse && strips && dense && built && scenes ? 0 : 2;
+    const bool deformables = bake_deformables(folder, meadow);
+    return small && fine && coarse && strips && dense && built && scenes && deformables ? 0 : 2;
 }

@@ -1,9 +1,10 @@
 // query_answers [--set NAME] [--moving] QUESTIONS BLOB...: opens each blob or scene, asks it, prints one line of
 // answers for each; asks every two blobs that follow each other about both; and prints a line about all scenes, one
-// about all blobs, and one about moving scenes of the meshes and tiles of each scene. Lines about scenes are left out
-// where there are none. With --moving each blob has a second line, about a small moving scene of it. NAME is one of
-// scalar, sse42, avx2 and avx512, to ask with that instruction set where the machine has it. Uses the runtime and C
-// streams only, so that it runs wherever a C++ compiler reaches.
+// about all blobs, one about moving scenes of the meshes and tiles of each scene, and one about all deformable blobs in
+// some poses, which are not among the others. Lines about scenes and deformable blobs are left out where there are
+// none. With --moving each blob has a second line, about a small moving scene of it. NAME is one of scalar, sse42, avx2
+// and avx512, to ask with that instruction set where the machine has it. Uses the runtime and C streams only, so that
+// it runs wherever a C++ compiler reaches.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +17,7 @@
 
 #include "answers.hpp"
 #include "moving_answers.hpp"
+#include "pose_answers.hpp"
 #include "report.hpp"
 #include "scene_answers.hpp"
 
@@ -45,13 +47,14 @@ struct Scene {
     espalier::BakedScene scene;
 };
 
-/// Opens the files as scenes or as blobs.
-bool read_files(std::span<char*> paths, std::vector<Asset>& assets, std::vector<Scene>& scenes) {
+/// Opens the files as scenes, as deformable blobs or as others.
+bool read_files(std::span<char*> paths, std::vector<Asset>& assets, std::vector<Asset>& deformables,
+                std::vector<Scene>& scenes) {
     for (const char* const path : paths) {
         const std::vector<std::byte> bytes = read_file(path);
         const espalier::Blob blob = espalier::open(bytes);
         if (blob) {
-            Asset& asset = assets.emplace_back();
+            Asset& asset = (blob.is_deformable() ? deformables : assets).emplace_back();
             asset.bytes = bytes;
             asset.blob = espalier::open(asset.bytes);
             continue;
@@ -109,6 +112,15 @@ void answer_blobs(const std::vector<Asset>& assets, std::uint32_t questions_of_a
     tally.print(questions_of_a_kind, assets.size(), "blobs");
 }
 
+void answer_deformables(const std::vector<Asset>& assets, std::uint32_t questions_of_a_kind) {
+    Tally tally;
+    for (const Asset& asset : assets) {
+        const platform::Answers answers = platform::ask_in_poses(asset.blob, questions_of_a_kind, tally.bytes);
+        tally.add(asset.bytes, answers);
+    }
+    tally.print(questions_of_a_kind, assets.size(), "deformable blobs");
+}
+
 /// Runs 250 calls for each question on a moving scene of the parts of each scene. Every other one has the least memory.
 void answer_moving_scenes(const std::vector<Scene>& scenes, std::uint32_t questions_of_a_kind) {
     constexpr std::uint32_t capacity = 400;
@@ -164,11 +176,13 @@ int main(int argument_count, char** arguments) {
         return 1;
     }
     std::vector<Asset> assets;
+    std::vector<Asset> deformables;
     std::vector<Scene> scenes;
-    if (!read_files(rest.subspan(1), assets, scenes)) return 2;
+    if (!read_files(rest.subspan(1), assets, deformables, scenes)) return 2;
     const auto questions_of_a_kind = static_cast<std::uint32_t>(std::strtoul(rest[0], nullptr, 10));
     if (!scenes.empty()) answer_scenes(scenes, questions_of_a_kind);
     answer_blobs(assets, questions_of_a_kind, with_moving);
     if (!scenes.empty()) answer_moving_scenes(scenes, questions_of_a_kind);
+    if (!deformables.empty()) answer_deformables(deformables, questions_of_a_kind);
     return 0;
 }

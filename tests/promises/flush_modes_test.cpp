@@ -13,10 +13,12 @@
 #include "support/base/profiles.hpp"
 #include "support/base/same_bits.hpp"
 #include "support/base/test_scale.hpp"
+#include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/test_blobs.hpp"
 #include "support/exercise/exercise.hpp"
 #include "support/machine/float_mode.hpp"
 #include "support/meshes/makers.hpp"
+#include "support/meshes/motions.hpp"
 #include "support/queries/ray_maker.hpp"
 
 using namespace espalier;
@@ -161,6 +163,40 @@ TEST_SUITE("flush modes") {
                     CAPTURE(flags);
                     const FloatMode mode(flags);
                     REQUIRE(answers() == expected);
+                }
+            }
+        }
+    }
+
+    TEST_CASE("float mode: a refit gives the same bytes in every mode") {
+        for (const float scale : {1.0f, 0x1p-85f, 0x1p-60f, 0x1p80f}) {
+            for (const unsigned bits : {16u, 24u}) {
+                CAPTURE(scale);
+                CAPTURE(bits);
+                const Mesh torus = scaled_by(make_torus(10, 6, 2.0, 0.75), scale);  // around 0
+                BakeOptions options = deformable_options(torus, bits);
+                if (scale == 0x1p-85f) options.resolution = Resolution::step(-100);
+                DeformedMesh mesh(torus, options);
+                Random random(bits);
+                for (std::vector<Vec3> pose : every_pose(mesh.mesh)) {
+                    for (int i = 0; i < 20; ++i) {
+                        const std::uint32_t word = random.below(1u << 24) | (random.coin() ? 0x80000000u : 0u);
+                        pose[random.below(static_cast<std::uint32_t>(pose.size()))].y = std::bit_cast<float>(word);
+                    }
+                    const float quality = mesh.move_to(pose);
+                    const std::vector<std::byte> expected = mesh.sealed();
+                    for (const unsigned flags : float_modes) {
+                        CAPTURE(flags);
+                        mesh.move_to(mesh.mesh.positions);
+                        RefitResult result;
+                        {
+                            const FloatMode mode(flags);
+                            result = refit(mesh.deformable, pose);
+                        }
+                        REQUIRE(result);
+                        CHECK(std::bit_cast<std::uint32_t>(result.quality) == std::bit_cast<std::uint32_t>(quality));
+                        REQUIRE(mesh.sealed() == expected);
+                    }
                 }
             }
         }

@@ -3,12 +3,17 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 #include <espalier/espalier.hpp>
 
+#include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/test_blobs.hpp"
 #include "support/exercise/exercise.hpp"
+#include "support/machine/aligned_buffer.hpp"
 #include "support/machine/allocation_counter.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/meshes/motions.hpp"
 #include "support/queries/ray_maker.hpp"
 
 using namespace espalier;
@@ -65,5 +70,30 @@ TEST_SUITE("heap") {
             CHECK(found > 0);
         }
         CHECK(allocations == 0);
+    }
+
+    TEST_CASE("promise: refits of a mesh and of its scene allocate nothing") {
+        DeformedMesh mesh(make_torus(12, 8, 3.0, 1.0));
+        const std::vector<std::vector<Vec3>> poses = every_pose(mesh.mesh);
+        std::vector<Vec3> far_pose = poses[0];
+        far_pose[3].x = 1e6f;
+        const Blob blob = mesh.deformable.blob();
+        AlignedBuffer block(static_cast<std::size_t>(moving_scene_bytes(1)));
+        std::vector<std::byte> whole(blob.size());
+        Random random(1);
+        const std::uint64_t before = allocation_count();
+        MovingScene scene = create_moving_scene(block.bytes(), 1, -12, {&blob, 1});
+        bool all_are_ok = static_cast<bool>(insert(scene, {}));
+        all_are_ok &= static_cast<bool>(create_deformable(mesh.still, mesh.memory));
+        for (const std::vector<Vec3>& pose : poses) {
+            all_are_ok &= static_cast<bool>(refit(mesh.deformable, pose));
+            all_are_ok &= refit(mesh.deformable, far_pose).status == QueryStatus::out_of_range;
+            all_are_ok &= seal(mesh.deformable, whole) == QueryStatus::ok;
+            all_are_ok &= move_instances_of(scene, 0) == QueryStatus::ok;
+            static_cast<void>(refit(scene));
+            exercise(blob, random, 5);
+        }
+        CHECK(allocation_count() == before);
+        CHECK(all_are_ok);
     }
 }

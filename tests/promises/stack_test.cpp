@@ -12,10 +12,13 @@
 #include <espalier/espalier.hpp>
 
 #include "support/base/sanitized.hpp"
+#include "support/blobs/deformed_mesh.hpp"
 #include "support/blobs/test_blobs.hpp"
 #include "support/machine/chosen_instruction_set.hpp"
 #include "support/machine/instruction_paths.hpp"
 #include "support/machine/stack_use.hpp"
+#include "support/meshes/makers.hpp"
+#include "support/meshes/motions.hpp"
 #include "support/queries/placement_maker.hpp"
 #include "support/queries/ray_maker.hpp"
 #include "support/queries/shape_maker.hpp"
@@ -312,5 +315,34 @@ TEST_SUITE("stack") {
                 CHECK_MESSAGE(row.most <= budget, std::string(row.query));
             }
         }
+    }
+
+    TEST_CASE("promise: refits and what belongs to them stay within their stack budgets") {
+        if (sanitized) {
+            MESSAGE("SKIPPED: the sanitizers give frames other sizes");
+            return;
+        }
+        Mesh sparse = make_torus(12, 8, 3.0, 1.0);
+        sparse.positions.resize(70'000, sparse.positions[0]);  // numbers of four bytes
+        Mesh far = make_far_sphere();
+        std::size_t most_of_refit = 0, most_of_others = 0;
+        for (const Mesh& mesh : {make_torus(12, 8, 3.0, 1.0), sparse, far}) {
+            for (const unsigned bits : {16u, 24u}) {
+                DeformedMesh deformed(mesh, bits);
+                std::vector<std::byte> whole(deformed.baked.size());
+                for (const std::vector<Vec3>& pose : every_pose(mesh)) {
+                    bool is_ok = false;
+                    most_of_refit = std::max(
+                        most_of_refit, stack_use([&] { is_ok = static_cast<bool>(refit(deformed.deformable, pose)); }));
+                    CHECK(is_ok);
+                }
+                const auto measure = [&](auto call) { most_of_others = std::max(most_of_others, stack_use(call)); };
+                measure([&] { (void)seal(deformed.deformable, whole); });
+                measure([&] { (void)create_deformable(deformed.still, deformed.memory); });
+            }
+        }
+        MESSAGE("refit: ", most_of_refit, " bytes of stack; seal and create_deformable: ", most_of_others);
+        CHECK(most_of_refit <= 1300);
+        CHECK(most_of_others <= 512);
     }
 }
