@@ -59,6 +59,13 @@ PARTS = {
     "ids": ["baker/encode/id_kinds.hpp", "baker/encode/id_kinds.cpp", "baker/encode/ids.cpp"],
     "edges": ["baker/base/edge_table.hpp"],
     "moving": ["runtime/moving_scenes/check.cpp", "runtime/moving_scenes/changes.cpp"],
+    "deformation": [
+        "runtime/deformation/check_positions.hpp", "runtime/deformation/deformable.cpp",
+        "runtime/deformation/four_positions.hpp", "runtime/deformation/place_vertices.hpp",
+        "runtime/deformation/pose_axis.hpp", "runtime/deformation/refit.cpp", "runtime/deformation/store.hpp",
+        "runtime/blob/tree_cost.hpp", "runtime/blob/pose_bounds.hpp", "runtime/blob/vertex_sources.hpp",
+        "baker/deformation/motion.cpp", "baker/input/check_deformation.cpp", "baker/deformation/steered_tree.cpp",
+        "baker/encode/motion.cpp"],
 }
 
 NUMBERS_OF_A_FILE = 1000

@@ -5,10 +5,10 @@ mutate.py BUILD [PART...] [--files FILE...] [--since COMMIT] [--survivors] [--mo
 breaks the library in every way that instrument.py knows, one at a time, and prints what no claim noticed. PART is
 verifier, decode, quantiser, traversal, rounding, small (what microcontrollers have of their own), queries (what they do
 at nodes and leaves, batches), scenes (what opens them), ids (the section of original ids, as the baker writes it),
-edges (the baker's table) or moving (scenes whose instances move). --files chooses the mutants of some files of lib,
---since those of files whose code has changed since a commit; all mutants when nothing is chosen. Exit status 1 when a
-mutant survives that no comment in the code excuses (excuses.py). --publish writes a row for each part that was run as a
-whole into the table of docs/testing.md.
+edges (the baker's table), moving (scenes whose instances move) or deformation (meshes whose vertices move). --files
+chooses the mutants of some files of lib, --since those of files whose code has changed since a commit; all mutants when
+nothing is chosen. Exit status 1 when a mutant survives that no comment in the code excuses (excuses.py). --publish
+writes a row for each part that was run as a whole into the table of docs/testing.md.
 
 All mutants are compiled once, into the same programs, and again as small code (ESPALIER_SMALL_CODE); they are chosen
 when a program starts. A first run of every claim without any notes how long it takes and by which mutants it comes;
@@ -49,7 +49,8 @@ SCALE = os.environ.get("ESPALIER_TEST_SCALE", "0.05")  # enough for most mutants
 CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/blob/open", "runtime/blob/open_codecs", "runtime/blob/open_rules", "runtime/blob/open_tree",
     "runtime/blob/open_sections", "runtime/blob/open_ids", "runtime/blob/open_leaves",
-    "runtime/blob/open_predicted_strips", "runtime/blob/open_unchecked", "runtime/blob/weird_blob",
+    "runtime/blob/open_predicted_strips", "runtime/blob/open_deformable", "runtime/blob/open_unchecked",
+    "runtime/blob/weird_blob",
     "runtime/traversal/statistics", "runtime/traversal/work", "runtime/traversal/node_boxes",
     "runtime/rays/traversal", "runtime/lattice/round_ray", "runtime/lattice/round_point",
     "runtime/lattice/step_queries", "runtime/lattice/steps", "runtime/asset/identity", "runtime/asset/bounds",
@@ -70,6 +71,8 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "runtime/moving_scenes/colliding", "runtime/moving_scenes/view",
     "runtime/moving_scenes/hostile", "runtime/moving_scenes/rules", "runtime/moving_scenes/borders",
     "runtime/moving_scenes/changes", "runtime/moving_scenes/calls",
+    "runtime/deformation/refit", "runtime/deformation/refusals", "runtime/deformation/loop",
+    "runtime/deformation/scenes",
     "runtime/pairs/pair", "runtime/pairs/distance_work", "runtime/pairs/frame", "runtime/pairs/loop",
     "runtime/pairs/pages", "runtime/pairs/counters", "runtime/moving_scenes/counters",
     "runtime/proximity/closest_pair", "runtime/sweeps/sweep", "runtime/transforms/transform",
@@ -82,6 +85,7 @@ CLAIMS = [f"{name}_test.cpp" for name in (
     "baker/error/fit_lattice", "baker/build/tree", "baker/collapse/strip", "baker/collapse/leaf_size",
     "baker/sections/bounds",
     "baker/sections/edge_flags", "baker/base/edge_table", "baker/error/error", "baker/quantise/drop",
+    "baker/deformation/motion", "baker/input/check_deformation", "baker/deformation/steered_tree",
     "baker/build/spatial", "baker/few_triangles", "baker/input/input", "baker/quantise/closed", "baker/quantise/seams",
     "baker/encode/remap", "baker/encode/id_kinds", "oracle/slab_test")]
 # The other tests of the runtime, and why no mutant is shown to them.
