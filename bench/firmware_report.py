@@ -32,6 +32,7 @@ CALLS = {"overlaps_box_in_steps": "overlaps(LatticeBox)", "first_hit_in_steps": 
          "sweep_box": "sweep(Box)", "may_overlap_sphere": "overlaps(Sphere, Accuracy)",
          "may_overlap_box": "overlaps(Box, Accuracy)", "may_be_occluded": "occluded(Ray, Accuracy)",
          "distance_bounds": "distance_bounds(Accuracy)"}
+CLOTH_TRIANGLES = 512  # ClothPlaces::triangles of tests/firmware/refit_workload.hpp
 STACKS = {"open": "`open`", **FIVE, "collides": "two touch", "minimum_distance": "two: distance"}
 
 
@@ -175,6 +176,19 @@ def moving_table(rows):
     return table(["core", "profile", "code", "instructions of a step", "with refit", "with repack", "stack"], lines)
 
 
+def refit_table(rows):
+    """Refits of a cloth. Empty if the rows are from before deformable meshes."""
+    lines = []
+    for core, profile, mesh in rows.asked():
+        if (core, profile, mesh, "refit") not in rows.queries:
+            continue
+        row = rows.queries[core, profile, mesh, "refit"]
+        lines.append([CORES[core], f"`{profile}`", thousands(rows.code[core, profile, "refit_mesh"]),
+                      f"{thousands(row['instructions'])} ({thousands(row['instructions_max'])})",
+                      thousands(-(-row["instructions_max"] // CLOTH_TRIANGLES)), thousands(row["stack"])])
+    return table(["core", "profile", "code", "instructions of a refit", "at most for each triangle", "stack"], lines)
+
+
 def level_table(rows):
     lines = []
     for core, profile, mesh in rows.asked():
@@ -218,7 +232,7 @@ def outputs(files):
     conditions = (f"Rows: {links(files)}. GCC {compiler} `-Os`, one profile in the library, linked by `-nostdlib -lgcc`; QEMU {qemu}. "
                   f"Writes outside the stack in all {sum(row['calls'] for row in rows.queries.values()):,} calls: {elsewhere}.")
     return {DOCUMENT: fill(DOCUMENT, {"conditions": conditions, "goals": goals_table(rows), "profiles": profiles_table(rows), "code": code_table(rows), "instructions": instructions_table(rows), "steps": steps_table(rows),
-                                      "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows), "scenes": scenes_table(rows), "moving": moving_table(rows),
+                                      "bytes": blob_bytes_table(rows), "stack": stack_table(rows), "level": level_table(rows), "scenes": scenes_table(rows), "moving": moving_table(rows), "refit": refit_table(rows),
                                       "largest": largest_table(rows), "queries": all_queries_table(rows)})}
 
 

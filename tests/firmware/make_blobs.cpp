@@ -1,5 +1,5 @@
 // make_blobs FOLDER: bakes what firmware is measured with, as MESH_PROFILE.espl: meshes that are made here, and bunny,
-// fandisk and dragon where the folder ESPALIER_MESHES has them; and a scene of 64 instances.
+// fandisk and dragon where the folder ESPALIER_MESHES has them; a scene of 64 instances; and a cloth.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -10,6 +10,7 @@
 #include <espalier/bake.hpp>
 #include <espalier/scene.hpp>
 
+#include "refit_workload.hpp"
 #include "support/base/random.hpp"
 #include "support/meshes/files.hpp"
 #include "support/meshes/level_maker.hpp"
@@ -74,6 +75,23 @@ bool bake_scene_to(const std::string& folder, Profile profile) {
     return write(folder, "scene", profile, scene.bytes, scene.report.triangles);
 }
 
+/// A cloth that deforms, flat at rest.
+bool bake_cloth_to(const std::string& folder) {
+    using espalier::firmware::ClothPlaces;
+    Mesh cloth = make_plane_grid(ClothPlaces::side);
+    for (std::uint32_t i = 0; i < ClothPlaces::count; ++i) cloth.positions[i] = ClothPlaces::at(i, 0);
+    espalier::BakeOptions options;
+    options.profile = Profile::fast;
+    options.deformation.emplace().range = ClothPlaces::range();
+    const espalier::MeshView view = cloth.view();
+    const auto baked = espalier::bake(std::span(&view, 1), options);
+    if (!baked) {
+        std::fprintf(stderr, "make_blobs: cloth: %s\n", baked.message.c_str());
+        return false;
+    }
+    return write(folder, "cloth", Profile::fast, baked.bytes, baked.report.tree.triangles);
+}
+
 struct RealBlob {
     const char* name;
     const char* file;
@@ -94,7 +112,7 @@ bool bake_all(const std::string& folder) {
                bake_to(folder, level, "level", Profile::small, 14) &&
                bake_to(folder, torus, "torus", Profile::fast, 16) &&
                bake_to(folder, make_cube(-0.5f, 0.5f), "cube", Profile::fast, 14) &&
-               bake_scene_to(folder, Profile::fast) && bake_scene_to(folder, Profile::small);
+               bake_scene_to(folder, Profile::fast) && bake_scene_to(folder, Profile::small) && bake_cloth_to(folder);
     for (const RealBlob& blob : real_blobs)
         if (const auto file = mesh_file(blob.file); file && all)
             all = bake_to(folder, read_mesh(*file), blob.name, blob.profile, blob.bits);

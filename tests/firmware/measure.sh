@@ -5,7 +5,7 @@
 # Cores: cores.txt. The command that bakes is found in ../build/tools or build/tools, or by ESPALIER=...; images are made
 # in build/measure/CORE_PROFILE, or in the folder BUILD=..., and compiled again when the library changes. ROWS=FILE: the
 # figures are added to that file too, one row each. QUERIES=usual: open and the usual queries alone; scene: those of a scene; moving: steps of a
-# moving scene of 64 instances.
+# moving scene of 64 instances; refit: refits of a cloth.
 #     CORE PROFILE MESH QUERY calls, instructions mean max, blob bytes mean max, stack, writes elsewhere
 #     CORE PROFILE code IMAGE bytes
 #     CORE PROFILE blob MESH bytes
@@ -41,6 +41,7 @@ else
 fi
 parts="closest_ray scene_ray in_steps five_queries every_query"
 [[ ${QUERIES:-every} != moving ]] || parts=moving_step
+[[ ${QUERIES:-every} != refit ]] || parts=refit_mesh
 TARGETS="$image $parts empty" \
     bash "$here/build_images.sh" "$core" "$profile" "$blob" "$build"
 

@@ -46,6 +46,7 @@ enum Kind : unsigned {
     scene_point,
     moving_step,
     moving_step_repack,
+    refit_pose,
     kind_count
 };
 
@@ -58,7 +59,7 @@ inline constexpr const char* kind_names[] = {
     "closest_triangles", "contains", "signed_distance", "closest_to_segment", "closest_to_box", "sweep_sphere",
     "sweep_capsule", "sweep_box", "may_overlap_sphere", "may_overlap_box", "may_be_occluded", "distance_bounds",
     "open_scene", "scene_raycast", "scene_occluded", "scene_overlaps_sphere", "scene_closest_point", "moving_step",
-    "moving_step_repack",
+    "moving_step_repack", "refit",
 };
 // clang-format on
 static_assert(sizeof kind_names / sizeof *kind_names == kind_count);

@@ -14,7 +14,7 @@ compiler=$(arm-none-eabi-g++ -dumpfullversion)
 # that is always there, where no query is refused. Elsewhere the deepest stack of the others is held.
 with_lines='open raycast occluded overlaps_sphere closest_point overlaps_box overlaps_box_in_steps first_hit_in_steps
     collides minimum_distance open_scene scene_raycast scene_occluded scene_overlaps_sphere scene_closest_point
-    moving_step moving_step_repack'
+    moving_step moving_step_repack refit'
 
 # as_budgets [BUDGETS]: rows as lines of budgets.txt, the same as that file has; what was measured several times, code, is one.
 as_budgets() {
@@ -39,7 +39,7 @@ print_budgets() {
 # are counts, the same at every run, and a fiftieth more than what was found when this file was made by
 #     tools/dev firmware --publish NAME FOLDER_OF_MESHES
 # code: bytes in flash of open and the closest hit of a ray; of both for a scene; of open_unchecked and the first hit of a segment in whole
-# lattice steps, without floats; of open and the five usual queries; of every query; of what moving_step_main.cpp calls.
+# lattice steps, without floats; of open and the five usual queries; of every query; of what moving_step_main.cpp and refit_mesh_main.cpp call.
 # blob: its bytes. instructions are those of QEMU, no cycles; blob bytes count as often as they are read; others: the deepest
 # stack of all queries without a line there. Counts belong to a compiler: with another one nothing is held to them.
 # compiler $compiler

@@ -22,6 +22,7 @@ struct Counts {
     std::uint32_t other = 10;   ///< of the others
     std::uint32_t pairs = 1;    ///< of each query of two blobs
     std::uint32_t steps = 64;   ///< of a moving scene, every eighth with a repack
+    std::uint32_t poses = 32;   ///< of a cloth
 };
 
 /// Asks the blob; `measure(kind, call)` runs each call. Every bit that comes back goes into the fingerprint.

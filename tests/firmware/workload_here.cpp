@@ -1,5 +1,5 @@
-// workload_here every|usual|scene|moving BLOB: asks on this machine what image/measure_main.cpp, measure_scene_main.cpp
-// and measure_moving_main.cpp ask on a core, and prints the same line.
+// workload_here every|usual|scene|moving|refit BLOB: asks on this machine what image/measure_main.cpp,
+// measure_scene_main.cpp, measure_moving_main.cpp and measure_refit_main.cpp ask on a core, and prints the same line.
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -11,6 +11,7 @@
 
 #include "../platform/report.hpp"
 #include "moving_workload.hpp"
+#include "refit_workload.hpp"
 #include "scene_workload.hpp"
 #include "workload.hpp"
 
@@ -56,12 +57,22 @@ int ask_moving(const char* path, std::span<const std::byte> bytes) {
     return finish(path, OpenStatus::ok, workload.answers());
 }
 
+int ask_refit(const char* path, std::span<const std::byte> bytes) {
+    const Blob cloth = open(bytes);
+    if (!cloth) return finish(path, cloth.status(), {});
+    std::vector<std::byte> memory(deformable_bytes(cloth));
+    std::vector<Vec3> positions(firmware::ClothPlaces::count);
+    firmware::RefitWorkload workload(memory, positions, cloth, just_call);
+    workload.ask(firmware::Counts{}.poses);
+    return finish(path, OpenStatus::ok, workload.answers());
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
     const std::string_view queries = argument_count == 3 ? arguments[1] : "";
-    if (queries != "every" && queries != "usual" && queries != "scene" && queries != "moving") {
-        std::fputs("usage: workload_here every|usual|scene|moving BLOB\n", stderr);
+    if (queries != "every" && queries != "usual" && queries != "scene" && queries != "moving" && queries != "refit") {
+        std::fputs("usage: workload_here every|usual|scene|moving|refit BLOB\n", stderr);
         return 1;
     }
     std::ifstream file(arguments[2], std::ios::binary);
@@ -69,5 +80,6 @@ int main(int argument_count, char** arguments) {
     const std::span<const std::byte> bytes = std::as_bytes(std::span(characters));
     if (queries == "scene") return ask_scene(arguments[2], bytes);
     if (queries == "moving") return ask_moving(arguments[2], bytes);
+    if (queries == "refit") return ask_refit(arguments[2], bytes);
     return ask_blob(arguments[2], bytes, queries == "every");
 }
