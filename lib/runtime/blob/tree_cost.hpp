@@ -11,7 +11,8 @@ namespace espalier::detail {
 
 /// Returns half the surface of a box whose sides are counted in units, both ends included.
 [[gnu::always_inline]] inline float half_area_of_sides(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-    const float a = whole_float(x), b = whole_float(y), c = whole_float(z);
+    const auto side = [](std::uint32_t units) { return static_cast<float>(static_cast<std::int32_t>(units)); };
+    const float a = side(x), b = side(y), c = side(z);
     return (a * b + b * c) + c * a;
 }
 

@@ -43,6 +43,24 @@ struct FourPositions {
     return positions * axis.steps_per_unit + PoseAxis::shifter;
 }
 
+/// Writes the low 16 bits of four numbers to one place, and of four others to another.
+[[gnu::always_inline]] inline void store_low_words(std::byte* to_a, FourWords a, std::byte* to_b, FourWords b) {
+#if defined(__SSE2__)
+    using EightShorts = std::int16_t __attribute__((vector_size(16)));
+    using TwoPairs = std::uint64_t __attribute__((vector_size(16)));
+    // The instruction saturates, so the high bits become copies of bit 15.
+    const EightShorts words = __builtin_ia32_packssdw128(a << 16 >> 16, b << 16 >> 16);
+    const auto pairs = std::bit_cast<TwoPairs>(words);
+    const std::uint64_t of_a = pairs[0], of_b = pairs[1];
+#else
+    using FourShorts = std::uint16_t __attribute__((vector_size(8)));
+    const auto of_a = __builtin_convertvector(a & 0xFFFF, FourShorts);
+    const auto of_b = __builtin_convertvector(b & 0xFFFF, FourShorts);
+#endif
+    __builtin_memcpy(to_a, &of_a, sizeof of_a);
+    __builtin_memcpy(to_b, &of_b, sizeof of_b);
+}
+
 /// Tests whether four positions in a row are in range.
 [[gnu::always_inline]] inline bool are_four_in_range(const PoseAxes& axes, const Vec3* positions) {
     static_assert(sizeof(Vec3) == 12);

@@ -63,35 +63,35 @@ inline VertexBox place_one_by_one(const PoseAxes& axes, const Vec3* positions, c
 /// The same for four vertices or more on near axes. The last four overlap others where their number is no multiple.
 template <bool has_short_sources, bool has_high_bytes>
 inline VertexBox place_by_fours(const PoseAxes& axes, const Vec3* positions, const MovingLeaf& leaf) {
-    using FourShorts = std::uint16_t __attribute__((vector_size(8)));
     FourFloats low[3], high[3];
     for (int k = 0; k < 3; ++k) {
         low[k] = FourFloats{} + 0x1p25f;  // above and below all sums
         high[k] = FourFloats{};
     }
-    const unsigned last = leaf.vertex_count - 4;
-    for (unsigned first = 0;; first = first + 4 < last ? first + 4 : last) {
-        const auto position = [&](unsigned i) {
+    const std::size_t row = leaf.vertex_count, last = row - 4;
+    for (std::size_t first = 0;; first = first + 4 < last ? first + 4 : last) {
+        const auto position = [&](std::size_t i) {
             const std::size_t vertex = first + i;
-            return positions +
-                   (has_short_sources ? load_u16(leaf.sources + 2 * vertex) : load_u32(leaf.sources + 4 * vertex));
+            return positions + std::size_t{has_short_sources ? load_u16(leaf.sources + 2 * vertex)
+                                                             : load_u32(leaf.sources + 4 * vertex)};
         };
         const FourPositions four(position(0), position(1), position(2), position(3));
+        FourWords coordinates[3];
         for (unsigned k = 0; k < 3; ++k) {
             const FourFloats sums = four_sums(axes.axis[k], four.axis[k]);
             low[k] = sums < low[k] ? sums : low[k];
             high[k] = sums > high[k] ? sums : high[k];
-            const auto coordinates = std::bit_cast<FourWords>(sums) - static_cast<std::int32_t>(axes.axis[k].zero_bits);
-            const std::size_t place = std::size_t{k} * leaf.vertex_count + first;
-            const auto words = __builtin_convertvector(coordinates & 0xFFFF, FourShorts);
-            __builtin_memcpy(leaf.words + 2 * place, &words, sizeof words);
+            coordinates[k] = std::bit_cast<FourWords>(sums) - static_cast<std::int32_t>(axes.axis[k].zero_bits);
             if constexpr (has_high_bytes) {
-                const FourWords above = coordinates >> 16;
+                const FourWords above = coordinates[k] >> 16;
                 const auto bytes =
                     static_cast<std::uint32_t>(above[0] | above[1] << 8 | above[2] << 16 | above[3] << 24);
-                __builtin_memcpy(leaf.high_bytes + place, &bytes, sizeof bytes);
+                __builtin_memcpy(leaf.high_bytes + (k * row + first), &bytes, sizeof bytes);
             }
         }
+        std::byte* const words = leaf.words + 2 * first;
+        store_low_words(words, coordinates[0], words + 2 * row, coordinates[1]);
+        store_low_words(words + 4 * row, coordinates[2], words + 4 * row, coordinates[2]);
         if (first == last) break;
     }
     VertexBox box;
