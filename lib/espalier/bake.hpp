@@ -111,7 +111,8 @@ struct Deformation {
     /// None: the box around these, wider by a tenth of its largest side on each side.
     std::optional<Box> range = std::nullopt;
     /// Poses that the tree suits: each has the positions of all meshes in a row, as many as the meshes have. The baked
-    /// tree is the one with the least sum of costs over the meshes' own positions and these.
+    /// tree is the one with the least sum of costs over the meshes' own positions and these, of one built for each and
+    /// one built for all at once.
     std::vector<std::vector<Vec3>> poses = {};
 };
 

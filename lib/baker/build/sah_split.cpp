@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include <baker/build/leaves_added.hpp>
+
 namespace espalier::baker {
 
 namespace {
@@ -109,32 +111,6 @@ void fill(Bins& bins, unsigned bin_count, std::span<const Reference> references,
     }
 }
 
-/// The cost of a split in addition to the areas of its parts: the leaves that it adds, as a share of their triangles in
-/// the range's box. Large ranges are split anywhere, since their parts are split again.
-class LeavesAdded {
-public:
-    LeavesAdded(const SplitRange& range, unsigned full_leaf)
-        : count_(range.count), full_leaf_(range.count <= most_leaves * full_leaf ? full_leaf : 0) {
-        if (full_leaf_ == 0 || count_ <= full_leaf_) return;
-        leaf_cost_ = share * range.box.half_area() * static_cast<float>(full_leaf_);
-    }
-    [[nodiscard]] float cost(std::uint32_t left_count) const {
-        if (leaf_cost_ == 0.0f) return 0.0f;
-        const std::uint32_t added = leaves_of(left_count) + leaves_of(count_ - left_count) - leaves_of(count_);
-        return leaf_cost_ * static_cast<float>(added);
-    }
-
-private:
-    static constexpr std::uint32_t most_leaves = 6;
-    static constexpr float share = 0.125f;
-
-    [[nodiscard]] std::uint32_t leaves_of(std::uint32_t count) const { return (count + full_leaf_ - 1) / full_leaf_; }
-
-    std::uint32_t count_;
-    unsigned full_leaf_;
-    float leaf_cost_ = 0.0f;
-};
-
 void try_planes(const Bins& bins, unsigned bin_count, unsigned axis, const LeavesAdded& leaves, Plane& best) {
     const auto& boxes = bins.boxes[axis];
     const auto& counts = bins.counts[axis];
@@ -209,7 +185,7 @@ Parts split(std::span<Reference> references, const SplitRange& range, const Spli
     const Binning binning(range.centers, bin_count);
     Bins bins;
     fill(bins, bin_count, references, binning);
-    const LeavesAdded leaves(range, rule.full_leaf);
+    const LeavesAdded leaves(range.count, range.box.half_area(), rule.full_leaf);
     Plane best;
     for (unsigned axis = 0; axis < 3; ++axis) {
         if (binning.scale[axis] > 0.0f) try_planes(bins, bin_count, axis, leaves, best);

@@ -3,18 +3,12 @@
 #include <cstring>
 #include <utility>
 
+#include <baker/deformation/pose_boxes.hpp>
+#include <baker/deformation/pose_tree.hpp>
+
 namespace espalier::baker {
 
 namespace {
-
-LaneBox box_of(const LatticeTriangle& triangle, const std::vector<LatticePoint>& points) {
-    LaneBox box;
-    for (const std::uint32_t corner : triangle.corners) {
-        const LatticePoint& point = points[corner];
-        box.add(Lanes{static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z), 0.0f});
-    }
-    return box;
-}
 
 /// Renews the boxes of all nodes. Children come after their parents.
 void refit(BinaryTree& tree, const LatticeMesh& mesh, const std::vector<LatticePoint>& points) {
@@ -61,15 +55,19 @@ BinaryTree make_steered_tree(const TreeMaker& make_tree, const LatticeMesh& mesh
         return cost + cost_of(tree);
     };
     double least = cost_over_poses(best);
+    const auto keep_if_better = [&](BinaryTree tree) {
+        const double cost = cost_over_poses(tree);
+        if (cost >= least) return;
+        least = cost;
+        best = std::move(tree);
+    };
     LatticeMesh posed = mesh;
     for (const std::vector<LatticePoint>& pose : poses) {
         posed.vertices = pose;
-        BinaryTree tree = make_tree(posed, settings);
-        const double cost = cost_over_poses(tree);
-        if (cost >= least) continue;
-        least = cost;
-        best = std::move(tree);
+        keep_if_better(make_tree(posed, settings));
     }
+    keep_if_better(
+        build_over_poses(PoseBoxes(mesh, poses), static_cast<std::uint32_t>(mesh.triangles.size()), settings));
     return best;
 }
 

@@ -1,4 +1,4 @@
-// The tree of a mesh that moves: of those for each pose the one that costs least over all of them.
+// The tree of a mesh that moves: the one that costs least over all poses.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace espalier::baker {
 
-/// Builds a tree for the mesh and for each pose, and returns the one with the least sum of costs over all of them, with
-/// the boxes of the mesh. The cost of a tree in a pose is the area of all boxes over that of the root's, as in "T-SAH:
-/// animation optimized bounding volume hierarchies" (Bittner, Meister 2015). Of equal ones it is that of the first
-/// pose, after the mesh itself. A pose has a point for each vertex of the mesh.
+/// Builds a tree for the mesh, one for each pose, and one over all of them at once. Returns the one with the least sum
+/// of costs over the mesh and the poses, with the boxes of the mesh; of equal ones the first. The cost of a tree in a
+/// pose is the area of all boxes over that of the root's, as in "T-SAH: animation optimized bounding volume
+/// hierarchies" (Bittner, Meister 2015). A pose has a point for each vertex of the mesh.
 [[nodiscard]] BinaryTree make_steered_tree(const TreeMaker& make_tree, const LatticeMesh& mesh,
                                            std::span<const std::vector<LatticePoint>> poses,
                                            const BuildSettings& settings);

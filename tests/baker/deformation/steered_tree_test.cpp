@@ -1,6 +1,7 @@
 // Poses steer the tree: the one that is kept costs least over all of them.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <vector>
 
 #include <espalier/bake.hpp>
@@ -40,14 +41,32 @@ TEST_SUITE("steered tree") {
         CHECK(steered_growth < 1.0f);
     }
 
-    TEST_CASE("deformation: poses that fit the tree at rest leave the blob as it is") {
-        const Mesh mesh = make_plane_grid(8);
-        BakeOptions options;
-        options.profile = Profile::fast;
-        options.deformation.emplace();
-        options.deformation->range = box_around(every_pose(mesh));
-        const DeformedMesh plain(mesh, options);
-        options.deformation->poses = {mesh.positions};
-        CHECK(DeformedMesh(mesh, options).baked == plain.baked);
+    TEST_CASE("deformation: a tree over mesh and pose costs less in the pose than one for the mesh") {
+        // Folded, each triangle has neighbours from both halves.
+        const Mesh mesh = make_plane_grid(40);
+        const std::vector<Vec3> folded = posed(mesh, Motion::fold);
+        BakeOptions options = deformable_options(mesh);
+        DeformedMesh plain(mesh, options);
+        options.deformation->poses = {folded};
+        DeformedMesh steered(mesh, options);
+        CHECK(steered.move_to(folded) < 0.8f * plain.move_to(folded));
+    }
+
+    TEST_CASE("deformation: poses in which many triangles coincide give sound blobs of the format's depth") {
+        Mesh chain;  // each triangle twice as far away as the one before
+        for (int i = 0; i < 120; ++i) {
+            const float at = std::ldexp(1.0f, i % 24);
+            for (const float off : {0.0f, 0.3f, 0.6f}) chain.positions.push_back({at, off * at, off});
+            const auto first = static_cast<std::uint32_t>(3 * i);
+            chain.triangles.push_back({first, first + 1, first + 2});
+        }
+        for (const Mesh& mesh : {make_soup(200, 3), chain, make_coplanar_stacks(150, 2)}) {
+            BakeOptions options = deformable_options(mesh, 24);
+            options.deformation->poses = every_pose(mesh);
+            DeformedMesh moving(mesh, options);
+            CHECK(moving.still.depth() <= format::max_depth);
+            const VerifyReport report = verify(moving.baked);
+            CHECK_MESSAGE(report.sound, report.message);
+        }
     }
 }
