@@ -63,7 +63,7 @@ PARTS = {
         "runtime/deformation/check_positions.hpp", "runtime/deformation/deformable.cpp",
         "runtime/deformation/four_positions.hpp", "runtime/deformation/place_vertices.hpp",
         "runtime/deformation/pose_axis.hpp", "runtime/deformation/refit.cpp", "runtime/deformation/store.hpp",
-        "runtime/blob/tree_cost.hpp", "runtime/blob/pose_bounds.hpp", "runtime/blob/vertex_sources.hpp",
+        "runtime/blob/tree_cost.hpp", "runtime/blob/deformable_blob.hpp",
         "baker/deformation/motion.cpp", "baker/input/check_deformation.cpp", "baker/deformation/steered_tree.cpp",
         "baker/encode/motion.cpp"],
 }

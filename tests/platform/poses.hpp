@@ -8,7 +8,7 @@
 
 #include <espalier/deformation.hpp>
 #include <runtime/blob/plain_leaf.hpp>
-#include <runtime/blob/vertex_sources.hpp>
+#include <runtime/blob/deformable_blob.hpp>
 #include <runtime/lattice/to_world.hpp>
 
 namespace espalier::platform {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <runtime/base/bits.hpp>
-#include <runtime/blob/vertex_sources.hpp>
+#include <runtime/blob/deformable_blob.hpp>
 
 #include <baker/base/triangle_set.hpp>
 #include <baker/quantise/closed.hpp>

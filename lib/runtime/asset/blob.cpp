@@ -1,7 +1,7 @@
 // The bounds of a blob and the materials of its triangles.
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
-#include <runtime/blob/pose_bounds.hpp>
+#include <runtime/blob/deformable_blob.hpp>
 #include <runtime/lattice/to_world.hpp>
 
 namespace espalier {

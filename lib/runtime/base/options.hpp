@@ -191,6 +191,9 @@ constexpr bool has_predicted_leaves(Profile profile) {
 #ifndef ESPALIER_BOUNDS
 #define ESPALIER_BOUNDS 1
 #endif
+#ifndef ESPALIER_DEFORMATION
+#define ESPALIER_DEFORMATION 1
+#endif
 
 namespace espalier::detail {
 
@@ -200,7 +203,8 @@ inline constexpr std::uint32_t read_features =
     ~((ESPALIER_IDS ? 0 : format::feature::original_ids) |
       (ESPALIER_MATERIALS ? 0 : format::feature::materials_8 | format::feature::materials_16) |
       (ESPALIER_COPIES ? 0 : format::feature::split_references) | (ESPALIER_EDGES ? 0 : format::feature::edge_flags) |
-      (ESPALIER_BOUNDS ? 0 : format::feature::bounds));
+      (ESPALIER_BOUNDS ? 0 : format::feature::bounds) |
+      (ESPALIER_DEFORMATION && reads_plain_leaves ? 0 : format::feature::deformable));
 
 /// Whether any of these is read.
 constexpr bool reads(std::uint32_t features) { return (read_features & features) != 0; }

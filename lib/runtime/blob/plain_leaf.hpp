@@ -7,6 +7,7 @@
 
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
+#include <runtime/blob/deformable_blob.hpp>
 #include <runtime/blob/node.hpp>
 
 namespace espalier::detail {
@@ -34,7 +35,7 @@ struct PlainLeaf : LeafVertices<PlainNode> {
     [[nodiscard]] bool has_high_bytes() const { return format::plain_leaf::has_high_bytes(blob->bits); }
     /// Bits 16 to 23 of each coordinate, axis by axis.
     [[nodiscard]] const std::byte* high_bytes() const {
-        const unsigned corners = blob->corners == nullptr ? 3u * slot_count : 0;  // those of deformable blobs lie apart
+        const unsigned corners = is_deformable(*blob) ? 0 : 3u * slot_count;  // those of deformable blobs lie apart
         return words() + (6u * vertex_count + corners);
     }
 
@@ -73,9 +74,8 @@ ESPALIER_SHARED_OR_PART_OF_CALLER inline void decode_leaf(const BlobData& blob, 
     leaf.vertex_count = static_cast<std::uint8_t>((descriptor >> vertices_shift & 31u) + 1);
     leaf.size_bits = static_cast<std::uint8_t>((descriptor >> size_shift & 15u) + least_size(blob.bits));
     leaf.data = data;
-    leaf.corner_row = blob.corners == nullptr
-                          ? leaf.words() + std::size_t{6} * leaf.vertex_count
-                          : blob.corners + format::corners::triangle_bytes * std::size_t{leaf.first()};
+    leaf.corner_row = is_deformable(blob) ? blob.corners + format::corners::triangle_bytes * std::size_t{leaf.first()}
+                                          : leaf.words() + std::size_t{6} * leaf.vertex_count;
 }
 
 }  // namespace espalier::detail

@@ -6,7 +6,7 @@
 
 #include <runtime/base/bits.hpp>
 #include <runtime/blob/plain_leaf.hpp>
-#include <runtime/blob/vertex_sources.hpp>
+#include <runtime/blob/deformable_blob.hpp>
 #include <runtime/deformation/check_positions.hpp>
 #include <runtime/deformation/place_vertices.hpp>
 #include <runtime/deformation/store.hpp>

@@ -9,7 +9,7 @@
 #include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/blob/node.hpp>
-#include <runtime/blob/pose_bounds.hpp>
+#include <runtime/blob/deformable_blob.hpp>
 
 namespace espalier::detail {
 

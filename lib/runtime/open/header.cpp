@@ -20,7 +20,7 @@ bool are_moving_fields_sound(const BlobData& blob) {
     using namespace format::header;
     const std::byte* const h = blob.bytes;
     if (!is_zero(h + reserved_at, bytes - reserved_at)) return false;
-    if ((blob.features & format::feature::deformable) == 0)
+    if ((blob.features & read_features & format::feature::deformable) == 0)
         return is_zero(h + position_count_at, reserved_at - position_count_at);
     const std::uint32_t rest_cost = load_u32(h + rest_cost_at);
     if (load_u16(h + version_minor_at) < format::version_minor_of_deformable || !has_plain_leaves(blob.profile) ||

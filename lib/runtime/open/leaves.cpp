@@ -204,7 +204,7 @@ bool take_leaves(PlainNode node, OpenProgress& seen) {
         static_assert(first_at == 0);
         if (load_u32(seen.blob.leaves + seen.leaf_bytes) != seen.triangles) return false;
         const auto leaf = leaf_at<PlainLeaf>(seen.blob, node, number);
-        const unsigned own_corners = seen.blob.corners == nullptr ? leaf.slot_count : 0;
+        const unsigned own_corners = is_deformable(seen.blob) ? 0 : leaf.slot_count;
         const std::size_t bytes = data_bytes(leaf.vertex_count, own_corners, seen.blob.bits);
         if (take_stream(seen, 8 * static_cast<unsigned>(bytes)) == nullptr || !are_sound_coordinates(leaf, seen) ||
             !take_padding(seen, 4))

@@ -9,7 +9,7 @@
 #include <runtime/blob/checksum.hpp>
 #include <runtime/blob/duplicate_references.hpp>
 #include <runtime/blob/id_steps.hpp>
-#include <runtime/blob/vertex_sources.hpp>
+#include <runtime/blob/deformable_blob.hpp>
 #include <runtime/base/options.hpp>
 #include <runtime/open/check_tree.hpp>
 #include <runtime/open/checks.hpp>
@@ -36,7 +36,7 @@ OpenStatus check_tree_of(const BlobData& blob) {
     if (status != OpenStatus::ok) return status;
     const bool are_all_seen =
         blocks.seen.triangles == blob.triangle_count && blocks.seen.leaf_bytes == blob.leaf_bytes &&
-        (blob.corners == nullptr || blocks.seen.vertex_slots == load_u32(blob.bytes + format::header::vertex_slots_at));
+        (!is_deformable(blob) || blocks.seen.vertex_slots == load_u32(blob.bytes + format::header::vertex_slots_at));
     return are_all_seen ? OpenStatus::ok : OpenStatus::bad_leaf;
 }
 
@@ -166,7 +166,7 @@ bool are_vertex_sources_sound(const BlobData& blob) {
            (!reads(split_references) || blob.copies == nullptr || are_copies_sound(blob)) &&
            (!reads(edge_flags) || blob.edge_flags == nullptr || are_edge_flags_sound(blob)) &&
            (!reads(bounds) || blob.bounds == nullptr || are_bounds_sound(blob)) &&
-           (blob.corners == nullptr || are_vertex_sources_sound(blob));
+           (!is_deformable(blob) || are_vertex_sources_sound(blob));
 }
 
 OpenStatus check_sections(BlobData& blob) {

@@ -1,6 +1,6 @@
 #include <runtime/moving_scenes/box_tree/steps_box.hpp>
 
-#include <runtime/blob/pose_bounds.hpp>
+#include <runtime/blob/deformable_blob.hpp>
 #include <runtime/lanes/fragments.hpp>
 #include <runtime/transforms/rotation.hpp>
 
