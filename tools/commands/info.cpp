@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <espalier/espalier.hpp>
-#include <runtime/blob/pose_bounds.hpp>
+#include <runtime/blob/deformable_blob.hpp>
 
 #include "base/numbers.hpp"
 #include "commands.hpp"
