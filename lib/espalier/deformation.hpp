@@ -37,14 +37,15 @@ public:
     [[nodiscard]] constexpr const Blob& blob() const noexcept { return blob_; }
     /// Returns how many positions refit() takes: those of all baked meshes in a row, unused ones included.
     [[nodiscard]] std::uint32_t position_count() const noexcept;
-    /// Returns the box that positions must lie in, from the bake; each coordinate is rounded to float.
+    /// Returns the box that positions must lie in, from the bake, in whole lattice steps; each coordinate is rounded to
+    /// float. A position is rounded to the lattice first, so it may lie up to half a step outside.
     [[nodiscard]] Box range() const noexcept;
 
 private:
     friend Deformable create_deformable(const Blob& blob, std::span<std::byte> memory) noexcept;
     friend struct RefitResult refit(Deformable& mesh, std::span<const Vec3> positions) noexcept;
     friend QueryStatus seal(const Deformable& mesh, std::span<std::byte> bytes) noexcept;
-    void create(const Blob& blob, std::byte* memory) noexcept;
+    QueryStatus create(const Blob& blob, std::byte* memory) noexcept;
     Blob blob_;
     std::byte* memory_ = nullptr;            // header, nodes, leaves and guard
     const std::byte* still_ = nullptr;       // the sections behind the guard
@@ -64,15 +65,15 @@ struct [[nodiscard]] RefitResult {
     explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
 };
 
-/// Returns how many bytes create_deformable() needs: about 8.5 a triangle at 16 bits or fewer, 11.5 above. 0 if the
-/// blob is not open or not deformable.
+/// Returns how many bytes create_deformable() needs: about 8.5 a triangle at 16 bits or fewer and 11.5 above, up to
+/// three times as much where triangles share no vertices. 0 if the blob is not open or not deformable.
 [[nodiscard]] std::size_t deformable_bytes(const Blob& blob) noexcept;
 
 /// Copies the moving part of a blob to `memory`, at any alignment, in the pose that the blob has. The rest is read from
-/// the blob, which may stay in flash. `memory` may be the blob's own bytes, which then change.
+/// the blob, which may stay in flash. `memory` may be the front of the blob's own bytes, which then change.
 ///
-/// Refuses a blob that is not open (not_open), one that was baked without BakeOptions::deformation (no_data), and
-/// memory of fewer than deformable_bytes() (no_room). O(size).
+/// Refuses a blob that is not open (not_open), one that was baked without BakeOptions::deformation (no_data), memory of
+/// fewer than deformable_bytes() (no_room), and memory that overlaps the rest (invalid_argument). O(size).
 Deformable create_deformable(const Blob& blob, std::span<std::byte> memory) noexcept;
 
 /// Moves the vertices to `positions`, in the order of the baked meshes, in the blob's units.
@@ -84,7 +85,8 @@ RefitResult refit(Deformable& mesh, std::span<const Vec3> positions) noexcept;
 
 /// Writes the mesh in its pose as a whole blob with a new checksum, which open() takes. `bytes` has Blob::size() bytes;
 /// they may be those of the blob, with create_deformable()'s memory at their front. Refuses a mesh that is not open
-/// (not_open) and another number of bytes (no_room). O(size).
+/// (not_open), another number of bytes (no_room), and bytes in which a part of the mesh lies at another place
+/// (invalid_argument). Blobs that were opened before keep the checksum that they had. O(size).
 QueryStatus seal(const Deformable& mesh, std::span<std::byte> bytes) noexcept;
 
 }  // namespace espalier

@@ -16,7 +16,7 @@ namespace espalier::detail {
 inline constexpr bool takes_four_positions = !small_code && std::endian::native == std::endian::little;
 
 using FourFloats = float __attribute__((vector_size(16)));
-using FourWords = std::int32_t __attribute__((vector_size(16)));
+using FourWords = std::uint32_t __attribute__((vector_size(16)));
 
 /// Four positions, axis by axis.
 struct FourPositions {
@@ -47,9 +47,11 @@ struct FourPositions {
 [[gnu::always_inline]] inline void store_low_words(std::byte* to_a, FourWords a, std::byte* to_b, FourWords b) {
 #if defined(__SSE2__)
     using EightShorts = std::int16_t __attribute__((vector_size(16)));
+    using FourSigned = std::int32_t __attribute__((vector_size(16)));
     using TwoPairs = std::uint64_t __attribute__((vector_size(16)));
     // The instruction saturates, so the high bits become copies of bit 15.
-    const EightShorts words = __builtin_ia32_packssdw128(a << 16 >> 16, b << 16 >> 16);
+    const EightShorts words =
+        __builtin_ia32_packssdw128(std::bit_cast<FourSigned>(a << 16) >> 16, std::bit_cast<FourSigned>(b << 16) >> 16);
     const auto pairs = std::bit_cast<TwoPairs>(words);
     const std::uint64_t of_a = pairs[0], of_b = pairs[1];
 #else
@@ -70,14 +72,13 @@ struct FourPositions {
         const PoseAxis &a = axes.axis[row], &b = axes.axis[(row + 1) % 3], &c = axes.axis[(row + 2) % 3];
         FourFloats numbers;
         __builtin_memcpy(&numbers, reinterpret_cast<const std::byte*>(positions) + 16 * row, sizeof numbers);
-        const auto word = [](std::uint32_t bits) { return static_cast<std::int32_t>(bits); };
-        const FourWords zero = {word(a.zero_bits), word(b.zero_bits), word(c.zero_bits), word(a.zero_bits)};
-        const FourWords extent = {word(a.extent), word(b.extent), word(c.extent), word(a.extent)};
+        const FourWords zero = {a.zero_bits, b.zero_bits, c.zero_bits, a.zero_bits};
+        const FourWords extent = {a.extent, b.extent, c.extent, a.extent};
         const FourWords coordinates = std::bit_cast<FourWords>(numbers * a.steps_per_unit + PoseAxis::shifter) - zero;
         // Above the extent, the coordinate or its difference has the highest bit.
         outside |= coordinates | (extent - coordinates);
     }
-    return ((outside[0] | outside[1]) | (outside[2] | outside[3])) >= 0;
+    return ((outside[0] | outside[1]) | (outside[2] | outside[3])) >> 31 == 0;
 }
 
 }  // namespace espalier::detail

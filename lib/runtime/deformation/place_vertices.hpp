@@ -81,11 +81,10 @@ inline VertexBox place_by_fours(const PoseAxes& axes, const Vec3* positions, con
             const FourFloats sums = four_sums(axes.axis[k], four.axis[k]);
             low[k] = sums < low[k] ? sums : low[k];
             high[k] = sums > high[k] ? sums : high[k];
-            coordinates[k] = std::bit_cast<FourWords>(sums) - static_cast<std::int32_t>(axes.axis[k].zero_bits);
+            coordinates[k] = std::bit_cast<FourWords>(sums) - axes.axis[k].zero_bits;
             if constexpr (has_high_bytes) {
                 const FourWords above = coordinates[k] >> 16;
-                const auto bytes =
-                    static_cast<std::uint32_t>(above[0] | above[1] << 8 | above[2] << 16 | above[3] << 24);
+                const std::uint32_t bytes = above[0] | above[1] << 8 | above[2] << 16 | above[3] << 24;
                 __builtin_memcpy(leaf.high_bytes + (k * row + first), &bytes, sizeof bytes);
             }
         }

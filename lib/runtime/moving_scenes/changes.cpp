@@ -152,7 +152,7 @@ Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept {
 
 QueryStatus move_instances_of(MovingScene& scene, std::uint32_t mesh) noexcept {
     if (!scene) return QueryStatus::not_open;
-    if (!is_placeable(scene, mesh)) return QueryStatus::invalid_argument;
+    if (mesh >= scene.meshes().size()) return QueryStatus::invalid_argument;
     SceneBlock block = block_of(scene);
     const PartBounds bounds = bounds_of_part(scene, mesh);
     const auto for_each_instance = [&](auto change) {

@@ -24,7 +24,7 @@ bool are_moving_fields_sound(const BlobData& blob) {
         return is_zero(h + position_count_at, reserved_at - position_count_at);
     const std::uint32_t rest_cost = load_u32(h + rest_cost_at);
     if (load_u16(h + version_minor_at) < format::version_minor_of_deformable || !has_plain_leaves(blob.profile) ||
-        (blob.features & format::feature::not_deformable) != 0 || blob.triangle_count == 0 || rest_cost == 0 ||
+        (blob.features & format::feature::not_deformable) != 0 || blob.triangle_count == 0 || rest_cost < 0x00800000u ||
         rest_cost >= infinity_bits)
         return false;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -52,8 +52,8 @@ TEST_SUITE("open deformable") {
         REQUIRE(status_of(blob.bytes) == OpenStatus::ok);
         REQUIRE(blob.field(at::version_minor_at, 2) == 1);
         CHECK(blob.with(at::version_minor_at, 0, 2) == OpenStatus::bad_header);
-        for (const float cost :
-             {0.0f, -0.0f, -1.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
+        for (const float cost : {0.0f, -0.0f, -1.0f, std::numeric_limits<float>::denorm_min(),
+                                 std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
             CHECK(blob.with(at::rest_cost_at, bits_of(cost)) == OpenStatus::bad_header);
         CHECK(blob.with(at::rest_cost_at, bits_of(std::numeric_limits<float>::max())) == OpenStatus::ok);
         for (std::size_t k = 0; k < 3; ++k) {

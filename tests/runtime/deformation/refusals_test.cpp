@@ -1,6 +1,7 @@
 // What create_deformable(), refit() and seal() refuse. A refused call changes nothing.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -128,6 +129,50 @@ TEST_SUITE("refusals") {
         Deformable unmade;
         CHECK(unmade.status() == QueryStatus::not_open);
         CHECK(refit(unmade, mesh.positions).status == QueryStatus::not_open);
+    }
+
+    TEST_CASE("deformation: memory that overlaps the part that stays is refused and nothing changes") {
+        const Mesh mesh = make_plane_grid(9);
+        const DeformedMesh whole(mesh);
+        const std::size_t moving = whole.memory.size(), size = whole.baked.size();
+        std::vector<std::byte> bytes(size + moving + 16);
+        const auto blob_at = [&](std::size_t offset) {
+            std::fill(bytes.begin(), bytes.end(), std::byte{0});
+            std::copy(whole.baked.begin(), whole.baked.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset));
+            return open(std::span(bytes).subspan(offset, size));
+        };
+        for (const std::size_t offset : {std::size_t{1}, std::size_t{4}, size - moving, size - 1}) {
+            const Blob blob = blob_at(0);
+            const std::vector<std::byte> before = bytes;
+            CHECK(create_deformable(blob, std::span(bytes).subspan(offset)).status() == QueryStatus::invalid_argument);
+            CHECK(bytes == before);
+        }
+        CHECK(create_deformable(blob_at(0), std::span(bytes).subspan(size)));
+        CHECK(create_deformable(blob_at(0), bytes));
+        CHECK(create_deformable(blob_at(moving), bytes));
+        CHECK(create_deformable(blob_at(3), bytes));  // the moving part begins three bytes lower
+    }
+
+    TEST_CASE("deformation: seal refuses bytes in which a part of the mesh lies at another place") {
+        const Mesh mesh = make_plane_grid(9);
+        const DeformedMesh whole(mesh);
+        const std::size_t moving = whole.memory.size(), size = whole.baked.size();
+        for (const std::size_t offset : {std::size_t{1}, std::size_t{100}, size - moving, moving, size - 1}) {
+            std::vector<std::byte> bytes(2 * size);
+            const Deformable mesh_there = create_deformable(whole.still, std::span(bytes).subspan(offset));
+            REQUIRE(mesh_there);
+            const std::vector<std::byte> before = bytes;
+            CHECK(seal(mesh_there, std::span(bytes).first(size)) == QueryStatus::invalid_argument);
+            CHECK(bytes == before);
+        }
+        std::vector<std::byte> bytes = whole.baked;  // the rest lies one byte beside its place
+        bytes.insert(bytes.begin(), std::byte{0});
+        const Blob blob = open(std::span(bytes).subspan(1));
+        const Deformable in_place = create_deformable(blob, std::span(bytes).subspan(1));
+        REQUIRE(in_place);
+        CHECK(seal(in_place, std::span(bytes).first(size)) == QueryStatus::invalid_argument);
+        CHECK(seal(in_place, std::span(bytes).subspan(1)) == QueryStatus::ok);
+        CHECK(open(std::span(bytes).subspan(1)));
     }
 
     TEST_CASE("deformation: seal refuses another number of bytes and writes none of them") {

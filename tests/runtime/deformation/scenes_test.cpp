@@ -163,7 +163,7 @@ TEST_SUITE("scenes") {
         const auto is_unchanged = [&] {
             return std::equal(before.begin(), before.end(), made.bytes().begin()) && !made.scene.must_refit();
         };
-        CHECK(move_instances_of(made.scene, 1) == QueryStatus::invalid_argument);
+        CHECK(move_instances_of(made.scene, 1) == QueryStatus::invalid_argument);  // a tile or nothing
         MovingScene none;
         CHECK(move_instances_of(none, 0) == QueryStatus::not_open);
         CHECK(is_unchanged());
