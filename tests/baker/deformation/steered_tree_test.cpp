@@ -52,8 +52,7 @@ TEST_SUITE("steered tree") {
         CHECK(steered.move_to(folded) < 0.8f * plain.move_to(folded));
     }
 
-    TEST_CASE(
-        "deformation: poses in which many triangles coincide give sound blobs of the depth that the format allows") {
+    TEST_CASE("deformation: poses in which many triangles coincide give sound blobs of limited depth") {
         Mesh chain;  // each triangle twice as far away as the one before
         for (int i = 0; i < 120; ++i) {
             const float at = std::ldexp(1.0f, i % 24);
