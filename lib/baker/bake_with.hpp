@@ -3,7 +3,7 @@
 
 #include <espalier/bake.hpp>
 
-#include <baker/build/tree_maker.hpp>
+#include <baker/build/build.hpp>
 #include <baker/collapse/collapse.hpp>
 
 namespace espalier::baker {

@@ -1,6 +1,8 @@
 // Third stage: a binary tree over the triangles, by the builder of the options.
 #pragma once
 
+#include <functional>
+
 #include <espalier/bake.hpp>
 
 #include <baker/build/binary_tree.hpp>
@@ -8,6 +10,9 @@
 #include <baker/quantise/lattice_mesh.hpp>
 
 namespace espalier::baker {
+
+/// Returns a tree over the triangles of a mesh on its lattice, as `build` does.
+using TreeMaker = std::function<BinaryTree(const LatticeMesh& mesh, const BuildSettings& settings)>;
 
 /// Down to single triangles, at most most_height high, or as high as a balanced tree must be. The result depends on
 /// the triangles, the builder and the settings, but not on threads.

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <baker/build/tree_maker.hpp>
+#include <baker/build/build.hpp>
 #include <baker/quantise/lattice_mesh.hpp>
 
 namespace espalier::baker {
