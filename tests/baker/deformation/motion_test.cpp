@@ -45,9 +45,9 @@ TEST_SUITE("motion") {
         const BakeResult result = bake_mesh(mesh, options);
         REQUIRE(result);
         const float side = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
-        CHECK(result.report.motion.range.min.x == doctest::Approx(box.min.x - side / 10));
-        CHECK(result.report.motion.range.min.y == doctest::Approx(box.min.y - side / 10));
-        CHECK(result.report.motion.range.max.z == doctest::Approx(box.max.z + side / 10));
+        CHECK(result.report.motion.range.min.x == doctest::Approx(double(box.min.x - side / 10)));
+        CHECK(result.report.motion.range.min.y == doctest::Approx(double(box.min.y - side / 10)));
+        CHECK(result.report.motion.range.max.z == doctest::Approx(double(box.max.z + side / 10)));
         const DeformedMesh moving(mesh, options);
         // Ends are rounded to the lattice.
         const double step = std::ldexp(1.0, moving.still.lattice().step_exponent);
@@ -68,7 +68,7 @@ TEST_SUITE("motion") {
         CHECK(same_bits(range.max.z, 3.0f));
         CHECK(result.report.motion.positions == mesh.positions.size());
         CHECK(result.report.motion.moving_bytes == deformable_bytes(open(result.bytes)));
-        CHECK(result.report.bounds.min.x == doctest::Approx(0.0f).epsilon(1e-3));
+        CHECK(result.report.bounds.min.x == doctest::Approx(0.0).epsilon(1e-3));
     }
 
     TEST_CASE("deformation: every resolution holds the range and keeps the error that it states") {

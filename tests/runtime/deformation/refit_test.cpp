@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -183,7 +184,7 @@ TEST_SUITE("refit") {
         for (Vec3& p : lower) p.z -= by;
         moving.move_to(lower);
         REQUIRE(raycast(copy, ray));
-        CHECK(raycast(copy, ray).t == doctest::Approx(before + by).epsilon(1e-3));
+        CHECK(raycast(copy, ray).t == doctest::Approx(double(before + by)).epsilon(1e-3));
     }
 
     TEST_CASE("deformation: quality is 1 at rest and grows when the tree fits less") {

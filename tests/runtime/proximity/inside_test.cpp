@@ -138,7 +138,7 @@ TEST_SUITE("inside") {
                     REQUIRE(!is_refused(answer.status()));
                     ++decided;
                     REQUIRE(answer.yes() == (!expected || *expected != 0));
-                    (expected ? inside_count : on_surface) += answer.yes() ? 1 : 0;
+                    (expected ? inside_count : on_surface) += answer.yes() ? 1u : 0u;
                 }
             }
         }

@@ -18,8 +18,8 @@ struct Frame {
 
     explicit Frame(const std::vector<Vec3>& positions) {
         const Box box = box_around({positions});
-        low = {box.min.x, box.min.y, box.min.z};
-        high = {box.max.x, box.max.y, box.max.z};
+        low = {double(box.min.x), double(box.min.y), double(box.min.z)};
+        high = {double(box.max.x), double(box.max.y), double(box.max.z)};
         std::array<unsigned, 3> axes = {0, 1, 2};
         std::stable_sort(axes.begin(), axes.end(), [&](unsigned a, unsigned b) { return side(a) > side(b); });
         along = axes[0];
@@ -101,7 +101,7 @@ std::vector<Vec3> posed(const Mesh& mesh, Motion motion, double amount, std::uin
     const Frame frame(positions);
     Random random(seed);
     for (Vec3& p : positions) {
-        const Coordinates q = moved(frame, {p.x, p.y, p.z}, motion, amount, random);
+        const Coordinates q = moved(frame, {double(p.x), double(p.y), double(p.z)}, motion, amount, random);
         p = {static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2])};
     }
     return positions;
