@@ -94,10 +94,11 @@ TEST_SUITE("steps box") {
             };
             const int size = random.between(-100, 60), scale = random.between(-100, 40);
             const auto length = [&] { return std::ldexp(any(60), size); };
-            const PartBounds bounds = {{length(), length(), length()},
-                                       {std::fabs(length()), std::fabs(length()), std::fabs(length())},
-                                       0.0f,
-                                       1.0f};
+            const Vec3 center = {length(), length(), length()};
+            const Vec3 half = {std::fabs(length()), std::fabs(length()), std::fabs(length())};
+            const float reach =
+                std::fabs(center.x) + half.x + std::fabs(center.y) + half.y + std::fabs(center.z) + half.z;
+            const PartBounds bounds = {center, half, 0.0f, reach, 1.0f};
             const int turn = random.between(-120, 100), way = random.between(-140, 60);
             const Transform transform = {{std::ldexp(any(60), turn), std::ldexp(any(60), turn),
                                           std::ldexp(any(60), turn), std::ldexp(1.0f, turn)},
