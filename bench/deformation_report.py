@@ -111,9 +111,9 @@ def conditions(rows, files):
     meshes = ", ".join(f"{mesh} ({rows.of('refit', mesh)[0]['triangles']:,} triangles)" for mesh in rows.meshes)
     return (f"{processor}, one thread, {instruction_set}; {compiler.replace('gcc', 'GCC')}; {peers}.\n"
             f"Meshes: {meshes}; a lattice of {bits} bits over the range of motion.\n"
-            f"Refits are to {poses} poses of {len(rows.motions())} motions, in which the systems take turns; "
+            f"Refits are to {poses} poses of {len(rows.motions())} motions, in which the systems are timed in turn; "
             f"figures are the median of {rounds} rounds.\n"
-            f"{rays:,} incoherent rays into each pose; of those into different trees of a pose {differing} had another hit.\n"
+            f"{rays:,} incoherent rays into each pose; {differing} of them had another hit in another tree of the same pose.\n"
             f"Rows: {links(files)}.")
 
 
@@ -158,7 +158,7 @@ def lost_text(rows):
     if not lost:
         return ""
     systems = "; ".join(f"{name} ({', '.join(meshes)})" for name, meshes in lost.items())
-    return f"\n\nThe outermost box did not contain the mesh after the collapse, which has flat triangles: {systems}."
+    return f"\n\nAfter the collapse, which makes triangles flat, the outermost box no longer held the mesh: {systems}."
 
 
 def memory_table(rows):

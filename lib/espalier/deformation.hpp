@@ -59,18 +59,20 @@ struct [[nodiscard]] RefitResult {
     /// differ at; else 0.
     std::uint32_t position = 0;
     /// The cost of the tree in this pose over that at rest, for an average ray (SAH). About 1 is as good as at rest.
-    /// From 1.5 on, bake with this pose among BakeOptions::deformation's, or bake anew.
+    /// From 1.5 on, bake once with this pose among BakeOptions::deformation's. If the number stays, the pose itself is
+    /// crowded, and no tree is better in it.
     float quality = 0.0f;
 
     explicit constexpr operator bool() const noexcept { return status == QueryStatus::ok; }
 };
 
-/// Returns how many bytes create_deformable() needs: about 8.5 a triangle at 16 bits or fewer and 11.5 above, up to
+/// Returns how many bytes create_deformable() needs: 8.4 to 10 a triangle at 16 bits or fewer, and 3 more above; up to
 /// three times as much where triangles share no vertices. 0 if the blob is not open or not deformable.
 [[nodiscard]] std::size_t deformable_bytes(const Blob& blob) noexcept;
 
 /// Copies the moving part of a blob to `memory`, at any alignment, in the pose that the blob has. The rest is read from
-/// the blob, which may stay in flash. `memory` may be the front of the blob's own bytes, which then change.
+/// the blob, which may stay in flash. Of `memory`, the first deformable_bytes() count. They may be the front of the
+/// blob's own bytes, which then change: until seal(), open() refuses them after a refit.
 ///
 /// Refuses a blob that is not open (not_open), one that was baked without BakeOptions::deformation (no_data), memory of
 /// fewer than deformable_bytes() (no_room), and memory that overlaps the rest (invalid_argument). O(size).

@@ -50,10 +50,10 @@ enum class [[nodiscard]] QueryStatus : std::uint8_t{
     invalid_argument =
         17,             ///< refused: NaN, or an infinity or a negative size where not allowed; spans of different sizes
     out_of_range = 18,  ///< refused: too far away or too large for exact arithmetic or the world of a moving scene, or
-                        ///< a slot that was never used; each header states the limit
+                        ///< a slot that was never used, or outside of a range of motion; each header states the limit
     not_closed = 19,    ///< refused by contains() and signed_distance(): this surface has no inside
-    no_data = 20,       ///< refused: the blob was baked without the section that the query reads
-    no_room = 21,       ///< refused by insert(): a moving scene has as many instances as it has room for
+    no_data = 20,       ///< refused: the blob was baked without the section or deformation that the call reads
+    no_room = 21,       ///< refused: memory is too small or has another size, or a moving scene is full
     stale_handle = 22,  ///< refused: the instance was removed from its moving scene, or never was in it
     not_refitted = 23,  ///< refused: a moving scene waits for refit() since a batch of moves
 };

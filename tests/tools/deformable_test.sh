@@ -210,7 +210,7 @@ json '.bounds.min[2] < -0.2 and .bounds.max[0] <= 0.9001 and .quality > 0.5 and 
 claim "a pose that costs much more than the baked ones gets the advice to bake it in, and strict refuses it"
 run 0 refit cloth.espl scrambled.obj -o x.espl --json
 err_has "warning: scrambled.obj: in this pose the tree costs an average ray "
-err_has "Bake the blob again with this pose among --poses"
+err_has "Bake the blob once with this pose among --poses"
 json '.quality >= 1.5 and .warnings[0].kind == "costly_pose" and .warnings[0].file == "scrambled.obj"'
 run 3 refit cloth.espl scrambled.obj -o refused.espl --strict --json
 json '.error.kind == "strict" and .warnings[0].kind == "costly_pose"'

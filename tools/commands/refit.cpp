@@ -86,8 +86,8 @@ std::vector<Warning> warnings_about(const RefitArguments& arguments, const Refit
     return {{"costly_pose",
              text(printable(arguments.pose), ": in this pose the tree costs an average ray ",
                   rounded(double(refitted.quality), 3),
-                  " times as much as at rest. Bake the blob again with this pose among --poses, or bake the pose "
-                  "itself."),
+                  " times as much as at rest. Bake the blob once with this pose among --poses; if the number stays, no "
+                  "tree is better in it. Are the vertices in the order of the mesh, and in its units?"),
              arguments.pose,
              {},
              {}}};

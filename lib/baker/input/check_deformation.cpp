@@ -71,7 +71,9 @@ std::optional<Refusal> check_deformation(const BakeOptions& options) {
 
 std::optional<Refusal> check_poses(const Source& source, const Deformation& deformation) {
     if (source.triangles.empty())
-        return Refusal{BakeStatus::invalid_mesh, "there is no triangle to deform; bake it without deformation"};
+        return Refusal{
+            BakeStatus::invalid_mesh,
+            "there is no triangle to deform; give the meshes with their triangles, which poses alone may lack"};
     for (std::size_t i = 0; i < source.positions.size(); ++i) {
         if (const auto fault = find_not_finite(source.positions[i]))
             return Refusal{BakeStatus::invalid_mesh,

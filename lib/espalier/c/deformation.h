@@ -33,7 +33,8 @@ typedef struct ESPALIER_SHARED_ espalier_refit_result {
     /* The index of the first position that is refused, or the number of positions that a wrong number begins to differ
      * at; else 0. */
     uint32_t position;
-    /* The cost of the tree in this pose over that at rest. From 1.5 on, bake with this pose, or bake anew. */
+    /* The cost of the tree in this pose over that at rest. From 1.5 on, bake once with this pose among the poses. If
+     * the number stays, the pose itself is crowded. */
     float quality;
 } espalier_refit_result;
 
@@ -41,10 +42,11 @@ typedef struct ESPALIER_SHARED_ espalier_refit_result {
 size_t espalier_deformable_bytes(const espalier_blob* blob);
 /* Copies the moving part of a blob to `memory`, at any alignment, in the pose that the blob has, writes a view of it to
  * `mesh` and returns its status, which the view holds as well. The rest is read from the blob's bytes, which may stay
- * in flash. `memory` may be the blob's own bytes, which then change.
+ * in flash. `memory` may be the front of the blob's own bytes, which then change.
  *
  * Refuses a blob that is not open (ESPALIER_QUERY_NOT_OPEN) or not deformable (ESPALIER_QUERY_NO_DATA), and memory of
- * fewer than espalier_deformable_bytes() (ESPALIER_QUERY_NO_ROOM). `mesh` need not be initialised. At an address that
+ * fewer than espalier_deformable_bytes() (ESPALIER_QUERY_NO_ROOM) or memory that overlaps the rest
+ * (ESPALIER_QUERY_INVALID_ARGUMENT). `mesh` need not be initialised. At an address that
  * is no multiple of 16 it is refused with ESPALIER_QUERY_INVALID_ARGUMENT, and then nothing is written; no other
  * function may be given such an address. */
 espalier_query_status espalier_create_deformable(const espalier_blob* blob, void* memory, size_t size,
@@ -68,7 +70,8 @@ espalier_refit_result espalier_deformable_refit(espalier_deformable* mesh, const
 
 /* Writes the mesh in its pose as a whole blob with a new checksum, which espalier_open() takes. `size` is
  * espalier_blob_size(), else the call is refused (ESPALIER_QUERY_NO_ROOM). `bytes` may be those of the blob, with the
- * memory of the mesh at their front. */
+ * memory of the mesh at their front. With a part of the mesh at another place in them, the call is refused
+ * (ESPALIER_QUERY_INVALID_ARGUMENT). */
 espalier_query_status espalier_deformable_seal(const espalier_deformable* mesh, void* bytes, size_t size);
 
 #ifdef __cplusplus

@@ -116,9 +116,10 @@ espalier_query_status espalier_moving_scene_move(espalier_moving_scene* scene, e
 espalier_filled espalier_moving_scene_move_batch(espalier_moving_scene* scene, const espalier_movement* movements,
                                                  size_t count);
 /* Renews the boxes of all instances of a mesh whose vertices moved (espalier_deformable_refit()), at the places that
- * they have; espalier_moving_scene_refit() must follow before the next query. Until both are called, queries may miss
- * the mesh. Refuses a number that belongs to no mesh (ESPALIER_QUERY_INVALID_ARGUMENT), and a pose that leaves the
- * world at the place of an instance (ESPALIER_QUERY_OUT_OF_RANGE); a refusal changes nothing. */
+ * they have; espalier_moving_scene_refit() must follow before the next query. Before this call, queries may miss
+ * the mesh; after it they are refused until then. Refuses a number that belongs to no mesh
+ * (ESPALIER_QUERY_INVALID_ARGUMENT), and a pose that leaves the world at the place of an instance
+ * (ESPALIER_QUERY_OUT_OF_RANGE); a refusal changes nothing. */
 espalier_query_status espalier_moving_scene_move_instances_of(espalier_moving_scene* scene, uint32_t mesh);
 /* Changes what queries and pairs select an instance by. */
 espalier_query_status espalier_moving_scene_set_mask(espalier_moving_scene* scene, espalier_instance_handle instance,

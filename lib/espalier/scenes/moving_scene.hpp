@@ -149,8 +149,8 @@ QueryStatus move(MovingScene& scene, InstanceHandle instance, const Transform& t
 /// boxes.
 Filled move(MovingScene& scene, std::span<const Movement> movements) noexcept;
 /// Renews the boxes of all instances of a mesh whose vertices moved (refit() of deformation.hpp), at the places that
-/// they have; refit() of the scene must follow before the next query. Until both are called, queries may miss the mesh.
-/// The instances count as moved.
+/// they have; refit() of the scene must follow before the next query. Before this call, queries may miss the mesh;
+/// after it they are refused until refit(). The instances count as moved.
 ///
 /// Refuses a scene that is not open (not_open), a number that belongs to no mesh (invalid_argument), and a pose that
 /// leaves the world at the place of an instance (out_of_range); a refusal changes nothing. O(slots).

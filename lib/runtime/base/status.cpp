@@ -62,7 +62,8 @@ const char* describe(QueryStatus status) noexcept {
                    "id or a number of elements that does not fit, or a mesh or tile that is empty or not open";
         case QueryStatus::out_of_range:
             return "an argument is too far away or too large for the lattice that the blob was baked on or for the "
-                   "world of the moving scene, or it is a slot that was never used";
+                   "world of the moving scene, or it is a slot that was never used, or outside of a mesh's range of "
+                   "motion";
         case QueryStatus::not_closed:
             return "the blob's surface is not closed, so it has no inside";
         case QueryStatus::work_limit:
@@ -74,9 +75,11 @@ const char* describe(QueryStatus status) noexcept {
         case QueryStatus::not_open:
             return "the blob or scene is not open: it was never opened, or its bytes were refused";
         case QueryStatus::no_data:
-            return "the blob was baked without the section that this query reads";
+            return "the blob was baked without what this call reads: a section, or its deformation";
         case QueryStatus::no_room:
-            return "the moving scene is full: it has as many instances as it was created for";
+            return "the memory is too small or has another size than the call needs, or the moving scene is full: it "
+                   "has "
+                   "as many instances as it was created for";
         case QueryStatus::stale_handle:
             return "the handle is stale: its instance was removed from the moving scene, or never was in it";
         case QueryStatus::not_refitted:
