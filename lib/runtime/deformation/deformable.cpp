@@ -70,14 +70,14 @@ Deformable create_deformable(const Blob& blob, std::span<std::byte> memory) noex
 QueryStatus seal(const Deformable& mesh, std::span<std::byte> bytes) noexcept {
     if (!mesh) return mesh.status();
     if (bytes.size() != mesh.blob_.size()) return QueryStatus::no_room;
-    const std::size_t moving = deformable_bytes(mesh.blob_), still = bytes.size() - moving;
+    const std::size_t moving = deformable_bytes(mesh.blob_), staying = bytes.size() - moving;
     const auto is_in_place_or_apart = [&](const std::byte* part, std::size_t size, const std::byte* place) {
         return part == place || are_apart(part, size, bytes.data(), bytes.size());
     };
     if (!is_in_place_or_apart(mesh.memory_, moving, bytes.data()) ||
-        !is_in_place_or_apart(mesh.still_, still, bytes.data() + moving))
+        !is_in_place_or_apart(mesh.still_, staying, bytes.data() + moving))
         return QueryStatus::invalid_argument;
-    move_bytes(bytes.data() + moving, mesh.still_, still);
+    move_bytes(bytes.data() + moving, mesh.still_, staying);
     move_bytes(bytes.data(), mesh.memory_, moving);
     store_u32(bytes.data() + format::header::checksum_at, checksum_of_blob(bytes));
     return QueryStatus::ok;
