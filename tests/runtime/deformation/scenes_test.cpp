@@ -117,11 +117,12 @@ TEST_SUITE("scenes") {
                 options.deformation->range = Box{{-900.0f, -900.0f, -900.0f}, {900.0f, 900.0f, 900.0f}};
                 DeformedMesh moving(mesh, options);
                 std::vector<Vec3> pose = mesh.positions;
-                const Vec3 center = random.in_cube(800.0f);
+                // Near the local origin, too, where nothing but the range is large.
+                const Vec3 center = random.in_cube(seed % 2 == 0 ? radius : 800.0f);
                 for (Vec3& p : pose) p = {p.x + center.x, p.y + center.y, p.z + center.z};
                 moving.move_to(pose);
                 const std::vector<Blob> meshes = {moving.deformable.blob()};
-                MadeScene made(4, -14, meshes);
+                MadeScene made(4, -20, meshes);  // so fine that boxes are hardly larger
                 Instance instance;
                 instance.transform = any_place(random);
                 REQUIRE(insert(made.scene, instance));
@@ -134,6 +135,20 @@ TEST_SUITE("scenes") {
                     found += checked(compare_rays(made.scene, Ray{.origin = from, .direction = way}));
                     found += checked(compare_overlaps(made.scene, Sphere{at, radius}));
                     found += checked(compare_closest_points(made.scene, at, radius));
+                    // Just beside the vertex that is farthest along an axis.
+                    float Vec3::*const axis = i % 3 == 0 ? &Vec3::x : i % 3 == 1 ? &Vec3::y : &Vec3::z;
+                    const float sign = random.coin() ? 1.0f : -1.0f;
+                    Vec3 beside = to_world(instance.transform, pose.front());
+                    for (const Vec3& p : pose) {
+                        const Vec3 world = to_world(instance.transform, p);
+                        if (sign * world.*axis > sign * beside.*axis) beside = world;
+                    }
+                    const float by = std::ldexp(1.0f + random.unit(), -static_cast<int>(random.below(12)));
+                    // By less than half a step apart: the lattice may round them together.
+                    const float gap = std::ldexp(900.0f, -static_cast<int>(bits)) * random.unit();
+                    beside.*axis += sign * (by + gap * instance.transform.scale);
+                    found += checked(compare_overlaps(made.scene, Sphere{beside, by}));
+                    found += checked(compare_closest_points(made.scene, beside, by));
                 }
                 if (asks_enough()) CHECK(found > 0);
             }
