@@ -154,6 +154,28 @@ TEST_SUITE("scenes") {
             }
     }
 
+    TEST_CASE("deformation: boxes of instances have the margin of the range of motion in every pose") {
+        const Mesh mesh = scaled_by(make_icosphere(1, 1.0, {0.0f, 0.0f, 0.0f}), 0x1p-8f);
+        BakeOptions options = deformable_options(mesh, 24);
+        options.deformation->range = Box{{-900.0f, -900.0f, -900.0f}, {900.0f, 900.0f, 900.0f}};
+        DeformedMesh moving(mesh, options);
+        const std::vector<Blob> meshes = {moving.deformable.blob()};
+        MadeScene made(4, -20, meshes);
+        const Result<InstanceHandle> handle = insert(made.scene, Instance{});
+        REQUIRE(handle);
+        for (const float scale : {1.0f, 0.5f}) {
+            std::vector<Vec3> pose = mesh.positions;
+            for (Vec3& p : pose) p = {p.x * scale, p.y * scale, p.z * scale};
+            moving.move_to(pose);
+            REQUIRE(move_instances_of(made.scene, 0) == QueryStatus::ok);
+            refit(made.scene);
+            const Box box = *box_of(made.scene, *handle), exact = moving.deformable.blob().bounds();
+            CHECK(box.max.x - exact.max.x >= 900.0f * 0x1p-16f);
+            CHECK(exact.min.z - box.min.z >= 900.0f * 0x1p-16f);
+            CHECK(box.max.x - exact.max.x < 0.1f);
+        }
+    }
+
     TEST_CASE("deformation: a mesh that leaves the world is refused and no box changes") {
         const Mesh mesh = make_plane_grid(4);
         BakeOptions options = deformable_options(mesh);
