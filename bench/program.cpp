@@ -26,12 +26,14 @@ template void Program::add_number(const std::string&, unsigned&, unsigned, unsig
 template void Program::add_number(const std::string&, std::size_t&, std::size_t, std::size_t, const std::string&);
 template void Program::add_number(const std::string&, double&, double, double, const std::string&);
 
+// Of an option that may be repeated, CLI11 would take all words up to the next option, meshes too, as its values.
 void Program::add_numbers(const std::string& option, std::vector<unsigned>& variable, unsigned low, unsigned high,
                           const std::string& help) {
     command_line_->add_option(option, variable, help)
         ->check(CLI::Range(low, high))
         ->take_all()
         ->expected(1)
+        ->allow_extra_args(false)
         ->capture_default_str();
 }
 
@@ -44,7 +46,7 @@ void Program::add_word(const std::string& option, std::string& variable, const s
 }
 
 void Program::add_words(const std::string& option, std::vector<std::string>& variable, const std::string& help) {
-    command_line_->add_option(option, variable, help)->take_all()->expected(1);
+    command_line_->add_option(option, variable, help)->take_all()->expected(1)->allow_extra_args(false);
 }
 
 void Program::add_required_word(const std::string& option, std::string& variable, const std::string& help) {
@@ -58,7 +60,11 @@ void Program::add_choice(const std::string& option, std::string& variable, const
 
 void Program::add_choices(const std::string& option, std::vector<std::string>& variable,
                           const std::vector<std::string>& allowed, const std::string& help) {
-    command_line_->add_option(option, variable, help)->check(CLI::IsMember(allowed))->take_all()->expected(1);
+    command_line_->add_option(option, variable, help)
+        ->check(CLI::IsMember(allowed))
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
 }
 
 int Program::run(int count, char** words, const std::function<void(const std::vector<std::string>&)>& measure) {
