@@ -76,6 +76,9 @@ void add_info(CLI::App& app, Chosen& chosen) {
     auto arguments = std::make_shared<InfoArguments>();
     CLI::App* verb = add_verb(app, "info", "Say what is inside a blob or a scene");
     add_blob(verb, arguments->blob);
+    verb->add_flag(
+        "--histogram", arguments->histogram,
+        "Also how good the tree is: areas, volumes and overlap of boxes by depth, balance, triangles in a leaf");
     add_json(verb, arguments->json);
     verb->callback([arguments, &chosen] { chosen = [arguments] { return run_info(*arguments); }; });
 }

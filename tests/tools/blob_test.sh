@@ -19,6 +19,18 @@ done
 out_has '"format_version": "2.'
 out_has "\"bytes\": $(stat -c %s sheet.espl)"
 
+claim "info --histogram prints how good a tree is, of a blob and of each mesh of a scene"
+run 0 info sheet.espl --histogram
+for word in "areas so far" "all " "a random line through the whole box" "leaves at depth" "children a node" "triangles in a leaf" "####"; do
+    out_has "$word"
+done
+run 0 info sheet.espl --histogram --json
+for key in tree_quality levels node_areas shared_areas leaf_depth leaf_sizes; do
+    out_has "\"$key\": "
+done
+run 0 info sheet.espl
+if grep -qF "areas so far" out; then fail "info prints a histogram without being asked"; fi
+
 claim "edge flags and bounds are there on request, and the report tells how much space the bounds take"
 run 0 bake sheet.obj -o extras.espl --flat-angle 5 --bounds obb,sphere,kdop
 err_has "volume: axis-aligned box "

@@ -111,6 +111,7 @@ struct TradeArguments {
 
 struct InfoArguments {
     std::string blob;
+    bool histogram = false;
     bool json = false;
 };
 

@@ -14,6 +14,8 @@
 #include "files/scene_file.hpp"
 #include "layout/blob_layout.hpp"
 #include "layout/motion.hpp"
+#include "layout/tree_quality.hpp"
+#include "layout/tree_quality_report.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"
 #include "scene_info.hpp"
@@ -94,6 +96,7 @@ void print_json_info(const InfoArguments& arguments, const BlobFile& file) {
     document["sources"] = detail::data_of(blob).source_count;
     document["source_triangles"] = detail::data_of(blob).source_triangles;
     document["checksum"] = checksum_text(blob.checksum());
+    if (arguments.histogram) document["tree_quality"] = tree_quality_json(tree_quality_of(blob));
     print_json(document);
 }
 
@@ -147,6 +150,7 @@ void print_table(const InfoArguments& arguments, const BlobFile& file) {
         std::cout << "    " << std::left << std::setw(14) << section.name << std::right << std::setw(12)
                   << section.bytes << std::setw(10) << rounded(bytes_per_triangle(section.bytes, blob), 3) << '\n';
     }
+    if (arguments.histogram) print_tree_quality(tree_quality_of(blob));
     finish_standard_output();
 }
 

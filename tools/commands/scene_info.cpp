@@ -14,6 +14,8 @@
 #include "files/scene_file.hpp"
 #include "layout/blob_layout.hpp"
 #include "layout/scene_layout.hpp"
+#include "layout/tree_quality.hpp"
+#include "layout/tree_quality_report.hpp"
 #include "report/console.hpp"
 #include "report/json_output.hpp"
 #include "scenes/sizes.hpp"
@@ -156,6 +158,7 @@ void print_json_info(const InfoArguments& arguments, std::span<const std::byte> 
                           {"least_scale", json_number(use.least_scale)},
                           {"largest_scale", json_number(use.largest_scale)},
                           {"checksum", checksum_text(mesh.checksum())}});
+        if (arguments.histogram) meshes.back()["tree_quality"] = tree_quality_json(tree_quality_of(mesh));
     }
     document["meshes"] = std::move(meshes);
     Json tiles = Json::array();
@@ -202,6 +205,14 @@ void print_meshes(const BakedScene& scene, const SceneFigures& figures) {
     if (figures.uses.size() > most_listed) print_line("...", "--json lists all");
 }
 
+void print_tree_qualities(const BakedScene& scene) {
+    for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
+        std::cout << "mesh " << i << '\n';
+        print_tree_quality(tree_quality_of(scene.meshes()[i]));
+    }
+    if (!scene.tiles().empty()) std::cout << "the meshes of tiles: info --histogram for the file of each tile\n";
+}
+
 void print_table(const InfoArguments& arguments, std::span<const std::byte> bytes, const BakedScene& scene) {
     const SceneFigures figures = figures_of(bytes, scene);
     std::cout << printable(arguments.blob) << '\n';
@@ -227,6 +238,7 @@ void print_table(const InfoArguments& arguments, std::span<const std::byte> byte
                   << section.bytes << '\n';
     }
     print_meshes(scene, figures);
+    if (arguments.histogram) print_tree_qualities(scene);
     finish_standard_output();
 }
 

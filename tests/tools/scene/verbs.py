@@ -109,6 +109,11 @@ def listings():
     is_equal("the instances on the common lattice", lattice["instances"], 4)
     if "common step   %s, of 4 instances" % lattice["step"] not in run("info", "row.esps").stdout:
         fail("the common step is not in the text")
+    with_quality = documented("info", run("info", "forest.esps", "--histogram", "--json").stdout)["meshes"]
+    leaves = [[leaf["triangles"] * leaf["leaves"] for leaf in mesh["tree_quality"]["leaf_sizes"]] for mesh in with_quality]
+    is_equal("the triangles in leaves", [sum(of_mesh) for of_mesh in leaves], [mesh["triangles"] for mesh in with_quality])
+    if run("info", "forest.esps", "--histogram").stdout.count("areas so far") != len(info["meshes"]):
+        fail("info --histogram does not print the tree of each mesh")
     text = run("info", "forest.esps").stdout
     for word in ("scene 1.0", "instances     9", "meshes        1", "bounds", "max error", "depth", "flattened", "mesh 0"):
         if word not in text:
