@@ -37,7 +37,8 @@ public:
         if (!fields_.empty()) fields_ += ',';
         fields_ += '"' + name + "\":" + value;
     }
-    void print() const { std::printf("{%s}\n", fields_.c_str()); }
+    [[nodiscard]] std::string text() const { return '{' + fields_ + '}'; }
+    void print() const { std::printf("%s\n", text().c_str()); }
 
 private:
     std::string fields_;

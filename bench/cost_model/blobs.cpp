@@ -1,9 +1,24 @@
 #include "blobs.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 namespace espalier::bench {
+
+std::vector<std::string> profile_names() {
+    std::vector<std::string> names;
+    for (const ProfileRun& profile : profiles) names.emplace_back(profile.name);
+    return names;
+}
+
+std::vector<ProfileRun> chosen_profiles(const std::vector<std::string>& names) {
+    std::vector<ProfileRun> chosen;
+    for (const ProfileRun& profile : profiles)
+        if (names.empty() || std::find(names.begin(), names.end(), profile.name) != names.end())
+            chosen.push_back(profile);
+    return chosen;
+}
 
 BlobsOfMesh::BlobsOfMesh(const tests::Mesh& mesh, const ProfileRun& profile, unsigned bits) {
     const MeshView view = mesh.view();

@@ -1,6 +1,7 @@
 // The blobs that costs are measured on: a mesh in each profile, with leaves of several sizes.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <espalier/bake.hpp>
@@ -19,6 +20,11 @@ inline constexpr ProfileRun profiles[] = {{"fast", Profile::fast, format::plain_
                                           {"balanced", Profile::balanced, format::strip_leaf::max_balanced_entries - 2},
                                           {"small", Profile::small, format::strip_leaf::max_small_entries - 2},
                                           {"tiny", Profile::tiny, format::predicted_strip::max_entries - 2}};
+
+/// Returns the names of all profiles.
+std::vector<std::string> profile_names();
+/// Returns the profiles with these names, or all where there are none.
+std::vector<ProfileRun> chosen_profiles(const std::vector<std::string>& names);
 
 /// Blobs of one mesh and profile with leaves of several sizes, which go into one fit: else nodes and triangles grow
 /// together, and their costs cannot be told apart.

@@ -90,7 +90,7 @@ std::optional<Fit> fit(std::span<const Observation> observations, Differences di
 }
 
 std::optional<Prediction> predict_held_out(std::span<const Observation> observations, Differences differences) {
-    constexpr std::size_t parts = 5;
+    constexpr std::size_t parts = 2;
     std::vector<double> predicted(observations.size()), errors;
     for (std::size_t part = 0; part < parts; ++part) {
         std::vector<Observation> others;
@@ -105,7 +105,9 @@ std::optional<Prediction> predict_held_out(std::span<const Observation> observat
     }
     const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
     std::nth_element(errors.begin(), middle, errors.end());
-    return Prediction{1.0 - share_left(observations, predicted), *middle};
+    const double worst = *std::max_element(errors.begin(), errors.end());
+    const double explained = 1.0 - share_left(observations, predicted);
+    return Prediction{std::move(predicted), explained, *middle, worst};
 }
 
 }  // namespace espalier::bench

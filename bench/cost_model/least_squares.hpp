@@ -30,12 +30,14 @@ std::optional<Fit> fit(std::span<const Observation> observations, Differences di
 
 /// How well fits to some of the observations predict the others.
 struct Prediction {
-    double explained;     ///< share of the values' variance; below 0 where their mean predicts better
-    double median_error;  ///< of a predicted value, relative to the measured one
+    std::vector<double> values;  ///< of each observation
+    double explained;            ///< share of the values' variance; below 0 where their mean predicts better
+    double median_error;         ///< of a predicted value, relative to the measured one
+    double worst_error;
 };
 
-/// Predicts every fifth observation by a fit to the others, five times over (cross-validation, Stone 1974). Nothing
-/// when one of these fits does not exist.
+/// Predicts every second observation by a fit to the others, and these by a fit to the former (cross-validation, Stone
+/// 1974). Nothing when one of these fits does not exist.
 std::optional<Prediction> predict_held_out(std::span<const Observation> observations, Differences differences);
 
 }  // namespace espalier::bench

@@ -4,10 +4,11 @@
 // Of a ray, Nv are the visited nodes and Np the tested triangles. Of two blobs, Nv are the visited pairs of boxes and
 // Np the compared pairs of triangles. Nu, the boxes that are updated, is 0 for both: assets do not change, and a box is
 // placed beside another where their pair is visited. Of a step of a moving scene, Nv are the tests of a box against a
-// node, Np the pairs that are found and Nu the nodes that are renewed.
+// node, Np the pairs that are found and Nu the boxes of instances and nodes that are renewed.
 #include <stdexcept>
 
 #include "../program.hpp"
+#include "blobs.hpp"
 #include "options.hpp"
 
 int main(int count, char** words) {
@@ -19,6 +20,7 @@ int main(int count, char** words) {
     program.add_flag("--pairs", pairs, "Two blobs of each mesh instead of rays: overlaps and distances");
     program.add_flag("--scene", scene, "A scene of moving cubes instead of rays; takes no meshes");
     program.add_flag("--json", options.json, "A JSON object for each row instead of text");
+    program.add_choices("--profile", options.profiles, profile_names(), "Only this profile; may be repeated");
     program.add_number("--rays", options.rays, 1000u, 100'000'000u, "Incoherent rays");
     program.add_number("--poses", options.poses, 128u, 1'000'000u, "Poses of the second blob");
     program.add_number("--cubes", options.cubes, 1000u, 1'000'000u, "Cubes of the scene");

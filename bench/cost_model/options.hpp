@@ -8,6 +8,7 @@ namespace espalier::bench {
 
 struct Options {
     bool json = false;
+    std::vector<std::string> profiles;  ///< of those of blobs.hpp; none: all
     unsigned rays = 200'000;
     unsigned poses = 2'000;
     unsigned cubes = 10'000;

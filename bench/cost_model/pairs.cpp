@@ -7,6 +7,7 @@
 #include <espalier/statistics.hpp>
 
 #include "../../tests/support/meshes/files.hpp"
+#include "../guide/row.hpp"
 #include "../pairs/poses.hpp"
 #include "blobs.hpp"
 #include "groups.hpp"
@@ -114,7 +115,7 @@ std::vector<Model> measure(const PairQuery& query, const std::string& mesh, cons
 
 void model_mesh(const Mesh& mesh, const Options& options) {
     std::vector<Transform> poses;
-    for (const ProfileRun& profile : profiles) {
+    for (const ProfileRun& profile : chosen_profiles(options.profiles)) {
         const BlobsOfMesh baked(mesh, profile, options.bits);
         if (poses.empty()) {
             const Blob& blob = baked.blobs().front();
@@ -125,10 +126,12 @@ void model_mesh(const Mesh& mesh, const Options& options) {
         for (const PairQuery& query : queries) {
             const std::vector<Model> models = measure(query, mesh.name, baked.blobs(), poses, options.repetitions);
             if (options.json) {
-                std::printf("{\"mesh\":\"%s\",\"profile\":\"%s\",\"query\":\"%s\",\"mean_ns\":%.4f,\"fits\":",
-                            mesh.name.c_str(), profile.name, query.name, models[0].fit.mean);
-                print_json(models);
-                std::printf("}\n");
+                print_json(models, [&](const std::string& measures) {
+                    JsonObject row = guide_row(measures, mesh.name, mesh.triangles.size());
+                    row.add("query", std::string(query.name));
+                    row.add("profile", std::string(profile.name));
+                    return row;
+                });
             } else {
                 std::printf("%s, %s, %s:\n", mesh.name.c_str(), profile.name, query.name);
                 for (const Model& model : models) print_text(model, "a pose");

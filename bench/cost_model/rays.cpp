@@ -5,6 +5,7 @@
 #include <espalier/statistics.hpp>
 
 #include "../../tests/support/meshes/files.hpp"
+#include "../guide/row.hpp"
 #include "../rays.hpp"
 #include "blobs.hpp"
 #include "groups.hpp"
@@ -98,13 +99,15 @@ void model_rays(const std::vector<std::string>& meshes, const Options& options) 
             "counted by the scalar path. Nu is 0: a ray updates no boxes.\n");
     for (const std::string& path : meshes) {
         const Mesh mesh = tests::read_mesh(path);
-        for (const ProfileRun& profile : profiles) {
+        for (const ProfileRun& profile : chosen_profiles(options.profiles)) {
             const std::vector<Model> models = measure(mesh, options, profile);
             if (options.json) {
-                std::printf("{\"mesh\":\"%s\",\"profile\":\"%s\",\"query\":\"raycast\",\"mean_ns\":%.4f,\"fits\":",
-                            mesh.name.c_str(), profile.name, models[0].fit.mean);
-                print_json(models);
-                std::printf("}\n");
+                print_json(models, [&](const std::string& measures) {
+                    JsonObject row = guide_row(measures, mesh.name, mesh.triangles.size());
+                    row.add("query", std::string("raycast"));
+                    row.add("profile", std::string(profile.name));
+                    return row;
+                });
             } else {
                 print_text(mesh.name, profile.name, models);
             }

@@ -1,4 +1,4 @@
-// The cost of a step of a moving scene: Nv tests of a box against a node, Np pairs found, Nu nodes renewed.
+// The cost of a step of a moving scene: Nv tests of a box against a node, Np pairs found, Nu boxes renewed.
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -11,6 +11,7 @@
 
 #include "../../tests/support/base/random.hpp"
 #include "../../tests/support/meshes/makers.hpp"
+#include "../guide/row.hpp"
 #include "groups.hpp"
 #include "model.hpp"
 #include "options.hpp"
@@ -142,13 +143,14 @@ unsigned run(const StepGroup& group, std::vector<InstancePair>& room) {
     return static_cast<unsigned>(found);
 }
 
-/// What stands for the updates: nodes that refit() renewed, or these and the boxes of the instances that moved.
+/// What stands for the updates: the boxes of instances that moved and of nodes that refit() renewed (Nu of Klosowski
+/// et al. 1998), or the nodes alone.
 struct StepTerm {
     Term term;
     double StepGroup::*count;
 };
-constexpr StepTerm step_terms[] = {{{"Nu", "node renewed"}, &StepGroup::nodes},
-                                   {{"Nb", "box renewed"}, &StepGroup::boxes}};
+constexpr StepTerm step_terms[] = {{{"Nu", "box renewed"}, &StepGroup::boxes},
+                                   {{"Nn", "node renewed"}, &StepGroup::nodes}};
 
 }  // namespace
 
@@ -176,15 +178,17 @@ void model_scene(const Options& options) {
                                    Differences::relative));
     }
     if (options.json) {
-        std::printf("{\"scene\":\"cubes\",\"instances\":%u,\"query\":\"step\",\"mean_ns\":%.4f,\"fits\":",
-                    options.cubes, models[0].fit.mean);
-        print_json(models);
-        std::printf("}\n");
+        print_json(models, [&](const std::string& measures) {
+            JsonObject row = guide_row(measures, "cubes", cube.triangle_count());
+            row.add("query", std::string("step"));
+            row.add("instances", std::size_t{options.cubes});
+            return row;
+        });
         return;
     }
     std::printf(
-        "Nv: tests of a box against the boxes of a node; Np: pairs whose boxes touch; Nu: nodes that refit() renewed;\n"
-        "Nb: these and the boxes of the instances that moved. A step is move(), refit() and "
+        "Nv: tests of a box against the boxes of a node; Np: pairs whose boxes touch; Nu: boxes that were renewed, of\n"
+        "instances that moved and of nodes; Nn: these nodes alone. A step is move(), refit() and "
         "collect_candidate_pairs().\n%u cubes:\n",
         options.cubes);
     for (const Model& model : models) print_text(model, "a step");

@@ -62,7 +62,7 @@ void run(Options& options, const std::vector<std::string>& meshes) {
     if (!meshes.empty()) throw std::invalid_argument("a mesh is measured with --bunnies alone");
     if (options.churn > 0) return print_churn(scenario, options.churn);
     const std::vector<Measured> measured = measure(selected(all_makers(scenario), scenario), scenario, baked_cube());
-    print_steps(measured, scenario, "boxes");
+    print_steps(measured, scenario, "broad phase");
     if (options.aged > 0) print_upkeep(scenario, options.aged);
     for (const Measured& one : measured)
         if (one.differing_steps > 0) throw std::runtime_error(one.name + ": finds other pairs of boxes");

@@ -24,16 +24,21 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Steps towards the farthest point (Badoiu, Clarkson 2003).
-Ball fit_ball(std::span<const Point> points) {
-    Ball ball{points[0], 0.0};
-    const auto farthest = [&] {
-        return *std::max_element(points.begin(), points.end(), [&](const Point& a, const Point& b) {
-            return dot(a - ball.center, a - ball.center) < dot(b - ball.center, b - ball.center);
-        });
-    };
-    for (int i = 0; i < 100; ++i) ball.center = ball.center + (1.0 / (i + 2.0)) * (farthest() - ball.center);
-    const Point out = farthest() - ball.center;
+/// Returns the point that is the farthest from `center`.
+Point farthest_from(const Point& center, std::span<const Point> points) {
+    return *std::max_element(points.begin(), points.end(), [&](const Point& a, const Point& b) {
+        return dot(a - center, a - center) < dot(b - center, b - center);
+    });
+}
+
+/// Searches the center in steps towards the farthest of the outermost points (Badoiu, Clarkson 2003; Larsson 2008), to
+/// less than 1 % of the least radius for these. The ball contains all points.
+Ball fit_ball(std::span<const Point> points, std::span<const Point> outermost) {
+    constexpr int steps = 300;
+    Ball ball{outermost[0], 0.0};
+    for (int i = 0; i < steps; ++i)
+        ball.center = ball.center + (1.0 / (i + 2.0)) * (farthest_from(ball.center, outermost) - ball.center);
+    const Point out = farthest_from(ball.center, points) - ball.center;
     ball.radius = std::sqrt(dot(out, out));
     return ball;
 }
@@ -65,6 +70,8 @@ Block block_along(const std::array<Point, 3>& axes, std::span<const Point> point
 double area_of(const Block& block) {
     return 8.0 * (block.half[0] * block.half[1] + block.half[1] * block.half[2] + block.half[2] * block.half[0]);
 }
+
+double volume_of(const Block& block) { return 8.0 * block.half[0] * block.half[1] * block.half[2]; }
 
 /// A pattern search over rotations from several starts, on the outermost points alone.
 Block fit_block(std::span<const Point> points, std::span<const Point> outermost, const Block& aligned) {
@@ -99,15 +106,33 @@ Block fit_block(std::span<const Point> points, std::span<const Point> outermost,
     return best;
 }
 
+/// Adds up the faces of the polytope.
+Extent dop_extent(std::span<const std::size_t> slabs, const Volumes& volumes) {
+    const Point& middle = volumes.aligned.center;  // so that numbers are as small as the body
+    std::vector<baker::HalfSpace> half_spaces;
+    for (const std::size_t slab : slabs) {
+        const Point& d = slab_directions[slab];
+        half_spaces.push_back({d, volumes.slabs.hi[slab] - dot(d, middle)});
+        half_spaces.push_back({-1.0 * d, dot(d, middle) - volumes.slabs.lo[slab]});
+    }
+    Extent extent;
+    const auto& half = volumes.aligned.half;
+    for (const auto& face : baker::faces_of(half_spaces, half[0] + half[1] + half[2])) {
+        for (std::size_t i = 2; i < face.size(); ++i) {
+            const Point across = cross(face[i - 1] - face[0], face[i] - face[0]);
+            extent.area += 0.5 * std::sqrt(dot(across, across));
+            extent.volume += std::abs(dot(face[0], cross(face[i - 1], face[i]))) / 6.0;
+        }
+    }
+    return extent;
+}
+
 }  // namespace
 
 Volumes fit_volumes(std::span<const Point> points) {
     Volumes volumes;
-    volumes.ball = fit_ball(points);
     volumes.aligned = block_along({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, points);
     std::vector<Point> outermost;
-    std::vector<baker::HalfSpace> half_spaces;
-    const Point& middle = volumes.aligned.center;  // so that numbers are as small as the body
     for (std::size_t k = 0; k < slab_count; ++k) {
         const Point& d = slab_directions[k];
         const auto [low, high] = std::minmax_element(
@@ -115,29 +140,30 @@ Volumes fit_volumes(std::span<const Point> points) {
         volumes.slabs.lo[k] = dot(d, *low);
         volumes.slabs.hi[k] = dot(d, *high);
         outermost.insert(outermost.end(), {*low, *high});
-        half_spaces.push_back({d, volumes.slabs.hi[k] - dot(d, middle)});
-        half_spaces.push_back({-1.0 * d, dot(d, middle) - volumes.slabs.lo[k]});
     }
+    volumes.ball = fit_ball(points, points.size() > outermost.size() ? std::span<const Point>(outermost) : points);
     volumes.oriented = fit_block(points, outermost, volumes.aligned);
-
-    double area = 0.0;
-    double space = 0.0;
-    const auto& half = volumes.aligned.half;
-    const auto faces = baker::faces_of(half_spaces, half[0] + half[1] + half[2]);
-    for (const auto& face : faces) {
-        for (std::size_t i = 0; i < face.size(); ++i) {
-            volumes.slabs.corners.push_back(middle + face[i]);
-            if (i < 2) continue;
-            const Point across = cross(face[i - 1] - face[0], face[i] - face[0]);
-            area += 0.5 * std::sqrt(dot(across, across));
-            space += std::abs(dot(face[0], cross(face[i - 1], face[i]))) / 6.0;
-        }
-    }
-    const auto space_of = [](const Block& block) { return 8.0 * block.half[0] * block.half[1] * block.half[2]; };
-    const double r = volumes.ball.radius;
-    volumes.areas = {4.0 * pi * r * r, area_of(volumes.aligned), area_of(volumes.oriented), area};
-    volumes.spaces = {4.0 / 3.0 * pi * r * r * r, space_of(volumes.aligned), space_of(volumes.oriented), space};
     return volumes;
+}
+
+Extent extent_of(Kind kind, const Volumes& volumes) {
+    switch (kind) {
+        case Kind::sphere: {
+            const double r = volumes.ball.radius;
+            return {4.0 * pi * r * r, 4.0 / 3.0 * pi * r * r * r};
+        }
+        case Kind::aabb:
+            return {area_of(volumes.aligned), volume_of(volumes.aligned)};
+        case Kind::obb:
+            return {area_of(volumes.oriented), volume_of(volumes.oriented)};
+        case Kind::dop_14:
+            return dop_extent(dop_slabs<14>(), volumes);
+        case Kind::dop_18:
+            return dop_extent(dop_slabs<18>(), volumes);
+        case Kind::dop_26:
+            return dop_extent(dop_slabs<26>(), volumes);
+    }
+    return {};
 }
 
 }  // namespace espalier::bench

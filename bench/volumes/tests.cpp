@@ -11,37 +11,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Cuts the interval of a line down to a slab.
-bool cut(double origin, double speed, double lo, double hi, double& from, double& to) {
-    if (speed == 0.0) return lo <= origin && origin <= hi;
-    const double a = (lo - origin) / speed;
-    const double b = (hi - origin) / speed;
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
-    return from <= to;
-}
-
-double clamped(double value, double limit) { return std::clamp(value, -limit, limit); }
-
-/// Whether the direction separates two blocks.
-bool separates(const Point& d, const Block& a, const Block& b) {
-    double reach = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-        reach += a.half[k] * std::abs(dot(d, a.axes[k])) + b.half[k] * std::abs(dot(d, b.axes[k]));
-    return std::abs(dot(d, b.center - a.center)) > reach * (1.0 + 1e-12);
-}
-
-bool blocks_touch(const Block& a, const Block& b) {
-    for (const Point& axis : a.axes)
-        if (separates(axis, a, b)) return false;
-    for (const Point& axis : b.axes)
-        if (separates(axis, a, b)) return false;
-    for (const Point& u : a.axes)
-        for (const Point& v : b.axes)
-            if (separates(cross(u, v), a, b)) return false;
-    return true;
-}
-
 struct Range {
     double lo = infinity;
     double hi = -infinity;
@@ -60,81 +29,6 @@ Range range_along(const Point& d, const Points& points) {
 bool are_apart(const Range& a, const Range& b) { return a.hi < b.lo || b.hi < a.lo; }
 
 }  // namespace
-
-std::optional<double> entry(Kind kind, const Volumes& volumes, const Line& line) {
-    double from = 0.0;
-    double to = infinity;
-    if (kind == Kind::sphere) {
-        const Point m = line.origin - volumes.ball.center;
-        const double b = dot(m, line.direction);
-        const double c = dot(m, m) - volumes.ball.radius * volumes.ball.radius;
-        const double root = b * b - c * dot(line.direction, line.direction);
-        if (root < 0.0 || (c > 0.0 && b > 0.0)) return std::nullopt;
-        return std::max(0.0, (-b - std::sqrt(root)) / dot(line.direction, line.direction));
-    }
-    if (kind == Kind::k_dop) {
-        for (std::size_t k = 0; k < slab_count; ++k) {
-            const Point& d = slab_directions[k];
-            if (!cut(dot(d, line.origin), dot(d, line.direction), volumes.slabs.lo[k], volumes.slabs.hi[k], from, to))
-                return std::nullopt;
-        }
-        return from;
-    }
-    const Block& block = volumes.block(kind);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Point& d = block.axes[k];
-        if (!cut(dot(d, line.origin - block.center), dot(d, line.direction), -block.half[k], block.half[k], from, to))
-            return std::nullopt;
-    }
-    return from;
-}
-
-bool touches(Kind kind, const Volumes& volumes, const Ball& ball) {
-    if (kind == Kind::sphere) {
-        const Point out = ball.center - volumes.ball.center;
-        const double reach = ball.radius + volumes.ball.radius;
-        return dot(out, out) <= reach * reach;
-    }
-    if (kind == Kind::k_dop) {
-        for (std::size_t k = 0; k < slab_count; ++k) {
-            const Point& d = slab_directions[k];
-            const double reach = ball.radius * std::sqrt(dot(d, d));
-            const double at = dot(d, ball.center);
-            if (at + reach < volumes.slabs.lo[k] || at - reach > volumes.slabs.hi[k]) return false;
-        }
-        return true;
-    }
-    const Block& block = volumes.block(kind);
-    const Point out = ball.center - block.center;
-    Point nearest = {0, 0, 0};
-    for (std::size_t k = 0; k < 3; ++k)
-        nearest = nearest + clamped(dot(out, block.axes[k]), block.half[k]) * block.axes[k];
-    return dot(out - nearest, out - nearest) <= ball.radius * ball.radius * (1.0 + 1e-12);
-}
-
-bool touch(Kind kind, const Volumes& a, const Volumes& b, const Pose& pose) {
-    if (kind == Kind::sphere) {
-        const Point out = pose(b.ball.center) - a.ball.center;
-        const double reach = a.ball.radius + b.ball.radius;
-        return dot(out, out) <= reach * reach;
-    }
-    if (kind != Kind::k_dop) {
-        Block moved = b.block(kind);
-        moved.center = pose(moved.center);
-        for (Point& axis : moved.axes) axis = pose.turned(axis);
-        return blocks_touch(a.block(kind), moved);
-    }
-    std::vector<Point> corners;
-    for (const Point& p : b.slabs.corners) corners.push_back(pose(p));
-    for (std::size_t k = 0; k < slab_count; ++k)
-        if (are_apart({a.slabs.lo[k], a.slabs.hi[k]}, range_along(slab_directions[k], corners))) return false;
-    for (std::size_t k = 0; k < slab_count; ++k) {
-        const Point d = pose.turned(slab_directions[k]);
-        const double shift = dot(d, pose.shift);
-        if (are_apart({b.slabs.lo[k] + shift, b.slabs.hi[k] + shift}, range_along(d, a.slabs.corners))) return false;
-    }
-    return true;
-}
 
 std::optional<double> meets(const Corners3& t, const Line& line) {  // Möller, Trumbore 1997
     const Point ab = t[1] - t[0];

@@ -1,4 +1,4 @@
-// The tests that a walk makes: of volumes, which may say yes where nothing is, and of triangles.
+// The tests of triangles that a walk makes in leaves, in double.
 #pragma once
 
 #include <array>
@@ -13,10 +13,6 @@ struct Line {
     Point direction;
 };
 
-/// Where the line, from its origin on, enters the volume.
-[[nodiscard]] std::optional<double> entry(Kind kind, const Volumes& volumes, const Line& line);
-[[nodiscard]] bool touches(Kind kind, const Volumes& volumes, const Ball& ball);
-
 /// x -> rotation x + shift; the rotation's rows.
 struct Pose {
     std::array<Point, 3> rotation;
@@ -27,10 +23,6 @@ struct Pose {
     }
     [[nodiscard]] Point operator()(const Point& p) const { return turned(p) + shift; }
 };
-
-/// Of a as it is and b in the pose. Spheres by their centers, boxes of both kinds by all 15 axes (Gottschalk et al.
-/// 1996), k-DOPs by the 13 directions of each.
-[[nodiscard]] bool touch(Kind kind, const Volumes& a, const Volumes& b, const Pose& pose);
 
 using Corners3 = std::array<Point, 3>;
 [[nodiscard]] std::optional<double> meets(const Corners3& triangle, const Line& line);

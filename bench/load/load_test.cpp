@@ -1,0 +1,130 @@
+// What is decoded is the mesh that was encoded, and all ways answer rays alike.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <espalier/espalier.hpp>
+
+#include "../../tests/support/meshes/makers.hpp"
+#include "deflate.hpp"
+#include "ways.hpp"
+
+namespace espalier::bench {
+namespace {
+
+std::vector<Mesh> some_meshes() {
+    return {tests::make_icosphere(3, 1.0, {0.3f, 0.2f, 0.1f}), tests::make_torus(40, 12, 1.0, 0.3),
+            tests::make_soup(300, 1), tests::make_cube(-1.0f, 2.0f)};
+}
+
+using Corner = std::array<float, 3>;
+using Corners = std::array<Corner, 3>;
+
+/// Returns the triangles in ascending order, each from its least corner on: the order of triangles, and which corner
+/// comes first, may change.
+std::vector<Corners> canonical(const Mesh& mesh) {
+    std::vector<Corners> triangles;
+    for (const TriangleVertices& t : mesh.triangles) {
+        Corners corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3& p = mesh.positions[t[i]];
+            corners[i] = {p.x, p.y, p.z};
+        }
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        triangles.push_back(corners);
+    }
+    std::ranges::sort(triangles);
+    return triangles;
+}
+
+Mesh decoded(const Bytes& file, void (*read)(std::span<const std::byte>, const MeshArrays&)) {
+    const MeshCounts counts = read_counts(file);
+    Mesh mesh;
+    mesh.positions.resize(counts.vertices);
+    mesh.triangles.resize(counts.triangles);
+    read(file, {&mesh.positions.data()->x, mesh.triangles.data()->data()});
+    return mesh;
+}
+
+TEST_CASE("bench: a file of floats is the mesh") {
+    for (const Mesh& mesh : some_meshes())
+        CHECK(canonical(decoded(write_floats(mesh), read_floats)) == canonical(mesh));
+}
+
+#ifdef ESPALIER_BENCH_MESHOPT
+TEST_CASE("bench: meshoptimizer decodes exactly the triangles that lie on the lattice") {
+    for (const Mesh& mesh : some_meshes()) {
+        const SnappedMesh snapped = snap_mesh(mesh);
+        const Mesh read = decoded(write_meshopt(snapped), read_meshopt);
+        CHECK(canonical(read) == canonical(snapped.mesh));
+        // Vertices of triangles that collapsed are not written.
+        CHECK(read.positions.size() <= snapped.mesh.positions.size());
+    }
+}
+
+TEST_CASE("bench: damaged streams of meshoptimizer are refused") {
+    const Bytes file = write_meshopt(snap_mesh(tests::make_icosphere(2, 1.0, {})));
+    const Bytes shorter(file.begin(), file.end() - 1);
+    CHECK_THROWS(static_cast<void>(decoded(shorter, read_meshopt)));
+}
+#endif
+
+/// Returns t of the closest hit by a test of all triangles, or infinity.
+double closest_of_all(const Mesh& mesh, const Ray& ray) {
+    using Point = std::array<double, 3>;
+    const auto point = [](const Vec3& p) { return Point{double(p.x), double(p.y), double(p.z)}; };
+    const auto minus = [](const Point& a, const Point& b) { return Point{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
+    const auto volume = [](const Point& a, const Point& b, const Point& c) {
+        return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]);
+    };
+    const Point origin = point(ray.origin), direction = point(ray.direction);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const TriangleVertices& t : mesh.triangles) {
+        std::array<Point, 3> p;
+        for (std::size_t i = 0; i < 3; ++i) p[i] = minus(point(mesh.positions[t[i]]), origin);
+        const double u = volume(direction, p[1], p[2]), v = volume(direction, p[2], p[0]),
+                     w = volume(direction, p[0], p[1]);
+        const double whole = u + v + w;
+        const bool is_inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
+        if (!is_inside || whole == 0.0) continue;
+        const double at = volume(p[0], p[1], p[2]) / whole;
+        if (at >= 0.0) nearest = std::min(nearest, at);
+    }
+    return nearest;
+}
+
+TEST_CASE("bench: every way to load a mesh answers rays as the loop over its triangles") {
+    for (const Mesh& mesh : some_meshes()) {
+        const Mesh snapped = snap_mesh(mesh).mesh;
+        const std::vector<Ray> rays = incoherent_rays(mesh, 300, 5);
+        for (const Way& way : all_ways(mesh)) {
+            CAPTURE(way.ships);
+            CAPTURE(way.loads);
+            const std::unique_ptr<Loaded> loaded = way.load(way.file);
+            CHECK(loaded->bytes() > 0);
+            const Mesh& shipped = way.ships == "floats" ? mesh : snapped;
+            for (const Ray& ray : rays) {
+                const double expected = closest_of_all(shipped, ray);
+                const auto t = static_cast<double>(loaded->closest(ray));
+                CHECK((t == expected || std::abs(t - expected) < 1e-3));
+            }
+        }
+    }
+}
+
+TEST_CASE("bench: what is deflated inflates to the same bytes") {
+    const Bytes file = write_floats(tests::make_icosphere(3, 1.0, {}));
+    const auto deflated = deflate_bytes(file);
+    if (!deflated) return;
+    CHECK(deflated->size() < file.size());
+    CHECK(inflate_bytes(*deflated, file.size()) == file);
+    CHECK_THROWS(static_cast<void>(inflate_bytes(std::span(*deflated).first(deflated->size() / 2), file.size())));
+}
+
+}  // namespace
+}  // namespace espalier::bench

@@ -1,0 +1,129 @@
+#include "structures.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include <espalier/espalier.hpp>
+
+#include "../deformation/processor_time.hpp"
+#include "../exactness/kernel_walk.hpp"
+#include "../traversal/ray_walk.hpp"
+#include "grid.hpp"
+#include "kd_tree.hpp"
+#include "tree_boxes.hpp"
+
+namespace espalier::bench {
+namespace {
+
+constexpr double grid_density = 5.0;  // of Wald et al. 2006
+
+/// Counts nodes whose boxes were tested.
+class Hierarchy final : public Structure {
+public:
+    explicit Hierarchy(const TreeAndBlob& built, const FloatTest* float_test = nullptr)
+        : tree_(&built.tree), rays_(built.tree), boxes_(built.tree), float_test_(float_test) {
+        name = "hierarchy";
+        build_seconds = built.tree_seconds;
+        cells = built.tree.nodes.size();
+        references = built.tree.triangles.size();
+        bytes = cells * sizeof(AabbNode);
+    }
+    double closest(const Ray& ray, CellWork& work) override {
+        if (float_test_ != nullptr) return static_cast<double>(closest_hit(*tree_, *float_test_, ray));
+        RayWork counted;
+        const double t = rays_.closest(RayOrder::nearest_first, ray, counted);
+        work.cells += counted.box_tests;
+        work.triangle_tests += counted.triangle_tests;
+        return t;
+    }
+    std::size_t count_touching(const Aabb& box, CellWork& work) override { return boxes_.count_touching(box, work); }
+
+private:
+    const AabbTree* tree_;
+    RayWalk rays_;
+    TreeBoxes boxes_;
+    const FloatTest* float_test_;
+};
+
+/// A grid or a k-d tree.
+template <class Cells>
+class Subdivision final : public Structure {
+public:
+    template <class... Arguments>
+    explicit Subdivision(const char* called, const Arguments&... arguments) : cells_(arguments...) {
+        build_seconds = time_.seconds();
+        name = called;
+        if constexpr (requires { cells_.nodes(); }) cells = cells_.nodes();
+        else cells = cells_.cells();
+        references = cells_.references();
+        bytes = cells_.bytes();
+    }
+    double closest(const Ray& ray, CellWork& work) override { return cells_.closest(ray, work); }
+    std::size_t count_touching(const Aabb& box, CellWork& work) override { return cells_.count_touching(box, work); }
+
+private:
+    ProcessorTime time_;  // begins before the cells
+    Cells cells_;
+};
+
+class BlobStructure final : public Structure {
+public:
+    explicit BlobStructure(const SubdivisionSubject& subject) : blob_(subject.blob) {
+        name = "espalier";
+        references = subject.snapped.mesh.triangles.size();
+        bytes = blob_.size();
+        has_triangles = true;
+        has_work = false;
+        is_reference = false;
+    }
+    double closest(const Ray& ray, CellWork&) override { return static_cast<double>(raycast(blob_, ray).t); }
+    std::size_t count_touching(const Aabb& box, CellWork&) override {
+        std::size_t touching = 0;
+        const QueryStatus status =
+            for_each_overlap(blob_, Box{{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}},
+                             [&](TriangleId) { ++touching; });
+        if (is_refused(status)) throw std::runtime_error(std::string("a box is refused: ") + describe(status));
+        return touching;
+    }
+
+private:
+    Blob blob_;
+};
+
+std::vector<std::unique_ptr<Structure>> subdivisions(const SubdivisionSubject& subject, const FloatTest* float_test) {
+    const std::span<const FloatTriangle> triangles = subject.built.tree.triangles;
+    const float margin = subject.built.tree.largest * cell_margin_share;
+    std::vector<std::unique_ptr<Structure>> made;
+    made.push_back(std::make_unique<Subdivision<KdTree>>("k-d tree", triangles, margin, float_test));
+    made.push_back(std::make_unique<Subdivision<UniformGrid>>("grid", triangles, grid_density, margin, float_test));
+    return made;
+}
+
+}  // namespace
+
+SubdivisionSubject make_subdivision_subject(Mesh mesh) {
+    SubdivisionSubject subject;
+    bring_to_common_size(mesh);
+    subject.snapped = snap_mesh(mesh);
+    subject.built = build_tree_and_blob(subject.snapped.mesh, 4);
+    subject.blob = open(subject.built.blob);
+    if (!subject.blob) throw std::runtime_error(mesh.name + ": the blob does not open");
+    return subject;
+}
+
+std::vector<std::unique_ptr<Structure>> all_structures(const SubdivisionSubject& subject) {
+    std::vector<std::unique_ptr<Structure>> made;
+    made.push_back(std::make_unique<Hierarchy>(subject.built));
+    for (auto& structure : subdivisions(subject, nullptr)) made.push_back(std::move(structure));
+    made.push_back(std::make_unique<BlobStructure>(subject));
+    return made;
+}
+
+std::vector<std::unique_ptr<Structure>> structures_with_float_test(const SubdivisionSubject& subject,
+                                                                   const FloatTest& float_test) {
+    std::vector<std::unique_ptr<Structure>> made = subdivisions(subject, &float_test);
+    made.push_back(std::make_unique<Hierarchy>(subject.built, &float_test));
+    return made;
+}
+
+}  // namespace espalier::bench
