@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""Turns the rows of tools/dev guide into the tables of docs/guide.md and the figures of docs/images/guide.
+
+    bench/guide/report.py bench/results/FILE.jsonl        writes the page (between its markers) and the figures
+    bench/guide/report.py --check                         exits with 1 when the page or a figure is not what its rows say
+    bench/guide/report.py --section NAME FOLDER FILE...   writes the tables and figures of one section into a folder
+
+Standard library only.
+"""
+
+import importlib
+import pathlib
+import re
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from report_page import ROOT, fail, fill, links, read_objects, run  # noqa: E402
+
+DOCUMENT = ROOT / "docs" / "guide.md"
+FIGURES = ROOT / "docs" / "images" / "guide"
+COMMON = ("measures", "processor", "compiler")
+# A section is a module sections/NAME.py: ROWS (fields by what a row measures), texts(rows) and figures(rows). Its
+# pages(rows), where it has that, returns texts of other pages: the page's path, and texts by marker.
+SECTIONS = tuple(sorted(file.stem for file in (pathlib.Path(__file__).parent / "sections").glob("*.py")))
+
+
+class Rows:
+    """Rows of a whole run; meshes are in the order of the rows."""
+
+    def __init__(self, rows):
+        self.all = [{**row, "mesh": pathlib.PurePath(row["mesh"]).stem} if "mesh" in row else row for row in rows]
+        self.machines = list(dict.fromkeys((row["processor"], row["compiler"]) for row in self.all))
+
+    def of(self, measures, **fields):
+        """The rows that measure this, with these values."""
+        return [row for row in self.all if row["measures"] == measures and all(row[name] == value for name, value in fields.items())]
+
+    def one(self, measures, **fields):
+        found = self.of(measures, **fields)
+        if len(found) != 1:
+            fail(f"{len(found)} rows measure {measures} with {fields}; the rows are not those of one whole run")
+        return found[0]
+
+    def values(self, measures, field):
+        """The values of a field, each once, in the order of the rows."""
+        return list(dict.fromkeys(row[field] for row in self.of(measures)))
+
+    def meshes(self, measures):
+        return self.values(measures, "mesh")
+
+
+def section_modules(names):
+    folder = pathlib.Path(__file__).resolve().parent
+    sys.path[:0] = [str(folder), str(folder / "sections")]
+    return [importlib.import_module(name) for name in names]
+
+
+def read(files, modules):
+    fields = {measures: needed for module in modules for measures, needed in module.ROWS.items()}
+    rows = Rows(read_objects(files, "tools/dev guide", lambda row: (*COMMON, *fields.get(row.get("measures"), ()))))
+    for measures in fields:
+        if not rows.of(measures):
+            fail(f"no row measures {measures}; the rows are not those of a whole run")
+    return rows
+
+
+def conditions(rows, files):
+    machines = "; ".join(f"{processor}, {compiler.replace('gcc', 'GCC')}" for processor, compiler in rows.machines)
+    return f"Measured on one thread of {machines}.\nRows: {links(files)}."
+
+
+def check_page(page, figures):
+    """Every figure of the page is made here and shown, and every table stands between markers."""
+    shown = set(re.findall(r"\]\(images/guide/([^)]+)\)", page))
+    made = set(figures)
+    if shown != made:
+        fail(f"{DOCUMENT.name} shows {sorted(shown - made)}, which no section draws, and lacks {sorted(made - shown)}")
+    loose = re.sub(r"<!-- begin (\S+) -->.*?<!-- end \1 -->", "", page, flags=re.DOTALL)
+    tables = [line for line in loose.splitlines() if line.startswith("|")]
+    if tables:
+        fail(f"{DOCUMENT.name} has a table outside of markers: {tables[0]}")
+    old = {file.name for file in FIGURES.glob("*")} - made
+    if old:
+        fail(f"{FIGURES.relative_to(ROOT)} has files that no section draws: {', '.join(sorted(old))}")
+
+
+def pages_of(module, rows):
+    return module.pages(rows) if hasattr(module, "pages") else {}
+
+
+def outputs(files):
+    modules = section_modules(SECTIONS)
+    rows = read(files, modules)
+    texts, figures, others = {"conditions": conditions(rows, files)}, {}, {}
+    for module in modules:
+        texts |= module.texts(rows)
+        figures |= module.figures(rows)
+        for path, blocks in pages_of(module, rows).items():
+            others.setdefault(ROOT / path, {}).update(blocks)
+    page = fill(DOCUMENT, texts)
+    check_page(page, figures)
+    return {DOCUMENT: page, **{FIGURES / name: text for name, text in figures.items()},
+            **{path: fill(path, blocks) for path, blocks in others.items()}}
+
+
+def write_section(name, folder, files):
+    (module,) = section_modules([name])
+    rows = read([pathlib.Path(file) for file in files], [module])
+    target = pathlib.Path(folder)
+    target.mkdir(parents=True, exist_ok=True)
+    for marker, text in module.texts(rows).items():
+        (target / f"{marker}.md").write_text(text + "\n", encoding="utf-8")
+    for file, text in module.figures(rows).items():
+        (target / file).write_text(text, encoding="utf-8")
+    for path, blocks in pages_of(module, rows).items():
+        for marker, text in blocks.items():
+            (target / f"{pathlib.PurePath(path).stem}_{marker}.md").write_text(text + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--section"]:
+        if len(sys.argv) < 5:
+            fail("--section NAME FOLDER FILE...")
+        write_section(sys.argv[2], sys.argv[3], sys.argv[4:])
+    else:
+        run(DOCUMENT, __doc__, outputs)

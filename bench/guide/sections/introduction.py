@@ -1,0 +1,46 @@
+"""Section 1 of the guide, introduction: how the time of a query grows with the number of triangles."""
+
+import palette
+import scatter
+from report_page import table
+
+RAYS, PAIRS = "growth of rays", "growth of pairs"
+ROWS = {measures: ("method", "queries", "ns") for measures in (RAYS, PAIRS)}
+METHODS = (("loop", "loop over all triangles"), ("hierarchy", "binary tree of boxes"), ("espalier", "Espalier"))
+
+
+def time(ns):
+    for unit, size in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)):
+        if ns >= size:
+            return f"{palette.number(ns / size)} {unit}"
+    return f"{palette.number(ns)} ns"
+
+
+def cell(rows, measures, triangles, method):
+    found = rows.of(measures, triangles=triangles, method=method)
+    return time(found[0]["ns"]) if found else "–"
+
+
+def growth_table(rows):
+    sizes = rows.values(RAYS, "triangles")
+    lines = [[f"{n:,}", *(cell(rows, measures, n, method) for measures in (RAYS, PAIRS) for method, _ in METHODS)] for n in sizes]
+    return table(["triangles", *(f"{query}: {words}" for query in ("a ray", "two meshes") for _, words in METHODS)], lines)
+
+
+def figure(rows):
+    panels = []
+    for measures, title in ((RAYS, "A ray and a mesh: the closest hit"), (PAIRS, "Two meshes: all pairs that touch")):
+        points = []
+        for group, (method, words) in enumerate(METHODS):
+            shown = rows.of(measures, method=method)
+            points += [scatter.Point(words if row is shown[-1] else "", row["triangles"], row["ns"] / 1000, group) for row in shown]
+        panels.append(scatter.Panel(title, points, "triangles of a mesh", "µs", path=True))
+    return scatter.draw("Time of a query by the size of the mesh", panels)
+
+
+def texts(rows):
+    return {"growth": growth_table(rows)}
+
+
+def figures(rows):
+    return {"growth.svg": figure(rows)}

@@ -1,0 +1,81 @@
+"""Section 2 of the guide, subdivision of space: a k-d tree and a grid beside a hierarchy of boxes."""
+
+import math
+
+import bars
+import palette
+import subdivision_drawing
+from report_page import table
+
+SUBDIVISION = "subdivision"
+ROWS = {SUBDIVISION: ("structure", "build_ms", "cells", "references_per_triangle", "bytes_per_triangle", "has_triangles", "rays", "cells_per_ray",
+                      "triangles_per_ray", "ray_ns", "boxes", "box_ns", "edge_rays", "lost", "lost_with_float_test")}
+# Name of the rows, words of the table, label in the figure.
+STRUCTURES = (("hierarchy", "hierarchy: binary tree", "hierarchy"), ("k-d tree", "k-d tree", "k-d tree"), ("grid", "uniform grid", "grid"),
+              ("espalier", "hierarchy: Espalier", "Espalier"))
+COMPARED = "hierarchy"
+
+
+def microseconds(ns):
+    return f"{palette.number(ns / 1000)} µs" if ns >= 1000 else f"{palette.number(ns)} ns"
+
+
+def cell(row):
+    if row["build_ms"] is None:
+        built = f"{row['bytes_per_triangle']:.1f} B with triangles"
+    else:
+        built = f"{palette.number(row['build_ms'])} ms; {row['references_per_triangle']:.1f}; {row['bytes_per_triangle']:.1f} B"
+    return f"{built}; {microseconds(row['ray_ns'])}; {microseconds(row['box_ns'])}"
+
+
+def time_table(rows):
+    meshes = rows.meshes(SUBDIVISION)
+    lines = [[words, *(cell(rows.one(SUBDIVISION, mesh=mesh, structure=name)) for mesh in meshes)] for name, words, _ in STRUCTURES]
+    return table(["", *meshes], lines)
+
+
+def lost_table(rows):
+    lines = []
+    for name, words, _ in STRUCTURES:
+        found = rows.of(SUBDIVISION, structure=name)
+        in_float = [row["lost_with_float_test"] for row in found]
+        lines.append([words, str(sum(row["lost"] for row in found)), "–" if None in in_float else f"{sum(in_float):,}"])
+    return table(["", "lost, test of triangles in double (Espalier: integers)", "lost, the same test in float"], lines)
+
+
+def words_of(rows):
+    first = rows.of(SUBDIVISION)[0]
+    aimed = sum(row["edge_rays"] for row in rows.of(SUBDIVISION, structure=COMPARED))
+    return (f"\n\nTime to build; references a triangle; bytes a triangle, without the triangles; a ray ({first['rays']:,} closest hits); "
+            f"a box of a sixty-fourth of the mesh's side ({first['boxes']:,}, all triangles that touch it). "
+            "All but Espalier have the same tests of triangles and the same answers.\n\n"
+            f"Of {aimed:,} rays aimed at vertices and edges of the four meshes:\n\n")
+
+
+def ratio_panel(rows, title, field):
+    shown = []
+    for name, _, label in STRUCTURES:
+        values = []
+        for mesh in rows.meshes(SUBDIVISION):
+            row, base = (rows.one(SUBDIVISION, mesh=mesh, structure=one) for one in (name, COMPARED))
+            if row[field] is not None:
+                values.append(row[field] / base[field])
+        if values:
+            mean = math.exp(sum(map(math.log, values)) / len(values))
+            shown.append(bars.Bar(label, mean, min(values), max(values), group=1 if name == "espalier" else 0))
+    return bars.Panel(title, shown)
+
+
+def figure(rows):
+    panels = [ratio_panel(rows, "Time of a ray", "ray_ns"), ratio_panel(rows, "Time of a box", "box_ns"),
+              ratio_panel(rows, "Time to build", "build_ms"), ratio_panel(rows, "Bytes (Espalier: with triangles)", "bytes_per_triangle")]
+    return bars.draw("Subdivisions of space, in times of the binary tree of boxes", panels,
+                     legend=("the mean over the meshes, and a line from the least to the greatest", "Espalier"))
+
+
+def texts(rows):
+    return {"subdivision": time_table(rows) + words_of(rows) + lost_table(rows)}
+
+
+def figures(rows):
+    return {"subdivision.svg": figure(rows), "subdivision_drawing.svg": subdivision_drawing.draw()}

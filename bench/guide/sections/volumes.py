@@ -1,0 +1,124 @@
+"""Section 3 of the guide, bounding volumes: how tightly they fit, what a test costs, and what that makes of queries."""
+
+import math
+
+import palette
+import scatter
+import volume_drawing
+from report_page import table
+from report_picture import Layout, text
+
+VOLUMES = "volumes"
+ROWS = {VOLUMES: ("kind", "volume_bytes", "node_bytes", "rays", "hits", "poses", "touching_poses", "contacts", "ray_volume_tests",
+                  "ray_triangle_tests", "ray_ns", "pose_ns")}
+# In the order of tables and figures: name of the rows, words of the tables, label in the figure.
+KINDS = (("sphere", "sphere", "sphere"), ("aabb", "AABB", "AABB"), ("obb", "OBB", "OBB"), ("dop_14", "14-DOP", "14-DOP"),
+         ("dop_18", "18-DOP", "18-DOP"), ("dop_26", "26-DOP", "26-DOP"))
+OWN = "espalier"
+COMPARED = "aabb"
+# What a query is: its prefix in the rows, the field of a test's time, and the title of a panel.
+QUERIES = (("ray", "ray_test_ns", "A ray and one mesh"), ("pose", "pair_test_ns", "Two meshes: all contacts"))
+
+
+def mean(values):
+    """The geometric mean: of ratios, the one that does not depend on which is the divisor."""
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def mean_of(rows, kind, field):
+    return mean([row[field] for row in rows.of(VOLUMES, kind=kind)])
+
+
+def ratio(rows, kind, field):
+    """Relative to boxes: the mean over the meshes."""
+    return mean([rows.one(VOLUMES, mesh=mesh, kind=kind)[field] / rows.one(VOLUMES, mesh=mesh, kind=COMPARED)[field]
+                 for mesh in rows.meshes(VOLUMES)])
+
+
+def times(value):
+    return f"{value:.2f}"
+
+
+def comparison(rows):
+    lines = []
+    for kind, words, _ in KINDS:
+        cells = [words, str(rows.of(VOLUMES, kind=kind)[0]["volume_bytes"]), times(mean_of(rows, kind, "area")),
+                 times(mean_of(rows, kind, "volume"))]
+        for prefix, test, _ in QUERIES:
+            cells += [f"{mean_of(rows, kind, test):.1f} ns",
+                      *(times(ratio(rows, kind, f"{prefix}_{field}")) for field in ("volume_tests", "triangle_tests", "ns"))]
+        lines.append(cells)
+    own = rows.of(VOLUMES, kind=OWN)[0]
+    lines.append([f"Espalier: AABBs, {own['node_bytes'] // own['volume_bytes']} at once", str(own["volume_bytes"]), "–", "–", "–", "–", "–",
+                  times(ratio(rows, OWN, "ray_ns")), "–", "–", "–", times(ratio(rows, OWN, "pose_ns"))])
+    header = ["kind", "bytes", "area", "volume"]
+    for words in ("ray", "pair"):
+        header += [f"{words}: one test", f"{words}: tests", f"{words}: triangles", f"{words}: **time**"]
+    return table(header, lines)
+
+
+def conditions(rows):
+    first = rows.of(VOLUMES)[0]
+    return ("\n\nThe same binary tree, built for AABBs, with each kind in its nodes, up to 8 triangles in a leaf, in float, one volume tested at a time. "
+            "*Bytes* of a volume; *area* and *volume*: sums over all nodes. A *test* is timed in the cache, on those that the AABB tree makes. "
+            f"The other numbers are relative to AABBs, means over {len(rows.meshes(VOLUMES))} meshes: "
+            "*tests* of volumes, tests of *triangles*, and **time** of a query. "
+            f"*Ray*: the closest hit of {first['rays']:,} rays. *Pair*: all contacts of a mesh and its copy in {first['poses']} poses, "
+            "of which about half touch. Each mesh on its own: [volumes.md](log/volumes.md).")
+
+
+def full_table(rows):
+    """Each mesh on its own."""
+    lines = []
+    for mesh in rows.meshes(VOLUMES):
+        for kind, words, _ in KINDS:
+            row = rows.one(VOLUMES, mesh=mesh, kind=kind)
+            lines.append([mesh, words, str(row["volume_bytes"]), times(row["area"]), times(row["volume"]),
+                          *(query_cell(row, prefix) for prefix in ("ray", "ball", "pose"))])
+        own = rows.one(VOLUMES, mesh=mesh, kind=OWN)
+        lines.append([mesh, "Espalier", str(own["volume_bytes"]), "–", "–", query_cell(own, "ray"), "–",
+                      f"{palette.number(own['pose_ns'] / 1000)} µs"])
+    return table(["mesh", "kind", "bytes", "area", "volume", "ray", "ball", "two meshes"], lines)
+
+
+def query_cell(row, prefix):
+    tests = "; ".join(palette.number(row[f"{prefix}_{field}"]) for field in ("volume_tests", "triangle_tests"))
+    ns = row[f"{prefix}_ns"]
+    return f"{tests}; " + (f"{palette.number(ns / 1000)} µs" if prefix == "pose" else f"{ns:,.0f} ns")
+
+
+def panel(rows, prefix, test, title):
+    points = [scatter.Point(label, ratio(rows, kind, f"{prefix}_volume_tests"), ratio(rows, kind, test), 1 if kind == COMPARED else 0)
+              for kind, _, label in KINDS]
+    return scatter.Panel(title, points, "tests of volumes in a query, relative to AABBs", "time of a test, relative to AABBs")
+
+
+def draw_panel(shown):
+    """The points, and the line on which fewer tests just pay for their price."""
+    across = scatter.Axis([point.x for point in shown.points], True, scatter.LEFT, scatter.WIDTH - scatter.RIGHT)
+    up = scatter.Axis([point.y for point in shown.points], True, scatter.HEIGHT - scatter.BOTTOM, scatter.TOP)
+    low, high = max(across.low, 1 / up.high), min(across.high, 1 / up.low)
+    line = (f'<line x1="{across.at(low):.1f}" y1="{up.at(1 / low):.1f}" x2="{across.at(high):.1f}" y2="{up.at(1 / high):.1f}" '
+            f'stroke="{palette.GREY}" stroke-dasharray="4 3"/>')
+    return [*scatter.draw_panel(shown), line]
+
+
+def figure(rows):
+    panels = [panel(rows, *query) for query in QUERIES]
+    header = [text(12, 22, "Fewer tests against dearer ones", extra=' font-size="15" font-weight="bold"'),
+              text(12, 44, "On the dashed line, all tests of volumes together take as long as with AABBs: below it they take less. "
+                           "Means over the meshes, logarithmic.")]
+    return Layout(scatter.WIDTH, scatter.HEIGHT, header=58, font=11).draw(header, panels, draw_panel)
+
+
+def texts(rows):
+    return {"volumes": comparison(rows) + conditions(rows)}
+
+
+def figures(rows):
+    return {"volumes.svg": figure(rows), "volumes_drawing.svg": volume_drawing.draw()}
+
+
+def pages(rows):
+    """Other pages of the project with a table of these rows: texts by path and marker."""
+    return {"docs/log/volumes.md": {"volumes": full_table(rows)}}

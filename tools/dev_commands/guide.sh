@@ -1,0 +1,73 @@
+# The rows, tables and figures of docs/guide.md.
+
+# A part is a program and its options; its rows are kept in build/guide/PART.jsonl.
+guide_parts=(growth subdivision volumes obb builders ladder traversal cost_model deformation moving exactness load)
+guide_folder=build/guide
+
+# smaller_meshes MESH...: those of at most 10 MB, one a line
+smaller_meshes() { find "$@" -maxdepth 0 -size -10M -printf '%p\n'; }
+
+# guide_rows PART MESH...: the rows of a part, to stdout
+guide_rows() {
+    local part=$1 program=$guide_folder/bench/espalier_bench_$1 few
+    shift
+    case $part in
+        growth) "$program" ;;
+        cost_model)
+            "$program" --profile fast --json "$@"
+            "$program" --profile fast --pairs --json "$@"
+            "$program" --scene --json
+            ;;
+        deformation) # a bake over many poses of a large mesh takes minutes
+            mapfile -t few < <(smaller_meshes "$@")
+            "$program" "${few[@]}" --times 2 --rounds 1 --rays 20000 --part refits --part bakes --part rays --part boxes
+            ;;
+        moving) "$program" --objects 10000 --speed 0.02 --steps 20 --aged 0 ;;
+        *) "$program" "$@" ;;
+    esac
+}
+
+# guide_meshes: the meshes of ESPALIER_MESHES or ../shared/meshes, and the house of Debian's assimp-testmodels, one a line
+guide_meshes() {
+    local folder=${ESPALIER_MESHES:-../shared/meshes} house=$guide_folder/house.obj
+    [[ -d $folder ]] || fail "guide: name meshes, or set ESPALIER_MESHES to a folder of .obj and .ply files"
+    find "$folder" -maxdepth 1 -type f \( -name '*.obj' -o -name '*.ply' \) | LC_ALL=C sort
+    install_missing assimp-utils assimp-testmodels >&2
+    mkdir -p "$guide_folder"
+    [[ -f $house ]] || assimp export /usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc "$house" >&2
+    echo "$house"
+}
+
+guide() {
+    local parts=("${guide_parts[@]}") name meshes part files=() started
+    name=$(date -u +%F)_guide
+    while [[ ${1-} == --* ]]; do
+        [[ $# -ge 2 ]] || fail "guide: $1 takes a value"
+        case $1 in
+            --part) parts=("$2") ;;
+            --name) name=$2 ;;
+            *) fail "guide: unknown option '$1'; guide [--part PART] [--name NAME] [MESH...]" ;;
+        esac
+        shift 2
+    done
+    install_missing "${build_packages[@]}" libcli11-dev libembree-dev libbullet-dev libode-dev libfcl-dev libmeshoptimizer-dev zlib1g-dev python3 >&2
+    check_cmake
+    if [[ $# -gt 0 ]]; then meshes=("$@"); else mapfile -t meshes < <(guide_meshes); fi
+    [[ ${#meshes[@]} -gt 0 ]] || fail "guide: there are no meshes to measure"
+    build "$guide_folder" espalier_bench_guide -DCMAKE_BUILD_TYPE=Release -DESPALIER_TESTS=OFF -DESPALIER_TOOLS=OFF
+    for part in "${parts[@]}"; do
+        started=$SECONDS
+        guide_rows "$part" "${meshes[@]}" >"$guide_folder/$part.partial" || fail "guide: the part '$part' failed"
+        mv "$guide_folder/$part.partial" "$guide_folder/$part.jsonl"
+        echo "$part: $((SECONDS - started)) s"
+    done
+    for part in "${guide_parts[@]}"; do
+        [[ -f $guide_folder/$part.jsonl ]] || fail "guide: the part '$part' was never measured; run guide without --part"
+        files+=("$guide_folder/$part.jsonl")
+    done
+    cat "${files[@]}" >"$guide_folder/all.partial"
+    mv "$guide_folder/all.partial" "bench/results/$name.jsonl"
+    python3 bench/guide/report.py "bench/results/$name.jsonl"
+}
+
+guide "$@"
