@@ -97,7 +97,7 @@ check_layers(runtime "<espalier/(scenes/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${m
   "rays/small_code: ${walks} rays"
   "proximity: ${walks}"
   "overlap: ${walks} proximity"
-  "sweeps: ${walks} rays"
+  "sweeps: ${walks} rays proximity"
   "transforms: base"
   "pairs: ${walks} transforms"
   "scenes: ${walks} open rays proximity transforms"
@@ -105,7 +105,7 @@ check_layers(runtime "<espalier/(scenes/)?[a-z_]+\\.h(pp)?>|${plain_headers}|${m
   "moving_scenes: base lattice lanes proximity scenes pairs transforms moving_scenes/box_tree"
   "deformation: base lattice blob"
   "asset: base lattice blob traversal"
-  "instruction_sets: ${walks} rays rays/batch proximity pairs scenes moving_scenes moving_scenes/box_tree"
+  "instruction_sets: ${walks} rays rays/batch proximity sweeps pairs scenes moving_scenes moving_scenes/box_tree"
   "c: moving_scenes")
 
 # The baker's folders, in the order of its stages.

@@ -245,9 +245,9 @@ TEST_SUITE("stack") {
                                              work);
                  }),
                  2},
-                {"sweep, a sphere", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
-                {"sweep, a capsule", 3328, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
-                {"sweep, a box", 2816, sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},
+                {"sweep, a sphere", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
+                {"sweep, a capsule", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
+                {"sweep, a box", 6144, sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},
                 {"overlaps", 2816,
                  sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
                 {"for_each_overlap", 2944, sphere_row([](const Blob& blob, const Sphere& sphere) {

@@ -11,3 +11,5 @@
 #include <runtime/rays/queries.hpp>
 #include <runtime/scenes/closest_ray.hpp>
 #include <runtime/scenes/instance_walk.hpp>
+#include <runtime/sweeps/queries.hpp>
+#include <runtime/sweeps/shapes_in_lanes.hpp>

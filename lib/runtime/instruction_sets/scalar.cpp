@@ -6,6 +6,7 @@
 namespace espalier::detail::scalar {
 using scalar_walk::find_each;
 using scalar_walk::find_nearest_first;
+using scalar_walk::find_nearest_first_in;
 #include <runtime/rays/prepare_ray_portable.inl>
 #include <runtime/rays/slab_test.inl>
 #include <runtime/traversal/traverse.inl>

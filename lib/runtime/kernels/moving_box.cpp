@@ -44,7 +44,10 @@ struct Extents {
 class Together {
 public:
     /// Later than at that step is never.
-    explicit Together(SweepStep most) : latest_(share_of_way(most) * (1.0f + 0x1p-20f)) {}
+    explicit Together(SweepStep most)
+        : most_(most),
+          surely_before_(share_of_way(most) * (1.0f - 0x1p-20f)),
+          surely_after_(share_of_way(most) * (1.0f + 0x1p-20f)) {}
 
     /// False when there is no such time.
     template <class Number>
@@ -62,7 +65,7 @@ public:
         if (is_apart) {
             if (speed < to_enter) return false;
             const Share when = share(to_enter, speed);
-            if (when.value > latest_) return false;
+            if (is_too_late(when)) return false;
             enter(axis, when);
         }
         if (to_leave < speed) leave(share(to_leave, speed));  // else it is together until the end of the way
@@ -82,6 +85,12 @@ public:
     }
 
 private:
+    /// Whether it is after the last step that counts.
+    [[nodiscard]] bool is_too_late(const Share& when) const {
+        if (when.value < surely_before_) return false;
+        return when.value > surely_after_ || multiply(when.denominator, std::int64_t{most_}) < when.numerator
+                                                                                                   << tick_bits;
+    }
     void enter(unsigned axis, const Share& when) {
         if (has_enter_ && !is_less(enter_, when)) return;
         enter_ = when;
@@ -94,7 +103,8 @@ private:
         has_leave_ = true;
     }
 
-    float latest_;
+    SweepStep most_;
+    float surely_before_, surely_after_;
     bool has_enter_ = false;
     bool has_leave_ = false;
     unsigned last_axis_ = 0;

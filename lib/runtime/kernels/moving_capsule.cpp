@@ -3,15 +3,7 @@
 
 namespace espalier::detail {
 
-namespace {
-
-/// The prism's faces, all of them turned outward when the axis leads to the front of the triangle: the triangle, the
-/// triangle moved back by the axis, and three parallelograms in two halves each. A corner is one of the triangle's, and
-/// 4 more where it is moved.
-constexpr std::uint8_t faces_of_prism[8][3] = {{0, 1, 2}, {4, 6, 5}, {0, 5, 1}, {0, 4, 5},
-                                               {1, 6, 2}, {1, 5, 6}, {2, 4, 0}, {2, 6, 4}};
-
-IntegerTriangle face_of(const MovingCapsule& capsule, const IntegerTriangle& triangle, unsigned face) {
+IntegerTriangle face_of_prism(const MovingCapsule& capsule, const IntegerTriangle& triangle, unsigned face) {
     IntegerTriangle result;
     for (unsigned i = 0; i < 3; ++i) {
         const unsigned corner = faces_of_prism[face][i];
@@ -20,6 +12,8 @@ IntegerTriangle face_of(const MovingCapsule& capsule, const IntegerTriangle& tri
     }
     return result;
 }
+
+namespace {
 
 /// The faces of the prism that the sphere may meet first: those that look against the displacement, or all of them when
 /// the prism is flat. What touches a convex body for the first time, and did not before, touches such a face.
@@ -33,7 +27,7 @@ public:
     /// Whether there is a next one.
     bool next() {
         while (++number_ < 8) {
-            face_ = face_of(capsule_, triangle_, number_);
+            face_ = face_of_prism(capsule_, triangle_, number_);
             if (is_flat_) return number_ == 0 || !is_sphere();
             const Int128 along = dot<Int128>(normal_of(face_), capsule_.sphere.displacement);
             if (!along.is_zero() && along.is_negative() != is_turned_) return true;

@@ -38,8 +38,9 @@ struct MovingSphere {
 };
 
 /// The step at which the sphere first touches the triangle, also one without area; no_contact when it does not, or
-/// later than at step `most`.
-SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepStep most) noexcept;
+/// later than at step `most`. The search begins at `least`, which should be before the contact: any value is safe.
+SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepStep most,
+                        SweepStep least = 0) noexcept;
 
 /// The point of the triangle that is closest to the sphere's centre at that tick, and the direction from there to the
 /// centre; where the centre lies on the triangle, the triangle's normal that looks against the displacement.
@@ -55,6 +56,12 @@ struct MovingCapsule {
 
 /// Like that of a sphere, for a capsule that does not touch at the start.
 SweepStep first_contact(const MovingCapsule& capsule, const IntegerTriangle& triangle, SweepStep most) noexcept;
+
+/// Returns one of the eight faces of the prism.
+IntegerTriangle face_of_prism(const MovingCapsule& capsule, const IntegerTriangle& triangle, unsigned face);
+/// The faces of the prism: a corner is one of the triangle's, and 4 more where it is moved back by the axis.
+inline constexpr std::uint8_t faces_of_prism[8][3] = {{0, 1, 2}, {4, 6, 5}, {0, 5, 1}, {0, 4, 5},
+                                                      {1, 6, 2}, {1, 5, 6}, {2, 4, 0}, {2, 6, 4}};
 
 /// For a first contact at that step: the point of the triangle that is closest to the axis at the tick
 /// before, and the direction from there to the closest point of the axis.

@@ -45,12 +45,19 @@ public:
         for (unsigned i = 0; i < 3; ++i) inward_[i] = cross(normal_, side_[i]);
     }
 
-    [[nodiscard]] SweepStep first_contact(SweepStep most) {
+    [[nodiscard]] SweepStep first_contact(SweepStep least, SweepStep most) {
         // What is still getting nearer in the end has not been nearer before.
         high_ = {most, probe(most)};
         if (!high_.probe.touches && high_.probe.closing) return no_contact;
-        low_ = {0, most == 0 ? high_.probe : probe(0)};
-        if (low_.probe.touches) return 0;
+        if (least != 0 && least < most) low_ = {least, probe(least)};
+        if (least == 0 || least >= most || low_.probe.touches || !low_.probe.closing) {
+            low_ = {0, most == 0 ? high_.probe : probe(0)};
+            if (low_.probe.touches) return 0;
+        } else if (most - least > 512) {
+            // A bound of lanes is a little early: the contact is most often within the next steps.
+            const Bound near = {least + 256, probe(least + 256)};
+            (!near.probe.touches && near.probe.closing ? low_ : high_) = near;
+        }
         if (!low_.probe.closing || !(high_.probe.touches || find_contact_inside())) return no_contact;
         if (high_.probe.touches) close_in();
         return high_.tick;
@@ -303,8 +310,9 @@ private:
 
 }  // namespace
 
-SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepStep most) noexcept {
-    return Approach(sphere, triangle).first_contact(most);
+SweepStep first_contact(const MovingSphere& sphere, const IntegerTriangle& triangle, SweepStep most,
+                        SweepStep least) noexcept {
+    return Approach(sphere, triangle).first_contact(least, most);
 }
 
 SweepContact contact_at(const MovingSphere& sphere, const IntegerTriangle& triangle, std::uint32_t tick) noexcept {

@@ -21,6 +21,7 @@ Floats splat(float x);
 Floats to_floats(Ints a);
 Floats bytes_to_floats(const std::byte* at);
 void store(float* to, Floats a);
+Floats square_roots(Floats a);
 Floats multiply_add(Floats a, Floats b, Floats c);
 template <class To, class From>
 To load_as(const From* from);

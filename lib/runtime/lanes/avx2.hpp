@@ -104,6 +104,7 @@ inline unsigned bits_of(AxisInts comparison) {
 
 inline Floats smaller(Floats a, Floats b) { return _mm256_min_ps(a, b); }
 inline Floats larger(Floats a, Floats b) { return _mm256_max_ps(a, b); }
+inline Floats square_roots(Floats a) { return _mm256_sqrt_ps(a); }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return _mm256_fmadd_ps(a, b, c); }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return _mm256_fmsub_ps(a, b, c); }
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) {

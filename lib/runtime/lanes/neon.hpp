@@ -37,6 +37,7 @@ inline Floats to_floats(Ints a) { return vcvtq_f32_u32(a); }
 
 inline AxisInts round_to_integers(Axes a) { return vcvtnq_s32_f32(a); }
 
+inline Floats square_roots(Floats a) { return vsqrtq_f32(a); }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return vfmaq_f32(c, a, b); }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return vfmaq_f32(-c, a, b); }
 /// The number when one is not a number.

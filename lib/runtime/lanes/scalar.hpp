@@ -33,6 +33,7 @@ inline Floats to_floats(Ints a) { return static_cast<float>(a); }
 /// a * b + c and a * b - c: fused or not, as the machine likes.
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return a * b - c; }
+inline Floats square_roots(Floats a) { return square_root(a); }
 inline Floats magnitude(Floats a) { return absolute(a); }  // one instruction on more machines
 inline Ints unpack(const std::byte* stream, unsigned width, unsigned first) { return load_field(stream, width, first); }
 /// The low halves of the bits of two floats, as one word.

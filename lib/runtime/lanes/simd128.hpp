@@ -34,6 +34,7 @@ inline Floats to_floats(Ints a) {
 
 inline AxisInts round_to_integers(Axes a) { return AxisInts(wasm_i32x4_trunc_sat_f32x4(wasm_f32x4_nearest(a))); }
 
+inline Floats square_roots(Floats a) { return wasm_f32x4_sqrt(a); }
 inline Floats multiply_add(Floats a, Floats b, Floats c) { return a * b + c; }
 inline Floats multiply_subtract(Floats a, Floats b, Floats c) { return a * b - c; }
 inline Ints pair_of(Floats x, Floats y) {

@@ -11,6 +11,26 @@ struct CornersFromPoint {
     Floats3 a, b, c;
 };
 
+/// Boxes of triangles, seen from the point.
+struct BoxesFromPoint {
+    Floats low[3], high[3];
+    explicit BoxesFromPoint(const CornersFromPoint& t) {
+        const auto set = [&](int k, Floats a, Floats b, Floats c) {
+            low[k] = smaller(a, smaller(b, c));
+            high[k] = larger(a, larger(b, c));
+        };
+        set(0, t.a.x, t.b.x, t.c.x);
+        set(1, t.a.y, t.b.y, t.c.y);
+        set(2, t.a.z, t.b.z, t.c.z);
+    }
+    /// At least the sum of the absolute coordinates of any corner.
+    [[nodiscard]] Floats reach() const {
+        Floats sum = splat(0.0f);
+        for (int k = 0; k < 3; ++k) sum = add(sum, larger(high[k], negate(low[k])));
+        return sum;
+    }
+};
+
 inline Floats dot(const Floats3& a, const Floats3& b) {
     return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply(a.z, b.z)));
 }

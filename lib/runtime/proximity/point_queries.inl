@@ -29,26 +29,6 @@ template <unsigned groups, class Leaf, class OnGroup>
     }
 }
 
-/// Boxes of triangles, seen from the point.
-struct BoxesFromPoint {
-    Floats low[3], high[3];
-    explicit BoxesFromPoint(const CornersFromPoint& t) {
-        const auto set = [&](int k, Floats a, Floats b, Floats c) {
-            low[k] = smaller(a, smaller(b, c));
-            high[k] = larger(a, larger(b, c));
-        };
-        set(0, t.a.x, t.b.x, t.c.x);
-        set(1, t.a.y, t.b.y, t.c.y);
-        set(2, t.a.z, t.b.z, t.c.z);
-    }
-    /// At least the sum of the absolute coordinates of any corner.
-    [[nodiscard]] Floats reach() const {
-        Floats sum = splat(0.0f);
-        for (int k = 0; k < 3; ++k) sum = add(sum, larger(high[k], negate(low[k])));
-        return sum;
-    }
-};
-
 /// The triangles of a leaf that may be within the point's radius, and those with a corner that clearly is.
 template <class Slots>
 struct OverlapCandidates {
@@ -56,7 +36,8 @@ struct OverlapCandidates {
     Slots inside = 0;
 };
 template <unsigned groups, class Leaf>
-inline OverlapCandidates<typename Leaf::Slots> overlap_candidates_of(const Leaf& leaf, const RoundedPoint& point) {
+[[gnu::noinline]] inline OverlapCandidates<typename Leaf::Slots> overlap_candidates_of(const Leaf& leaf,
+                                                                                       const RoundedPoint& point) {
     using Slots = typename Leaf::Slots;
     OverlapCandidates<Slots> candidates;
     for_each_group_of<groups>(leaf, point, [&](unsigned first, const CornersFromPoint& t) {

@@ -1,13 +1,18 @@
-// The first triangle that a moving shape touches, in lattice units: one walk for all shapes, which say by a function
-// when they touch a triangle.
+// The first triangle that a moving shape touches, in lattice units, once for each instruction set.
 #pragma once
 
-#include <espalier/function_ref.hpp>
 #include <espalier/sweep.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/kernels/face.hpp>
+#include <runtime/lanes/select.hpp>
 #include <runtime/lattice/to_world.hpp>
 #include <runtime/sweeps/round_sweep.hpp>
+
+#define ESPALIER_DECLARE_SWEEPS(instruction_set)                                                               \
+    namespace instruction_set {                                                                                \
+    FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, const TriangleFilter* filter); \
+    FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const TriangleFilter* filter);     \
+    }
 
 namespace espalier::detail {
 
@@ -19,12 +24,9 @@ struct FoundContact : Found {
     [[nodiscard]] float limit(float) const { return key(); }
 };
 
-/// When the shape touches a triangle, or no_contact when that is after the step given.
-using FirstContactOf = FunctionRef<SweepStep(const LatticeTriangle&, SweepStep most)>;
-
-/// The smallest step, of equal ones the lowest index; no_contact when there is none. The blob is not empty.
-FoundContact first_contact(const BlobData& blob, const LatticeSweep& sweep, FirstContactOf contact_of,
-                           const TriangleFilter* filter);
+// first_contact: the smallest step, of equal ones the lowest index; no_contact when there is none. The blob is not
+// empty.
+ESPALIER_FOR_ALL_SETS(ESPALIER_DECLARE_SWEEPS)
 
 // What the queries and their loop over all triangles share: the contact of each shape with one triangle.
 
@@ -73,3 +75,5 @@ SweepHit to_sweep_hit(const BlobData& blob, const Sweep& sweep, const FoundConta
 }
 
 }  // namespace espalier::detail
+
+#undef ESPALIER_DECLARE_SWEEPS

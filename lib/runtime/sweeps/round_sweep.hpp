@@ -143,10 +143,11 @@ inline Lanes spread_sweep(const BlobData& blob, const LatticeSweep& sweep) {
     unsigned signs = 0;
     for (unsigned k = 0; k < 3; ++k) {
         const bool runs_down = ways[k] < 0.0f;
-        lanes.set_inverse(blob, k, 1.0f / lattice_ray::or_if_zero(ways[k], 1.0f / still));
-        const float slack = absolute(lanes.inverse[k]) * slack_steps;
-        lanes.near_offset[k] = -(runs_down ? lows[k] : highs[k]) * lanes.inverse[k] - slack;
-        lanes.far_offset[k] = -(runs_down ? highs[k] : lows[k]) * lanes.inverse[k] + slack;
+        const float inverse = 1.0f / lattice_ray::or_if_zero(ways[k], 1.0f / still);
+        lanes.set_inverse(blob, k, inverse);
+        const float slack = absolute(inverse) * slack_steps;
+        lanes.near_offset[k] = -(runs_down ? lows[k] : highs[k]) * inverse - lanes.low(k) - slack;
+        lanes.far_offset[k] = -(runs_down ? highs[k] : lows[k]) * inverse - lanes.low(k) + slack;
         signs |= (runs_down ? 1u : 0u) << k;
     }
     lanes.tau_min = 0.0f;

@@ -135,12 +135,12 @@ TEST_SUITE("cost") {
             {"overlaps, a triangle", 5120,
              most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.triangle(); })},
             {"overlaps, a cone", 5632, most_stack_of_overlaps([](SceneQueryMaker& maker) { return maker.cone(); })},
-            {"sweep, a sphere", 5120, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+            {"sweep, a sphere", 9216, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
                  const Sphere sphere = maker.sphere();
                  const Vec3 way = maker.displacement();
                  return stack_use([&] { (void)sweep(scene, sphere, way)->t; });
              })},
-            {"sweep, a capsule", 5120, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
+            {"sweep, a capsule", 10240, most_stack([](const BakedScene& scene, SceneQueryMaker& maker) {
                  const Capsule capsule = maker.capsule();
                  const Vec3 way = maker.displacement();
                  return stack_use([&] { (void)sweep(scene, capsule, way)->t; });

@@ -1,0 +1,225 @@
+// Sweeps: lanes reject triangles and put the others in order, integers decide.
+#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/sweeps/queries.hpp>
+#include <runtime/sweeps/shapes_in_lanes.hpp>
+#include <runtime/rays/prepare_ray_portable.inl>
+#include <runtime/rays/slab_test.inl>
+#include <runtime/rays/plain_slab_test.inl>
+#include <runtime/traversal/traverse.inl>
+#include <runtime/traversal/find.inl>
+#include <runtime/proximity/squared_distance.inl>
+#include <runtime/proximity/point_bounds.inl>
+#include <runtime/sweeps/time_bounds.inl>
+#include <runtime/sweeps/swept_box.inl>
+#include <runtime/sweeps/capsule_bounds.inl>
+#include <runtime/sweeps/box_bounds.inl>
+#include <runtime/sweeps/leaf_bounds.inl>
+#endif
+
+/// Whether bounds take less than they save. Without a float unit they take as long as a kernel; small cores decide on
+/// boxes as fast.
+template <class Sweep>
+inline constexpr bool has_bounds = has_square_root && !(small_code && std::is_same_v<Sweep, BoxSweep>);
+
+/// Returns the last step that is not after a time.
+inline SweepStep step_before(float time) {
+    return static_cast<SweepStep>(static_cast<std::int32_t>(time * static_cast<float>(whole_way)));
+}
+
+/// Calls `decide(slot)` for the slots that are set, the earliest first; `decide` returns the time from which on others
+/// do not matter.
+template <class Slots, class Decide>
+[[gnu::always_inline]] inline void decide_earliest_first(const float* times, Slots slots, float limit, Decide decide) {
+    while (slots != 0) {
+        auto first = static_cast<unsigned>(std::countr_zero(slots));
+        for (Slots others = slots & (slots - 1); others != 0; others &= others - 1) {
+            const auto other = static_cast<unsigned>(std::countr_zero(others));
+            if (times[other] < times[first]) first = other;
+        }
+        if (times[first] > limit) return;
+        slots &= ~(Slots{1} << first);
+        limit = decide(first);
+    }
+}
+
+struct BoxMover {
+    using Sweep = BoxSweep;
+    using InLanes = BoxInLanes;
+    using Bounds = BoxBounds;
+
+    static SweepStep contact(const BoxSweep& sweep, const BoxInLanes&, const LatticeTriangle& triangle, SweepStep,
+                             SweepStep most) {
+        return first_contact(sweep, triangle, most);
+    }
+};
+
+struct CapsuleMover {
+    using Sweep = CapsuleSweep;
+    using InLanes = CapsuleInLanes;
+    using Bounds = CapsuleBounds;
+
+    static SweepStep contact(const CapsuleSweep& sweep, const CapsuleInLanes& in_lanes, const LatticeTriangle& triangle,
+                             SweepStep least, SweepStep most) {
+        if (in_lanes.is_sphere)
+            return first_contact(sweep.moving.sphere, sweep.seen_from(sweep.from, triangle), most, least);
+        if (least == 0 && touches_at_start(sweep, triangle)) return 0;
+        if (!has_bounds<CapsuleSweep> || in_lanes.is_far) return first_contact_after_start(sweep, triangle, most);
+        return contact_of_prism(sweep, in_lanes, triangle, least, most);
+    }
+
+private:
+    static constexpr unsigned faces = 8;
+    /// When the sphere may first touch each face of the prism.
+    struct FaceTimes {
+        static constexpr unsigned room = faces > lanes ? faces : lanes;
+        float first[room];
+
+        /// Returns the faces that it may touch up to the limit, and not before `begin`.
+        [[gnu::noinline]] unsigned fill(const CapsuleInLanes& capsule, const LatticeTriangle& triangle, float begin,
+                                        float limit) {
+            float corners[3][3][room];
+            for (unsigned face = 0; face < room; ++face)
+                for (unsigned i = 0; i < 3; ++i) {
+                    const unsigned corner = faces_of_prism[face % faces][i];
+                    for (unsigned k = 0; k < 3; ++k) {
+                        const float at =
+                            static_cast<float>(triangle.corner[corner & 3u][k]) * capsule.scale - capsule.from[k];
+                        corners[i][k][face] = corner < 4 ? at : at - capsule.axis[k];
+                    }
+                }
+            CapsuleInLanes sphere = capsule;
+            sphere.is_sphere = true;
+            const CapsuleBounds bounds(sphere);
+            const LaterBounds<CapsuleBounds> later(bounds, sphere, begin);
+            unsigned near = 0;
+            for (unsigned start = 0; start < faces; start += lanes) {
+                const auto load = [&](unsigned i) {
+                    return Floats3{load_as<Floats>(corners[i][0] + start), load_as<Floats>(corners[i][1] + start),
+                                   load_as<Floats>(corners[i][2] + start)};
+                };
+                const Floats times = later({load(0), load(1), load(2)});
+                store(first + start, times);
+                near |= at_most(times, splat(limit)) << start;
+            }
+            return near & ((1u << faces) - 1);
+        }
+    };
+    /// For a capsule that does not touch at the start.
+    [[gnu::noinline]] static SweepStep contact_of_prism(const CapsuleSweep& sweep, const CapsuleInLanes& in_lanes,
+                                                        const LatticeTriangle& triangle, SweepStep least,
+                                                        SweepStep most) {
+        FaceTimes times;
+        const unsigned near = times.fill(in_lanes, triangle, share_of_way(least), share_of_way(most));
+        const IntegerTriangle seen = sweep.seen_from(sweep.from, triangle);
+        SweepStep best = no_contact;
+        decide_earliest_first(times.first, near, share_of_way(most), [&](unsigned face) {
+            const SweepStep step = first_contact(sweep.moving.sphere, face_of_prism(sweep.moving, seen, face), most,
+                                                 step_before(times.first[face]));
+            if (step != no_contact) {
+                best = step;
+                most = step - 1;
+            }
+            return share_of_way(most);
+        });
+        return best;
+    }
+};
+
+/// A shape on its way.
+template <class Mover, class Node>
+struct MovingShape {
+    using Sweep = typename Mover::Sweep;
+    using InLanes = typename Mover::InLanes;
+
+    const RayLanesOf<Node>& lanes_;
+    const Sweep& sweep;
+    const InLanes& in_lanes;
+
+    [[gnu::always_inline]] unsigned cull(const Node& node, float limit, Keys keys) const {
+        return slab_test(node, lanes_, limit, keys);
+    }
+    template <class Leaf>
+    Visit scan(const Leaf& leaf, Closest<FoundContact>& answer) const {
+        LeafTimes<Leaf> times;
+        const auto near = with_table_groups<Leaf::max_vertices>(leaf.vertex_count, [&](auto groups) {
+            return times.template fill<groups, typename Mover::Bounds>(leaf, in_lanes, answer.limit);
+        });
+        decide_earliest_first(times.first, near, answer.limit, [&](unsigned slot) {
+            offer(leaf, slot, leaf.triangle(slot), times.first[slot], answer);
+            return answer.limit;
+        });
+        return Visit::next;
+    }
+    /// For cores without lanes.
+    template <class Leaf>
+    requires(lanes == 1) Visit
+        decide(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, Closest<FoundContact>& answer)
+    const {
+        const float time = time_of(triangle, answer.limit);
+        if (time <= answer.limit) offer(leaf, slot, triangle, time, answer);
+        return Visit::next;
+    }
+
+private:
+    /// Returns a bound for one triangle, apart from the kernels' frames.
+    [[nodiscard, gnu::noinline]] float time_of(const LatticeTriangle& triangle, float limit) const {
+        float enter = lanes_.tau_min, leave = limit;
+        for (unsigned k = 0; k < 3; ++k) {
+            const auto at = [&](unsigned i) { return static_cast<float>(triangle.corner[i][k]) * lanes_.inverse[k]; };
+            const float a = at(0), b = at(1), c = at(2);
+            enter = maximum(minimum(a, minimum(b, c)) + lanes_.near_offset[k], enter);
+            leave = minimum(maximum(a, maximum(b, c)) + lanes_.far_offset[k], leave);
+        }
+        if (enter > leave) return time_bounds::never;
+        if constexpr (has_bounds<Sweep>)
+            if (!in_lanes.is_far) return tighter(triangle, enter);
+        return enter;
+    }
+    [[nodiscard]] float tighter(const LatticeTriangle& triangle, float enter) const {
+        Floats at[3][3];
+        for (unsigned i = 0; i < 3; ++i)
+            for (unsigned k = 0; k < 3; ++k)
+                at[i][k] = static_cast<float>(triangle.corner[i][k]) * in_lanes.scale - in_lanes.from[k];
+        const CornersFromPoint t = {
+            {at[0][0], at[0][1], at[0][2]}, {at[1][0], at[1][1], at[1][2]}, {at[2][0], at[2][1], at[2][2]}};
+        using Bounds = typename Mover::Bounds;
+        const Bounds bounds(in_lanes);
+        return LaterBounds<Bounds>(bounds, in_lanes, earliest(&enter, 1u))(t);
+    }
+    template <class Leaf>
+    void offer(const Leaf& leaf, unsigned slot, const LatticeTriangle& triangle, float time,
+               Closest<FoundContact>& answer) const {
+        const std::uint32_t index = owner_index(leaf, slot);
+        if (answer.rules_out(0.0f, index)) return;
+        // Of equal steps the lowest index counts.
+        const SweepStep most = !answer.found()             ? whole_way
+                               : index < answer.best.index ? answer.best.step
+                                                           : answer.best.step - 1;
+        const SweepStep step =
+            Mover::contact(sweep, in_lanes, triangle, has_bounds<Sweep> ? step_before(time) : 0, most);
+        if (step != no_contact) answer.take({{index}, step, triangle});
+    }
+};
+
+template <class Mover>
+inline FoundContact find_first_contact(const BlobData& blob, const typename Mover::Sweep& sweep,
+                                       const TriangleFilter* filter) {
+    FoundContact best;
+    Closest<FoundContact> answer(best, filter);
+    answer.limit = 1.0f;
+    const auto shape_in_lanes = in_lanes(blob, sweep);
+    with_leaves_of(blob, [&]<class Leaf>() {
+        using Node = typename Leaf::Node;
+        const auto box_in_lanes = spread_sweep<RayLanesOf<Node>>(blob, sweep);
+        MovingShape<Mover, Node> shape = {box_in_lanes, sweep, shape_in_lanes};
+        find_nearest_first_in<Leaf>(blob, shape, answer);
+    });
+    return best;
+}
+
+FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, const TriangleFilter* filter) {
+    return find_first_contact<CapsuleMover>(blob, sweep, filter);
+}
+FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const TriangleFilter* filter) {
+    return find_first_contact<BoxMover>(blob, sweep, filter);
+}

@@ -1,0 +1,64 @@
+// The triangles of a leaf that a moving shape may touch, each with a lower bound of the time: of the boxes around both
+// first, and of the shapes where those meet.
+#ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
+#include <runtime/sweeps/swept_box.inl>
+#endif
+
+/// Returns a time that is not after any of those in lanes that are set; below all times where boxes are met.
+template <class Slots>
+inline float earliest(const float* times, Slots slots) {
+    float first = infinity;
+    for (; slots != 0; slots &= slots - 1) first = minimum(times[std::countr_zero(slots)], first);
+    return maximum(first - 0x1p-20f, 0.0f);
+}
+
+/// Of a leaf.
+template <class Leaf>
+struct LeafTimes {
+    static constexpr unsigned room = (Leaf::max_slots + lanes - 1) / lanes * lanes;
+    float first[room];  ///< of the triangles that fill() returns
+
+    /// Returns the triangles that the shape may touch up to the limit.
+    template <unsigned groups, class Bounds, class Sweep>
+    [[gnu::noinline]] typename Leaf::Slots fill(const Leaf& leaf, const Sweep& sweep, float limit) {
+        using Slots = typename Leaf::Slots;
+        Table<groups> coordinates[3];
+        for (unsigned k = 0; k < 3; ++k) {
+            const auto anchor = static_cast<std::uint32_t>(leaf.anchor(static_cast<int>(k)));
+            const Floats from = splat(sweep.from[k]), scale = splat(sweep.scale);
+            for (unsigned group = 0; group < Table<groups>::groups_of(leaf.vertex_count); ++group) {
+                const Floats steps = to_floats(add(offsets_of(leaf, k, group), anchor));
+                coordinates[k].set(group, subtract(multiply(steps, scale), from));
+            }
+        }
+        const auto for_each_group = [&](auto function) {
+            auto corners = corners_of(leaf);
+            for (unsigned start = 0; start < leaf.slot_count; start += lanes) {
+                const auto numbers = corners.next();
+                const auto look_up = [&](const Numbers& number) {
+                    return Floats3{coordinates[0].look_up(number), coordinates[1].look_up(number),
+                                   coordinates[2].look_up(number)};
+                };
+                function(start, CornersFromPoint{look_up(numbers.a), look_up(numbers.b), look_up(numbers.c)});
+            }
+        };
+        const SweptBox box(sweep);
+        Slots met = 0;
+        for_each_group([&](unsigned start, const CornersFromPoint& t) {
+            met |= Slots{box.meet(t, limit, first + start)} << start;
+        });
+        met &= leaf.used_slots();
+        if (met == 0 || sweep.is_far) return met;
+        const Bounds bounds(sweep);
+        const LaterBounds<Bounds> later(bounds, sweep, earliest(first, met));
+        Slots near = 0;
+        for_each_group([&](unsigned start, const CornersFromPoint& t) {
+            constexpr Slots all = (Slots{1} << lanes) - 1;
+            if ((met >> start & all) == 0) return;
+            const Floats times = later(t);
+            store(first + start, times);
+            near |= Slots{at_most(times, splat(limit))} << start;
+        });
+        return near & met;
+    }
+};

@@ -1,0 +1,92 @@
+// Moving shapes as lanes take them: in floats, times a power of two that makes the largest coordinate about 1.
+#pragma once
+
+#include <runtime/sweeps/round_sweep.hpp>
+
+namespace espalier::detail {
+
+/// How far floats may move a shape and a triangle towards each other, and more (docs/numerics.md): shapes are grown by
+/// this.
+inline constexpr float lane_slack = 0x1p-19f;
+/// From this distance on, in lattice steps, only boxes are compared: products of small sides would be subnormal.
+inline constexpr float farthest_in_lanes = 0x1p25f;
+
+struct SweepInLanes {
+    float scale;
+    bool is_far;
+    float from[3];  ///< a point of the shape at the start
+    float way[3];   ///< the displacement
+    float low[3];   ///< of the box around the shape, seen from that point
+    float high[3];
+};
+
+struct CapsuleInLanes : SweepInLanes {
+    float axis[3];  ///< from the point to the other end
+    float radius;
+    bool is_sphere;
+};
+
+struct BoxInLanes : SweepInLanes {
+    float half[3];  ///< of the sides; the point is the middle
+};
+
+/// Sets what all shapes share but their box. The point is given in units of the sweep, `size` is the largest coordinate
+/// of anything seen from it, in lattice steps.
+inline void set_way(const BlobData& blob, const LatticeSweep& sweep, const Integer3& from, float size,
+                    SweepInLanes& lanes) {
+    const float step = power_of_two(-sweep.fraction_bits);
+    float reach = maximum(size, 1.0f);
+    for (int k = 0; k < 3; ++k) {
+        lanes.from[k] = to_float(from[k]) * step;
+        lanes.way[k] = to_float(sweep.displacement[k]) * step;
+        reach = maximum(maximum(absolute(lanes.from[k]), absolute(lanes.from[k] - blob.extent_steps[k])), reach);
+        reach = maximum(absolute(lanes.way[k]), reach);
+    }
+    lanes.is_far = reach > farthest_in_lanes;
+    lanes.scale = power_of_two(-exponent_of(reach) - 1);
+    for (int k = 0; k < 3; ++k) {
+        lanes.from[k] *= lanes.scale;
+        lanes.way[k] *= lanes.scale;
+    }
+}
+
+inline CapsuleInLanes in_lanes(const BlobData& blob, const CapsuleSweep& sweep) {
+    CapsuleInLanes lanes;
+    const float step = power_of_two(-sweep.fraction_bits);
+    const float radius = to_float(sweep.moving.sphere.radius) * step;
+    float size = radius;
+    for (int k = 0; k < 3; ++k) {
+        lanes.axis[k] = to_float(sweep.moving.axis[k]) * step;
+        size = maximum(absolute(lanes.axis[k]), size);
+    }
+    set_way(blob, sweep, sweep.from, size, lanes);
+    lanes.radius = radius * lanes.scale + lane_slack;
+    lanes.is_sphere = is_zero(sweep.moving.axis);
+    for (int k = 0; k < 3; ++k) {
+        lanes.axis[k] *= lanes.scale;
+        lanes.low[k] = minimum(lanes.axis[k], 0.0f) - lanes.radius;
+        lanes.high[k] = maximum(lanes.axis[k], 0.0f) + lanes.radius;
+    }
+    return lanes;
+}
+
+inline BoxInLanes in_lanes(const BlobData& blob, const BoxSweep& sweep) {
+    BoxInLanes lanes;
+    const float half_step = power_of_two(-sweep.fraction_bits - 1);
+    float size = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        lanes.half[k] = to_float(sweep.high[k] - sweep.low[k]) * half_step;
+        size = maximum(lanes.half[k], size);
+    }
+    set_way(blob, sweep, sweep.middle(), size, lanes);
+    // The middle is rounded down to a whole unit.
+    const float slack = lane_slack + half_step * lanes.scale;
+    for (int k = 0; k < 3; ++k) {
+        lanes.half[k] = lanes.half[k] * lanes.scale + slack;
+        lanes.low[k] = -lanes.half[k];
+        lanes.high[k] = lanes.half[k];
+    }
+    return lanes;
+}
+
+}  // namespace espalier::detail

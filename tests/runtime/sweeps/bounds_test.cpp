@@ -1,0 +1,259 @@
+// Claims about the bounds in lanes of sweeps: they are never late, and tight enough to be of use. Here with one lane;
+// sweep_test.cpp runs all instruction sets.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include <runtime/lanes/scalar.hpp>
+#include <runtime/sweeps/queries.hpp>
+#include <runtime/sweeps/shapes_in_lanes.hpp>
+
+#include "support/base/calls.hpp"
+#include "support/base/random.hpp"
+#include "support/base/profiles.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/test_blobs.hpp"
+#include "support/meshes/makers.hpp"
+
+// mutant(nothing): the fragments are those that scalar.cpp compiles
+namespace espalier::detail::scalar {
+#include <runtime/proximity/squared_distance.inl>
+#include <runtime/proximity/point_bounds.inl>
+#include <runtime/sweeps/time_bounds.inl>
+#include <runtime/sweeps/swept_box.inl>
+#include <runtime/sweeps/capsule_bounds.inl>
+#include <runtime/sweeps/box_bounds.inl>
+}  // namespace espalier::detail::scalar
+
+using namespace espalier;
+using namespace espalier::tests;
+using detail::BoxSweep;
+using detail::CapsuleSweep;
+using detail::Integer3;
+using detail::LatticeTriangle;
+using detail::no_contact;
+using detail::SweepStep;
+using detail::whole_way;
+
+namespace {
+
+/// Triangles of a lattice, and shapes that move towards them.
+class Cases {
+public:
+    Cases(const OpenedBlob& opened, unsigned bits, std::uint64_t seed)
+        : blob_(detail::data_of(opened.blob)), bits_(bits), random_(seed) {}
+
+    void make_triangle() {
+        size_ = 1 + random_.below(bits_);
+        Integer3 corner[3];
+        const Integer3 low = some_point(0, std::int64_t{1} << bits_);
+        for (Integer3& c : corner) c = low + some_point(-(std::int64_t{1} << size_) / 2, std::int64_t{1} << size_);
+        switch (random_.below(8)) {
+            case 0:
+                for (Integer3& c : corner) c.z = corner[0].z;
+                break;
+            case 1:
+                corner[2] = middle(corner[0], corner[1]);
+                break;
+            case 2:
+                corner[1] = corner[0];
+                break;
+            case 3:  // sides along axes
+                corner[1] = {corner[0].x + 1 + random_.below(1u << size_), corner[0].y, corner[0].z};
+                corner[2] = {corner[0].x, corner[0].y + 1 + random_.below(1u << size_), corner[0].z};
+                break;
+            case 4:  // slim
+                corner[2] = corner[1] + some_point(-1, 3);
+                break;
+            default:
+                break;
+        }
+        const std::int64_t most = (std::int64_t{1} << bits_) - 1;
+        for (unsigned i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k)
+                triangle_.corner[i][k] = static_cast<std::int32_t>(std::clamp<std::int64_t>(corner[i][k], 0, most));
+    }
+    CapsuleSweep capsule() {
+        CapsuleSweep sweep;
+        const Integer3 way = some_way(sweep);
+        const std::int64_t radius = some_radius();
+        Integer3 axis = random_.coin() ? Integer3{0, 0, 0} : some_point(-reach() / 2, reach());
+        switch (random_.below(5)) {
+            case 0:
+                axis = side();
+                break;
+            case 1:
+                axis.x = axis.y = 0;
+                break;
+            default:
+                break;
+        }
+        const Integer3 start = some_start(way, radius) - (random_.coin() ? axis : Integer3{0, 0, 0});
+        sweep.from = start;
+        sweep.moving = {{way, radius}, axis};
+        const Integer3 around = {radius, radius, radius};
+        sweep.low = smaller(start, start + axis) - around;
+        sweep.high = larger(start, start + axis) + around;
+        return sweep;
+    }
+    BoxSweep box() {
+        BoxSweep sweep;
+        const Integer3 way = some_way(sweep);
+        Integer3 size = some_point(0, 1 + 2 * some_radius());
+        if (random_.below(4) == 0) size.y = 0;
+        sweep.low = some_start(way, size.x / 2);
+        sweep.high = sweep.low + size;
+        return sweep;
+    }
+
+    [[nodiscard]] const detail::BlobData& blob() const { return blob_; }
+    [[nodiscard]] const LatticeTriangle& triangle() const { return triangle_; }
+
+private:
+    /// In units of the sweep.
+    [[nodiscard]] std::int64_t reach() const { return std::int64_t{1} << (static_cast<int>(size_) + fraction_bits_); }
+    Integer3 some_point(std::int64_t low, std::int64_t count) {
+        const auto some = [&] {
+            return low + static_cast<std::int64_t>(random_.next() % static_cast<std::uint64_t>(count));
+        };
+        const std::int64_t x = some(), y = some();
+        return {x, y, some()};
+    }
+    static Integer3 middle(const Integer3& a, const Integer3& b) {
+        return {(a.x + b.x) >> 1, (a.y + b.y) >> 1, (a.z + b.z) >> 1};
+    }
+    [[nodiscard]] Integer3 corner(unsigned i) const {
+        return detail::corner_on_grid(triangle_, static_cast<int>(i), fraction_bits_);
+    }
+    [[nodiscard]] Integer3 side() const { return corner(1) - corner(0); }
+    Integer3 some_way(detail::LatticeSweep& sweep) {
+        fraction_bits_ = static_cast<int>(random_.below(bits_ < 18 ? 7 : 1));
+        sweep.fraction_bits = fraction_bits_;
+        Integer3 way = some_point(-reach(), 2 * reach());
+        switch (random_.below(8)) {
+            case 0:
+                way = {0, 0, 0};
+                break;
+            case 1:
+                way.x = way.y = 0;
+                break;
+            case 2:
+                way = side();
+                break;
+            case 3: {
+                const std::int64_t factor = std::int64_t{1} << random_.below(31 - bits_);
+                way = {way.x * factor, way.y * factor, way.z * factor};
+                break;
+            }
+            default:
+                break;
+        }
+        sweep.displacement = way;
+        return way;
+    }
+    std::int64_t some_radius() {
+        switch (random_.below(4)) {
+            case 0:
+                return 0;
+            case 1:
+                return 1 + random_.below(4);
+            default:
+                return static_cast<std::int64_t>(random_.next() % static_cast<std::uint64_t>(reach()));
+        }
+    }
+    /// At some time the shape is about as far from a place on the triangle as its radius.
+    Integer3 some_start(const Integer3& way, std::int64_t radius) {
+        Integer3 target = middle(corner(random_.below(3)), corner(random_.below(3)));
+        if (random_.coin()) target = middle(target, corner(2));
+        const std::int64_t part = random_.below(6);  // of the way, in quarters: at the end and behind it too
+        const Integer3 off = some_point(-radius - 1, 2 * radius + 3);
+        return target + off - Integer3{way.x * part / 4, way.y * part / 4, way.z * part / 4};
+    }
+
+    const detail::BlobData& blob_;
+    unsigned bits_;
+    Random random_;
+    unsigned size_ = 1;
+    int fraction_bits_ = 0;
+    LatticeTriangle triangle_{};
+};
+
+struct Outcome {
+    std::uint64_t hits = 0, misses = 0;
+    std::uint64_t rejected = 0;  ///< misses that the bound excludes
+    std::uint64_t close = 0;     ///< hits whose bound is within a thousandth of the way
+};
+
+/// The time that lanes give a triangle, as they do for a leaf.
+template <class Bounds, class InLanes>
+float time_of(const InLanes& lanes, const LatticeTriangle& triangle) {
+    using namespace detail::scalar;
+    Floats3 corners[3];
+    for (unsigned i = 0; i < 3; ++i) {
+        float at[3];
+        for (int k = 0; k < 3; ++k) at[k] = static_cast<float>(triangle.corner[i][k]) * lanes.scale - lanes.from[k];
+        corners[i] = {at[0], at[1], at[2]};
+    }
+    const CornersFromPoint t = {corners[0], corners[1], corners[2]};
+    float time = 0.0f;
+    if (SweptBox(lanes).meet(t, 1.0f, &time) == 0) return 2.0f;
+    if (lanes.is_far) return time;
+    const Bounds bounds(lanes);
+    return LaterBounds<Bounds>(bounds, lanes, std::max(time - 0x1p-20f, 0.0f))(t);
+}
+
+template <class Bounds, class Sweep>
+void check(const Cases& cases, const Sweep& sweep, Outcome& outcome) {
+    const float time = time_of<Bounds>(detail::in_lanes(cases.blob(), sweep), cases.triangle());
+    const SweepStep step = first_contact(sweep, cases.triangle(), whole_way);
+    if (step == no_contact) {
+        ++outcome.misses;
+        outcome.rejected += time > 1.0f ? 1u : 0u;
+        return;
+    }
+    ++outcome.hits;
+    outcome.close += detail::share_of_way(step) - time < 0.001f ? 1u : 0u;
+    if (!(time <= detail::share_of_way(step))) {
+        const LatticeTriangle& t = cases.triangle();
+        std::string words = "step " + std::to_string(step) + ", time " + std::to_string(time * 0x1p24f);
+        for (const auto& corner : t.corner)
+            for (const std::int32_t x : corner) words += " " + std::to_string(x);
+        const auto add = [&](const Integer3& p) {
+            words += " | " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z);
+        };
+        add(sweep.low);
+        add(sweep.high);
+        add(sweep.displacement);
+        words += " | " + std::to_string(sweep.fraction_bits);
+        FAIL_CHECK(words);
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("bounds") {
+    TEST_CASE("sweep: bounds in lanes are never later than the first contact and mostly close to it") {
+        Outcome capsules, boxes;
+        const std::uint64_t count = scaled_share(200'000);
+        for (const unsigned bits : {8u, 16u, 24u}) {
+            BakeOptions options;
+            options.resolution = Resolution::bits(bits);
+            const OpenedBlob opened(make_cube(-1.0f, 1.0f), options);
+            Cases cases(opened, bits, bits);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                cases.make_triangle();
+                check<detail::scalar::CapsuleBounds>(cases, cases.capsule(), capsules);
+                check<detail::scalar::BoxBounds>(cases, cases.box(), boxes);
+            }
+        }
+        for (const Outcome& outcome : {capsules, boxes}) {
+            MESSAGE(outcome.hits, " hits, ", outcome.close, " close; ", outcome.misses, " misses, ", outcome.rejected,
+                    " rejected");
+            if (!asks_enough()) continue;
+            CHECK(outcome.hits > count / 2);
+            CHECK(outcome.misses > count / 10);
+        }
+    }
+}
