@@ -25,14 +25,14 @@ class Package:
 
 FAMILIES = ("research: two meshes", "boxes along the axes", "physics engines", "rays")
 PACKAGES = (
-    Package("RAPID", 1996, "Gottschalk, Lin, Manocha 1996", "OBB", "binary, one triangle a leaf, top-down by the covariance of the hull's surface",
+    Package("RAPID", 1996, "Gottschalk, Lin, Manocha 1996", "OBB", "binary, one triangle a leaf, top-down by covariance (paper: of the hull's surface; code: of the triangles)",
             "contacts of two meshes", "2n − 1 nodes, each a rotation, a place and three half sides in double",
             "the test of two boxes by 15 axes; time as counts times costs", 0),
     Package("V-COLLIDE", 1997, "Hudson et al. 1997", "OBB; AABB of bodies", "RAPID's", "colliding pairs of many bodies", "RAPID's, and sorted ends of intervals",
             "two phases: pairs of bodies, then triangles", 0, ("RAPID",)),
     Package("QuickCD", 1998, "Klosowski et al. 1998", "k-DOP, k = 18", "binary, split at the mean of the best axis", "contacts of a moving mesh",
             "18 numbers a node", "splitting rules compared, and the term Nu of the cost", 0),
-    Package("PQP", 1999, "Larsen et al. 1999", "sphere-swept rectangle; OBB", "binary, one triangle a leaf", "contacts, distance, tolerance",
+    Package("PQP", 1999, "Larsen et al. 1999", "rectangle swept by a sphere; OBB", "binary, one triangle a leaf", "contacts, distance, tolerance",
             "2n − 1 nodes with both volumes", "distance of two trees: the nearer pair first", 0, ("RAPID",)),
     Package("SOLID", 1997, "van den Bergen 1997", "AABB", "binary, split in the middle of the longest side", "contacts, distance, rays; meshes that deform",
             "2n − 1 boxes", "AABBs for what deforms, and their refit", 1),
@@ -41,14 +41,14 @@ PACKAGES = (
     Package("ODE", 2001, "Smith 2001", "AABB", "OPCODE's", "contacts of rigid bodies", "OPCODE's", "a peer for contacts", 2, ("OPCODE",)),
     Package("Bullet", 2003, "Coumans 2003", "AABB, 16 bits a plane", "binary, in the order of a walk, with numbers to skip; a tree with reinsertion for bodies",
             "contacts, rays, convex sweeps", "2n − 1 nodes of 16 bytes, with triangles that stay", "a walk without a stack and reinsertion, as peers", 2),
-    Package("FCL", 2012, "Pan, Chitta, Manocha 2012", "AABB, OBB, k-DOP, sphere-swept rectangle", "binary, one triangle a leaf", "contacts, distance, continuous motion",
+    Package("FCL", 2012, "Pan, Chitta, Manocha 2012", "AABB, OBB, k-DOP, rectangle swept by a sphere", "binary, one triangle a leaf", "contacts, distance, continuous motion",
             "2n − 1 nodes in double", "each volume beside the others, a peer for two meshes", 0, ("PQP",)),
     Package("Embree", 2014, "Wald et al. 2014", "AABB", "4 or 8 children, binned SAH, spatial splits", "rays, closest points", "nodes of 4 or 8 boxes, triangles copied in groups of 4",
             "wide nodes tested by SIMD, binned SAH; the peer for rays", 3),
     Package("PhysX", 2016, "NVIDIA 2016", "AABB, 16 bits a plane", "4 children (BV4, by Terdiman), up to 15 triangles a leaf", "rays, overlaps, sweeps, contacts",
             "16 bytes a child, with triangles that stay", "OPCODE's ideas at degree 4; several triangles a leaf", 2, ("OPCODE",)),
     Package("Jolt", 2021, "Rouwé 2021", "AABB, half floats", "4 children, up to 8 triangles a leaf", "rays, sweeps, contacts",
-            "64 bytes a node, vertices of 21 bits in the leaf", "compressed triangles inside of the tree", 2),
+            "64 bytes a node, vertices of 21 bits in the leaf", "compressed triangles inside the tree", 2),
     Package("Espalier", 2026, "this project", "AABB, 8 or 16 bits a plane", "8 or 16 children, no leaf nodes, up to 62 triangles a leaf", "rays, overlaps, distances, sweeps, two meshes, scenes, refit",
             "one block of bytes, triangles on a lattice included", "", 1, ("OPCODE", "Embree")),
 )

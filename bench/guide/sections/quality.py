@@ -67,7 +67,7 @@ def builder_table(rows):
     header = ["builder", *(words for _, words in MEASURES), "nodes of a ray", "**ray**", "**pair**"]
     count = len(rows.of(BUILDERS, mesh=rows.meshes(BUILDERS)[0]))
     return (table(header, lines) + f"\n\nAll relative to binned SAH, means over the meshes, profile `fast`; as built, without reinsertion. "
-            f"The rank correlation (Spearman 1904; 1: the same order) is over all {count} trees of a mesh that section 5 compares.")
+            f"The rank correlation (Spearman 1904; 1: the same order) is over the {count} trees of a mesh in section 5, as built and after reinsertion.")
 
 
 def depth_panel(rows, mesh):

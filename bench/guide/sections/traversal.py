@@ -17,14 +17,14 @@ RULES = (
     ("larger_volume", "the larger box, by volume", "the larger, by volume"),
     ("larger_area", "the larger box, by area", "the larger, by area"),
     ("all_children", "both: all children against all children", "all children of both"),
-    ("espalier", "Espalier: the larger box, against 8 children at once", "Espalier, 8 at once"),
+    ("espalier", "Espalier: the larger box, against all children of a node at once", "Espalier, all children at once"),
 )
 ORDERS = (
     ("nearest_first", "nearest first, with a stack", "nearest first"),
     ("nearest_recursed", "nearest first, with recursion", "the same, recursive"),
     ("fixed", "in the order of the tree", "order of the tree"),
     ("farthest_first", "farthest first", "farthest first"),
-    ("espalier", "Espalier: nearest first, 8 children at once", "Espalier, 8 at once"),
+    ("espalier", "Espalier: nearest first, all children of a node at once", "Espalier, all children at once"),
 )
 RULE_OF_COMPARISON, ORDER_OF_COMPARISON = "all_children", "nearest_first"
 CLASSES = {"apart": "apart", "touching": "that touch", "deep": "deep in each other"}
