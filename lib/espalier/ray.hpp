@@ -71,6 +71,13 @@ Filled closest_hits(const Blob& blob, const Ray& ray, std::span<RayHit> hits, Tr
 /// by the visitor; or why the ray was refused.
 QueryStatus for_each_hit(const Blob& blob, const Ray& ray, Visitor<const RayHit&> visit) noexcept;
 
+/// Calls the visitor with each crossing of the surface, once: for counting, parity and thickness. The crossings are the
+/// hits of for_each_hit() that the ray keeps when its origin moves by less than any number, always in one direction. A
+/// shared edge or vertex that the ray meets exactly is one crossing, or as many as the surface has there: where the ray
+/// only touches it two, a front and a back, or none. Along a ray that starts outside a closed surface, fronts and backs
+/// cancel. Order, window and status are those of for_each_hit(); crossings at the same place have the same t.
+QueryStatus for_each_crossing(const Blob& blob, const Ray& ray, Visitor<const RayHit&> visit) noexcept;
+
 /// Writes to hits[i] what raycast() returns for rays[i], with its own status. It takes less time where successive rays
 /// have similar origins and directions (groups of 16 traverse the tree together), or where the blob exceeds a core's
 /// cache.

@@ -136,6 +136,10 @@ YesNo occluded(const Blob& blob, const RoundedRay& ray, TriangleFilter filter) n
 /// Calls the visitor with each hit, as for_each_hit() of a Ray does. Refuses as raycast() does.
 QueryStatus for_each_hit(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept;
 
+/// Calls the visitor with each crossing, as for_each_crossing() of a Ray does: also where edges are shared between
+/// blobs each crossing of the whole surface is visited once. Refuses as raycast() does.
+QueryStatus for_each_crossing(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept;
+
 /// Moves a ray into the local space of a transform that only moves by whole steps of its region's lattice: the result
 /// equals the ray in whole numbers, and only the origin of its region differs. Blobs that such transforms place, tiles
 /// that repeat, then meet one ray.

@@ -28,6 +28,7 @@ void ask_nothing(struct asking* asking) {
     tell_float(asking, espalier_sweep_box_filtered(blob, &shapes.box, ray.direction, NULL, NULL).t);
 
     tell(asking, espalier_for_each_hit(blob, &ray, NULL, asking));
+    tell(asking, espalier_for_each_crossing(blob, &ray, NULL, asking));
     tell(asking, espalier_for_each_overlap_sphere(blob, &shapes.sphere, NULL, asking));
     tell(asking, espalier_for_each_overlap_capsule(blob, &shapes.capsule, NULL, asking));
     tell(asking, espalier_for_each_overlap_box(blob, &shapes.box, NULL, asking));

@@ -57,6 +57,8 @@ static void ask_one_ray(struct asking* asking, const espalier_ray* ray) {
     for (size_t i = 0; i < count.count; ++i) tell_ray_hit(asking, &hits[i]);
     asking->visits = asking->question->bits % 9u;
     tell(asking, espalier_for_each_hit(blob, ray, visit_hit, asking));
+    asking->visits = asking->question->bits % 7u;
+    tell(asking, espalier_for_each_crossing(blob, ray, visit_hit, asking));
     tell_result(asking, espalier_raycast_counted(blob, ray, &counters));
     tell_counters(asking, &counters);
 }
@@ -70,6 +72,8 @@ static void ask_rounded_ray(struct asking* asking, const espalier_lattice* regio
     tell(asking, espalier_occluded_rounded_filtered(asking->blob, &rounded, counts, asking).status);
     asking->visits = asking->question->bits % 9u;
     tell(asking, espalier_for_each_hit_rounded(asking->blob, &rounded, visit_hit, asking));
+    asking->visits = asking->question->bits % 7u;
+    tell(asking, espalier_for_each_crossing_rounded(asking->blob, &rounded, visit_hit, asking));
     for (int whole = 0; whole < 2; ++whole) {
         const espalier_transform transform = {
             {0, 0, 0, 1}, {whole ? 64.0f : asking->question->lengths[0], 0, whole ? -128.0f : 0.0f}, 1};

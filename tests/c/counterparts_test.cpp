@@ -78,6 +78,7 @@ const char* const table = R"(
     closest_hits(Blob, Ray, span<RayHit>)                         espalier_closest_hits
     closest_hits(Blob, Ray, span<RayHit>, TriangleFilter)         espalier_closest_hits_filtered
     for_each_hit(Blob, Ray, Visitor<RayHit>)                      espalier_for_each_hit
+    for_each_crossing(Blob, Ray, Visitor<RayHit>)                 espalier_for_each_crossing
     raycast(Blob, span<Ray>, span<RayHit>)                        espalier_raycast_batch
     occluded(Blob, span<Ray>, span<YesNo>)                        espalier_occluded_batch
 
@@ -165,6 +166,7 @@ const char* const table = R"(
     raycast(Blob, RoundedRay, TriangleFilter)                     espalier_raycast_rounded_filtered
     occluded(Blob, RoundedRay, TriangleFilter)                    espalier_occluded_rounded_filtered
     for_each_hit(Blob, RoundedRay, Visitor<RayHit>)               espalier_for_each_hit_rounded
+    for_each_crossing(Blob, RoundedRay, Visitor<RayHit>)          espalier_for_each_crossing_rounded
     raycast(Blob, Segment)                                        espalier_raycast_lattice_segment
     occluded(Blob, Segment)                                       espalier_occluded_lattice_segment
 

@@ -139,10 +139,13 @@ void Expecting::one_ray(const Ray& ray) {
     tell(count);
     for (std::size_t i = 0; i < count.count; ++i) tell(hits[i]);
     visits_ = asked_.bits % 9;
-    tell(for_each_hit(blob_, ray, [&](const RayHit& each) {
+    const auto visit = [&](const RayHit& each) {
         tell(each);
         return visit_one();
-    }));
+    };
+    tell(for_each_hit(blob_, ray, visit));
+    visits_ = asked_.bits % 7;
+    tell(for_each_crossing(blob_, ray, visit));
     QueryCounters counters = {1, 2, 3, 4, 5};
     tell(raycast(blob_, ray, counters));
     tell(counters);
@@ -187,10 +190,13 @@ void Expecting::rounded_ray(const Lattice& region, const Ray& ray) {
     tell(raycast(blob_, rounded, counts));
     tell(occluded(blob_, rounded, counts));
     visits_ = asked_.bits % 9;
-    tell(for_each_hit(blob_, rounded, [&](const RayHit& hit) {
+    const auto visit = [&](const RayHit& hit) {
         tell(hit);
         return visit_one();
-    }));
+    };
+    tell(for_each_hit(blob_, rounded, visit));
+    visits_ = asked_.bits % 7;
+    tell(for_each_crossing(blob_, rounded, visit));
     for (const bool whole : {false, true}) {
         const Transform transform = {{}, {whole ? 64.0f : length(0), 0.0f, whole ? -128.0f : 0.0f}, 1.0f};
         const RoundedRay local = to_local(transform, rounded);
@@ -287,7 +293,7 @@ void Expecting::nothing() {
     tell(sweep(blob_, capsule(), direction(0)).t);
     tell(sweep(blob_, box(), direction(0)).t);
 
-    for (int refused = 0; refused < 11; ++refused) tell(QueryStatus::invalid_argument);
+    for (int refused = 0; refused < 12; ++refused) tell(QueryStatus::invalid_argument);
     tell(QueryStatus::invalid_argument);
 
     tell(raycast(blob_, std::span<const Ray>{}, {}));

@@ -125,7 +125,7 @@ check_folder_includes(tests
   "runtime/lattice: ${support} support/exact oracle platform"
   "runtime/kernels: ${support} support/exact oracle"
   "runtime/traversal: ${support} support/exact oracle platform"
-  "runtime/rays: ${support} support/exact platform"
+  "runtime/rays: ${support} support/exact oracle platform"
   "runtime/proximity: ${support} support/exact"
   "runtime/overlap: ${support} support/exact oracle"
   "runtime/sweeps: ${support}"

@@ -215,6 +215,9 @@ TEST_SUITE("stack") {
                 {"for_each_hit", 2240, ray_row([](const Blob& blob, const Ray& ray) {
                      (void)for_each_hit(blob, ray, [](const RayHit&) { return Visit::next; });
                  })},
+                {"for_each_crossing", 2240, ray_row([](const Blob& blob, const Ray& ray) {
+                     (void)for_each_crossing(blob, ray, [](const RayHit&) { return Visit::next; });
+                 })},
                 {"closest_hits", 2304,
                  ray_row([&](const Blob& blob, const Ray& ray) { (void)closest_hits(blob, ray, hits); })},
                 {"overlaps, two blobs", 4096,

@@ -36,6 +36,11 @@ run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --all
 out_has "2 hits"
 run 0 query box.espl --json ray 0.25 1.5 10 0 0 -1 --all
 out_has '"count": 2'
+run 0 query box.espl ray 0 1 10 0 0 -1 --crossings
+out_has "2 crossings"
+run 0 query box.espl --json ray 0 1 10 0 0 -1 --crossings
+json '(.crossings | length) == 2 and .crossings[0].side != .crossings[1].side'
+run 1 query box.espl ray 0 1 10 0 0 -1 --crossings --all
 run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --any
 out_has "occluded"
 run 0 query box.espl ray 0.25 1.5 10 0 0 1 --any

@@ -134,6 +134,7 @@ struct QueryArguments {
     FaceCulling culling = FaceCulling::none;
     bool any = false;
     bool all = false;
+    bool crossings = false;
     std::optional<std::uint32_t> first;
     std::string accuracy;  ///< empty: exact
     std::optional<std::uint32_t> limit;

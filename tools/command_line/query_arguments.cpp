@@ -43,6 +43,11 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
     std::vector<CLI::Option*> modes;
     if (takes(option_any)) modes.push_back(verb->add_flag("--any", arguments.any, "Only whether there is any"));
     if (takes(option_all)) modes.push_back(verb->add_flag("--all", arguments.all, "Every hit, in storage order"));
+    if (takes(option_crossings)) {
+        modes.push_back(verb->add_flag(
+            "--crossings", arguments.crossings,
+            of(option_crossings, "Every crossing of the surface, once also at shared edges and vertices")));
+    }
     if (takes(option_first)) {
         modes.push_back(
             verb->add_option("--first", arguments.first, of(option_first, "As many as that, sorted, the nearest first"))

@@ -43,9 +43,10 @@ struct GivenOption {
     bool is_given;
 };
 
-std::array<GivenOption, 7> given_options(const QueryArguments& arguments) {
+std::array<GivenOption, 8> given_options(const QueryArguments& arguments) {
     return {{{option_any, "--any", arguments.any},
              {option_all, "--all", arguments.all},
+             {option_crossings, "--crossings", arguments.crossings},
              {option_first, "--first", arguments.first.has_value()},
              {option_accuracy, "--accuracy", !arguments.accuracy.empty()},
              {option_limit, "--limit", arguments.limit.has_value()},

@@ -40,6 +40,7 @@ enum QueryOption : unsigned {
     option_all = 1u << 3,
     option_first = 1u << 4,
     option_accuracy = 1u << 5,
+    option_crossings = 1u << 6,
     option_limit = 1u << 7,
     option_from = 1u << 8,
     option_max_distance = 1u << 9,

@@ -40,11 +40,17 @@ void add_hit(Record& record, const BakedScene& scene, const Ray& ray, const RayH
     add_values(record.triangle(scene, instance, hit.triangle, "hit "), mesh_at(scene, instance).value, ray, hit);
 }
 
+/// Lists all hits, or the crossings among them.
 Answer all_hits(const QueryCall& call, const Ray& ray) {
     Answer answer(call);
-    answer.status = for_each_hit(call.blob(), ray, [&](const RayHit& hit) {
+    const auto add = [&](const RayHit& hit) {
         add_hit(answer.list.emplace_back(call.options().json), call.blob(), ray, hit);
-    });
+    };
+    if (call.options().crossings) {
+        answer.status = for_each_crossing(call.blob(), ray, add);
+        return answer.counted_list("crossings", "crossing");
+    }
+    answer.status = for_each_hit(call.blob(), ray, add);
     return answer.counted_list("hits", "hit");
 }
 
@@ -82,7 +88,7 @@ Answer cast(const QueryCall& call, Ray ray) {
     const QueryArguments& options = call.options();
     ray.culling = options.culling;
     if (const BakedScene* scene = call.scene()) return cast_in_scene(call, *scene, ray);
-    if (options.all) return all_hits(call, ray);
+    if (options.all || options.crossings) return all_hits(call, ray);
     if (options.first) return first_hits(call, ray, *options.first);
     if (options.any) return is_occluded(call, occluded(call.blob(), ray));
     if (!options.accuracy.empty()) {
@@ -131,7 +137,8 @@ Answer lattice_segment_answer(QueryCall& call) {
 }  // namespace
 
 QueryKinds ray_kinds() {
-    constexpr unsigned options = option_culling | option_any | option_all | option_first | option_accuracy;
+    constexpr unsigned options =
+        option_culling | option_any | option_all | option_crossings | option_first | option_accuracy;
     constexpr unsigned scene_options = option_any | option_all | option_mask;
     return {
         {"Rays",

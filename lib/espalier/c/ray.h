@@ -62,6 +62,10 @@ typedef espalier_visit (*espalier_hit_visitor)(const espalier_ray_hit* hit, void
 espalier_query_status espalier_for_each_hit(const espalier_blob* blob, const espalier_ray* ray,
                                             espalier_hit_visitor visit, void* user);
 
+/* Calls the visitor with each crossing of the surface, once, also where the ray meets a shared edge or vertex. */
+espalier_query_status espalier_for_each_crossing(const espalier_blob* blob, const espalier_ray* ray,
+                                                 espalier_hit_visitor visit, void* user);
+
 /* Writes to each element what the query of its ray returns. Both arrays have `count` elements. */
 espalier_filled espalier_raycast_batch(const espalier_blob* blob, const espalier_ray* rays, espalier_ray_hit* hits,
                                        size_t count);

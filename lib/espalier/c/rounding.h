@@ -72,6 +72,9 @@ espalier_yes_no espalier_occluded_rounded_filtered(const espalier_blob* blob, co
 /* Calls the visitor with each hit, as espalier_for_each_hit() does. */
 espalier_query_status espalier_for_each_hit_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray,
                                                     espalier_hit_visitor visit, void* user);
+/* Calls the visitor with each crossing, as espalier_for_each_crossing() does. */
+espalier_query_status espalier_for_each_crossing_rounded(const espalier_blob* blob, const espalier_rounded_ray* ray,
+                                                         espalier_hit_visitor visit, void* user);
 /* Returns the ray in the local space of a transform that only moves by whole steps of its region's lattice. */
 espalier_rounded_ray espalier_to_local_rounded_ray(const espalier_transform* transform,
                                                    const espalier_rounded_ray* ray);

@@ -31,6 +31,11 @@ espalier_ray espalier_ray_between(espalier_vec3 from, espalier_vec3 to) {
                                                         espalier_hit_visitor visit, void* user) {       \
         if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;                                   \
         return c(for_each_hit(cpp(blob), cpp(ray), visitor(visit, user)));                              \
+    }                                                                                                   \
+    espalier_query_status espalier_for_each_crossing##suffix(const espalier_blob* blob, const Ray* ray, \
+                                                             espalier_hit_visitor visit, void* user) {  \
+        if (visit == nullptr) return ESPALIER_QUERY_INVALID_ARGUMENT;                                   \
+        return c(for_each_crossing(cpp(blob), cpp(ray), visitor(visit, user)));                         \
     }
 
 RAY_QUERIES(, espalier_ray)

@@ -28,8 +28,8 @@ struct AnyKeptHit {
     }
 };
 
-/// Hits in storage order, handed to a callable. Their index is that of the reference.
-template <class OnHit>
+/// Hits in storage order, handed to a callable: all, or those that are crossings. Their index is that of the reference.
+template <class OnHit, bool crossings_only>
 struct EveryHit {
     OnHit on_hit;
     Limit limit;
@@ -38,6 +38,8 @@ struct EveryHit {
     ESPALIER_PART_OF_CALLER Visit decide(const LatticeRay& ray, const Leaf& leaf, unsigned slot) const {
         FoundHit found;
         if (!hits_slot(leaf, slot, ray, found.hit)) return Visit::next;
+        if constexpr (crossings_only)
+            if (!is_crossing(ray, leaf.triangle(slot))) return Visit::next;
         found.index = storage_index(leaf, slot);
         return on_hit(ray, found);
     }
@@ -61,18 +63,19 @@ struct EveryHitShape : RayShape<Leaf> {
 namespace {
 
 /// Returns yes if the callable, which is called with the ray and each hit, stopped the walk.
-template <class Leaf, class Caller, class OnHit>
+template <class Leaf, bool crossings_only, class Caller, class OnHit>
 ESPALIER_FOR_ONE_KIND_OF_LEAF inline YesNo every_hit_in(const BlobData& blob, const Caller& world, OnHit on_hit) {
     PreparedRayOf<typename Leaf::Node> prepared;
     if (const QueryStatus status = begin(blob, world, prepared); status != QueryStatus::ok) return YesNo(status);
-    Query<EveryHitShape<Leaf>, EveryHit<OnHit>, true> query = {{{prepared.ray, prepared.lanes()}, blob},
-                                                               {on_hit, window_limit(prepared.ray)}};
+    Query<EveryHitShape<Leaf>, EveryHit<OnHit, crossings_only>, true> query = {{{prepared.ray, prepared.lanes()}, blob},
+                                                                               {on_hit, window_limit(prepared.ray)}};
     return YesNo::of(walk_in_storage_order<PlaceOf<Leaf>>(blob, query) == Visit::stop);
 }
-template <class Caller, class OnHit>
+template <bool crossings_only, class Caller, class OnHit>
 [[gnu::always_inline]] inline YesNo visit_every_hit(const BlobData& blob, const Caller& world, OnHit on_hit) {
     return with_leaves_of(
-        blob, [&]<class Leaf>() __attribute__((always_inline)) { return every_hit_in<Leaf>(blob, world, on_hit); });
+        blob, [&]<class Leaf>()
+                  __attribute__((always_inline)) { return every_hit_in<Leaf, crossings_only>(blob, world, on_hit); });
 }
 
 /// Returns whether there is any hit, by AnyHit, or by AnyKeptHit and a filter.
@@ -98,14 +101,15 @@ template <class Caller>
     return find_any_hit<AnyKeptHit<Caller>>(blob, world, filter);
 }
 
-template <class Caller>
+template <bool crossings_only, class Caller>
 [[gnu::always_inline]] inline QueryStatus list_every_hit(const BlobData& blob, const Caller& world,
                                                          const Visitor<const RayHit&>& visit) {
-    const YesNo is_stopped = visit_every_hit(blob, world, [&](const LatticeRay& ray, const FoundHit& found) {
-        if (is_duplicate_reference(blob, found.index) && !is_first_reference(blob, found.index, ray))
-            return Visit::next;
-        return visit(to_ray_hit(ray, world, found.hit, owner_of(blob, found.index)));
-    });
+    const YesNo is_stopped =
+        visit_every_hit<crossings_only>(blob, world, [&](const LatticeRay& ray, const FoundHit& found) {
+            if (is_duplicate_reference(blob, found.index) && !is_first_reference(blob, found.index, ray))
+                return Visit::next;
+            return visit(to_ray_hit(ray, world, found.hit, owner_of(blob, found.index)));
+        });
     return is_stopped.yes() ? QueryStatus::stopped : of_list(is_stopped.status());
 }
 
@@ -119,10 +123,16 @@ YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const Tr
 }
 
 QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
-    return list_every_hit(blob, world, visit);
+    return list_every_hit<false>(blob, world, visit);
+}
+QueryStatus every_crossing(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit) {
+    return list_every_hit<true>(blob, world, visit);
 }
 QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit) {
-    return list_every_hit(blob, ray, visit);
+    return list_every_hit<false>(blob, ray, visit);
+}
+QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit) {
+    return list_every_hit<true>(blob, ray, visit);
 }
 
 /// Also one that passes through a small box.

@@ -6,6 +6,7 @@
 #include <espalier/ray.hpp>
 #include <runtime/answers/answer.hpp>
 #include <runtime/lanes/select.hpp>
+#include <runtime/kernels/crossing.hpp>
 #include <runtime/kernels/ray_triangle.hpp>
 #include <runtime/traversal/fragments.hpp>
 
@@ -15,10 +16,13 @@
     Filled first_hits(const BlobData& blob, const Ray& world, std::span<RayHit> hits, const TriangleFilter* filter); \
     YesNo any_hit(const BlobData& blob, const Ray& world, const TriangleFilter* filter);                             \
     QueryStatus every_hit(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);                     \
+    QueryStatus every_crossing(const BlobData& blob, const Ray& world, Visitor<const RayHit&> visit);                \
     YesNo may_hit(const BlobData& blob, const Ray& world, const WalkAccuracy& accuracy);                             \
     RayHit closest_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);      \
     YesNo any_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, const TriangleFilter* filter);           \
     QueryStatus every_hit_on_lattice(const BlobData& blob, const RayOnLattice& ray, Visitor<const RayHit&> visit);   \
+    QueryStatus every_crossing_on_lattice(const BlobData& blob, const RayOnLattice& ray,                             \
+                                          Visitor<const RayHit&> visit);                                             \
     }
 
 namespace espalier::detail {

@@ -42,6 +42,10 @@ QueryStatus for_each_hit(const Blob& blob, const Ray& ray, Visitor<const RayHit&
     return ESPALIER_DISPATCH_RAY(every_hit, data_of(blob), ray, visit);
 }
 
+QueryStatus for_each_crossing(const Blob& blob, const Ray& ray, Visitor<const RayHit&> visit) noexcept {
+    return ESPALIER_DISPATCH_RAY(every_crossing, data_of(blob), ray, visit);
+}
+
 RayHit raycast(const Blob& blob, const Ray& ray, QueryCounters& counters) noexcept {
     return scalar::closest_hit_counted(data_of(blob), ray, counters);
 }

@@ -188,6 +188,13 @@ QueryStatus for_each_hit(const Blob& blob, const RoundedRay& ray, Visitor<const 
     return ESPALIER_DISPATCH_RAY(every_hit_on_lattice, data_of(blob), moved, visit);
 }
 
+QueryStatus for_each_crossing(const Blob& blob, const RoundedRay& ray, Visitor<const RayHit&> visit) noexcept {
+    RayOnLattice moved;
+    const QueryStatus status = begin(blob, ray.data(), moved);
+    if (status != QueryStatus::ok) return of_list(status);
+    return ESPALIER_DISPATCH_RAY(every_crossing_on_lattice, data_of(blob), moved, visit);
+}
+
 RoundedRay to_local(const Transform& transform, const RoundedRay& ray) noexcept {
     RoundedRay moved = ray;
     if (!ray) return moved;

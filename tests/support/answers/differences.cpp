@@ -43,6 +43,7 @@ struct RayAnswers {
     bool any = false;
     bool any_filtered = false;
     std::vector<RayHit> every;
+    std::vector<RayHit> crossings;
 };
 
 /// Calls the function with as many places as the ray gets, and keeps those that it says it filled.
@@ -78,7 +79,9 @@ RayAnswers ask(const InstructionPath& path, const detail::BlobData& data, const 
     answers.any = path.any_hit(data, ray, nullptr).yes();
     answers.any_filtered = path.any_hit(data, ray, &filter).yes();
     static_cast<void>(path.every_hit(data, ray, [&](const RayHit& each) { answers.every.push_back(each); }));
+    static_cast<void>(path.every_crossing(data, ray, [&](const RayHit& each) { answers.crossings.push_back(each); }));
     sort_duplicates(data, answers.every);
+    sort_duplicates(data, answers.crossings);
     return answers;
 }
 
@@ -95,7 +98,9 @@ RayAnswers ask(const Blob& blob, const Ray& ray) {
     answers.any = occluded(blob, ray).yes();
     answers.any_filtered = occluded(blob, ray, keep).yes();
     static_cast<void>(for_each_hit(blob, ray, [&](const RayHit& each) { answers.every.push_back(each); }));
+    static_cast<void>(for_each_crossing(blob, ray, [&](const RayHit& each) { answers.crossings.push_back(each); }));
     sort_duplicates(detail::data_of(blob), answers.every);
+    sort_duplicates(detail::data_of(blob), answers.crossings);
     return answers;
 }
 
@@ -114,6 +119,7 @@ RayAnswers ask(const TriangleLoop& loop, const detail::BlobData& data, const Ray
     };
     for (const detail::FoundHit& found : loop.every_hit(rounded)) {
         answers.every.push_back(translate(found));
+        if (loop.is_crossing(rounded, found)) answers.crossings.push_back(translate(found));
         ++hits;
         first.push_back(found);
         if (!closest || found.hit.whole_tau < closest->hit.whole_tau) closest = found;
@@ -155,7 +161,8 @@ const char* first_difference(const RayAnswers& a, const RayAnswers& b) {
     if (a.first_status != b.first_status || !equal(a.first, b.first)) return "the row of the first hits";
     if (a.first_status_filtered != b.first_status_filtered || !equal(a.first_filtered, b.first_filtered))
         return "the row of the first hits under a filter";
-    return equal(a.every, b.every) ? nullptr : "the row of all hits";
+    if (!equal(a.every, b.every)) return "the row of all hits";
+    return equal(a.crossings, b.crossings) ? nullptr : "the row of all crossings";
 }
 
 }  // namespace

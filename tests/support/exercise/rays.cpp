@@ -136,6 +136,14 @@ void exercise_rays(Exercise& run) {
     verdict.require((all == QueryStatus::stopped) == (visited == each.size()),
                     "for_each_hit reports wrongly that it was stopped");
     verdict.require(is_refused(all) == is_refused(status), "for_each_hit and raycast refuse differently");
+    std::size_t crossings = 0;
+    const QueryStatus crossed = for_each_crossing(blob.for_lists(), ray, [&](const RayHit& crossing) {
+        each[crossings] = crossing;
+        return ++crossings == each.size() ? Visit::stop : Visit::next;
+    });
+    for (std::size_t i = 0; i < crossings; ++i) check_hit(run, each[i]);
+    verdict.require(crossings <= visited, "there are more crossings than hits");
+    verdict.require(is_refused(crossed) == is_refused(status), "for_each_crossing and raycast refuse differently");
 }
 
 }  // namespace espalier::tests::exercises

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <runtime/kernels/crossing.hpp>
 #include <runtime/kernels/ray_triangle.hpp>
 
 namespace espalier::tests {
@@ -60,6 +61,11 @@ std::vector<detail::FoundHit> TriangleLoop::every_hit(const detail::LatticeRay& 
         if (detail::intersect(ray, triangles_[i], hit)) hits.push_back({hit, indices_[i]});
     }
     return hits;
+}
+
+bool TriangleLoop::is_crossing(const detail::LatticeRay& ray, const detail::FoundHit& found) const {
+    const auto place = std::lower_bound(indices_.begin(), indices_.end(), found.index);
+    return detail::is_crossing(ray, triangles_[static_cast<std::size_t>(place - indices_.begin())]);
 }
 
 TriangleLoop::Indices TriangleLoop::every_overlap(const detail::RoundedPoint& point) const {

@@ -26,6 +26,7 @@ public:
 
     /// In storage order.
     [[nodiscard]] std::vector<detail::FoundHit> every_hit(const detail::LatticeRay& ray) const;
+    [[nodiscard]] bool is_crossing(const detail::LatticeRay& ray, const detail::FoundHit& found) const;
 
     /// Of no triangle where there is none.
     [[nodiscard]] LatticeHit first_hit(const detail::WholeSegment& segment) const;

@@ -3,12 +3,12 @@
 #include <runtime/lanes/select.hpp>
 
 /// By the name of the one that single rays take, and of the one for everything else.
-#define ESPALIER_PATH_OF(rays, set)                                                                                  \
-    InstructionPath {                                                                                                \
-#rays, detail::rays::closest_hit, detail::rays::first_hits, detail::rays::any_hit, detail::rays::every_hit,  \
-            detail::set::closest_hits, detail::set::any_hits, detail::set::find_overlaps, detail::set::find_nearest, \
-            detail::rays::may_hit, detail::rays::closest_hit_on_lattice, detail::rays::any_hit_on_lattice,           \
-            detail::set::search_pairs                                                                                \
+#define ESPALIER_PATH_OF(rays, set)                                                                                 \
+    InstructionPath {                                                                                               \
+#rays, detail::rays::closest_hit, detail::rays::first_hits, detail::rays::any_hit, detail::rays::every_hit, \
+            detail::rays::every_crossing, detail::set::closest_hits, detail::set::any_hits,                         \
+            detail::set::find_overlaps, detail::set::find_nearest, detail::rays::may_hit,                           \
+            detail::rays::closest_hit_on_lattice, detail::rays::any_hit_on_lattice, detail::set::search_pairs       \
     }
 #define ESPALIER_PATH(set) ESPALIER_PATH_OF(set, set)
 

@@ -18,6 +18,7 @@ struct InstructionPath {
     decltype(&detail::scalar::first_hits) first_hits;
     decltype(&detail::scalar::any_hit) any_hit;
     decltype(&detail::scalar::every_hit) every_hit;
+    decltype(&detail::scalar::every_crossing) every_crossing;
     decltype(&detail::scalar::closest_hits) closest_hits;
     decltype(&detail::scalar::any_hits) any_hits;
     decltype(&detail::scalar::find_overlaps) find_overlaps;
