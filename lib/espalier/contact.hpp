@@ -1,4 +1,7 @@
-// Contacts on edges that only join two triangles of one surface.
+// Contacts of a body with the surface, and edges that only join two triangles of one surface.
+//
+// find_contacts() lists where a body is near the surface or in it: places, directions and depths, for engines and
+// character controllers. reduce_contacts() keeps the few of them that support the body.
 //
 // A body that slides over a flat floor of many triangles touches the edges between them. Contact normals there lean
 // against the motion, and the body stumbles. A blob that was baked with BakeOptions::flat_angle stores for each edge
@@ -9,13 +12,57 @@
 // safety: any number of threads may query one blob. No call allocates. Numerics are described at the end of this file.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <espalier/blob.hpp>
+#include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <espalier/types.hpp>
 
 namespace espalier {
+
+/// A place where a body is near a triangle or in it.
+struct Contact {
+    Vec3 point;                       ///< on the triangle
+    Vec3 normal;                      ///< unit length, from the surface to the body: along it the body leaves
+    float distance = 0.0f;            ///< from the surface to the body along the normal; below 0 the depth
+    TriangleId triangle;              ///< original_triangle() maps it to the source mesh
+    Feature feature = Feature::face;  ///< the part of the triangle that holds the point
+    Side side = Side::front;          ///< the side of the triangle's plane on which the middle of the body lies
+    std::uint8_t reserved[2] = {};
+};
+
+/// Writes the contacts of a body with the triangles that are no farther away than `margin`, sorted by distance: the
+/// deepest first, of equally deep ones that of the lowest triangle.
+///
+/// Each triangle is a sheet with two sides. The normal is that of the shortest way out of it, and the distance is minus
+/// the length of this way if the body touches the triangle. A triangle has one contact with a sphere. With a capsule or
+/// a box it has more, with one normal, where a side or a face of the body lies over it: the ends of that part. If the
+/// surface is closed and contains the middle of the body, there is one contact, with the closest point of the surface
+/// to the middle: along its normal the whole body leaves the inside.
+///
+/// In a blob with edge flags (BakeOptions::flat_angle), a contact on an edge that only joins two triangles has the
+/// normal of the triangle's face, as fix_internal_edge_normal() returns it, and the distance of the two closest points
+/// along that normal.
+///
+/// Status: ok; output_full if there are more contacts than places, of which the deepest are kept; or a refusal: of an
+/// infinite radius or margin or a margin below 0 (invalid_argument), and else as of overlaps(). Cost: expected O(log n
+/// + k * places) for k triangles, and of a closed surface that of contains().
+Filled find_contacts(const Blob& blob, const Sphere& sphere, float margin, std::span<Contact> contacts) noexcept;
+Filled find_contacts(const Blob& blob, const Capsule& capsule, float margin, std::span<Contact> contacts) noexcept;
+Filled find_contacts(const Blob& blob, const OrientedBox& box, float margin, std::span<Contact> contacts) noexcept;
+
+/// The largest number of contacts that reduce_contacts() keeps.
+inline constexpr std::size_t max_reduced_contacts = 4;
+
+/// Moves the contacts that support a body best to the front of the array and returns how many they are, at most
+/// max_reduced_contacts. A contact supports by its normal, and by the lever of that force about the middle of all
+/// points. The first kept has the longest lever, each other one is the farthest from the hull of those before; contacts
+/// that support alike count once. If a contact is deeper than all of these by more than a 256th of the extent of the
+/// points, it replaces the one that is most like it. The deepest comes first. Cost: O(contacts).
+std::size_t reduce_contacts(std::span<Contact> contacts) noexcept;
 
 /// The bend of the surface at an edge, seen from the front of its triangles. Decided exactly on the baked triangles.
 enum class EdgeKind : std::uint8_t {
@@ -53,4 +100,14 @@ Result<EdgeKinds> edge_kinds(const Blob& blob, TriangleId triangle) noexcept;
 
 }  // namespace espalier
 
-// Numerics. Each coordinate of a triangle's normal is within 4 ulp of 1 of the exact one.
+// Numerics
+//
+// Body and margin are rounded once, as by overlaps(). Which triangles are within the margin of a sphere or a capsule is
+// decided exactly; of a box as its distance is. Distances of spheres and capsules are within 8 ulp, or 8 ulp of the
+// radius where that is more; their features are exact, their normals within 8 ulp of 1. Coordinates of points are
+// within 14 ulp of the largest coordinate of the asset's bounds. Distances and points of a box are within 2^-18 of the
+// length that box and triangle reach from the box's middle. Its normals have an error of this length over the distance,
+// where the box does not touch the triangle; the direction of a touching box separates it by its depth, with that
+// error.
+//
+// fix_internal_edge_normal(). Each coordinate of a triangle's normal is within 4 ulp of 1 of the exact one.

@@ -58,7 +58,7 @@ template <OverlapShape Shape>
 /// Visits every triangle that touches the shape once, in the order of collect_overlaps(), until the visitor stops.
 ///
 /// Returns ok, stopped, or a refusal as overlaps() does; then nothing was visited.
-/// Cost: expected O(log n + k) for k triangles; each one whose corners the visitor takes, one descent more.
+/// Cost: expected O(log n + k) for k triangles.
 template <OverlapShape Shape>
 QueryStatus for_each_overlap(const Blob& blob, const Shape& shape, TriangleVisitor visit) noexcept {
     return detail::for_each_overlap(blob, detail::AnyShape(shape), visit);

@@ -25,6 +25,31 @@ static void ask_rounding(struct asking* asking) {
     tell_result(asking, espalier_rounding_error_sweep_box(blob, &shapes.box, way));
 }
 
+static void tell_contacts(struct asking* asking, espalier_filled filled, espalier_contact* contacts) {
+    tell(asking, (uint32_t)filled.count);
+    tell(asking, filled.status);
+    tell(asking, (uint32_t)espalier_reduce_contacts(contacts, filled.count));
+    for (size_t i = 0; i < filled.count; ++i) {
+        tell_point(asking, contacts[i].point);
+        tell_point(asking, contacts[i].normal);
+        tell_float(asking, contacts[i].distance);
+        tell(asking, contacts[i].triangle);
+        tell(asking, contacts[i].feature);
+        tell(asking, contacts[i].side);
+    }
+}
+
+static void ask_contacts(struct asking* asking) {
+    const espalier_blob* blob = asking->blob;
+    const struct asked_shapes shapes = shapes_of(asking->question);
+    const float margin = asking->question->lengths[3];
+    espalier_contact contacts[9];
+    tell_contacts(asking, espalier_find_contacts_sphere(blob, &shapes.sphere, margin, contacts, 9), contacts);
+    tell_contacts(asking, espalier_find_contacts_capsule(blob, &shapes.capsule, margin, contacts, 9), contacts);
+    tell_contacts(asking, espalier_find_contacts_oriented_box(blob, &shapes.oriented_box, margin, contacts, 9),
+                  contacts);
+}
+
 void ask_points(struct asking* asking) {
     const espalier_blob* blob = asking->blob;
     const struct question* question = asking->question;
@@ -46,5 +71,6 @@ void ask_points(struct asking* asking) {
     tell(asking, espalier_yes(inside));
     tell(asking, espalier_no(inside));
     tell_closest_point(asking, espalier_signed_distance(blob, question->points[1], question->lengths[3]));
+    ask_contacts(asking);
     ask_rounding(asking);
 }

@@ -53,6 +53,24 @@ void Expecting::points() {
     tell(inside.yes());
     tell(inside.no());
     tell(signed_distance(blob_, point(1), length(3)));
+    const auto contacts = [&](const auto& shape) {
+        std::array<Contact, 9> found;
+        const Filled places = find_contacts(blob_, shape, length(3), found);
+        tell(std::uint64_t{places.count});
+        tell(places.status);
+        tell(std::uint64_t{reduce_contacts(places.in(found))});
+        for (const Contact& contact : places.in(found)) {
+            tell(contact.point);
+            tell(contact.normal);
+            tell(contact.distance);
+            tell(contact.triangle);
+            tell(contact.feature);
+            tell(contact.side);
+        }
+    };
+    contacts(sphere());
+    contacts(capsule());
+    contacts(oriented_box());
     const auto rounding = [&](const auto& shape, auto... way) {
         const Result<float> moved = rounding_error(blob_, shape, way...);
         tell(moved.value);

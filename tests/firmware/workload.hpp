@@ -42,6 +42,7 @@ public:
             ask_rays();
             ask_volumes();
             ask_points();
+            ask_contacts();
             ask_sweeps();
             ask_coarsely();
         }
@@ -83,6 +84,11 @@ private:
         answers_.add(hit.t);
         answers_.add(hit.point);
         answers_.add(hit.triangle.index);
+    }
+    void add(const Vec3& point) {
+        answers_.add(point.x);
+        answers_.add(point.y);
+        answers_.add(point.z);
     }
     void add(QueryStatus status) { answers_.add(static_cast<std::uint32_t>(status)); }
 
@@ -141,6 +147,7 @@ private:
         const Ray ray = this->ray();
         std::uint32_t number = 0;
         add(measured(all_hits, [&] { return for_each_hit(blob_, ray, [&](const RayHit&) { ++number; }); }));
+        add(measured(all_crossings, [&] { return for_each_crossing(blob_, ray, [&](const RayHit&) { ++number; }); }));
         answers_.add(number);
         RayHit hits[4];
         const Filled few = measured(few_hits, [&] { return closest_hits(blob_, ray, hits); });
@@ -194,6 +201,27 @@ private:
         add(nearest);
         add_pair(measured(nearest_to_segment, [&] { return closest_point(blob_, Segment{point, end}); }));
         add_pair(measured(nearest_to_box, [&] { return closest_point(blob_, box); }));
+    }
+
+    void ask_contacts() {
+        const Sphere sphere = this->sphere();
+        const float margin = 0.1f * sphere.radius, half = 0.5f * sphere.radius;
+        const Vec3 &at = sphere.center, by = step();
+        Contact contacts[8];
+        const auto add_contacts = [&](const Filled& found) {
+            add(found.status);
+            for (const Contact& contact : found.in(contacts)) {
+                answers_.add(contact.triangle.index);
+                answers_.add(contact.distance);
+                add(contact.point);
+                add(contact.normal);
+            }
+        };
+        add_contacts(measured(contacts_sphere, [&] { return find_contacts(blob_, sphere, margin, contacts); }));
+        const Capsule capsule = {at, {at.x + by.x, at.y + by.y, at.z + by.z}, half};
+        add_contacts(measured(contacts_capsule, [&] { return find_contacts(blob_, capsule, margin, contacts); }));
+        const OrientedBox box = {at, {{half, half, 0.0f}, {-half, half, 0.0f}, {0.0f, 0.0f, half}}};
+        add_contacts(measured(contacts_box, [&] { return find_contacts(blob_, box, margin, contacts); }));
     }
 
     void ask_sweeps() {

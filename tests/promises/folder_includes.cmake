@@ -129,6 +129,7 @@ check_folder_includes(tests
   "runtime/proximity: ${support} support/exact"
   "runtime/overlap: ${support} support/exact oracle"
   "runtime/sweeps: ${support}"
+  "runtime/contacts: ${support} support/exact oracle"
   "runtime/transforms: ${support}"
   "runtime/pairs: ${support} support/exact"
   "runtime/scenes: ${support}"

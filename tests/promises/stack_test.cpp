@@ -220,6 +220,19 @@ TEST_SUITE("stack") {
                  })},
                 {"closest_hits", 2304,
                  ray_row([&](const Blob& blob, const Ray& ray) { (void)closest_hits(blob, ray, hits); })},
+                {"find_contacts, a capsule", 5376, pair_row([](const Blob& blob, const Capsule& capsule) {
+                     std::array<Contact, 8> contacts;
+                     (void)find_contacts(blob, capsule, capsule.radius, contacts);
+                     return ClosestPoint();
+                 })},
+                {"find_contacts, a box", 5376, pair_row([](const Blob& blob, const Capsule& capsule) {
+                     std::array<Contact, 8> contacts;
+                     const float half = capsule.radius;
+                     (void)find_contacts(blob,
+                                         OrientedBox{capsule.from, {{half, half, 0}, {-half, half, 0}, {0, 0, half}}},
+                                         half, contacts);
+                     return ClosestPoint();
+                 })},
                 {"overlaps, two blobs", 4096,
                  placed_row([](const InstructionPath&, const PlacedBlob& a, const PlacedBlob& b,
                                const detail::PairFrame&) { (void)overlaps(a, b, WorkLimit::unlimited()); }),
@@ -276,10 +289,10 @@ TEST_SUITE("stack") {
                 {"overlaps and pages, a triangle", 2560,
                  volume_row([](ShapeMaker& maker) { return maker.corners(true); })},
                 {"overlaps and pages, planes", 3200, volume_row([](ShapeMaker& maker) { return maker.planes(true); })},
-                {"closest_point", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                {"closest_point", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                      nearest = closest_point(blob, sphere.center, sphere.radius);
                  })},
-                {"closest_triangles", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                {"closest_triangles", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                      (void)closest_triangles(blob, sphere.center, few, sphere.radius).status;
                  })},
                 {"closest_point, a segment", 3072, pair_row([](const Blob& blob, const Capsule& capsule) {
@@ -295,7 +308,7 @@ TEST_SUITE("stack") {
                 {"contains", 1536, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                      inside = contains(blob, sphere.center).yes();
                  })},
-                {"signed_distance", 4096, sphere_row([&](const Blob& blob, const Sphere& sphere) {
+                {"signed_distance", 4352, sphere_row([&](const Blob& blob, const Sphere& sphere) {
                      nearest = signed_distance(blob, sphere.center, sphere.radius);
                  })},
                 {"for_each_node", 1280, sphere_row([](const Blob& blob, const Sphere&) {

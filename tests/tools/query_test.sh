@@ -64,6 +64,17 @@ json '.status == "output_full" and .count == 1 and .hits[0].t == 7'
 run 0 query box.espl ray 0.25 1.5 10 0 0 -1 --first 0
 out_has "and there are more"
 
+claim "contacts of a body, all and the few that support it"
+run 0 query box.espl contacts-sphere 0.25 1 3.2 0.5 0 --json
+json '.count >= 1 and ([.touches[].distance] | min) > -0.3001 and ([.touches[].distance] | min) < -0.2999'
+json '[.touches[] | select(.feature == "face")][0].normal == [0, 0, 1]'
+run 0 query box.espl contacts-oriented-box 0 1 3.25 0.1 0 0 0 0.1 0 0 0 0.25 0.01 --few
+out_has "4 touches"
+run 0 query box.espl contacts-capsule -0.1 1 3.5 0.1 1 3.5 0.25 0.1
+out_has "0 touches"
+run 6 query box.espl contacts-sphere 0 0 0 1 -1
+run 1 query box.espl contacts-sphere 0 0 0 1
+
 claim "boxes and segments in lattice steps, and where the lattice is"
 run 0 query box.espl lattice
 out_has "step "

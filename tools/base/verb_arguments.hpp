@@ -135,6 +135,7 @@ struct QueryArguments {
     bool any = false;
     bool all = false;
     bool crossings = false;
+    bool few = false;
     std::optional<std::uint32_t> first;
     std::string accuracy;  ///< empty: exact
     std::optional<std::uint32_t> limit;

@@ -48,6 +48,7 @@ void add_options(CLI::App* verb, const QueryKind& kind, QueryArguments& argument
             "--crossings", arguments.crossings,
             of(option_crossings, "Every crossing of the surface, once also at shared edges and vertices")));
     }
+    if (takes(option_few)) verb->add_flag("--few", arguments.few, "The four or fewer that support the body best");
     if (takes(option_first)) {
         modes.push_back(
             verb->add_option("--first", arguments.first, of(option_first, "As many as that, sorted, the nearest first"))

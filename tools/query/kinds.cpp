@@ -21,8 +21,8 @@ unsigned word_count(const QueryKind& kind) {
 const QueryKinds& query_kinds() {
     static const QueryKinds kinds = [] {
         QueryKinds all;
-        for (const QueryKinds& family : {ray_kinds(), overlap_kinds(), distance_kinds(), sweep_kinds(), pair_kinds(),
-                                         blob_kinds(), scene_kinds(), scene_pair_kinds()}) {
+        for (const QueryKinds& family : {ray_kinds(), overlap_kinds(), distance_kinds(), contact_kinds(), sweep_kinds(),
+                                         pair_kinds(), blob_kinds(), scene_kinds(), scene_pair_kinds()}) {
             all.insert(all.end(), family.begin(), family.end());
         }
         return all;

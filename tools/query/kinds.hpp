@@ -48,6 +48,7 @@ enum QueryOption : unsigned {
     option_depth = 1u << 11,
     option_mask = 1u << 12,  // of scenes
     option_work_limit = 1u << 13,
+    option_few = 1u << 14,  // of contacts
 };
 
 struct QueryKind {
@@ -71,6 +72,7 @@ using QueryKinds = std::vector<QueryKind>;
 QueryKinds ray_kinds();
 QueryKinds overlap_kinds();
 QueryKinds distance_kinds();
+QueryKinds contact_kinds();
 QueryKinds sweep_kinds();
 QueryKinds pair_kinds();
 QueryKinds blob_kinds();

@@ -25,7 +25,8 @@ typedef struct ESPALIER_SHARED_ espalier_abi_sizes {
     uint16_t yes_no, cursor, filled, vec3, triangle, segment;
     ESPALIER_SHAPES_(ESPALIER_SIZE_) /* sphere, capsule, box, oriented_box, cone */
     uint16_t plane, blob;
-    uint16_t lattice, edge_kinds, edge_kinds_result, k_dop, sphere_result, oriented_box_result, k_dop_result, ray;
+    uint16_t lattice, contact, edge_kinds, edge_kinds_result, k_dop, sphere_result, oriented_box_result, k_dop_result,
+        ray;
     uint16_t ray_hit, original_triangle, original_triangle_result, original_hit, convex_volume, triangle_result;
     uint16_t closest_point_result, float_result, sweep_hit, quaternion, transform, transform_result;
     uint16_t placed_blob, pair_contact, blob_distance;

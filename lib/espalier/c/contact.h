@@ -1,17 +1,43 @@
-/* Contacts on edges that only join two triangles of one surface. Counterpart of contact.hpp. */
+/* Contacts of a body with the surface, and edges that only join two triangles of it. Counterpart of contact.hpp. */
 #ifndef ESPALIER_C_CONTACT_H
 #define ESPALIER_C_CONTACT_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include <espalier/c/attributes.h>
 #include <espalier/c/blob.h>
+#include <espalier/c/shapes.h>
 #include <espalier/c/status.h>
 #include <espalier/c/types.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* A place where a body is near a triangle, or in it: then the distance is below 0. */
+typedef struct ESPALIER_SHARED_ espalier_contact {
+    espalier_vec3 point, normal;
+    float distance;
+    espalier_triangle_id triangle;
+    espalier_feature feature;
+    espalier_side side;
+    uint8_t reserved[2];
+} espalier_contact;
+
+/* Writes the contacts with the triangles that are no farther away than `margin`, the deepest first, as many as
+ * `contacts` has places: `capacity`. */
+espalier_filled espalier_find_contacts_sphere(const espalier_blob* blob, const espalier_sphere* sphere, float margin,
+                                              espalier_contact* contacts, size_t capacity);
+espalier_filled espalier_find_contacts_capsule(const espalier_blob* blob, const espalier_capsule* capsule, float margin,
+                                               espalier_contact* contacts, size_t capacity);
+espalier_filled espalier_find_contacts_oriented_box(const espalier_blob* blob, const espalier_oriented_box* box,
+                                                    float margin, espalier_contact* contacts, size_t capacity);
+
+/* The largest number of contacts that espalier_reduce_contacts() keeps. */
+#define ESPALIER_MAX_REDUCED_CONTACTS 4
+/* Moves the contacts that support a body best to the front of the array. Returns how many they are. */
+size_t espalier_reduce_contacts(espalier_contact* contacts, size_t count);
 
 /* The bend of the surface at an edge, seen from the front of its triangles. */
 typedef uint8_t espalier_edge_kind;

@@ -11,6 +11,7 @@
 #include <runtime/answers/found.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/answers/first_reference.hpp>
+#include <runtime/lattice/to_world.hpp>
 
 namespace espalier::detail {
 
@@ -54,10 +55,12 @@ struct Answer {
 /// Calls a visitor with each triangle, which may stop the walk.
 struct Each : Answer {
     using IsFirst = bool (*)(const BlobData& blob, std::uint32_t reference, ReachedChildren reached);
+    using OnTriangle = Visit (*)(Each& self, std::uint32_t index, const LatticeTriangle& triangle);
 
     const BlobData& blob;
     IsFirst is_first;  ///< returns whether a triangle comes at this duplicate reference; null: at each of them
     TriangleVisitor visit;
+    OnTriangle on_triangle;  ///< takes a triangle from the leaf at hand in place of `visit`; null: `visit` takes its id
     ReachedChildren reached;  ///< the walk, for triangles with duplicate references
 
     /// Without `with_first` a triangle comes at each reference: a program then does not link the search for the first.
@@ -65,13 +68,35 @@ struct Each : Answer {
         : Answer([](Answer& self, const Found& found) { return static_cast<Each&>(self).take(found); }),
           blob(from),
           is_first(with_first),
-          visit(with_each) {}
+          visit(with_each),
+          on_triangle(with_each.takes_corners() ? visit_corners : nullptr) {}
     Visit take(const Found& found) {
-        if (is_first != nullptr && found.reference != found.index && !is_first(blob, found.reference, reached))
-            return Visit::next;
-        const Visit next = visit(TriangleId{found.index}, blob, found.reference);
+        if (!comes_here(found)) return Visit::next;
+        return keep_place(found, visit(TriangleId{found.index}, blob, found.reference));
+    }
+    /// The same of a triangle whose leaf is at hand: its corners need no search.
+    template <class Leaf>
+    Visit take(const Found& found, const Leaf& leaf, unsigned slot) {
+        if (on_triangle == nullptr) return take(found);
+        if (!comes_here(found)) return Visit::next;
+        return keep_place(found, take_triangle(found.index, leaf, slot));
+    }
+
+private:
+    [[nodiscard]] bool comes_here(const Found& found) const {
+        return is_first == nullptr || found.reference == found.index || is_first(blob, found.reference, reached);
+    }
+    Visit keep_place(const Found& found, Visit next) {
         if (next == Visit::stop) first = found.reference;  // where the next page begins
         return next;
+    }
+    /// Has a frame of its own: queries need no room for the corners.
+    template <class Leaf>
+    [[gnu::noinline]] Visit take_triangle(std::uint32_t index, const Leaf& leaf, unsigned slot) {
+        return on_triangle(*this, index, leaf.triangle(slot));
+    }
+    static Visit visit_corners(Each& self, std::uint32_t index, const LatticeTriangle& triangle) {
+        return self.visit(TriangleId{index}, corners_of(self.blob, triangle));
     }
 };
 

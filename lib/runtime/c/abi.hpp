@@ -29,7 +29,7 @@ namespace espalier::detail {
     twin(vec3, Vec3) twin(triangle, Triangle) twin(segment, Segment) ESPALIER_SHAPES_(twin)                   \
     twin(plane, Plane)                                                                                        \
     twin(blob, Blob) twin(lattice, Lattice)                                                                   \
-    twin(edge_kinds, EdgeKinds) twin(edge_kinds_result, Result<EdgeKinds>)                                    \
+    twin(contact, Contact) twin(edge_kinds, EdgeKinds) twin(edge_kinds_result, Result<EdgeKinds>)             \
     twin(k_dop, KDop) twin(sphere_result, Result<Sphere>)                                                     \
     twin(oriented_box_result, Result<OrientedBox>) twin(k_dop_result, Result<KDop>)                           \
     twin(ray, Ray) twin(ray_hit, RayHit)                                                                      \

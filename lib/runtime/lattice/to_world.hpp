@@ -6,6 +6,7 @@
 #include <espalier/blob.hpp>
 #include <runtime/base/bits.hpp>
 #include <runtime/base/options.hpp>
+#include <runtime/lattice/triangle.hpp>
 
 namespace espalier::detail {
 
@@ -20,6 +21,11 @@ ESPALIER_SHARED_CODE inline Vec3 to_world(const BlobData& blob, float x, float y
 }
 ESPALIER_SHARED_CODE inline Vec3 to_world(const BlobData& blob, const std::int32_t* point) {
     return to_world(blob, static_cast<float>(point[0]), static_cast<float>(point[1]), static_cast<float>(point[2]));
+}
+
+/// Returns the corners in the world, rounded to float.
+ESPALIER_SHARED_CODE inline Triangle corners_of(const BlobData& blob, const LatticeTriangle& triangle) {
+    return {to_world(blob, triangle.corner[0]), to_world(blob, triangle.corner[1]), to_world(blob, triangle.corner[2])};
 }
 
 }  // namespace espalier::detail

@@ -104,7 +104,7 @@ struct VolumeShape {
             return Visit::next;
         count_decision();
         if (!volume.kernel(volume, triangle)) return Visit::next;
-        return answer.take(found_at(leaf, scalar::storage_index(leaf, slot)));
+        return answer.take(found_at(leaf, scalar::storage_index(leaf, slot)), leaf, slot);
     }
     /// Vertices first: most triangles need no more.
     template <class Leaf>
@@ -131,7 +131,7 @@ struct VolumeShape {
                     if (!volume.kernel(volume, leaf.triangle(slot))) continue;
                 }
             }
-            if (answer.take(found_at(leaf, reference)) == Visit::stop) return Visit::stop;
+            if (answer.take(found_at(leaf, reference), leaf, slot) == Visit::stop) return Visit::stop;
         }
         return Visit::next;
     }

@@ -75,7 +75,7 @@ struct SphereShape {
             if ((candidates.inside >> slot & 1u) == 0 &&
                 !is_within_radius(sphere, distance_to(sphere, leaf.triangle(slot)), sphere.radius))
                 continue;
-            if (answer.take(found_at(leaf, reference)) == Visit::stop) return Visit::stop;
+            if (answer.take(found_at(leaf, reference), leaf, slot) == Visit::stop) return Visit::stop;
         }
         return Visit::next;
     }

@@ -74,10 +74,6 @@ unsigned child_holding(const BlobData& blob, std::uint32_t node_index, std::uint
     });
 }
 
-Triangle corners_of(const BlobData& blob, const LatticeTriangle& triangle) {
-    return {to_world(blob, triangle.corner[0]), to_world(blob, triangle.corner[1]), to_world(blob, triangle.corner[2])};
-}
-
 Triangle corners_at(const BlobData& blob, std::uint32_t index) noexcept {
     return corners_of(blob, find_triangle(blob, index));
 }

@@ -31,7 +31,4 @@ IntegerBounds bounds_of(const LatticeTriangle& triangle);
 /// Returns the child of a node below which the triangle of that storage index lies; it must lie below the node.
 unsigned child_holding(const BlobData& blob, std::uint32_t node, std::uint32_t index);
 
-/// The corners in the world, rounded to float.
-Triangle corners_of(const BlobData& blob, const LatticeTriangle& triangle);
-
 }  // namespace espalier::detail

@@ -31,7 +31,43 @@ void check_nearest(Exercise& run, const ClosestPoint& nearest) {
     run.hash.add(static_cast<std::uint32_t>(nearest.side));
 }
 
+/// The contacts of a body: sorted, of triangles that exist, and the few that are kept are among them.
+template <class Shape>
+void check_contacts(Exercise& run, const Shape& shape, float margin) {
+    std::array<Contact, 12> contacts;
+    const Filled found = find_contacts(run.blob, shape, margin, contacts);
+    run.hash.add(static_cast<std::uint32_t>(found.status));
+    run.verdict.require(found.count <= contacts.size(), "there are more contacts than places");
+    for (std::size_t i = 0; i < found.count; ++i) {
+        const Contact& contact = contacts[i];
+        run.verdict.require(contact.triangle.index < run.blob.triangle_count(), "a contact has no triangle");
+        run.verdict.require(contact.distance <= margin, "a contact is farther than the margin, or NaN");
+        run.verdict.require(i == 0 || contacts[i - 1].distance <= contact.distance, "contacts are not sorted");
+        run.verdict.require(contact.feature <= Feature::vertex_c, "a contact lies on no feature");
+        run.hash.add(contact.triangle.index);
+        run.hash.add(contact.distance);
+        run.hash.add(contact.point);
+        run.hash.add(contact.normal);
+        run.hash.add(static_cast<std::uint32_t>(contact.feature));
+        run.hash.add(static_cast<std::uint32_t>(contact.side));
+    }
+    const std::size_t kept = reduce_contacts(found.in(contacts));
+    run.verdict.require(kept <= max_reduced_contacts && (kept == 0) == (found.count == 0),
+                        "more or fewer contacts are kept than can be");
+    for (std::size_t i = 0; i < kept; ++i) run.hash.add(contacts[i].triangle.index);
+}
+
 }  // namespace
+
+void exercise_contacts(Exercise& run) {
+    const MeasuredBlob& blob = run.blob;
+    const Vec3 from = some_point(blob, run.random), to = some_point(blob, run.random);
+    const float radius = some_length(blob, run.random), margin = some_length(blob, run.random);
+    check_contacts(run, Sphere{from, radius}, margin);
+    check_contacts(run, Capsule{from, to, radius}, margin);
+    check_contacts(run, OrientedBox{from, {{radius, 0.0f, 0.0f}, {0.0f, margin, radius}, difference(to, from)}},
+                   margin);
+}
 
 void exercise_distances(Exercise& run) {
     const MeasuredBlob& blob = run.blob;

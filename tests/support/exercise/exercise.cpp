@@ -20,6 +20,7 @@ std::uint64_t exercise(const Blob& blob, Random& random, unsigned rounds, bool s
         exercise_volumes(run);
         exercise_approximate(run);
         exercise_distances(run);
+        exercise_contacts(run);
         exercise_sweeps(run);
         exercise_pairs(run);
         exercise_steps(run);

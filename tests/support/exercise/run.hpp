@@ -59,6 +59,7 @@ void exercise_spheres(Exercise& run);
 void exercise_volumes(Exercise& run);
 void exercise_steps(Exercise& run);
 void exercise_distances(Exercise& run);
+void exercise_contacts(Exercise& run);
 void exercise_approximate(Exercise& run);
 void exercise_sweeps(Exercise& run);
 void exercise_pairs(Exercise& run);

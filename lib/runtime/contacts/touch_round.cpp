@@ -1,0 +1,191 @@
+// Contacts of spheres and capsules: distances and features by the exact kernels, directions from exact integers.
+#include <runtime/contacts/touch.hpp>
+#include <runtime/kernels/face.hpp>
+#include <runtime/kernels/point_triangle.hpp>
+#include <runtime/kernels/segment_triangle.hpp>
+
+namespace espalier::detail::contacts {
+
+namespace {
+
+Vec3 place_at(const LatticeTriangle& triangle, float u, float v) {
+    float place[3];
+    point_of(triangle, u, v, place);
+    return {place[0], place[1], place[2]};
+}
+
+/// Returns the part of v that is perpendicular to d, times d * d.
+WideVector across(const Integer3& v, const Integer3& d) {
+    const Int128 length = dot<Int128>(d, d), share = dot<Int128>(v, d);
+    const auto coordinate = [&](std::int64_t of_v, std::int64_t of_d) {
+        return multiply(length, of_v) - multiply(share, of_d);
+    };
+    return {coordinate(v.x, d.x), coordinate(v.y, d.y), coordinate(v.z, d.z)};
+}
+
+/// Returns the direction from a feature of the triangle to the origin, from which its corners are counted. The origin
+/// is not on the feature; zero if it is.
+Vec3 direction_from(Feature feature, const OriginRelative& t, const LatticeTriangle& triangle, int fraction_bits) {
+    const Integer3 b = t.a + (t.ab << fraction_bits), c = t.a + (t.ac << fraction_bits);
+    switch (feature) {
+        case Feature::face:
+            return face_normal_of(triangle) * (is_origin_behind(t) ? -1.0f : 1.0f);
+        case Feature::edge_ab:
+            return direction_of(-across(t.a, t.ab));
+        case Feature::edge_bc:
+            return direction_of(-across(b, t.ac - t.ab));
+        case Feature::edge_ca:
+            return direction_of(-across(c, t.ac));
+        case Feature::vertex_a:
+            return direction_of(-t.a);
+        case Feature::vertex_b:
+            return direction_of(-b);
+        case Feature::vertex_c:
+            break;
+    }
+    return direction_of(-c);
+}
+
+/// A direction in which the shape can leave the triangle, and how far it has to go.
+struct WayOut {
+    Vec3 normal;
+    float depth = infinity;
+};
+
+/// Tries both senses of a direction that is not zero. Segment and corners are counted from the segment's start.
+void try_way(const WideVector& axis, const Integer3& along, const Integer3* corner, WayOut& best) {
+    if (is_zero(axis)) return;
+    const Int128 end = dot(axis, along), zero = 0;
+    const Span<Int128> of_segment = {end.is_negative() ? end : zero, end.is_negative() ? zero : end};
+    const Span<Int128> of_triangle = span_of(dot(axis, corner[0]), dot(axis, corner[1]), dot(axis, corner[2]));
+    const Vec3 rounded = {to_float(axis.x), to_float(axis.y), to_float(axis.z)};
+    const float size = largest(rounded);
+    const Vec3 scaled = rounded * (1.0f / size);
+    const float length = square_root(dot(scaled, scaled));
+    const Vec3 unit = scaled * (1.0f / length);
+    const auto keep = [&](const Int128& way, float sense) {
+        const float depth = to_float(way) / size / length;
+        if (depth < best.depth) best = {unit * sense, depth};
+    };
+    keep(of_triangle.high - of_segment.low, 1.0f);
+    keep(of_segment.high - of_triangle.low, -1.0f);
+}
+
+/// Returns the shortest way out of the triangle for a segment that shares a point with it: across the face, or across
+/// the segment and a side.
+WayOut way_out(const UnitSegment& segment, const LatticeTriangle& triangle) {
+    const Integer3 along = segment.to - segment.from;
+    Integer3 corner[3];
+    for (int i = 0; i < 3; ++i) corner[i] = corner_on_grid(triangle, i, segment.fraction_bits) - segment.from;
+    WayOut best;
+    const Integer3 normal = normal_of(integer_triangle(triangle));
+    try_way({normal.x, normal.y, normal.z}, along, corner, best);
+    for (int side = 0; side < 3; ++side) try_way(wide_cross(along, side_from(triangle, side)), along, corner, best);
+    // A point on the triangle, or a segment and a triangle on one line.
+    if (best.depth == infinity) best = {front_of(triangle), 0.0f};
+    best.depth *= power_of_two(-segment.fraction_bits);
+    return best;
+}
+
+/// Returns the direction from the nearest feature to the inside of the segment; zero if there is none.
+Vec3 direction_to_inside(const UnitSegment& segment, Feature feature, const LatticeTriangle& triangle) {
+    const Integer3 along = segment.to - segment.from;
+    const OriginRelative t = relative_to(segment.from, segment.fraction_bits, triangle);
+    if (feature == Feature::face) return direction_from(feature, t, triangle, segment.fraction_bits);
+    const auto number = static_cast<int>(feature);
+    constexpr auto first_edge = static_cast<int>(Feature::edge_ab), first_vertex = static_cast<int>(Feature::vertex_a);
+    const int corner = number >= first_vertex ? number - first_vertex : number - first_edge;
+    const Integer3 to_corner = corner_on_grid(triangle, corner, segment.fraction_bits) - segment.from;
+    if (number >= first_vertex) return direction_of(-across(to_corner, along));
+    const WideVector normal = wide_cross(along, side_from(triangle, corner));
+    if (is_zero(normal)) return direction_of(-across(to_corner, side_from(triangle, corner)));
+    return direction_of(dot(normal, to_corner).is_negative() ? normal : -normal);
+}
+
+/// Cuts the part of a segment that lies within the prism, from shares first to last. False if nothing is left.
+bool clip_to(const Prism& prism, const Vec3& along, float& first, float& last) {
+    for (unsigned i = 0; i < Prism::plane_count; ++i) {
+        const float at_from = -dot(prism.inward[i], prism.on_plane[i]), slope = dot(prism.inward[i], along);
+        if (slope > 0.0f) first = maximum(first, -at_from / slope);
+        else if (slope < 0.0f) last = minimum(last, -at_from / slope);
+        else if (at_from < 0.0f) return false;
+    }
+    return first <= last;
+}
+
+}  // namespace
+
+Vec3 front_of(const LatticeTriangle& triangle) {
+    const Vec3 normal = face_normal_of(triangle);
+    if (dot(normal, normal) > 0.0f) return normal;
+    Integer3 longest = {1, 0, 0};
+    Int128 most = 0;
+    for (int side = 0; side < 3; ++side) {
+        const Integer3 d = side_from(triangle, side);
+        const Int128 length = dot<Int128>(d, d);
+        if (!(most < length)) continue;
+        most = length;
+        longest = d;
+    }
+    const Integer3 size = magnitude(longest);
+    const Integer3 axis = size.x <= size.y && size.x <= size.z ? Integer3{1, 0, 0}
+                          : size.y <= size.z                   ? Integer3{0, 1, 0}
+                                                               : Integer3{0, 0, 1};
+    return direction_of(detail::cross(longest, axis));
+}
+
+void touch_point(const RoundedPoint& point, const LatticeTriangle& triangle, Touches& touches) {
+    const PointDistance distance = distance_to(point, triangle);
+    const OriginRelative t = relative_to(point, triangle);
+    Vec3 normal = direction_from(distance.feature, t, triangle, point.fraction_bits);
+    if (distance.squared == 0.0f || dot(normal, normal) == 0.0f) normal = front_of(triangle);
+    touches.touch[0] = {place_at(triangle, distance.u, distance.v), normal,
+                        square_root(distance.squared) + point.distance_offset, distance.feature};
+    touches.count = 1;
+}
+
+void touch_segment(const RoundedSegment& segment, const LatticeTriangle& triangle, float reach, Touches& touches) {
+    const SegmentDistance distance = distance_to(segment, triangle);
+    Touch& first = touches.touch[0];
+    first.point = place_at(triangle, distance.u, distance.v);
+    first.feature = distance.feature;
+    if (distance.squared == 0.0f) {
+        const WayOut out = way_out(segment, triangle);
+        first.normal = out.normal;
+        first.distance = -out.depth;
+    } else {
+        const bool at_from = distance.along <= 0.0f, at_to = distance.along >= 1.0f;
+        const Integer3& end = at_to ? segment.to : segment.from;
+        first.normal = at_from || at_to
+                           ? direction_from(distance.feature, relative_to(end, segment.fraction_bits, triangle),
+                                            triangle, segment.fraction_bits)
+                           : direction_to_inside(segment, distance.feature, triangle);
+        if (dot(first.normal, first.normal) == 0.0f) first.normal = front_of(triangle);
+        first.distance = square_root(distance.squared);
+    }
+    touches.count = 1;
+
+    // Where the segment lies over the face, both ends of that part touch it too.
+    const Vec3 face = face_normal_of(triangle), way = first.normal;
+    const float steepness = dot(face, way);
+    if (absolute(steepness) < 0.25f) return;
+    const auto from_start = [&](const std::int32_t* corner) {
+        return Vec3{static_cast<float>(corner[0]) - segment.from_steps[0],
+                    static_cast<float>(corner[1]) - segment.from_steps[1],
+                    static_cast<float>(corner[2]) - segment.from_steps[2]};
+    };
+    const Vec3 corner[3] = {from_start(triangle.corner[0]), from_start(triangle.corner[1]),
+                            from_start(triangle.corner[2])};
+    const Vec3 start = {segment.from_steps[0], segment.from_steps[1], segment.from_steps[2]};
+    const Vec3 along = Vec3{segment.to_steps[0], segment.to_steps[1], segment.to_steps[2]} - start;
+    float low = 0.0f, high = 1.0f;
+    if (!clip_to(Prism(corner, way), along, low, high)) return;
+    const float apart = largest(along) * (1.0f / 64.0f);
+    for (const float share : {low, high}) {
+        const Vec3 place = along * share;
+        const float gap = dot(face, place - corner[0]) / steepness;
+        if (gap <= reach) touches.add(start + (place - way * gap), way, gap, apart);
+    }
+}
+
+}  // namespace espalier::detail::contacts

@@ -1,0 +1,210 @@
+// Claims about the kernels of contacts: distance, depth and direction against a reference in double that tries every
+// plane through three differences of vertices.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <runtime/contacts/touch.hpp>
+
+#include "oracle/minkowski.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/exact/as_rationals.hpp"
+#include "support/exact/grid_triangles.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using detail::Integer3;
+using detail::contacts::Touch;
+using detail::contacts::Touches;
+using detail::contacts::operator*;
+using reference::Point;
+
+namespace {
+
+using Points = std::vector<Point>;
+
+Point point_of(const Vec3& v) { return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)}; }
+Point point_of(const GridPoint& p) {
+    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+Points corners_of(const GridTriangle& t) { return {point_of(t.a), point_of(t.b), point_of(t.c)}; }
+
+/// What a case needs for its verdict.
+struct Case {
+    Points body;  ///< of the shape without its radius
+    Points triangle;
+    double size;   ///< how far both reach from the middle
+    double error;  ///< what is allowed
+};
+
+/// Tests the first place against the reference and the others by their own definition.
+void require_right(const Case& asked, const Touches& touches, double& worst) {
+    const double expected = reference::signed_separation(asked.body, asked.triangle);
+    const Touch& first = touches.touch[0];
+    const double distance = static_cast<double>(first.distance);
+    worst = std::max(worst, std::abs(distance - expected) / asked.size);
+    REQUIRE(std::abs(distance - expected) <= asked.error);
+    for (unsigned i = 0; i < touches.count; ++i) {
+        const Touch& touch = touches.touch[i];
+        const Point normal = point_of(touch.normal), place = point_of(touch.point);
+        REQUIRE(std::abs(reference::length(normal) - 1.0) < 1e-6);
+        const reference::PointTriangle triangle = {asked.triangle[0], asked.triangle[1], asked.triangle[2]};
+        REQUIRE(std::sqrt(reference::squared_distance(place, triangle)) <= asked.error);
+        // No place is deeper than the least way out along this normal.
+        REQUIRE(static_cast<double>(touch.distance) >= distance - asked.error);
+        if (i == 0 && distance <= 0.0) continue;
+        // The body begins there: the point at that distance along the normal belongs to it.
+        const Point on_body = place + static_cast<double>(touch.distance) * normal;
+        REQUIRE(reference::signed_separation({on_body}, asked.body) <= (i == 0 ? 1.0 : 4.0) * asked.error);
+    }
+    // The direction separates by the depth. That of closest points does by the distance, but where two pairs are
+    // equally far but for rounding it may be that of either.
+    const double gap = reference::gap_along(point_of(first.normal), asked.body, asked.triangle);
+    if (expected > 0.0 && expected < asked.size * 1e-3) return;  // only rounding tells the direction
+    const double turned = asked.size * (asked.error / std::max(expected, 1.0) + 0x1p-10);
+    REQUIRE(std::abs(gap - expected) <= (expected > 0.0 ? turned : asked.error));
+}
+
+Integer3 integer_point(const GridPoint& p) { return {p[0], p[1], p[2]}; }
+
+/// A point near the triangle, or a corner of it, or on it.
+GridPoint point_near(Random& random, unsigned bits, const GridTriangle& t) {
+    const GridPoint corners[3] = {t.a, t.b, t.c};
+    const GridPoint p = some_grid_point(random, bits), q = corners[random.below(3)], r = corners[random.below(3)];
+    GridPoint result;
+    const unsigned kind = random.below(4);
+    for (unsigned k = 0; k < 3; ++k)
+        result[k] = kind == 0 ? p[k] : kind == 1 ? (q[k] + r[k]) / 2 : kind == 2 ? (q[k] * 3 + p[k]) / 4 : q[k];
+    return result;
+}
+
+detail::RoundedSegment segment_of(const GridPoint& from, const GridPoint& to) {
+    detail::RoundedSegment segment{};
+    segment.from = integer_point(from);
+    segment.to = integer_point(to);
+    segment.fraction_bits = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        segment.from_steps[k] = static_cast<float>(from[k]);
+        segment.to_steps[k] = static_cast<float>(to[k]);
+    }
+    return segment;
+}
+
+}  // namespace
+
+TEST_SUITE("contact kernels") {
+    TEST_CASE("contact: a point has the distance and the direction of the reference") {
+        Random random(5);
+        double worst = 0.0;
+        const std::uint64_t count = scaled(20'000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const unsigned bits = 2 + random.below(18);
+            const GridTriangle triangle = some_triangle(random, bits);
+            const GridPoint at = point_near(random, bits, triangle);
+            detail::RoundedPoint point{};
+            for (unsigned k = 0; k < 3; ++k) {
+                point.origin[k] = at[k];
+                point.steps[k] = static_cast<float>(at[k]);
+            }
+            Touches touches;
+            detail::contacts::touch_point(point, lattice_triangle(triangle), touches);
+            REQUIRE(touches.count == 1);
+            const double size = std::ldexp(1.0, static_cast<int>(bits));
+            require_right({{point_of(at)}, corners_of(triangle), size, size * 0x1p-20}, touches, worst);
+        }
+        MESSAGE(count, " points; worst error ", worst, " of the size");
+    }
+
+    TEST_CASE("contact: a segment has the distance or depth and the direction of the reference") {
+        Random random(6);
+        double worst = 0.0;
+        std::uint64_t deep = 0, several = 0;
+        const std::uint64_t count = scaled(10'000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const unsigned bits = 2 + random.below(18);
+            const GridTriangle triangle = some_triangle(random, bits);
+            const GridPoint from = point_near(random, bits, triangle), to = point_near(random, bits, triangle);
+            Touches touches;
+            const double size = std::ldexp(1.0, static_cast<int>(bits));
+            detail::contacts::touch_segment(segment_of(from, to), lattice_triangle(triangle),
+                                            static_cast<float>(size) * 0.25f, touches);
+            REQUIRE(touches.count >= 1);
+            const Case asked = {{point_of(from), point_of(to)}, corners_of(triangle), size, size * 0x1p-18};
+            require_right(asked, touches, worst);
+            if (touches.touch[0].distance < 0.0f) ++deep;
+            if (touches.count > 1) ++several;
+        }
+        CHECK(deep > count / 100);
+        CHECK(several > count / 50);
+        MESSAGE(count, " segments, ", deep, " deep, ", several, " in several places; worst error ", worst,
+                " of the size");
+    }
+
+    TEST_CASE("contact: a box has the distance or depth and the direction of the reference") {
+        Random random(7);
+        double worst = 0.0;
+        std::uint64_t deep = 0, near = 0, several = 0;
+        const std::uint64_t count = scaled(2'000);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const unsigned bits = 4 + random.below(16);
+            const GridTriangle triangle = some_triangle(random, bits);
+            const GridPoint at = point_near(random, bits, triangle);
+            detail::contacts::BoxBody box{};
+            box.center = integer_point(at);
+            const unsigned kind = random.below(4);  // turned, along the axes, flat, sheared
+            const float reach = static_cast<float>(1u << bits) * (random.coin() ? 0.02f : 0.3f);
+            const auto whole = [](const Vec3& v) { return Vec3{std::round(v.x), std::round(v.y), std::round(v.z)}; };
+            const Vec3 u = random.in_cube(reach), v = random.in_cube(reach);
+            box.half[0] = whole(u);
+            box.half[1] = whole(kind == 3 ? v : detail::contacts::cross(u, v) * (1.0f / reach));
+            box.half[2] = whole(kind == 3 ? random.in_cube(reach)
+                                          : detail::contacts::cross(box.half[0], box.half[1]) * (1.0f / reach));
+            if (kind == 1) {
+                box.half[0] = {std::round(u.x), 0.0f, 0.0f};
+                box.half[1] = {0.0f, std::round(u.y), 0.0f};
+                box.half[2] = {0.0f, 0.0f, std::round(u.z)};
+            }
+            if (kind == 2) box.half[random.below(3)] = {};
+            Integer3 units[3];
+            box.size = 0.0f;
+            for (unsigned k = 0; k < 3; ++k) {
+                const Vec3& h = box.half[k];
+                units[k] = {static_cast<std::int64_t>(h.x), static_cast<std::int64_t>(h.y),
+                            static_cast<std::int64_t>(h.z)};
+                box.size += std::abs(h.x) + std::abs(h.y) + std::abs(h.z);
+            }
+            for (unsigned k = 0; k < 3; ++k)
+                box.face[k] =
+                    detail::contacts::direction_of(detail::wide_cross(units[(k + 1) % 3], units[(k + 2) % 3]));
+            Points body;
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                Point p = point_of(at);
+                for (unsigned k = 0; k < 3; ++k) p = p + ((corner >> k & 1u) != 0 ? 1.0 : -1.0) * point_of(box.half[k]);
+                body.push_back(p);
+            }
+            const double size = std::ldexp(1.0, static_cast<int>(bits)) + static_cast<double>(box.size);
+            const double error = size * 0x1p-18;
+            const float margin = static_cast<float>(size) * 0.1f;
+            Touches touches;
+            detail::contacts::touch_box(box, lattice_triangle(triangle), margin, touches);
+            const Points corners = corners_of(triangle);
+            if (touches.count == 0) {
+                REQUIRE(reference::signed_separation(body, corners) >= static_cast<double>(margin) - error);
+                continue;
+            }
+            ++near;
+            require_right({body, corners, size, error}, touches, worst);
+            if (touches.touch[0].distance < 0.0f) ++deep;
+            if (touches.count > 1) ++several;
+        }
+        CHECK(near > count / 4);
+        CHECK(deep > count / 20);
+        CHECK(several > count / 20);
+        MESSAGE(count, " boxes, ", near, " near, ", deep, " deep, ", several, " in several places; worst error ", worst,
+                " of the size");
+    }
+}

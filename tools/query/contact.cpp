@@ -1,0 +1,85 @@
+// Contacts of bodies with the surface.
+#include <utility>
+#include <vector>
+
+#include "base/choices.hpp"
+#include "kinds.hpp"
+
+namespace espalier::tools {
+
+namespace {
+
+/// Lists all contacts, or the few that support the body best.
+template <class Shape>
+Answer contacts_answer(QueryCall& call, const Shape& shape) {
+    const float margin = call.next_number();
+    Answer answer(call);
+    std::vector<Contact> contacts(64);
+    Filled found = find_contacts(call.blob(), shape, margin, contacts);
+    while (found.status == QueryStatus::output_full) {
+        contacts.resize(2 * contacts.size());
+        found = find_contacts(call.blob(), shape, margin, contacts);
+    }
+    answer.status = found.status;
+    if (is_refused(found.status)) return answer;
+    contacts.resize(call.options().few ? reduce_contacts(found.in(contacts)) : found.count);
+    for (const Contact& contact : contacts) {
+        Record& record = answer.list.emplace_back(call.options().json);
+        record.triangle(call.blob(), contact.triangle, "contact ");
+        record.add("distance", contact.distance).add("point", contact.point).add("normal", contact.normal);
+        record.add("feature", name_in(feature_choices, contact.feature));
+        record.add("side", std::string(contact.side == Side::front ? "front" : "back"));
+    }
+    return answer.counted_list("touches", "touch");
+}
+
+Answer contacts_sphere_answer(QueryCall& call) {
+    Sphere sphere;
+    sphere.center = call.next_vector();
+    sphere.radius = call.next_number();
+    return contacts_answer(call, sphere);
+}
+
+Answer contacts_capsule_answer(QueryCall& call) {
+    Capsule capsule;
+    capsule.from = call.next_vector();
+    capsule.to = call.next_vector();
+    capsule.radius = call.next_number();
+    return contacts_answer(call, capsule);
+}
+
+Answer contacts_oriented_box_answer(QueryCall& call) {
+    OrientedBox box;
+    box.center = call.next_vector();
+    for (Vec3& half : box.half_axes) half = call.next_vector();
+    return contacts_answer(call, box);
+}
+
+}  // namespace
+
+QueryKinds contact_kinds() {
+    constexpr const char* family = "Contacts: places, directions and depths, within a margin";
+    return {
+        {family,
+         "contacts-sphere",
+         "Where a sphere touches the surface or is near it",
+         {point_word("center"), length_word("radius"), length_word("margin")},
+         option_few,
+         contacts_sphere_answer},
+        {family,
+         "contacts-capsule",
+         "Where a capsule touches the surface or is near it",
+         {point_word("from"), point_word("to"), length_word("radius"), length_word("margin")},
+         option_few,
+         contacts_capsule_answer},
+        {family,
+         "contacts-oriented-box",
+         "Where a box of any orientation touches the surface or is near it",
+         {point_word("center"), point_word("half_axis_a"), point_word("half_axis_b"), point_word("half_axis_c"),
+          length_word("margin")},
+         option_few,
+         contacts_oriented_box_answer},
+    };
+}
+
+}  // namespace espalier::tools
