@@ -13,7 +13,7 @@ int main() {
     std::printf("the level: %u triangles in %u bytes\n", static_cast<unsigned>(level_blob.triangle_count()),
                 static_cast<unsigned>(level_size));
 
-    Character character = {.position = {0, -2, 2}};
+    Character character = {.position = {0, -2, 2.5f}};
     const int ticks_a_second = 60;
     for (int tick = 0; tick <= 4 * ticks_a_second; ++tick) {
         if (tick % (ticks_a_second / 2) == 0) {

@@ -1,0 +1,198 @@
+// Claims about the character of docs/examples/game: random walks never end in a wall, behind one, or stuck in the open.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <espalier/espalier.hpp>
+
+#include <game/character.hpp>
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+#include "support/blobs/baking.hpp"
+#include "support/meshes/files.hpp"
+#include "support/meshes/level_maker.hpp"
+#include "support/meshes/mesh.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+
+namespace {
+
+void add_quad(Mesh& mesh, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const Vec3& p : {a, b, c, d}) mesh.positions.push_back(p);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
+/// A sheet that stands from (x, y) to (u, v): as thin as walls can be.
+void add_wall(Mesh& mesh, float x, float y, float u, float v, float low, float high) {
+    add_quad(mesh, {x, y, low}, {u, v, low}, {u, v, high}, {x, y, high});
+}
+
+void add_block(Mesh& mesh, Vec3 low, Vec3 high) {
+    add_quad(mesh, {low.x, low.y, high.z}, {high.x, low.y, high.z}, {high.x, high.y, high.z}, {low.x, high.y, high.z});
+    add_wall(mesh, low.x, low.y, high.x, low.y, low.z, high.z);
+    add_wall(mesh, high.x, low.y, high.x, high.y, low.z, high.z);
+    add_wall(mesh, high.x, high.y, low.x, high.y, low.z, high.z);
+    add_wall(mesh, low.x, high.y, low.x, low.y, low.z, high.z);
+}
+
+/// An arena of 24 by 24 metres: stairs, slopes that can be climbed and that cannot, gaps between walls from too narrow
+/// to wide enough, sharp corners, thin walls, low ceilings, and crates that stand anyhow.
+Mesh make_arena() {
+    Mesh mesh;
+    mesh.name = "arena";
+    add_quad(mesh, {-12, -12, 0}, {12, -12, 0}, {12, 12, 0}, {-12, 12, 0});
+    for (const auto& [x, y, u, v] : {std::array{-12.0f, -12.0f, 12.0f, -12.0f},
+                                     {12.0f, -12.0f, 12.0f, 12.0f},
+                                     {12.0f, 12.0f, -12.0f, 12.0f},
+                                     {-12.0f, 12.0f, -12.0f, -12.0f}})
+        add_wall(mesh, x, y, u, v, 0, 6);
+    for (int step = 0; step < 8; ++step) {
+        const float x = 2.0f + 0.3f * static_cast<float>(step), z = 0.2f * static_cast<float>(step + 1);
+        add_block(mesh, {x, 2, 0}, {x + 0.3f, 5, z});
+    }
+    add_block(mesh, {4.4f, 2, 0}, {7, 5, 1.6f});
+    add_quad(mesh, {-9, 2, 0}, {-5, 2, 0}, {-5, 6, 1.8f}, {-9, 6, 1.8f});      // 24 degrees
+    add_quad(mesh, {-9, -6, 0}, {-5, -6, 0}, {-5, -4, 3.5f}, {-9, -4, 3.5f});  // 60 degrees
+    for (int gap = 0; gap < 8; ++gap) {
+        const float x = -4.0f + 1.5f * static_cast<float>(gap), width = 0.2f + 0.1f * static_cast<float>(gap);
+        add_wall(mesh, x, -9, x + 1.5f - width, -9, 0, 3);
+    }
+    add_wall(mesh, 6, -2, 9, -1.2f, 0, 3);  // a sharp corner
+    add_wall(mesh, 6, -2, 9, -2.8f, 0, 3);
+    add_wall(mesh, -2, 8, 2, 8.01f, 0, 3);  // two sheets, one behind the other
+    add_wall(mesh, -2, 8.02f, 2, 8, 0, 3);
+    add_quad(mesh, {-1, -4, 1.9f}, {3, -4, 1.9f}, {3, -1, 1.6f}, {-1, -1, 1.6f});  // a ceiling that sinks
+    Random random(12);
+    for (int crate = 0; crate < 24; ++crate) {
+        const Vec3 at = {10.0f * random.signed_unit(), 10.0f * random.signed_unit(), 0};
+        const float size = 0.2f + 0.6f * random.unit(), angle = 3.0f * random.unit();
+        const float c = size * std::cos(angle), s = size * std::sin(angle);
+        const Vec3 p[4] = {
+            {at.x + c, at.y + s, 0}, {at.x - s, at.y + c, 0}, {at.x - c, at.y - s, 0}, {at.x + s, at.y - c, 0}};
+        for (int i = 0; i < 4; ++i) add_wall(mesh, p[i].x, p[i].y, p[(i + 1) % 4].x, p[(i + 1) % 4].y, 0, size);
+        add_quad(mesh, {p[0].x, p[0].y, size}, {p[1].x, p[1].y, size}, {p[2].x, p[2].y, size}, {p[3].x, p[3].y, size});
+    }
+    return mesh;
+}
+
+float dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+struct Walk {
+    std::uint64_t tunnels = 0, overlaps = 0, stuck = 0, on_ground = 0, restarts = 0;
+    std::vector<double> microseconds;
+
+    [[nodiscard]] double at(double share) {
+        std::sort(microseconds.begin(), microseconds.end());
+        return microseconds[static_cast<std::size_t>(share * static_cast<double>(microseconds.size() - 1))];
+    }
+};
+
+/// Walks about at random from free places of the level, and starts again where it falls out of it.
+Walk walk(const Blob& level, float speed, std::uint64_t ticks, std::uint64_t seed) {
+    constexpr float seconds = 1.0f / 60.0f;
+    Random random(seed);
+    Walk result;
+    const Box bounds = level.bounds();
+    const auto between = [&](float low, float high) { return low + random.unit() * (high - low); };
+    const auto start = [&] {
+        for (;;) {
+            Character character;
+            character.position = {between(bounds.min.x, bounds.max.x), between(bounds.min.y, bounds.max.y),
+                                  between(bounds.min.z, bounds.max.z)};
+            const Ray down = {.origin = character.position, .direction = {0.0f, 0.0f, -1.0f}};
+            if (overlaps(level, character.body()).no() && raycast(level, down)) return character;
+        }
+    };
+    Character character = start();
+    Vec3 wish;
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        if (tick % 40 == 0) {
+            const float angle = 6.2831853f * random.unit();
+            wish = {speed * std::cos(angle), speed * std::sin(angle), 0.0f};
+        }
+        const Vec3 before = character.position;
+        const Vec3 way = {wish.x * seconds, wish.y * seconds, 0.0f};
+        const bool is_free = sweep(level, character.body(), way).status == QueryStatus::not_found;
+        const auto began = std::chrono::steady_clock::now();
+        update(level, character, wish, seconds);
+        const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - began;
+        result.microseconds.push_back(took.count());
+        const Vec3 moved = {character.position.x - before.x, character.position.y - before.y,
+                            character.position.z - before.z};
+        if (overlaps(level, character.body()).yes()) ++result.overlaps;
+        if (dot(moved, moved) > 0.0f && occluded(level, Ray::between(before, character.position)).yes())
+            ++result.tunnels;
+        if (is_free && dot(moved, way) < 0.001f * dot(way, way)) ++result.stuck;
+        result.on_ground += character.on_ground ? 1u : 0u;
+        if (character.position.z < bounds.min.z - 5.0f || tick % 4000 == 3999) {
+            character = start();
+            ++result.restarts;
+        }
+    }
+    return result;
+}
+
+void require_sound_walks(const Blob& level, const std::string& name, std::uint64_t ticks) {
+    for (const float speed : {4.0f, 40.0f}) {
+        CAPTURE(name);
+        CAPTURE(speed);
+        Walk result = walk(level, speed, ticks, 3);
+        CHECK(result.tunnels == 0);
+        CHECK(result.overlaps == 0);
+        CHECK(result.stuck == 0);
+        CHECK(result.on_ground > ticks / 4);
+        MESSAGE(name, " at ", speed, " m/s: ", ticks, " steps, ", result.on_ground, " on the ground; ", result.at(0.5),
+                " us a step, 99 %: ", result.at(0.99), ", at most ", result.at(1.0));
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("character") {
+    TEST_CASE("controller: random walks in an arena leave no overlap and no tunnel and are never stuck in the open") {
+        const OpenedBlob arena(make_arena());
+        require_sound_walks(arena.blob, "arena", scaled(2'000));
+    }
+
+    TEST_CASE("controller: random walks in a building leave no overlap and no tunnel") {
+        const OpenedBlob level(make_level(4'000, 5));
+        require_sound_walks(level.blob, "building", scaled(1'000));
+    }
+
+    TEST_CASE("controller: random walks in the house of the meshes at hand") {
+        bool is_skipped = true;
+        for (const auto& file : mesh_files()) {
+            const Mesh mesh = read_mesh(file);
+            if (mesh.name.find("house") == std::string::npos) continue;
+            const OpenedBlob house(mesh);
+            require_sound_walks(house.blob, mesh.name, scaled(1'000));
+            is_skipped = false;
+        }
+        if (is_skipped) MESSAGE("SKIPPED: no mesh with the name house in the folder ESPALIER_MESHES");
+    }
+
+    TEST_CASE("controller: a character climbs stairs and stands on the platform") {
+        const OpenedBlob arena(make_arena());
+        Character character;
+        character.position = {0.8f, 3.5f, 1.0f};
+        for (int tick = 0; tick < 120; ++tick) update(arena.blob, character, {2.5f, 0.0f, 0.0f}, 1.0f / 60.0f);
+        CHECK(character.on_ground);
+        CHECK(static_cast<double>(character.position.z) == doctest::Approx(2.5).epsilon(0.01));
+        // Down again, without leaving the ground.
+        int in_the_air = 0;
+        for (int tick = 0; tick < 120; ++tick) {
+            update(arena.blob, character, {-2.5f, 0.0f, 0.0f}, 1.0f / 60.0f);
+            in_the_air += character.on_ground ? 0 : 1;
+        }
+        CHECK(in_the_air == 0);
+        CHECK(static_cast<double>(character.position.z) == doctest::Approx(0.9).epsilon(0.01));
+    }
+}
