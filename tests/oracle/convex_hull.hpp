@@ -1,10 +1,12 @@
-// Whether the origin lies in the convex hull of points in space, in exact arithmetic of any kind of whole numbers.
+// Whether the origin lies in the convex hull of points in space, and where a line meets that hull, in exact arithmetic
+// of any kind of whole numbers.
 // Carathéodory (1907): it does exactly when it lies in the hull of at most four of them that have one of their own
 // dimension, and for points, segments, triangles and tetrahedra that is a matter of signs.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace espalier::oracle {
@@ -84,6 +86,61 @@ bool hulls_meet(const std::vector<WholePoint<Number>>& a, const std::vector<Whol
     for (const auto& p : a)
         for (const auto& q : b) differences.push_back({p[0] - q[0], p[1] - q[1], p[2] - q[2]});
     return hull_has_origin(differences);
+}
+
+/// A quotient of whole numbers.
+template <class Number>
+struct Quotient {
+    Number numerator;
+    Number denominator;  ///< above 0
+};
+template <class Number>
+bool is_less(const Quotient<Number>& a, const Quotient<Number>& b) {
+    return a.numerator * b.denominator < b.numerator * a.denominator;
+}
+
+/// The least t for which t * way lies in the convex hull of points, if any does. That is where the line meets a face,
+/// hence a triangle, a segment or a point of points: tries all.
+template <class Number>
+std::optional<Quotient<Number>> line_enters_hull(const std::vector<WholePoint<Number>>& points,
+                                                 const WholePoint<Number>& way) {
+    using namespace hull;
+    std::optional<Quotient<Number>> least;
+    const auto offer = [&](const Number& numerator, const Number& denominator) {
+        const Quotient<Number> t = {numerator, denominator};
+        if (!least || is_less(t, *least)) least = t;
+    };
+    const std::size_t count = points.size();
+    const Number squared_way = inner(way, way);
+    std::vector<WholePoint<Number>> beside;  // each point's moment about the line
+    for (const auto& point : points) {
+        beside.push_back(outer(way, point));
+        if (is_zero(beside.back())) offer(inner(point, way), squared_way);
+    }
+    std::vector<Number> turns(count * count);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j) turns[i * count + j] = inner(beside[i], points[j]);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j) {
+            const Number ij = turns[i * count + j];
+            if (sign_of(ij) == 0 && sign_of(inner(beside[i], beside[j])) < 0) {
+                // Opposite each other: weighted by how far the other one is from the line.
+                const Number of_i = -inner(beside[i], beside[j]), of_j = inner(beside[i], beside[i]);
+                offer(of_i * inner(points[i], way) + of_j * inner(points[j], way), (of_i + of_j) * squared_way);
+            }
+            const WholePoint<Number> product = outer(points[i], points[j]);
+            for (std::size_t k = j + 1; k < count; ++k) {
+                const Number jk = turns[j * count + k], ki = turns[k * count + i];
+                const int signs[3] = {sign_of(ij), sign_of(jk), sign_of(ki)};
+                const bool any_above = signs[0] > 0 || signs[1] > 0 || signs[2] > 0;
+                const bool any_below = signs[0] < 0 || signs[1] < 0 || signs[2] < 0;
+                if (any_above == any_below) continue;
+                const Number volume = inner(product, points[k]), whole = ij + jk + ki;
+                if (any_above) offer(volume, whole);
+                else offer(-volume, -whole);
+            }
+        }
+    return least;
 }
 
 }  // namespace espalier::oracle

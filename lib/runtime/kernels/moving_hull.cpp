@@ -1,0 +1,298 @@
+// The kernel of convex hulls that move. Widths and proofs: docs/numerics.md.
+#include <runtime/kernels/moving_hull.hpp>
+
+#include <runtime/base/bits.hpp>
+
+namespace espalier::detail {
+
+namespace {
+
+/// A point of the triangle seen from a point of the hull.
+struct Difference {
+    Integer3 at;
+    std::uint32_t number;  ///< 64 for each corner, and that of the hull's point
+};
+/// Stands beside the line where all differences lie in one plane with it. Its weight is 0.
+constexpr std::uint32_t auxiliary = 4 * most_hull_points;
+
+Int128 determinant(const Integer3& a, const Integer3& b, const Integer3& c) { return dot<Int128>(cross(a, b), c); }
+
+/// The axis along which a vector is longest.
+int longest_axis(const Integer3& a) {
+    const Integer3 size = magnitude(a);
+    if (size.x < size.y) return size.y < size.z ? 2 : 1;
+    return size.x < size.z ? 2 : 0;
+}
+Integer3 unit_along(int k, bool is_down) {
+    Integer3 unit = {0, 0, 0};
+    unit[k] = is_down ? -1 : 1;
+    return unit;
+}
+
+/// The differences of all points of triangle and hull. Each is a difference of two points that are chosen separately.
+class Differences {
+public:
+    Differences(const MovingHull& hull, const IntegerTriangle& triangle) : hull_(hull), triangle_(triangle) {}
+
+    /// Returns the one that is least far along an axis, the first of several.
+    [[nodiscard]] Difference lowest(const Integer3& axis) const {
+        unsigned corner = 0, point = 0;
+        Int128 least = dot<Int128>(axis, triangle_.corner[0]), most = dot<Int128>(axis, point_at(0));
+        for (unsigned i = 1; i < 3; ++i) {
+            const Int128 at = dot<Int128>(axis, triangle_.corner[i]);
+            if (!(at < least)) continue;
+            least = at;
+            corner = i;
+        }
+        for (unsigned i = 1; i < hull_.point_count; ++i) {
+            const Int128 at = dot<Int128>(axis, point_at(i));
+            if (!(most < at)) continue;
+            most = at;
+            point = i;
+        }
+        return difference(corner, point);
+    }
+    /// Returns the one that is least far along an axis; of several, the one least far along the other.
+    [[nodiscard]] Difference lowest(const Integer3& axis, const Integer3& other) const {
+        const Difference some = lowest(axis);
+        const Int128 level = dot<Int128>(axis, some.at);
+        Difference best = some;
+        for_each([&](const Difference& next) {
+            if (dot<Int128>(axis, next.at) == level && dot<Int128>(other, next.at) < dot<Int128>(other, best.at))
+                best = next;
+            return false;
+        });
+        return best;
+    }
+    /// Stores the first one that is below a level along an axis. Whether there is one.
+    [[nodiscard]] bool first_below(const Integer3& axis, const Int128& level, Difference& found) const {
+        return for_each([&](const Difference& next) {
+            found = next;
+            return dot<Int128>(axis, next.at) < level;
+        });
+    }
+
+private:
+    [[nodiscard]] Integer3 point_at(unsigned i) const {
+        const std::int32_t* at = hull_.point[i];
+        return {at[0], at[1], at[2]};
+    }
+    [[nodiscard]] Difference difference(unsigned corner, unsigned point) const {
+        return {triangle_.corner[corner] - point_at(point), corner * most_hull_points + point};
+    }
+    /// Calls the function until it returns true.
+    template <class Function>
+    bool for_each(Function function) const {
+        for (unsigned corner = 0; corner < 3; ++corner)
+            for (unsigned point = 0; point < hull_.point_count; ++point)
+                if (function(difference(corner, point))) return true;
+        return false;
+    }
+
+    const MovingHull& hull_;
+    const IntegerTriangle& triangle_;
+};
+
+/// Three differences around the line, or on it: seen along the line they go round it counterclockwise, and the line
+/// passes through their triangle.
+class Portal {
+public:
+    Portal(const MovingHull& hull, const IntegerTriangle& triangle)
+        : differences_(hull, triangle), way_(hull.displacement) {
+        if (is_zero(way_)) way_ = unit_along(0, false);  // any line through the start
+    }
+
+    /// False when the line passes all differences by.
+    [[nodiscard]] bool open() {
+        // The line's own axis is not used: the other two are not along it.
+        const int k = longest_axis(way_);
+        Difference first;
+        const Side side = beside(k, first);
+        if (side == Side::apart) return false;
+        if (side == Side::along) {
+            const Integer3 one = unit_along(k == 2 ? 0 : k + 1, false);
+            const Integer3 other = unit_along(k == 0 ? 2 : k - 1, way_[k] < 0);
+            set(first, {first.at + one, auxiliary}, {first.at + other, auxiliary});
+            return true;
+        }
+        // Goes round the line to the left.
+        Difference last = first;
+        bool is_first = true;
+        for (;;) {
+            const Integer3 right = cross(last.at, way_);
+            const Difference next = differences_.lowest(right);
+            if (!dot<Int128>(right, next.at).is_negative()) return open_at_border(last, right);
+            if (!is_first && Int128(0) < determinant(way_, next.at, first.at)) {
+                set(first, last, next);
+                return true;
+            }
+            last = next;
+            is_first = false;
+        }
+    }
+
+    enum class End { first, too_late, at_start, before_start };
+
+    /// Exchanges differences until no other one is earlier: then the plane of the three separates hull and triangle.
+    /// Ends before that when the time is surely after the step, or not after the start.
+    [[nodiscard]] End advance(SweepStep most) {
+        for (unsigned count = 0;; ++count) {
+            find_plane();
+            if (!(Int128(0) < level_)) return level_.is_zero() ? End::at_start : End::before_start;
+            Difference next;
+            if (count < most_exchanges_by_depth) {
+                next = differences_.lowest(normal_);
+                const Int128 level = dot<Int128>(normal_, next.at);
+                if (multiply(speed_, std::int64_t{most}) < level << tick_bits) return End::too_late;
+                if (!(level < level_)) return End::first;
+            } else if (!differences_.first_below(normal_, level_, next)) {
+                // Taking the first ends in any case (Bland 1977).
+                return is_too_late(most) ? End::too_late : End::first;
+            }
+            exchange(next);
+        }
+    }
+    /// Turns the line round.
+    void reverse() {
+        way_ = -way_;
+        const Difference second = corner_[1];
+        corner_[1] = corner_[2];
+        corner_[2] = second;
+    }
+
+    /// The first tick at or after the one at which the line meets the plane, which is on the way.
+    [[nodiscard]] SweepStep step() const {
+        const Int128 whole = level_ << tick_bits;
+        const auto is_reached = [&](std::int64_t tick) { return !(multiply(speed_, tick) < whole); };
+        auto ticks = to_integer(to_float(level_) / to_float(speed_) * 0x1p24f);
+        while (is_reached(ticks - 1)) --ticks;
+        while (!is_reached(ticks)) ++ticks;
+        return static_cast<SweepStep>(ticks);
+    }
+    [[nodiscard]] SweepContact contact() const {
+        Int128 weight[3] = {0, 0, 0};
+        for (unsigned i = 0; i < 3; ++i) {
+            const std::uint32_t number = corner_[i].number;
+            if (number != auxiliary) weight[number / most_hull_points] += weight_of(i);
+        }
+        const float whole = to_float(speed_);
+        return {{flush_subnormal(to_float(weight[1]) / whole), flush_subnormal(to_float(weight[2]) / whole)},
+                to_unit(separating_normal(), -0x1p-30f)};
+    }
+
+private:
+    static constexpr unsigned most_exchanges_by_depth = 64;
+
+    enum class Side { apart, along, beside };
+
+    void set(const Difference& a, const Difference& b, const Difference& c) {
+        corner_[0] = a;
+        corner_[1] = b;
+        corner_[2] = c;
+    }
+    /// Stores a difference that is not on the line, or any if all are. May see that all are on one side.
+    [[nodiscard]] Side beside(int k, Difference& found) const {
+        for (unsigned i = 0; i < 4; ++i) {
+            const int other = (i & 1u) == 0 ? (k == 2 ? 0 : k + 1) : (k == 0 ? 2 : k - 1);
+            const Integer3 axis = cross(way_, unit_along(other, i >= 2));
+            found = differences_.lowest(axis);
+            const int where = sign(dot<Int128>(axis, found.at));
+            if (where > 0) return Side::apart;
+            if (where < 0) return Side::beside;
+        }
+        return Side::along;
+    }
+    /// For differences of which none is to the left of the last one: those in one plane with it and the line decide.
+    [[nodiscard]] bool open_at_border(const Difference& last, const Integer3& right) {
+        const Integer3 across = cross(last.at, way_);
+        // Along the border, across the line.
+        const int k = longest_axis(across);
+        const Integer3 along = cross(way_, unit_along(k, across[k] < 0));
+        const Difference other = differences_.lowest(right, along);
+        if (Int128(0) < dot<Int128>(along, other.at)) return false;
+        const Difference beyond = differences_.lowest(-right);
+        const bool is_flat = dot<Int128>(right, beyond.at).is_zero();
+        set(last, other, is_flat ? Difference{other.at + unit_along(k, across[k] < 0), auxiliary} : beyond);
+        return true;
+    }
+
+    void find_plane() {
+        normal_ = cross(corner_[1].at - corner_[0].at, corner_[2].at - corner_[0].at);
+        level_ = dot<Int128>(normal_, corner_[0].at);
+        speed_ = dot<Int128>(normal_, way_);
+    }
+    [[nodiscard]] bool is_too_late(SweepStep most) const {
+        return multiply(speed_, std::int64_t{most}) < level_ << tick_bits;
+    }
+    /// Of a corner where the line meets the plane, times speed_.
+    [[nodiscard]] Int128 weight_of(unsigned i) const {
+        return determinant(way_, corner_[i == 2 ? 0 : i + 1].at, corner_[i == 0 ? 2 : i - 1].at);
+    }
+    /// Of the plane; where all differences lie in one plane with the line, of one that is across that.
+    [[nodiscard]] Integer3 separating_normal() const {
+        Integer3 side = {0, 0, 0};
+        unsigned flat = 0;
+        for (unsigned i = 0; i < 3; ++i) {
+            if (corner_[i].number != auxiliary) continue;
+            side = corner_[i == 0 ? 2 : i - 1].at - corner_[i == 2 ? 0 : i + 1].at;
+            ++flat;
+        }
+        if (flat == 0) return normal_;
+        if (flat == 2) {
+            const int k = longest_axis(way_);
+            return unit_along(k, way_[k] < 0);
+        }
+        const Integer3 across = cross(way_, side);
+        const int k = longest_axis(across);
+        return cross(side, unit_along(k, across[k] < 0));
+    }
+    /// Takes in another difference for the one that leaves the line inside: of several the one with the lowest number.
+    void exchange(const Difference& next) {
+        const Integer3 across = cross(way_, next.at);
+        int side[3];
+        for (unsigned i = 0; i < 3; ++i) side[i] = sign(dot<Int128>(across, corner_[i].at));
+        unsigned out = 3;
+        for (unsigned i = 0; i < 3; ++i) {
+            const int after = side[i == 2 ? 0 : i + 1], before = side[i == 0 ? 2 : i - 1];
+            if (after < 0 || before > 0) continue;
+            if (after == 0 && before == 0 && weight_of(i).is_zero()) continue;  // no triangle would be left
+            if (out == 3 || corner_[i].number < corner_[out].number) out = i;
+        }
+        corner_[out] = next;
+    }
+
+    Differences differences_;
+    Integer3 way_;
+    Difference corner_[3]{};
+    Integer3 normal_{};
+    Int128 level_ = 0;  ///< of the plane along the normal: that of the line grows by speed_ on the whole way
+    Int128 speed_ = 0;  ///< above 0
+};
+
+}  // namespace
+
+SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most) noexcept {
+    Portal portal(hull, triangle);
+    if (!portal.open()) return no_contact;
+    switch (portal.advance(is_zero(hull.displacement) ? 0 : most)) {
+        case Portal::End::first:
+            return portal.step();
+        case Portal::End::too_late:
+            return no_contact;
+        case Portal::End::at_start:
+            return 0;
+        default:
+            // The line meets the differences before the start. Whether it leaves them after the start.
+            portal.reverse();
+            return portal.advance(0) == Portal::End::too_late ? no_contact : 0;
+    }
+}
+
+SweepContact contact_at(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep step) noexcept {
+    Portal portal(hull, triangle);
+    (void)portal.open();
+    (void)portal.advance(step);
+    return portal.contact();
+}
+
+}  // namespace espalier::detail

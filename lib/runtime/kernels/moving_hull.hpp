@@ -1,0 +1,33 @@
+// A convex hull of points that moves along a line against a triangle: the kernel of sweeps of oriented boxes and convex
+// hulls. Where hull and triangle touch, the way from a point of the hull to a point of the triangle is the part of the
+// displacement that is done: the line of the displacement meets the convex hull of all those differences. The kernel
+// finds where it does so first, by the simplex method (Dantzig 1951): three differences that surround the line are
+// exchanged one by one. Widths: docs/numerics.md, Sweeps.
+#pragma once
+
+#include <cstdint>
+
+#include <runtime/kernels/moving_shapes.hpp>
+
+namespace espalier::detail {
+
+/// Points of which a hull is made, in units of a sweep.
+inline constexpr unsigned most_hull_points = 64;
+
+/// Coordinates of displacement and differences stay below 2^30 + 4. Not empty. Points may be repeated, and may lie in
+/// one plane, on one line or in the hull of the others.
+struct MovingHull {
+    Integer3 displacement;
+    unsigned point_count;
+    std::int32_t point[most_hull_points][3];
+};
+
+/// The step at which the hull first touches the triangle, also one without area; no_contact when it does not, or later
+/// than at step `most`.
+SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most) noexcept;
+
+/// For a first contact at that step, which is not 0: a point of the triangle that the hull touches then, and the normal
+/// of a plane that separates the two until then.
+SweepContact contact_at(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep step) noexcept;
+
+}  // namespace espalier::detail

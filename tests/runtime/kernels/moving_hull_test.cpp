@@ -1,0 +1,243 @@
+// The kernel of convex hulls that move: the tick of the first contact, exactly, and the contact itself, against the
+// oracle, which tries all triangles of differences.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <runtime/kernels/moving_hull.hpp>
+
+#include "moving_scene.hpp"
+#include "oracle/convex_hull.hpp"
+#include "oracle/exact_geometry.hpp"
+#include "oracle/rational.hpp"
+#include "support/base/calls.hpp"
+#include "support/base/random.hpp"
+#include "support/base/test_scale.hpp"
+
+using namespace espalier;
+using namespace espalier::tests;
+using namespace espalier::tests::moving;
+using detail::Integer3;
+using detail::MovingHull;
+using detail::no_contact;
+using detail::SweepContact;
+using detail::SweepStep;
+using detail::whole_way;
+using oracle::BigInteger;
+using oracle::Point;
+using oracle::Rational;
+
+namespace {
+
+Integer3 point_of(const MovingHull& hull, unsigned i) {
+    return {hull.point[i][0], hull.point[i][1], hull.point[i][2]};
+}
+void add(MovingHull& hull, const Integer3& point) {
+    for (int k = 0; k < 3; ++k) hull.point[hull.point_count][k] = static_cast<std::int32_t>(point[k]);
+    ++hull.point_count;
+}
+void add_box(MovingHull& hull, const Integer3& center, const std::array<Integer3, 3>& half) {
+    for (unsigned i = 0; i < 8; ++i) {
+        Integer3 corner = center;
+        for (unsigned k = 0; k < 3; ++k) corner = (i >> k & 1u) != 0 ? plus(corner, half[k]) : minus(corner, half[k]);
+        add(hull, corner);
+    }
+}
+
+/// Points around one, of a hull of every kind: also a flat one, a segment, a point, and the triangle's own shape.
+void add_points(Scene& scene, const Integer3& from, MovingHull& hull) {
+    Random& random = scene.random;
+    const unsigned bits = random.below(3) == 0 ? random.below(scene.bits + 1) : scene.bits;
+    const auto some = [&] { return scene.some_point(bits); };
+    const auto& corner = scene.triangle.corner;
+    const Integer3 side = minus(corner[1], corner[0]), other_side = minus(corner[2], corner[0]);
+    switch (random.below(8)) {
+        case 0:
+            add_box(hull, from, {some(), some(), some()});
+            break;
+        case 1: {
+            const Integer3 size = some();
+            add_box(hull, from, {Integer3{size.x, 0, 0}, Integer3{0, size.y, 0}, Integer3{0, 0, size.z}});
+            break;
+        }
+        case 2:  // parallel to the triangle
+            add_box(hull, from, {side, random.coin() ? other_side : some(), random.coin() ? Integer3{0, 0, 0} : some()});
+            break;
+        case 3:
+            add(hull, from);
+            if (random.coin()) add(hull, plus(from, random.coin() ? side : some()));
+            break;
+        case 4:  // the triangle itself
+            for (const Integer3& c : corner) add(hull, plus(from, minus(c, corner[0])));
+            break;
+        case 5: {  // along an axis and flat
+            const int k = static_cast<int>(random.below(3));
+            for (unsigned i = 0; i < 5; ++i) {
+                Integer3 off = some();
+                off[k] = 0;
+                add(hull, plus(from, off));
+            }
+            break;
+        }
+        default: {
+            const unsigned count = 1 + random.below(9);
+            add(hull, from);
+            for (unsigned i = 1; i < count; ++i) add(hull, plus(from, some()));
+            if (random.below(4) == 0) add(hull, point_of(hull, 0));
+            break;
+        }
+    }
+}
+
+Case<MovingHull> some_hull(Random& random) {
+    for (;;) {
+        Scene scene(random);
+        MovingHull hull{};
+        hull.displacement = scene.some_way();
+        const std::int64_t radius = std::min(scene.some_radius(), std::int64_t{1} << 24);
+        const Integer3 start = scene.some_start(scene.some_target(), hull.displacement, radius);
+        constexpr std::int64_t most = std::int64_t{1} << 29;
+        const auto is_small = [](const Integer3& a) {
+            return std::all_of(std::begin(axes), std::end(axes),
+                               [&](auto axis) { return a.*axis < most && a.*axis > -most; });
+        };
+        if (!is_small(start) || !is_small(hull.displacement)) continue;
+        add_points(scene, start, hull);
+        return {hull, scene.triangle};
+    }
+}
+
+std::string describe(const Case<MovingHull>& c) {
+    std::string text;
+    const auto tell = [&](const Integer3& a) {
+        for (const auto axis : axes) text += " " + std::to_string(a.*axis);
+        text += ";";
+    };
+    for (const Integer3& corner : c.triangle.corner) tell(corner);
+    text += " way";
+    tell(c.moving.displacement);
+    text += " points";
+    for (unsigned i = 0; i < c.moving.point_count; ++i) tell(point_of(c.moving, i));
+    return text;
+}
+
+template <class Number>
+oracle::WholePoint<Number> whole(const Integer3& a) {
+    return {Number(a.x), Number(a.y), Number(a.z)};
+}
+Rational rational(const BigInteger& numerator, const BigInteger& denominator) { return {numerator, denominator}; }
+__extension__ using Int = __int128;
+BigInteger big(Int a) {
+    const auto high = static_cast<std::int64_t>(a >> 62);
+    return BigInteger(high).shifted_left(62) + BigInteger(static_cast<std::int64_t>(a - (static_cast<Int>(high) << 62)));
+}
+Rational rational(Int numerator, Int denominator) { return {big(numerator), big(denominator)}; }
+
+/// The line of the displacement meets the hull of the differences first at one end of the contact, last at the other.
+template <class Number>
+std::optional<Rational> first_contact_in(const Case<MovingHull>& c) {
+    std::vector<oracle::WholePoint<Number>> points, opposite;
+    for (const Integer3& corner : c.triangle.corner)
+        for (unsigned i = 0; i < c.moving.point_count; ++i)
+            points.push_back(whole<Number>(minus(corner, point_of(c.moving, i))));
+    const Integer3 way = c.moving.displacement;
+    if (way.x == 0 && way.y == 0 && way.z == 0)
+        return oracle::hull_has_origin(points) ? std::optional<Rational>(0) : std::nullopt;
+    const auto first = oracle::line_enters_hull(points, whole<Number>(way));
+    if (!first) return std::nullopt;
+    const Rational enters = rational(first->numerator, first->denominator);
+    if (enters > Rational(1)) return std::nullopt;
+    if (enters.sign() >= 0) return enters;
+    const auto last = oracle::line_enters_hull(points, whole<Number>(minus({0, 0, 0}, way)));
+    if (rational(last->numerator, last->denominator).sign() > 0) return std::nullopt;
+    return Rational(0);
+}
+std::optional<Rational> exact_first_contact(const Case<MovingHull>& c) {
+    std::int64_t largest = 0;
+    const auto look_at = [&](const Integer3& a) {
+        for (const auto axis : axes) largest = std::max({largest, a.*axis, -(a.*axis)});
+    };
+    for (const Integer3& corner : c.triangle.corner) look_at(corner);
+    for (unsigned i = 0; i < c.moving.point_count; ++i) look_at(point_of(c.moving, i));
+    look_at(c.moving.displacement);
+    // Numbers of the oracle are products of eleven coordinates at most, but for a few bits.
+    return largest < 256 ? first_contact_in<Int>(c) : first_contact_in<BigInteger>(c);
+}
+
+}  // namespace
+
+TEST_SUITE("moving hull") {
+    TEST_CASE("kernel: a moving hull touches first at the tick of the oracle") {
+        std::uint64_t decided = 0;
+        Random random(6);
+        std::array<std::uint64_t, 3> seen{};
+        const std::uint64_t count = scaled(1'500);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const Case<MovingHull> c = some_hull(random);
+            const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+            const std::optional<Rational> time = exact_first_contact(c);
+            CAPTURE(i);
+            CAPTURE(describe(c));
+            ++decided;
+            REQUIRE(time.has_value() == (step != no_contact));
+            require_right_limits(c, step, random);
+            ++seen[step == 0 ? 0 : step == no_contact ? 1 : 2];
+            if (!time) continue;
+            REQUIRE((time->sign() == 0) == (step == 0));
+            if (step == 0) continue;
+            REQUIRE(*time <= ticks(step));
+            REQUIRE(*time > ticks(step - 1));
+
+            // The normal separates, and looks against the way.
+            const SweepContact contact = contact_at(c.moving, c.triangle, step);
+            const Point normal(Rational::of(contact.normal.x), Rational::of(contact.normal.y),
+                               Rational::of(contact.normal.z));
+            const Point way = exact(c.moving.displacement);
+            REQUIRE(normal.dot(way).sign() < 0);
+            REQUIRE(oracle::absolute(normal.dot(normal) - Rational(1)) <= Rational::of(1, -21));
+            const Point moved = way * *time;
+            std::optional<Rational> of_hull, of_triangle;
+            Rational size = 0;
+            const auto look_at = [&](const Point& at) {
+                for (int k = 0; k < 3; ++k) size = std::max(size, oracle::absolute(at[k] - exact(c.triangle.corner[0])[k]));
+                return Rational(normal.dot(at));
+            };
+            for (unsigned p = 0; p < c.moving.point_count; ++p) {
+                const Rational at = look_at(exact(point_of(c.moving, p)) + moved);
+                of_hull = of_hull ? std::min(*of_hull, at) : at;
+            }
+            for (const Integer3& corner : c.triangle.corner) {
+                const Rational at = look_at(exact(corner));
+                of_triangle = of_triangle ? std::max(*of_triangle, at) : at;
+            }
+            REQUIRE(*of_hull >= *of_triangle - size * Rational::of(1, -20));
+
+            // The point lies on the triangle, and in the hull: between its ends along any axis.
+            REQUIRE(contact.u >= 0.0f);
+            REQUIRE(contact.v >= 0.0f);
+            REQUIRE(contact.u + contact.v <= 1.0f + 0x1p-20f);
+            const Point point = weighted(c.triangle, contact);
+            for (unsigned axis = 0; axis < 8; ++axis) {
+                const Point along = axis == 0 ? normal : exact(Scene(random).some_point(4));
+                std::optional<Rational> low, high;
+                for (unsigned p = 0; p < c.moving.point_count; ++p) {
+                    const Rational at = along.dot(exact(point_of(c.moving, p)) + moved);
+                    low = low ? std::min(*low, at) : at;
+                    high = high ? std::max(*high, at) : at;
+                }
+                Rational length = 0;
+                for (int k = 0; k < 3; ++k) length += oracle::absolute(along[k]);
+                const Rational slack = length * size_of(c.triangle) * Rational::of(1, -20);
+                REQUIRE(along.dot(point) >= *low - slack);
+                REQUIRE(along.dot(point) <= *high + slack);
+            }
+        }
+        for (const std::uint64_t number : seen) CHECK(number > count / 20);
+        MESSAGE(decisions_made("hull that moves", decided));
+    }
+}
