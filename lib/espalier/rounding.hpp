@@ -55,6 +55,8 @@ Result<float> rounding_error(const Blob& blob, const Triangle& triangle) noexcep
 Result<float> rounding_error(const Blob& blob, const Sphere& sphere, Vec3 displacement) noexcept;
 Result<float> rounding_error(const Blob& blob, const Capsule& capsule, Vec3 displacement) noexcept;
 Result<float> rounding_error(const Blob& blob, const Box& box, Vec3 displacement) noexcept;
+Result<float> rounding_error(const Blob& blob, const OrientedBox& box, Vec3 displacement) noexcept;
+Result<float> rounding_error(const Blob& blob, const ConvexHull& hull, Vec3 displacement) noexcept;
 
 class RoundedRay;
 

@@ -68,6 +68,15 @@ struct ConvexVolume {
     std::span<const Plane> planes;
 };
 
+/// The largest number of vertices of a ConvexHull.
+inline constexpr std::size_t max_hull_vertices = 64;
+
+/// The convex hull of vertices: sweep() takes it. They may stand in any order, be repeated, lie inside of the hull, in
+/// one plane or on one line. Without vertices it is empty. The vertices must outlive it.
+struct ConvexHull {
+    std::span<const Vec3> vertices;
+};
+
 struct LatticeBox;  // lattice.hpp
 
 /// A shape that overlaps(), for_each_overlap() and collect_overlaps() take. Triangle is declared in types.hpp.

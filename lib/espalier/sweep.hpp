@@ -1,4 +1,4 @@
-// Sweep queries: the first contact of a sphere, a capsule or an axis-aligned box that moves along a straight line.
+// Sweep queries: the first contact of a sphere, a capsule, a box or a convex hull that moves along a straight line.
 //
 // Coordinates are in the asset's local space and units. Thread safety: any number of threads may query one blob. No
 // call allocates. Numerics are described at the end of this file.
@@ -18,9 +18,10 @@ namespace espalier {
 /// refusal, so that moving the shape by t * displacement is safe in any case.
 struct [[nodiscard]] SweepHit {
     float t = 0.0f;    ///< 0 <= t < 1: the share of the displacement at which the shape touches; 0 if it starts so
-    Vec3 point;        ///< on the triangle: closest to the sphere's center or the capsule's axis; of a box the middle
-                       ///< of the part of the triangle that the box touches
-    Vec3 normal;       ///< unit length, from the surface to the shape; of a box the axis that is the last to separate
+    Vec3 point;        ///< on the triangle: closest to the sphere's center or the capsule's axis; of a Box the middle
+                       ///< of the part of the triangle that it touches; of other shapes one of the points they touch
+    Vec3 normal;       ///< unit length, from the surface to the shape; of a Box the axis that is the last to separate,
+                       ///< of other flat-sided shapes the normal of a plane that separates until the contact
     Vec3 face_normal;  ///< unit length, pointing away from the front of the triangle; zero for one without area
     TriangleId triangle;                         ///< of equally early ones, the one with the lowest index
     QueryStatus status = QueryStatus::not_open;  ///< ok, not_found, or why the query was refused
@@ -34,16 +35,20 @@ struct [[nodiscard]] SweepHit {
 
 /// Returns the first contact of the shape as it moves from its place by `displacement`.
 ///
-/// A radius, a displacement, or the size of a box or an axis may be 0. A box whose min is above its max is empty and
-/// touches nothing. Only triangles that the filter keeps count.
+/// A radius, a displacement, or the size of a box, a hull or an axis may be 0. A Box whose min is above its max and a
+/// hull without vertices are empty and touch nothing. Only triangles that the filter keeps count. A hull moves and does
+/// not turn: its vertices are where it starts.
 ///
-/// Refuses a blob that is not open (not_open); a NaN, an infinity or a negative radius (invalid_argument); a start, a
-/// displacement or a radius of 2^34 lattice steps or more, and a capsule whose axis is longer than 2^25 steps along x,
-/// y or z (out_of_range). Refusals cost O(1). Cost: expected O(log n) for a short way; docs/queries.md,
-/// Bounded, has the bound.
+/// Refuses a blob that is not open (not_open); a NaN, an infinity, a negative radius or a hull with more than
+/// max_hull_vertices vertices (invalid_argument); a start, a displacement or a radius of 2^34 lattice steps or more,
+/// or of 2^30 for an OrientedBox or a hull, and a capsule whose axis is longer than 2^25 steps along x, y or z
+/// (out_of_range). Refusals cost O(1), those of a hull O(vertices). Cost: expected O(log n) for a short way;
+/// docs/queries.md, Bounded, has the bound.
 SweepHit sweep(const Blob& blob, const Sphere& sphere, Vec3 displacement, TriangleFilter filter = {}) noexcept;
 SweepHit sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, TriangleFilter filter = {}) noexcept;
 SweepHit sweep(const Blob& blob, const Box& box, Vec3 displacement, TriangleFilter filter = {}) noexcept;
+SweepHit sweep(const Blob& blob, const OrientedBox& box, Vec3 displacement, TriangleFilter filter = {}) noexcept;
+SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, TriangleFilter filter = {}) noexcept;
 
 }  // namespace espalier
 

@@ -13,6 +13,7 @@ void ask_nothing(struct asking* asking) {
     espalier_filled page;
     const espalier_cursor begin = {{0, 0, 0}};
     const espalier_convex_volume volume = {NULL, 0};
+    const espalier_convex_hull hull = {NULL, 0};
     espalier_ray_hit hit;
     espalier_placed_blob placed, other;
     espalier_filled filled;
@@ -26,6 +27,9 @@ void ask_nothing(struct asking* asking) {
     tell_float(asking, espalier_sweep_sphere_filtered(blob, &shapes.sphere, ray.direction, NULL, NULL).t);
     tell_float(asking, espalier_sweep_capsule_filtered(blob, &shapes.capsule, ray.direction, NULL, NULL).t);
     tell_float(asking, espalier_sweep_box_filtered(blob, &shapes.box, ray.direction, NULL, NULL).t);
+    tell_float(asking, espalier_sweep_oriented_box_filtered(blob, &shapes.oriented_box, ray.direction, NULL, NULL).t);
+    tell_float(asking, espalier_sweep_convex_hull_filtered(blob, &shapes.convex_hull, ray.direction, NULL, NULL).t);
+    tell(asking, espalier_sweep_convex_hull(blob, &hull, ray.direction).status);
 
     tell(asking, espalier_for_each_hit(blob, &ray, NULL, asking));
     tell(asking, espalier_for_each_crossing(blob, &ray, NULL, asking));

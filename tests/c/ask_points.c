@@ -23,6 +23,8 @@ static void ask_rounding(struct asking* asking) {
     tell_result(asking, espalier_rounding_error_sweep_sphere(blob, &shapes.sphere, way));
     tell_result(asking, espalier_rounding_error_sweep_capsule(blob, &shapes.capsule, way));
     tell_result(asking, espalier_rounding_error_sweep_box(blob, &shapes.box, way));
+    tell_result(asking, espalier_rounding_error_sweep_oriented_box(blob, &shapes.oriented_box, way));
+    tell_result(asking, espalier_rounding_error_sweep_convex_hull(blob, &shapes.convex_hull, way));
 }
 
 static void tell_contacts(struct asking* asking, espalier_filled filled, espalier_contact* contacts) {

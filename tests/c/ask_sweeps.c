@@ -13,4 +13,6 @@ void ask_sweeps(struct asking* asking) {
     ASK(sphere, &shapes.sphere);
     ASK(capsule, &shapes.capsule);
     ASK(box, &shapes.box);
+    ASK(oriented_box, &shapes.oriented_box);
+    ASK(convex_hull, &shapes.convex_hull);
 }

@@ -28,6 +28,7 @@ struct asked_shapes {
     espalier_oriented_box oriented_box;
     espalier_cone cone;
     espalier_triangle triangle;
+    espalier_convex_hull convex_hull; /* of the question's points */
 };
 
 static inline struct asked_shapes shapes_of(const struct question* question) {
@@ -40,7 +41,8 @@ static inline struct asked_shapes shapes_of(const struct question* question) {
                                         {points[0], points[3]},
                                         {points[1], {directions[0], directions[1], directions[2]}},
                                         {points[2], directions[0], lengths[2]},
-                                        {points[0], points[1], points[2]}};
+                                        {points[0], points[1], points[2]},
+                                        {points, question->bits % 5u}};
     return shapes;
 }
 

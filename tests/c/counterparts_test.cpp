@@ -107,7 +107,7 @@ const char* const table = R"(
     Shape: Ray Segment Sphere Capsule Box OrientedBox Triangle
     rounding_error(Blob, Shape)                                   espalier_rounding_error_shape
 
-    Shape: Sphere Capsule Box
+    Shape: Sphere Capsule Box OrientedBox ConvexHull
     rounding_error(Blob, Shape, Vec3)                             espalier_rounding_error_sweep_shape
     sweep(Blob, Shape, Vec3, TriangleFilter)                      espalier_sweep_shape
 

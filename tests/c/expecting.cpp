@@ -292,6 +292,10 @@ void Expecting::nothing() {
     tell(sweep(blob_, sphere(), direction(0)).t);
     tell(sweep(blob_, capsule(), direction(0)).t);
     tell(sweep(blob_, box(), direction(0)).t);
+    tell(sweep(blob_, oriented_box(), direction(0)).t);
+    const std::array<Vec3, 4> vertices = all_points();
+    tell(sweep(blob_, convex_hull(vertices), direction(0)).t);
+    tell(sweep(blob_, ConvexHull{}, direction(0)).status);
 
     for (int refused = 0; refused < 12; ++refused) tell(QueryStatus::invalid_argument);
     tell(QueryStatus::invalid_argument);

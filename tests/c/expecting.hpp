@@ -133,6 +133,10 @@ private:
     [[nodiscard]] Capsule capsule() const { return {point(1), point(2), length(1)}; }
     [[nodiscard]] Box box() const { return {point(0), point(3)}; }
     [[nodiscard]] OrientedBox oriented_box() const { return {point(1), {direction(0), direction(1), direction(2)}}; }
+    [[nodiscard]] std::array<Vec3, 4> all_points() const { return {point(0), point(1), point(2), point(3)}; }
+    [[nodiscard]] ConvexHull convex_hull(const std::array<Vec3, 4>& vertices) const {
+        return {std::span(vertices).first(asked_.bits % 5)};
+    }
     [[nodiscard]] Cone cone() const { return {point(2), direction(0), length(2)}; }
     [[nodiscard]] Triangle triangle() const { return {point(0), point(1), point(2)}; }
     template <std::size_t count>

@@ -87,6 +87,9 @@ void Expecting::points() {
     rounding(sphere(), direction(1));
     rounding(capsule(), direction(1));
     rounding(box(), direction(1));
+    rounding(oriented_box(), direction(1));
+    const std::array<Vec3, 4> vertices = all_points();
+    rounding(convex_hull(vertices), direction(1));
 }
 
 template <class Shape>
@@ -99,6 +102,9 @@ void Expecting::sweeps() {
     moving(sphere());
     moving(capsule());
     moving(box());
+    moving(oriented_box());
+    const std::array<Vec3, 4> vertices = all_points();
+    moving(convex_hull(vertices));
 }
 
 void Expecting::tell(const PairContact& contact) {

@@ -254,6 +254,17 @@ TEST_SUITE("hostile") {
             CHECK_FALSE(is_visited);
             CHECK(espalier_collect_overlaps_convex_volume(&blob, &volume, page, 2, begin).count == 0);
         }
+        const std::vector<espalier_vec3> vertices(ESPALIER_MAX_HULL_VERTICES + 1, {0.0f, 0.0f, 9.0f});
+        const espalier_vec3 down = {0.0f, 0.0f, -9.0f};
+        for (const std::size_t count : {std::size_t{1}, std::size_t{ESPALIER_MAX_HULL_VERTICES}, vertices.size(),
+                                        std::numeric_limits<std::size_t>::max()}) {
+            const espalier_convex_hull hull = {vertices.data(), count};
+            const bool is_refused = count > ESPALIER_MAX_HULL_VERTICES;
+            const espalier_sweep_hit swept = espalier_sweep_convex_hull(&blob, &hull, down);
+            CHECK((swept.status == ESPALIER_QUERY_INVALID_ARGUMENT) == is_refused);
+            CHECK((espalier_rounding_error_sweep_convex_hull(&blob, &hull, down).status ==
+                   ESPALIER_QUERY_INVALID_ARGUMENT) == is_refused);
+        }
         const std::uint32_t all = espalier_blob_triangle_count(&blob);
         const espalier_sphere sphere = {{0.0f, 0.0f, 0.0f}, 100.0f};
         for (const std::uint32_t first : {all - 1, all, all + 1, 0x7FFFFFFFu, 0x80000000u, 0xFFFFFFFFu}) {

@@ -264,6 +264,9 @@ TEST_SUITE("stack") {
                 {"sweep, a sphere", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_sphere(); })},
                 {"sweep, a capsule", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_capsule(); })},
                 {"sweep, a box", 6144, sweep_row([](SweepMaker& maker) { return maker.awkward_box(); })},
+                {"sweep, an oriented box", 8192,
+                 sweep_row([](SweepMaker& maker) { return maker.awkward_oriented_box(); })},
+                {"sweep, a hull", 8192, sweep_row([](SweepMaker& maker) { return maker.awkward_hull(); })},
                 {"overlaps", 2816,
                  sphere_row([](const Blob& blob, const Sphere& sphere) { (void)overlaps(blob, sphere); })},
                 {"for_each_overlap", 2944, sphere_row([](const Blob& blob, const Sphere& sphere) {

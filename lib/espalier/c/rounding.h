@@ -41,6 +41,12 @@ espalier_float_result espalier_rounding_error_sweep_capsule(const espalier_blob*
                                                             espalier_vec3 displacement);
 espalier_float_result espalier_rounding_error_sweep_box(const espalier_blob* blob, const espalier_box* box,
                                                         espalier_vec3 displacement);
+espalier_float_result espalier_rounding_error_sweep_oriented_box(const espalier_blob* blob,
+                                                                 const espalier_oriented_box* box,
+                                                                 espalier_vec3 displacement);
+espalier_float_result espalier_rounding_error_sweep_convex_hull(const espalier_blob* blob,
+                                                                const espalier_convex_hull* hull,
+                                                                espalier_vec3 displacement);
 
 /* A ray in whole numbers on the lattice of a region. Its content may change. Any bits are safe: those that are no
  * rounded ray are refused. */

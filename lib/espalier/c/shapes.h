@@ -54,6 +54,16 @@ typedef struct ESPALIER_SHARED_ espalier_convex_volume {
     size_t plane_count;
 } espalier_convex_volume;
 
+/* The largest number of vertices of an espalier_convex_hull. */
+#define ESPALIER_MAX_HULL_VERTICES 64
+
+/* The convex hull of at most ESPALIER_MAX_HULL_VERTICES vertices, in any order; empty without any. The vertices must
+ * outlive it. */
+typedef struct ESPALIER_SHARED_ espalier_convex_hull {
+    const espalier_vec3* vertices;
+    size_t vertex_count;
+} espalier_convex_hull;
+
 /* Applies a macro to the names in C and in C++ of each shape that both languages lay out alike and that
  * espalier_overlaps_<name>() takes. For the library itself. */
 #define ESPALIER_SHAPES_(apply) \

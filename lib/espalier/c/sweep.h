@@ -33,6 +33,10 @@ espalier_sweep_hit espalier_sweep_sphere(const espalier_blob* blob, const espali
 espalier_sweep_hit espalier_sweep_capsule(const espalier_blob* blob, const espalier_capsule* capsule,
                                           espalier_vec3 displacement);
 espalier_sweep_hit espalier_sweep_box(const espalier_blob* blob, const espalier_box* box, espalier_vec3 displacement);
+espalier_sweep_hit espalier_sweep_oriented_box(const espalier_blob* blob, const espalier_oriented_box* box,
+                                               espalier_vec3 displacement);
+espalier_sweep_hit espalier_sweep_convex_hull(const espalier_blob* blob, const espalier_convex_hull* hull,
+                                              espalier_vec3 displacement);
 
 /* Returns the first contact with a triangle that the filter keeps. */
 espalier_sweep_hit espalier_sweep_sphere_filtered(const espalier_blob* blob, const espalier_sphere* sphere,
@@ -43,6 +47,12 @@ espalier_sweep_hit espalier_sweep_capsule_filtered(const espalier_blob* blob, co
                                                    void* user);
 espalier_sweep_hit espalier_sweep_box_filtered(const espalier_blob* blob, const espalier_box* box,
                                                espalier_vec3 displacement, espalier_triangle_filter filter, void* user);
+espalier_sweep_hit espalier_sweep_oriented_box_filtered(const espalier_blob* blob, const espalier_oriented_box* box,
+                                                        espalier_vec3 displacement, espalier_triangle_filter filter,
+                                                        void* user);
+espalier_sweep_hit espalier_sweep_convex_hull_filtered(const espalier_blob* blob, const espalier_convex_hull* hull,
+                                                       espalier_vec3 displacement, espalier_triangle_filter filter,
+                                                       void* user);
 
 #ifdef __cplusplus
 }

@@ -53,7 +53,8 @@ namespace espalier::detail {
     twin(box_result, Result<Box>) twin(movement, Movement) twin(moving_scene, MovingScene)                    \
     twin(instance_pair, InstancePair) twin(baked_pair, BakedPair) other(pair_filter, PairFilter)              \
     twin(filled_instance_pairs, FilledPairs<InstancePair>) twin(filled_baked_pairs, FilledPairs<BakedPair>)   \
-    twin(deformable, Deformable) twin(refit_result, RefitResult)
+    twin(deformable, Deformable) twin(refit_result, RefitResult)                                              \
+    other(convex_hull, ConvexHull)
 // clang-format on
 
 // Overloads without a body: what they return is the twin of what they take.
@@ -99,6 +100,7 @@ inline std::span<const std::byte> cpp(const void* bytes, std::size_t size) {
     return {static_cast<const std::byte*>(bytes), size};
 }
 inline ConvexVolume cpp(const espalier_convex_volume* volume) { return {cpp(volume->planes, volume->plane_count)}; }
+inline ConvexHull cpp(const espalier_convex_hull* hull) { return {cpp(hull->vertices, hull->vertex_count)}; }
 inline PlacedBlob cpp(const espalier_placed_blob* placed) { return {cpp(placed->blob), cpp(&placed->transform)}; }
 
 /// Returns a result of C++ as C has it.

@@ -17,3 +17,5 @@ using namespace espalier::detail;
 SWEEP(sphere)
 SWEEP(capsule)
 SWEEP(box)
+SWEEP(oriented_box)
+SWEEP(convex_hull)

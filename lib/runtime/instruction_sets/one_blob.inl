@@ -20,5 +20,6 @@ static_assert(true);  // ends clangd's preamble, which cannot include this file
 #include <runtime/sweeps/swept_box.inl>
 #include <runtime/sweeps/capsule_bounds.inl>
 #include <runtime/sweeps/box_bounds.inl>
+#include <runtime/sweeps/hull_bounds.inl>
 #include <runtime/sweeps/leaf_bounds.inl>
 #include <runtime/sweeps/first_contact.inl>

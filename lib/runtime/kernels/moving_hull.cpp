@@ -13,7 +13,7 @@ struct Difference {
     std::uint32_t number;  ///< 64 for each corner, and that of the hull's point
 };
 /// Stands beside the line where all differences lie in one plane with it. Its weight is 0.
-constexpr std::uint32_t auxiliary = 4 * most_hull_points;
+constexpr std::uint32_t auxiliary = 4 * max_hull_vertices;
 
 Int128 determinant(const Integer3& a, const Integer3& b, const Integer3& c) { return dot<Int128>(cross(a, b), c); }
 
@@ -78,7 +78,8 @@ private:
         return {at[0], at[1], at[2]};
     }
     [[nodiscard]] Difference difference(unsigned corner, unsigned point) const {
-        return {triangle_.corner[corner] - point_at(point), corner * most_hull_points + point};
+        return {triangle_.corner[corner] - point_at(point),
+                corner * static_cast<std::uint32_t>(max_hull_vertices) + point};
     }
     /// Calls the function until it returns true.
     template <class Function>
@@ -173,7 +174,7 @@ public:
         Int128 weight[3] = {0, 0, 0};
         for (unsigned i = 0; i < 3; ++i) {
             const std::uint32_t number = corner_[i].number;
-            if (number != auxiliary) weight[number / most_hull_points] += weight_of(i);
+            if (number != auxiliary) weight[number / max_hull_vertices] += weight_of(i);
         }
         const float whole = to_float(speed_);
         return {{flush_subnormal(to_float(weight[1]) / whole), flush_subnormal(to_float(weight[2]) / whole)},

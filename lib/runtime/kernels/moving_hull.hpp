@@ -7,19 +7,17 @@
 
 #include <cstdint>
 
+#include <espalier/shapes.hpp>
 #include <runtime/kernels/moving_shapes.hpp>
 
 namespace espalier::detail {
-
-/// Points of which a hull is made, in units of a sweep.
-inline constexpr unsigned most_hull_points = 64;
 
 /// Coordinates of displacement and differences stay below 2^30 + 4. Not empty. Points may be repeated, and may lie in
 /// one plane, on one line or in the hull of the others.
 struct MovingHull {
     Integer3 displacement;
     unsigned point_count;
-    std::int32_t point[most_hull_points][3];
+    std::int32_t point[max_hull_vertices][3];
 };
 
 /// The step at which the hull first touches the triangle, also one without area; no_contact when it does not, or later

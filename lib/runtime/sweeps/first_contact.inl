@@ -13,6 +13,7 @@
 #include <runtime/sweeps/swept_box.inl>
 #include <runtime/sweeps/capsule_bounds.inl>
 #include <runtime/sweeps/box_bounds.inl>
+#include <runtime/sweeps/hull_bounds.inl>
 #include <runtime/sweeps/leaf_bounds.inl>
 #endif
 
@@ -48,6 +49,17 @@ struct BoxMover {
     using Bounds = BoxBounds;
 
     static SweepStep contact(const BoxSweep& sweep, const BoxInLanes&, const LatticeTriangle& triangle, SweepStep,
+                             SweepStep most) {
+        return first_contact(sweep, triangle, most);
+    }
+};
+
+struct HullMover {
+    using Sweep = HullSweep;
+    using InLanes = HullInLanes;
+    using Bounds = HullBounds;
+
+    static SweepStep contact(const HullSweep& sweep, const HullInLanes&, const LatticeTriangle& triangle, SweepStep,
                              SweepStep most) {
         return first_contact(sweep, triangle, most);
     }
@@ -222,4 +234,7 @@ FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, cons
 }
 FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const TriangleFilter* filter) {
     return find_first_contact<BoxMover>(blob, sweep, filter);
+}
+FoundContact first_contact(const BlobData& blob, const HullSweep& sweep, const TriangleFilter* filter) {
+    return find_first_contact<HullMover>(blob, sweep, filter);
 }

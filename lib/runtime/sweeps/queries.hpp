@@ -12,6 +12,7 @@
     namespace instruction_set {                                                                                \
     FoundContact first_contact(const BlobData& blob, const CapsuleSweep& sweep, const TriangleFilter* filter); \
     FoundContact first_contact(const BlobData& blob, const BoxSweep& sweep, const TriangleFilter* filter);     \
+    FoundContact first_contact(const BlobData& blob, const HullSweep& sweep, const TriangleFilter* filter);    \
     }
 
 namespace espalier::detail {
@@ -43,12 +44,18 @@ inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle&
 inline SweepStep first_contact(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
     return first_contact(sweep, integer_triangle(triangle, sweep.fraction_bits), most);
 }
+inline SweepStep first_contact(const HullSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
+    return first_contact(sweep.moving, integer_triangle(triangle, sweep.fraction_bits), most);
+}
 
 inline SweepContact contact_at(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
     return contact_at(sweep.moving, sweep.seen_from(sweep.from, triangle), step);
 }
 inline SweepContact contact_at(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
     return contact_at(sweep, integer_triangle(triangle, sweep.fraction_bits), step);
+}
+inline SweepContact contact_at(const HullSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {
+    return contact_at(sweep.moving, integer_triangle(triangle, sweep.fraction_bits), step);
 }
 /// Where a shape touches at the start: as seen from its middle.
 inline SweepContact contact_at_start(const LatticeSweep& sweep, const LatticeTriangle& triangle) noexcept {

@@ -7,6 +7,7 @@
 #include <espalier/shapes.hpp>
 #include <espalier/status.hpp>
 #include <runtime/base/bits.hpp>
+#include <runtime/kernels/moving_hull.hpp>
 #include <runtime/kernels/moving_shapes.hpp>
 #include <runtime/kernels/segment_triangle.hpp>
 #include <runtime/lanes/prepared_ray.hpp>
@@ -15,6 +16,8 @@ namespace espalier::detail {
 
 /// Nothing of a sweep may be as far from the asset or as large, in lattice steps.
 inline constexpr float sweep_reach = 0x1p34f;
+/// The same of oriented boxes and convex hulls, whose kernel multiplies more coordinates.
+inline constexpr float hull_sweep_reach = 0x1p30f;
 /// Along each axis, in units of the sweep.
 inline constexpr std::int64_t longest_capsule_axis = std::int64_t{1} << 25;
 
@@ -40,6 +43,10 @@ struct CapsuleSweep : LatticeSweep {
     MovingCapsule moving;
 };
 struct BoxSweep : LatticeSweep {};
+/// Also of an oriented box: the hull of its corners.
+struct HullSweep : LatticeSweep {
+    MovingHull moving;
+};
 
 /// Whether the boxes around shape and triangle meet at the start. Out of line, so as not to lie on the stack below a
 /// kernel.
@@ -120,6 +127,75 @@ inline QueryStatus round_sweep(const BlobData& blob, const Sphere& world, const 
     if (status != QueryStatus::ok) return status;
     sweep.low = ends.from;
     sweep.high = ends.to;
+    return QueryStatus::ok;
+}
+
+/// Sets what all hulls share, once their points are rounded.
+inline void set_hull(HullSweep& sweep, const float* way, int bits) {
+    sweep.fraction_bits = bits;
+    sweep.displacement = to_grid(way, bits);
+    sweep.moving.displacement = sweep.displacement;
+    for (int k = 0; k < 3; ++k) {
+        std::int32_t low = 0, high = 0;
+        for (unsigned i = 0; i < sweep.moving.point_count; ++i) {
+            const std::int32_t at = sweep.moving.point[i][k];
+            low = i == 0 || at < low ? at : low;
+            high = i == 0 || high < at ? at : high;
+        }
+        sweep.low[k] = low;
+        sweep.high[k] = high;
+    }
+}
+
+/// Rounds the vertices one by one.
+[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const ConvexHull& world,
+                                                 const Vec3& displacement, HullSweep& sweep) {
+    if (world.vertices.size() > max_hull_vertices || !is_finite(displacement)) return QueryStatus::invalid_argument;
+    float at[3], way[3];
+    Rounder rounder(blob);
+    rounder.add_vector(displacement, way);
+    for (const Vec3& vertex : world.vertices) {
+        if (!is_finite(vertex)) return QueryStatus::invalid_argument;
+        rounder.add_point(vertex, at);
+    }
+    if (!(rounder.reach() < hull_sweep_reach)) return QueryStatus::out_of_range;
+    const int bits = fraction_bits_for(rounder.reach(), point_grid);
+    sweep.moving.point_count = 0;
+    for (const Vec3& vertex : world.vertices) {
+        rounder.add_point(vertex, at);
+        const Integer3 point = to_grid(at, bits);
+        std::int32_t* const to = sweep.moving.point[sweep.moving.point_count++];
+        for (int k = 0; k < 3; ++k) to[k] = static_cast<std::int32_t>(point[k]);
+    }
+    set_hull(sweep, way, bits);
+    return QueryStatus::ok;
+}
+
+/// Rounds the center and the half axes: the corners are exact sums of those.
+[[gnu::noinline]] inline QueryStatus round_sweep(const BlobData& blob, const OrientedBox& world,
+                                                 const Vec3& displacement, HullSweep& sweep) {
+    if (!is_finite(world.center) || !is_finite(displacement)) return QueryStatus::invalid_argument;
+    float center[3], half[3][3], way[3], spread[3] = {};
+    Rounder rounder(blob);
+    rounder.add_vector(displacement, way);
+    for (int i = 0; i < 3; ++i) {
+        if (!is_finite(world.half_axes[i])) return QueryStatus::invalid_argument;
+        rounder.add_vector(world.half_axes[i], half[i]);
+        for (int k = 0; k < 3; ++k) spread[k] += absolute(half[i][k]);
+    }
+    rounder.add_point(world.center, center);
+    for (int k = 0; k < 3; ++k) rounder.extend(rounder.distance(k, center[k]) + spread[k]);
+    if (!(rounder.reach() < hull_sweep_reach)) return QueryStatus::out_of_range;
+    const int bits = fraction_bits_for(rounder.reach(), point_grid);
+    const Integer3 middle = to_grid(center, bits);
+    const Integer3 halves[3] = {to_grid(half[0], bits), to_grid(half[1], bits), to_grid(half[2], bits)};
+    sweep.moving.point_count = 8;
+    for (unsigned i = 0; i < 8; ++i) {
+        Integer3 corner = middle;
+        for (unsigned j = 0; j < 3; ++j) corner = (i >> j & 1u) != 0 ? corner + halves[j] : corner - halves[j];
+        for (int k = 0; k < 3; ++k) sweep.moving.point[i][k] = static_cast<std::int32_t>(corner[k]);
+    }
+    set_hull(sweep, way, bits);
     return QueryStatus::ok;
 }
 

@@ -1,5 +1,6 @@
 // How far a sweep moves when it is rounded. The bound is derived in docs/numerics.md, Sweeps.
 #include <cstddef>
+#include <span>
 
 #include <espalier/rounding.hpp>
 #include <runtime/lattice/rounder.hpp>
@@ -15,9 +16,11 @@ constexpr float half_ulp = 0x1p-24f;                // of a number, relative to 
 constexpr float square_root_of_3 = 0x1.bb67b2p+0f;  // rounded up
 constexpr float up = 1.0f + 0x1p-21f;               // more than the roundings of the bound itself
 
-/// Returns the bound for a shape whose place is given by `points`.
-template <class Sweep, class Shape, std::size_t count>
-Result<float> bound(const Blob& blob, const Shape& shape, const Vec3& displacement, const Vec3 (&points)[count]) {
+/// Returns the bound for a shape whose place is given by `points`. Each of its own points is a sum of `terms` vectors
+/// that are rounded to the grid, the first of which is a place.
+template <class Sweep, class Shape>
+Result<float> bound(const Blob& blob, const Shape& shape, const Vec3& displacement, std::span<const Vec3> points,
+                    unsigned terms = 1) {
     if (!blob) return {};
     const BlobData& data = data_of(blob);
     Sweep sweep;
@@ -28,9 +31,10 @@ Result<float> bound(const Blob& blob, const Shape& shape, const Vec3& displaceme
         const float at[3] = {point.x, point.y, point.z};
         for (int k = 0; k < 3; ++k) largest = maximum(absolute(to_steps(data, k, at[k])), largest);
     }
-    // Half a unit of the grid for the place, for the displacement and for the radius.
+    // Half a unit of the grid for each vector, for the displacement and for the radius.
     const float half_grid = power_of_two(-sweep.fraction_bits - 1);
-    const float along_axis = 2.0f * half_grid + (largest + 2.0f) * half_ulp;
+    const float count = whole_float(terms + 1);
+    const float along_axis = count * half_grid + (largest + count) * half_ulp;
     const float steps = (along_axis * square_root_of_3 + (half_grid + half_ulp)) * up;
     return {scale_by_power_of_two(steps, data.step_exponent), QueryStatus::ok};
 }
@@ -38,13 +42,21 @@ Result<float> bound(const Blob& blob, const Shape& shape, const Vec3& displaceme
 }  // namespace
 
 Result<float> rounding_error(const Blob& blob, const Sphere& sphere, Vec3 displacement) noexcept {
-    return bound<CapsuleSweep>(blob, sphere, displacement, {sphere.center});
+    return bound<CapsuleSweep>(blob, sphere, displacement, {&sphere.center, 1});
 }
 Result<float> rounding_error(const Blob& blob, const Capsule& capsule, Vec3 displacement) noexcept {
-    return bound<CapsuleSweep>(blob, capsule, displacement, {capsule.from, capsule.to});
+    const Vec3 ends[] = {capsule.from, capsule.to};
+    return bound<CapsuleSweep>(blob, capsule, displacement, ends);
 }
 Result<float> rounding_error(const Blob& blob, const Box& box, Vec3 displacement) noexcept {
-    return bound<BoxSweep>(blob, box, displacement, {box.min, box.max});
+    const Vec3 ends[] = {box.min, box.max};
+    return bound<BoxSweep>(blob, box, displacement, ends);
+}
+Result<float> rounding_error(const Blob& blob, const OrientedBox& box, Vec3 displacement) noexcept {
+    return bound<HullSweep>(blob, box, displacement, {&box.center, 1}, 4);
+}
+Result<float> rounding_error(const Blob& blob, const ConvexHull& hull, Vec3 displacement) noexcept {
+    return bound<HullSweep>(blob, hull, displacement, hull.vertices);
 }
 
 }  // namespace espalier

@@ -30,6 +30,11 @@ struct BoxInLanes : SweepInLanes {
     float half[3];  ///< of the sides; the point is the middle
 };
 
+struct HullInLanes : SweepInLanes {
+    unsigned point_count;
+    float point[max_hull_vertices][3];  ///< seen from the middle of the box
+};
+
 /// Sets what all shapes share but their box. The point is given in units of the sweep, `size` is the largest coordinate
 /// of anything seen from it, in lattice steps.
 inline void set_way(const BlobData& blob, const LatticeSweep& sweep, const Integer3& from, float size,
@@ -85,6 +90,24 @@ inline BoxInLanes in_lanes(const BlobData& blob, const BoxSweep& sweep) {
         lanes.half[k] = lanes.half[k] * lanes.scale + slack;
         lanes.low[k] = -lanes.half[k];
         lanes.high[k] = lanes.half[k];
+    }
+    return lanes;
+}
+
+inline HullInLanes in_lanes(const BlobData& blob, const HullSweep& sweep) {
+    HullInLanes lanes;
+    const float step = power_of_two(-sweep.fraction_bits);
+    const Integer3 middle = sweep.middle();
+    float size = 0.0f;
+    for (int k = 0; k < 3; ++k) size = maximum(to_float(sweep.high[k] - middle[k]) * step, size);
+    set_way(blob, sweep, middle, size, lanes);
+    const float scale = step * lanes.scale;
+    lanes.point_count = sweep.moving.point_count;
+    for (unsigned i = 0; i < lanes.point_count; ++i)
+        for (int k = 0; k < 3; ++k) lanes.point[i][k] = to_float(sweep.moving.point[i][k] - middle[k]) * scale;
+    for (int k = 0; k < 3; ++k) {
+        lanes.low[k] = to_float(sweep.low[k] - middle[k]) * scale - lane_slack;
+        lanes.high[k] = to_float(sweep.high[k] - middle[k]) * scale + lane_slack;
     }
     return lanes;
 }

@@ -21,6 +21,8 @@ SweepHit sweep_shape(const Blob& blob, const Shape& shape, const Vec3& displacem
     hit.status = QueryStatus::not_found;
     if constexpr (std::is_same_v<Shape, Box>)
         if (is_empty(shape)) return hit;
+    if constexpr (std::is_same_v<Shape, ConvexHull>)
+        if (shape.vertices.empty()) return hit;
     if (blob.triangle_count() == 0) return hit;
     const FoundContact found = ESPALIER_DISPATCH(first_contact, data_of(blob), rounded, filter ? &filter : nullptr);
     if (found.step != no_contact) hit = to_sweep_hit(data_of(blob), rounded, found);
@@ -37,6 +39,12 @@ SweepHit sweep(const Blob& blob, const Capsule& capsule, Vec3 displacement, Tria
 }
 SweepHit sweep(const Blob& blob, const Box& box, Vec3 displacement, TriangleFilter filter) noexcept {
     return sweep_shape<BoxSweep>(blob, box, displacement, filter);
+}
+SweepHit sweep(const Blob& blob, const OrientedBox& box, Vec3 displacement, TriangleFilter filter) noexcept {
+    return sweep_shape<HullSweep>(blob, box, displacement, filter);
+}
+SweepHit sweep(const Blob& blob, const ConvexHull& hull, Vec3 displacement, TriangleFilter filter) noexcept {
+    return sweep_shape<HullSweep>(blob, hull, displacement, filter);
 }
 
 }  // namespace espalier

@@ -34,9 +34,7 @@ using oracle::Rational;
 
 namespace {
 
-Integer3 point_of(const MovingHull& hull, unsigned i) {
-    return {hull.point[i][0], hull.point[i][1], hull.point[i][2]};
-}
+Integer3 point_of(const MovingHull& hull, unsigned i) { return {hull.point[i][0], hull.point[i][1], hull.point[i][2]}; }
 void add(MovingHull& hull, const Integer3& point) {
     for (int k = 0; k < 3; ++k) hull.point[hull.point_count][k] = static_cast<std::int32_t>(point[k]);
     ++hull.point_count;
@@ -66,7 +64,8 @@ void add_points(Scene& scene, const Integer3& from, MovingHull& hull) {
             break;
         }
         case 2:  // parallel to the triangle
-            add_box(hull, from, {side, random.coin() ? other_side : some(), random.coin() ? Integer3{0, 0, 0} : some()});
+            add_box(hull, from,
+                    {side, random.coin() ? other_side : some(), random.coin() ? Integer3{0, 0, 0} : some()});
             break;
         case 3:
             add(hull, from);
@@ -134,7 +133,8 @@ Rational rational(const BigInteger& numerator, const BigInteger& denominator) { 
 __extension__ using Int = __int128;
 BigInteger big(Int a) {
     const auto high = static_cast<std::int64_t>(a >> 62);
-    return BigInteger(high).shifted_left(62) + BigInteger(static_cast<std::int64_t>(a - (static_cast<Int>(high) << 62)));
+    return BigInteger(high).shifted_left(62) +
+           BigInteger(static_cast<std::int64_t>(a - (static_cast<Int>(high) << 62)));
 }
 Rational rational(Int numerator, Int denominator) { return {big(numerator), big(denominator)}; }
 
@@ -204,7 +204,8 @@ TEST_SUITE("moving hull") {
             std::optional<Rational> of_hull, of_triangle;
             Rational size = 0;
             const auto look_at = [&](const Point& at) {
-                for (int k = 0; k < 3; ++k) size = std::max(size, oracle::absolute(at[k] - exact(c.triangle.corner[0])[k]));
+                for (int k = 0; k < 3; ++k)
+                    size = std::max(size, oracle::absolute(at[k] - exact(c.triangle.corner[0])[k]));
                 return Rational(normal.dot(at));
             };
             for (unsigned p = 0; p < c.moving.point_count; ++p) {

@@ -86,14 +86,20 @@ Vec3 some_place(const Blob& blob, Random& random, int exponent) {
 constexpr int exponents[] = {0, 4, 12};
 
 /// The square of how far a point of a sweep moves when it is rounded, at its start or at its end, whichever is more: in
-/// between it moves by a mean of both.
+/// between it moves by a mean of both. The point starts at `start` + `off`, which no float need hold.
 Rational squared_move(const detail::BlobData& blob, const detail::LatticeSweep& sweep, const Vec3& start,
-                      const Vec3& displacement, const detail::Integer3& rounded_start) {
+                      const Vec3& displacement, const detail::Integer3& rounded_start, const Exact& off = {}) {
     Exact moved = minus(in_steps(blob, start), from_units(rounded_start, sweep.fraction_bits));
+    for (std::size_t k = 0; k < 3; ++k) moved[k] += off[k] * Rational::of(1, -blob.step_exponent);
     const Rational at_start = square(moved);
     const Exact way = exact(displacement), rounded_way = from_units(sweep.displacement, sweep.fraction_bits);
     for (std::size_t k = 0; k < 3; ++k) moved[k] += way[k] * Rational::of(1, -blob.step_exponent) - rounded_way[k];
     return std::max(at_start, square(moved));
+}
+
+detail::Integer3 point_of(const detail::HullSweep& sweep, unsigned i) {
+    const auto& point = sweep.moving.point[i];
+    return {point[0], point[1], point[2]};
 }
 
 /// How much a radius changes when it is rounded.
@@ -175,7 +181,7 @@ TEST_SUITE("rounding error") {
     TEST_CASE("rounding: no sweep moves farther than the error and some move an eighth as far") {
         for (const int exponent : exponents) {
             CAPTURE(exponent);
-            Held spheres, capsules, boxes;
+            Held spheres, capsules, boxes, turned, hulls;
             Random random(2650 + static_cast<std::uint64_t>(exponent));
             for (const TestBlob& test : small_test_blobs()) {
                 if (test.decoded.triangle_count == 0) continue;
@@ -205,6 +211,32 @@ TEST_SUITE("rounding error") {
                                        std::max(squared_move(data, pill, a, way, pill.from),
                                                 squared_move(data, pill, b, way, pill.from + pill.moving.axis)),
                                        growth(data, radius, pill.moving.sphere.radius, pill.fraction_bits));
+                    const std::array<Vec3, 4> vertices = {a, b, c, d};
+                    detail::HullSweep hull;
+                    if (is_answered(ConvexHull{vertices}, hull)) {
+                        Rational most;
+                        for (unsigned vertex = 0; vertex < 4; ++vertex)
+                            most =
+                                std::max(most, squared_move(data, hull, vertices[vertex], way, point_of(hull, vertex)));
+                        hulls.check(data, rounding_error(blob, ConvexHull{vertices}, way), most);
+                    }
+                    const OrientedBox world = {a,
+                                               {{b.x - a.x, b.y - a.y, b.z - a.z},
+                                                {c.x - a.x, c.y - a.y, c.z - a.z},
+                                                {a.x - c.z, b.y - c.x, c.z - a.y}}};
+                    if (is_answered(world, hull)) {
+                        Rational most;
+                        for (unsigned corner = 0; corner < 8; ++corner) {
+                            Exact off = {0, 0, 0};
+                            for (unsigned half = 0; half < 3; ++half) {
+                                const Exact along = exact(world.half_axes[half]);
+                                for (std::size_t k = 0; k < 3; ++k)
+                                    off[k] += (corner >> half & 1u) != 0 ? along[k] : -along[k];
+                            }
+                            most = std::max(most, squared_move(data, hull, a, way, point_of(hull, corner), off));
+                        }
+                        turned.check(data, rounding_error(blob, world, way), most);
+                    }
                     detail::BoxSweep box;
                     if (!is_answered(Box{a, b}, box)) continue;
                     Rational most;
@@ -221,7 +253,7 @@ TEST_SUITE("rounding error") {
                     boxes.check(data, rounding_error(blob, Box{a, b}, way), most);
                 }
             }
-            for (const Held& held : {spheres, capsules, boxes}) {
+            for (const Held& held : {spheres, capsules, boxes, turned, hulls}) {
                 CHECK(held.queries > 0);
                 if (asks_enough()) CHECK(held.above_an_eighth > 0);
             }
@@ -246,6 +278,9 @@ TEST_SUITE("rounding error") {
             compare(Sphere{a, some_length(blob, random)}, way);
             compare(Capsule{a, b, some_length(blob, random)}, way);
             compare(Box{a, b}, way);
+            compare(OrientedBox{a, {b, way, a}}, way);
+            const std::array<Vec3, 2> vertices = {a, b};
+            compare(ConvexHull{vertices}, way);
         }
         if (asks_enough()) CHECK(refused > 0);
         const Sphere ball = {{0.5f, 0.5f, 0.5f}, 0.25f};

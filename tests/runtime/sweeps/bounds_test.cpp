@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <runtime/lanes/scalar.hpp>
 #include <runtime/sweeps/queries.hpp>
@@ -25,12 +26,14 @@ namespace espalier::detail::scalar {
 #include <runtime/sweeps/swept_box.inl>
 #include <runtime/sweeps/capsule_bounds.inl>
 #include <runtime/sweeps/box_bounds.inl>
+#include <runtime/sweeps/hull_bounds.inl>
 }  // namespace espalier::detail::scalar
 
 using namespace espalier;
 using namespace espalier::tests;
 using detail::BoxSweep;
 using detail::CapsuleSweep;
+using detail::HullSweep;
 using detail::Integer3;
 using detail::LatticeTriangle;
 using detail::no_contact;
@@ -105,6 +108,38 @@ public:
         if (random_.below(4) == 0) size.y = 0;
         sweep.low = some_start(way, size.x / 2);
         sweep.high = sweep.low + size;
+        return sweep;
+    }
+
+    /// A box of any orientation, or points around a place.
+    HullSweep hull() {
+        HullSweep sweep;
+        Integer3 way = some_way(sweep);
+        while (detail::sum_of_magnitudes(way) >= std::int64_t{1} << 28) way = {way.x / 2, way.y / 2, way.z / 2};
+        sweep.displacement = way;
+        const std::int64_t radius = some_radius();
+        const Integer3 start = some_start(way, radius);
+        const auto some = [&] { return some_point(-radius, 2 * radius + 1); };
+        std::vector<Integer3> points;
+        if (random_.coin()) {
+            const Integer3 half[3] = {random_.below(4) == 0 ? side() : some(), some(), some()};
+            for (unsigned i = 0; i < 8; ++i) {
+                Integer3 corner = start;
+                for (unsigned k = 0; k < 3; ++k) corner = (i >> k & 1u) != 0 ? corner + half[k] : corner - half[k];
+                points.push_back(corner);
+            }
+        } else {
+            const unsigned count = 1 + random_.below(random_.below(4) == 0 ? max_hull_vertices : 16);
+            for (unsigned i = 0; i < count; ++i) points.push_back(start + some());
+        }
+        sweep.moving.displacement = way;
+        sweep.moving.point_count = static_cast<unsigned>(points.size());
+        sweep.low = sweep.high = points[0];
+        for (unsigned i = 0; i < points.size(); ++i) {
+            for (int k = 0; k < 3; ++k) sweep.moving.point[i][k] = static_cast<std::int32_t>(points[i][k]);
+            sweep.low = smaller(sweep.low, points[i]);
+            sweep.high = larger(sweep.high, points[i]);
+        }
         return sweep;
     }
 
@@ -235,7 +270,7 @@ void check(const Cases& cases, const Sweep& sweep, Outcome& outcome) {
 
 TEST_SUITE("bounds") {
     TEST_CASE("sweep: bounds in lanes are never later than the first contact and mostly close to it") {
-        Outcome capsules, boxes;
+        Outcome capsules, boxes, hulls;
         const std::uint64_t count = scaled_share(200'000);
         for (const unsigned bits : {8u, 16u, 24u}) {
             BakeOptions options;
@@ -246,9 +281,10 @@ TEST_SUITE("bounds") {
                 cases.make_triangle();
                 check<detail::scalar::CapsuleBounds>(cases, cases.capsule(), capsules);
                 check<detail::scalar::BoxBounds>(cases, cases.box(), boxes);
+                check<detail::scalar::HullBounds>(cases, cases.hull(), hulls);
             }
         }
-        for (const Outcome& outcome : {capsules, boxes}) {
+        for (const Outcome& outcome : {capsules, boxes, hulls}) {
             MESSAGE(outcome.hits, " hits, ", outcome.close, " close; ", outcome.misses, " misses, ", outcome.rejected,
                     " rejected");
             if (!asks_enough()) continue;

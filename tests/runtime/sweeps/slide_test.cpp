@@ -23,6 +23,7 @@ float largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), 
 float largest(const Sphere& sphere) { return largest(sphere.center); }
 float largest(const Capsule& capsule) { return std::max(largest(capsule.from), largest(capsule.to)); }
 float largest(const Box& box) { return std::max(largest(box.min), largest(box.max)); }
+float largest(const OrientedBox& box) { return largest(box.center); }
 
 struct Seen {
     std::uint64_t contacts = 0;
@@ -56,7 +57,7 @@ TEST_SUITE("slide") {
                 options.resolution = Resolution::tolerance(static_cast<double>(coarseness));
                 const OpenedBlob opened(make_icosphere(3, 4.0, {offset, 0.0f, -offset}), options);
                 const Blob& blob = opened.blob;
-                Seen spheres, capsules, boxes;
+                Seen spheres, capsules, boxes, oriented;
                 Random random(2680);
                 for (std::uint64_t i = 0; i < scaled(4000); ++i) {
                     const Vec3 off = random.in_cube(9.0f), to = random.in_cube(3.0f), next = random.in_cube(2.0f);
@@ -67,9 +68,11 @@ TEST_SUITE("slide") {
                     slide(blob, Sphere{a, radius}, way, next, spheres);
                     slide(blob, Capsule{a, b, radius}, way, next, capsules);
                     slide(blob, Box{a, translated(a, {radius, random.unit(), random.unit()})}, way, next, boxes);
+                    const OrientedBox turned = {a, {random.in_cube(1.0f), random.in_cube(1.0f), random.in_cube(1.0f)}};
+                    slide(blob, turned, way, next, oriented);
                 }
                 if (!asks_enough()) continue;
-                for (const Seen& seen : {spheres, capsules, boxes}) {
+                for (const Seen& seen : {spheres, capsules, boxes, oriented}) {
                     CHECK(seen.contacts > 100);
                     CHECK(seen.overlapping > 0);
                 }

@@ -31,6 +31,8 @@ bool third_is_left_out(TriangleId triangle) { return triangle.index % 3 != 2; }
 detail::CapsuleSweep rounded_of(const Sphere&) { return {}; }
 detail::CapsuleSweep rounded_of(const Capsule&) { return {}; }
 detail::BoxSweep rounded_of(const Box&) { return {}; }
+detail::HullSweep rounded_of(const OrientedBox&) { return {}; }
+detail::HullSweep rounded_of(const OwnedHull&) { return {}; }
 
 /// What the loop says, of all triangles and of those that the filter leaves.
 template <class Shape>
@@ -70,6 +72,8 @@ void require_equal(const Blob& blob, const TriangleLoop& loop, const Moving<Shap
     ++seen.asked;
 }
 
+constexpr std::size_t shape_kinds = 5;
+
 /// Two random sweeps to each awkward one.
 void check_sweeps(const Blob& blob, const DecodedBlob& decoded, std::uint64_t seed, std::uint64_t count, Seen* seen) {
     const TriangleLoop loop(decoded);
@@ -79,20 +83,23 @@ void check_sweeps(const Blob& blob, const DecodedBlob& decoded, std::uint64_t se
         require_equal(blob, loop, awkward ? maker.awkward_sphere() : maker.random_sphere(), seen[0]);
         require_equal(blob, loop, awkward ? maker.awkward_capsule() : maker.random_capsule(), seen[1]);
         require_equal(blob, loop, awkward ? maker.awkward_box() : maker.random_box(), seen[2]);
+        require_equal(blob, loop, awkward ? maker.awkward_oriented_box() : maker.random_oriented_box(), seen[3]);
+        require_equal(blob, loop, awkward ? maker.awkward_hull() : maker.random_hull(), seen[4]);
     }
 }
 
 void tell_calls(const std::string& mesh, std::uint64_t count, std::uint64_t meshes = 1) {
     const std::uint64_t awkward = (count + 2) / 3;
-    for (const char* shape : {"spheres", "capsules", "boxes"})
+    for (const char* shape : {"spheres", "capsules", "boxes", "oriented boxes", "hulls"})
         MESSAGE(calls_made(std::string("sweeps: ") + shape, mesh, (count - awkward) * meshes, awkward * meshes));
 }
 
 void check_blobs(const std::vector<TestBlob>& blobs, std::uint64_t count) {
-    Seen seen[3];
+    Seen seen[shape_kinds];
+    std::uint64_t seed = 500;
     for (const TestBlob& blob : blobs) {
         CAPTURE(blob.name);
-        check_sweeps(blob.opened.blob, blob.decoded, 500, count, seen);
+        check_sweeps(blob.opened.blob, blob.decoded, seed++, count, seen);
     }
     tell_calls(generated_meshes, count, blobs.size());
     if (!asks_enough()) return;
@@ -102,6 +109,8 @@ void check_blobs(const std::vector<TestBlob>& blobs, std::uint64_t count) {
         CHECK(each.starts < each.hits);
     }
 }
+
+bool same(const detail::Integer3& a, const detail::Integer3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 struct Cube {
     explicit Cube(Profile profile) : opened(make_cube(-1.0f, 1.0f), with_profile(profile)) {}
@@ -115,10 +124,10 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 }  // namespace
 
 TEST_SUITE("sweep") {
-    TEST_CASE("sweep: spheres and capsules and boxes equal the loop on small meshes") {
+    TEST_CASE("sweep: every shape equals the loop on small meshes") {
         check_blobs(small_test_blobs(), scaled_share(45));
     }
-    TEST_CASE("sweep: spheres and capsules and boxes equal the loop on medium meshes") {
+    TEST_CASE("sweep: every shape equals the loop on medium meshes") {
         check_blobs(medium_test_blobs(), scaled_share(6));
     }
     TEST_CASE("sweep: blobs with copies equal the loop") {
@@ -127,15 +136,15 @@ TEST_SUITE("sweep") {
         options.build.duplicate_budget = 1.0;
         const OpenedBlob opened(make_soup(400, 3), options);
         REQUIRE(opened.blob.duplicate_reference_count() > 0);
-        Seen seen[3];
+        Seen seen[shape_kinds];
         check_sweeps(opened.blob, decode(opened.bytes), 500, scaled(150), seen);
         for (const Seen& each : seen) CHECK(each.hits > each.asked / 5);
     }
-    TEST_CASE("sweep: spheres and capsules and boxes equal the loop on real meshes") {
+    TEST_CASE("sweep: every shape equals the loop on real meshes") {
         for_each_real_mesh([](const Mesh& mesh, Profile profile) {
             const OpenedBlob opened(mesh, with_profile(profile));
             const DecodedBlob decoded = decode(opened.bytes);
-            Seen seen[3];
+            Seen seen[shape_kinds];
             // Times a scale of 1,000 these are at least the counts that a release must show, all profiles together.
             const std::uint64_t count = scaled_share(decoded.triangles.size() > 200'000 ? 2 : 151);
             check_sweeps(opened.blob, decoded, 510 + static_cast<std::uint64_t>(profile), count, seen);
@@ -180,6 +189,85 @@ TEST_SUITE("sweep") {
             CHECK(std::fabs(hit.point.x) <= 0.51f);
             CHECK(std::fabs(hit.point.y) <= 0.51f);
         });
+    }
+
+    TEST_CASE("sweep: a box and the same as an oriented one and as a hull take the same time") {
+        std::uint64_t hits = 0;
+        for (const TestBlob& blob : small_test_blobs()) {
+            if (blob.decoded.triangle_count == 0) continue;
+            CAPTURE(blob.name);
+            SweepMaker maker(blob.decoded, 503);
+            const auto& data = detail::data_of(blob.opened.blob);
+            for (std::uint64_t i = 0; i < scaled_share(300); ++i) {
+                const Moving<Box> moving = i % 3 == 0 ? maker.awkward_box() : maker.random_box();
+                const auto& [box, way] = moving;
+                detail::BoxSweep aligned;
+                if (round_sweep(data, box, way, aligned) != QueryStatus::ok) continue;
+                // The rounded box, on whose grid no shape is rounded again.
+                const auto in_world = [&](const detail::Integer3& at) {
+                    const float unit = std::ldexp(1.0f, data.step_exponent - aligned.fraction_bits);
+                    const auto axis = [&](std::int64_t units, float origin) {
+                        return origin + static_cast<float>(units) * unit;
+                    };
+                    return Vec3{axis(at.x, data.origin[0]), axis(at.y, data.origin[1]), axis(at.z, data.origin[2])};
+                };
+                const Vec3 low = in_world(aligned.low), high = in_world(aligned.high);
+                std::vector<Vec3> corners;
+                for (unsigned c = 0; c < 8; ++c)
+                    corners.push_back({(c & 1u) != 0 ? low.x : high.x, (c & 2u) != 0 ? low.y : high.y,
+                                       (c & 4u) != 0 ? low.z : high.z});
+                const OrientedBox turned = {{(low.x + high.x) / 2.0f, (low.y + high.y) / 2.0f, (low.z + high.z) / 2.0f},
+                                            {{0.0f, 0.0f, (high.z - low.z) / 2.0f},
+                                             {(high.x - low.x) / 2.0f, 0.0f, 0.0f},
+                                             {0.0f, (low.y - high.y) / 2.0f, 0.0f}}};
+                const auto is_same = [&](const detail::HullSweep& rounded) {
+                    return rounded.fraction_bits == aligned.fraction_bits && same(rounded.low, aligned.low) &&
+                           same(rounded.high, aligned.high) && same(rounded.displacement, aligned.displacement);
+                };
+                const SweepHit expected = sweep(blob.opened.blob, box, way);
+                const auto compare = [&](const auto& shape) {
+                    detail::HullSweep rounded;
+                    if (round_sweep(data, shape, way, rounded) != QueryStatus::ok || !is_same(rounded)) return;
+                    const SweepHit hit = sweep(blob.opened.blob, shape, way);
+                    REQUIRE_MESSAGE(hit.status == expected.status, describe(moving));
+                    REQUIRE_MESSAGE(hit.t == expected.t, describe(moving));
+                    REQUIRE_MESSAGE(hit.triangle == expected.triangle, describe(moving));
+                    hits += hit ? 1u : 0u;
+                };
+                compare(turned);
+                compare(ConvexHull{corners});
+            }
+        }
+        if (asks_enough()) CHECK(hits > 1000);
+    }
+
+    TEST_CASE("sweep: hulls have as many vertices as are allowed or none") {
+        const Cube cube(Profile::balanced);
+        const Vec3 down = {0.0f, 0.0f, -4.0f};
+        std::vector<Vec3> vertices(max_hull_vertices + 1, Vec3{0.25f, 0.5f, 3.0f});
+        vertices[max_hull_vertices - 1] = {0.25f, 0.5f, 2.0f};
+        const auto of = [&](std::size_t count) { return ConvexHull{std::span<const Vec3>(vertices).first(count)}; };
+        SweepHit hit = sweep(cube.blob(), of(max_hull_vertices), down);
+        REQUIRE(hit);
+        CHECK(hit.t == doctest::Approx(0.25));
+        CHECK(hit.normal == Vec3{0.0f, 0.0f, 1.0f});
+        CHECK(hit.point.x == doctest::Approx(0.25).epsilon(0.001));
+        CHECK(hit.point.y == doctest::Approx(0.5).epsilon(0.001));
+        CHECK(hit.point.z == doctest::Approx(1.0));
+        CHECK(sweep(cube.blob(), of(1), down).t == doctest::Approx(0.5));
+        CHECK(sweep(cube.blob(), of(max_hull_vertices + 1), down).status == QueryStatus::invalid_argument);
+        hit = sweep(cube.blob(), of(0), down);
+        CHECK(hit.status == QueryStatus::not_found);
+        CHECK(hit.t == 1.0f);
+        CHECK(sweep(cube.blob(), of(0), {not_a_number, 0.0f, 0.0f}).status == QueryStatus::invalid_argument);
+        // An oriented box that stands on an edge.
+        const OrientedBox box = {{0.0f, 0.0f, 3.0f}, {{0.5f, 0.0f, 0.5f}, {-0.5f, 0.0f, 0.5f}, {0.0f, 0.25f, 0.0f}}};
+        hit = sweep(cube.blob(), box, down);
+        REQUIRE(hit);
+        CHECK(hit.t == doctest::Approx(0.25));
+        CHECK(hit.normal.z == doctest::Approx(1.0));
+        CHECK(hit.point.x == doctest::Approx(0.0).epsilon(0.001));
+        CHECK(std::fabs(hit.point.y) <= 0.26f);
     }
 
     TEST_CASE("sweep: a sphere touches exactly when the capsule along its way overlaps") {
@@ -314,6 +402,12 @@ TEST_SUITE("sweep") {
             refused(Box{{bad, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, zero, QueryStatus::invalid_argument);
             refused(Box{zero, {1.0f, 1.0f, 1.0f}}, {bad, 0.0f, 0.0f}, QueryStatus::invalid_argument);
         }
+        const OrientedBox bad_box = {zero, {{1.0f, 0.0f, 0.0f}, {0.0f, not_a_number, 0.0f}, zero}};
+        refused(bad_box, zero, QueryStatus::invalid_argument);
+        refused(OrientedBox{{0.0f, infinity, 0.0f}, {zero, zero, zero}}, zero, QueryStatus::invalid_argument);
+        refused(OrientedBox{zero, {zero, zero, zero}}, {0.0f, infinity, 0.0f}, QueryStatus::invalid_argument);
+        const std::array<Vec3, 2> bad_vertices = {zero, {0.0f, 0.0f, infinity}};
+        refused(ConvexHull{bad_vertices}, zero, QueryStatus::invalid_argument);
         refused(Sphere{zero, -1.0f}, zero, QueryStatus::invalid_argument);
         refused(Capsule{zero, zero, -1.0f}, zero, QueryStatus::invalid_argument);
         CHECK(sweep(blob, Sphere{zero, -0.0f}, zero).status == QueryStatus::not_found);
@@ -324,6 +418,12 @@ TEST_SUITE("sweep") {
         refused(Capsule{zero, {0.0f, 0.0f, 0x1p26f * std::ldexp(1.0f, blob.lattice().step_exponent)}, 1.0f}, zero,
                 QueryStatus::out_of_range);
         refused(Box{{-far, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}, zero, QueryStatus::out_of_range);
+        const float far_for_hulls = far * 0x1p-5f;
+        const std::array<Vec3, 1> far_vertex = {{{far_for_hulls, 0.0f, 0.0f}}}, some_vertex = {{zero}};
+        refused(ConvexHull{far_vertex}, zero, QueryStatus::out_of_range);
+        refused(ConvexHull{some_vertex}, {far_for_hulls, 0.0f, 0.0f}, QueryStatus::out_of_range);
+        refused(OrientedBox{zero, {{far_for_hulls, 0.0f, 0.0f}, zero, zero}}, zero, QueryStatus::out_of_range);
+        refused(OrientedBox{{0.0f, far_for_hulls, 0.0f}, {zero, zero, zero}}, zero, QueryStatus::out_of_range);
         const float most = std::numeric_limits<float>::max();
         refused(Box{{-most, -most, -most}, {most, most, most}}, {most, most, most}, QueryStatus::out_of_range);
 

@@ -189,6 +189,9 @@ TEST_SUITE("triangle loop") {
                 sweeps +=
                     loops.check_sweep<detail::CapsuleSweep>(awkward ? moves.awkward_capsule() : moves.random_capsule());
                 sweeps += loops.check_sweep<detail::BoxSweep>(awkward ? moves.awkward_box() : moves.random_box());
+                sweeps += loops.check_sweep<detail::HullSweep>(awkward ? moves.awkward_oriented_box()
+                                                                       : moves.random_oriented_box());
+                sweeps += loops.check_sweep<detail::HullSweep>(awkward ? moves.awkward_hull() : moves.random_hull());
             }
         }
         const std::uint64_t asked = small_test_blobs().size() * scaled_share(30);

@@ -136,6 +136,11 @@ std::optional<std::string> loop_difference(const Blob& blob, const TriangleLoop&
     if (auto d = moving<detail::CapsuleSweep>(blob, loop, awkward ? sweeps.awkward_capsule() : sweeps.random_capsule()))
         return d;
     if (auto d = moving<detail::BoxSweep>(blob, loop, awkward ? sweeps.awkward_box() : sweeps.random_box())) return d;
+    if (auto d = moving<detail::HullSweep>(blob, loop,
+                                           awkward ? sweeps.awkward_oriented_box() : sweeps.random_oriented_box()))
+        return d;
+    if (auto d = moving<detail::HullSweep>(blob, loop, awkward ? sweeps.awkward_hull() : sweeps.random_hull()))
+        return d;
     if (auto d = inside(blob, loop, shapes.point_around())) return d;
     return in_steps(blob, loop, shapes);
 }

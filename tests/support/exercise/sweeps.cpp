@@ -1,6 +1,7 @@
 #include "run.hpp"
 
 #include <cstdint>
+#include <span>
 
 #include <espalier/espalier.hpp>
 
@@ -58,6 +59,9 @@ void exercise_sweeps(Exercise& run) {
     exercise_sweep(run, Capsule{a, b, length}, way);
     exercise_sweep(run, Box{a, b}, way);
     exercise_sweep(run, Box{a, moved(a, {length, length, length})}, way);
+    exercise_sweep(run, OrientedBox{a, {difference(b, a), difference(c, b), {length, 0.0f, -length}}}, way);
+    const Vec3 vertices[] = {a, b, c, moved(a, {length, length, 0.0f}), moved(b, {0.0f, length, length}), c};
+    exercise_sweep(run, ConvexHull{std::span(vertices).first(random.below(7))}, way);
 }
 
 }  // namespace espalier::tests::exercises

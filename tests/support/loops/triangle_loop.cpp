@@ -234,5 +234,15 @@ detail::FoundContact TriangleLoop::first_contact(const detail::CapsuleSweep& swe
 detail::FoundContact TriangleLoop::first_contact(const detail::BoxSweep& sweep, Filter filter) const {
     return first_contact_of(sweep, sweep.low, sweep.high, filter);
 }
+detail::FoundContact TriangleLoop::first_contact(const detail::HullSweep& sweep, Filter filter) const {
+    detail::Integer3 low{}, high{};
+    for (unsigned i = 0; i < sweep.moving.point_count; ++i) {
+        const auto& p = sweep.moving.point[i];
+        const detail::Integer3 at = {p[0], p[1], p[2]};
+        low = i == 0 ? at : lower(low, at);
+        high = i == 0 ? at : higher(high, at);
+    }
+    return first_contact_of(sweep, low, high, filter);
+}
 
 }  // namespace espalier::tests

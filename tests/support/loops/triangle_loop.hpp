@@ -54,6 +54,7 @@ public:
     using Filter = bool (*)(TriangleId);
     [[nodiscard]] detail::FoundContact first_contact(const detail::CapsuleSweep& sweep, Filter filter) const;
     [[nodiscard]] detail::FoundContact first_contact(const detail::BoxSweep& sweep, Filter filter) const;
+    [[nodiscard]] detail::FoundContact first_contact(const detail::HullSweep& sweep, Filter filter) const;
 
 private:
     [[nodiscard]] Indices every_overlap(const detail::Volume& volume, const TriangleBounds::Numbers& numbers) const;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <initializer_list>
+#include <span>
 
 namespace espalier::tests {
 
@@ -16,7 +16,7 @@ Vec3 along_axis(std::uint32_t axis, float length) {
     return {axis == 0 ? length : 0.0f, axis == 1 ? length : 0.0f, axis == 2 ? length : 0.0f};
 }
 
-std::string in_hexadecimal(const char* name, std::initializer_list<float> numbers, Vec3 displacement) {
+std::string in_hexadecimal(const char* name, std::span<const float> numbers, Vec3 displacement) {
     std::string text = name;
     const auto append = [&](float number) {
         char digits[40];
@@ -52,6 +52,12 @@ Vec3 SweepMaker::some_vertex() {
     const GridTriangle& t = decoded_.triangles[random.below(static_cast<std::uint32_t>(decoded_.triangles.size()))];
     const std::uint32_t corner = random.below(3);
     return maker_.to_world(corner == 0 ? t.a : corner == 1 ? t.b : t.c);
+}
+
+std::vector<Vec3> SweepMaker::some_triangle() {
+    Random& random = maker_.random();
+    const GridTriangle& t = decoded_.triangles[random.below(static_cast<std::uint32_t>(decoded_.triangles.size()))];
+    return {maker_.to_world(t.a), maker_.to_world(t.b), maker_.to_world(t.c)};
 }
 
 float SweepMaker::some_radius() {
@@ -182,17 +188,115 @@ Moving<Box> SweepMaker::awkward_box() {
     return {{low, plus(low, size)}, path.way};
 }
 
+Moving<OrientedBox> SweepMaker::random_oriented_box() {
+    const Path path = random_path();
+    Random& random = maker_.random();
+    const Vec3 x = random.in_cube(size_ * 0.04f);
+    const Vec3 y = random.in_cube(size_ * 0.04f);
+    return {{path.start, {x, y, random.in_cube(size_ * 0.04f)}}, path.way};
+}
+
+Moving<OrientedBox> SweepMaker::awkward_oriented_box() {
+    Random& random = maker_.random();
+    const float radius = some_radius();
+    const Path path = awkward_path(radius);
+    const Vec3 size = some_size(radius);
+    OrientedBox box = {path.start, {along_axis(0, size.x), along_axis(1, size.y), along_axis(2, size.z)}};
+    switch (random.below(4)) {
+        case 0:
+            break;
+        case 1:  // turned about an axis
+            box.half_axes[0] = {size.x * 0.6f, size.x * 0.8f, 0.0f};
+            box.half_axes[1] = {size.y * -0.8f, size.y * 0.6f, 0.0f};
+            break;
+        case 2:  // parallel to a side
+            box.half_axes[random.below(3)] = minus(some_vertex(), some_vertex());
+            break;
+        default:
+            for (Vec3& half : box.half_axes) half = random.in_cube(size_ * 0.05f);
+    }
+    // A corner on the path, as often as the center.
+    if (random.coin()) box.center = plus(plus(box.center, box.half_axes[0]), plus(box.half_axes[1], box.half_axes[2]));
+    return {box, path.way};
+}
+
+Moving<OwnedHull> SweepMaker::random_hull() {
+    const Path path = random_path();
+    Random& random = maker_.random();
+    OwnedHull hull;
+    const std::uint32_t count = 4 + random.below(13);
+    for (std::uint32_t i = 0; i < count; ++i) hull.vertices.push_back(plus(path.start, random.in_cube(size_ * 0.05f)));
+    return {hull, path.way};
+}
+
+Moving<OwnedHull> SweepMaker::awkward_hull() {
+    Random& random = maker_.random();
+    const float radius = some_radius();
+    const Path path = awkward_path(radius);
+    OwnedHull hull;
+    switch (random.below(6)) {
+        case 0: {
+            const std::vector<Vec3> corners = some_triangle();
+            for (const Vec3& corner : corners) hull.vertices.push_back(plus(path.start, minus(corner, corners[0])));
+            break;
+        }
+        case 1:  // a point, a segment
+            hull.vertices.push_back(path.start);
+            if (random.coin()) hull.vertices.push_back(plus(path.start, minus(some_vertex(), some_vertex())));
+            break;
+        case 2: {  // in one plane across an axis
+            const std::uint32_t axis = random.below(3);
+            for (int i = 0; i < 6; ++i) {
+                Vec3 off = random.in_cube(radius);
+                (axis == 0 ? off.x : axis == 1 ? off.y : off.z) = 0.0f;
+                hull.vertices.push_back(plus(path.start, off));
+            }
+            break;
+        }
+        case 3: {  // corners of a box, each twice
+            const Vec3 size = some_size(radius);
+            for (unsigned i = 0; i < 16; ++i)
+                hull.vertices.push_back(plus(path.start, {(i & 1u) != 0 ? size.x : 0.0f, (i & 2u) != 0 ? size.y : 0.0f,
+                                                          (i & 4u) != 0 ? size.z : 0.0f}));
+            break;
+        }
+        case 4:
+            for (std::size_t i = 0; i < max_hull_vertices; ++i)
+                hull.vertices.push_back(plus(path.start, random.in_cube(radius)));
+            break;
+        default: {
+            const std::uint32_t count = 1 + random.below(9);
+            hull.vertices.push_back(path.start);
+            for (std::uint32_t i = 1; i < count; ++i)
+                hull.vertices.push_back(plus(path.start, random.in_cube(size_ * 0.1f)));
+        }
+    }
+    return {hull, path.way};
+}
+
 std::string describe(const Moving<Sphere>& m) {
-    return in_hexadecimal("sphere", {m.shape.center.x, m.shape.center.y, m.shape.center.z, m.shape.radius},
-                          m.displacement);
+    const float numbers[] = {m.shape.center.x, m.shape.center.y, m.shape.center.z, m.shape.radius};
+    return in_hexadecimal("sphere", numbers, m.displacement);
 }
 std::string describe(const Moving<Capsule>& m) {
     const Capsule& c = m.shape;
-    return in_hexadecimal("capsule", {c.from.x, c.from.y, c.from.z, c.to.x, c.to.y, c.to.z, c.radius}, m.displacement);
+    const float numbers[] = {c.from.x, c.from.y, c.from.z, c.to.x, c.to.y, c.to.z, c.radius};
+    return in_hexadecimal("capsule", numbers, m.displacement);
 }
 std::string describe(const Moving<Box>& m) {
     const Box& b = m.shape;
-    return in_hexadecimal("box", {b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z}, m.displacement);
+    const float numbers[] = {b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
+    return in_hexadecimal("box", numbers, m.displacement);
+}
+std::string describe(const Moving<OrientedBox>& m) {
+    std::vector<float> numbers = {m.shape.center.x, m.shape.center.y, m.shape.center.z};
+    for (const Vec3& half : m.shape.half_axes) numbers.insert(numbers.end(), {half.x, half.y, half.z});
+    return in_hexadecimal("oriented box", numbers, m.displacement);
+}
+std::string describe(const Moving<OwnedHull>& m) {
+    std::vector<float> numbers;
+    for (const Vec3& vertex : m.shape.vertices) numbers.insert(numbers.end(), {vertex.x, vertex.y, vertex.z});
+    return in_hexadecimal("hull", numbers, m.displacement);
 }
 
 }  // namespace espalier::tests

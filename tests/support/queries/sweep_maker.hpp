@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <espalier/shapes.hpp>
 
@@ -15,6 +16,12 @@ struct Moving {
     Vec3 displacement;
 };
 
+/// A hull with vertices of its own.
+struct OwnedHull {
+    std::vector<Vec3> vertices;
+    operator ConvexHull() const { return {vertices}; }  // NOLINT(google-explicit-constructor): queries take the view
+};
+
 class SweepMaker {
 public:
     SweepMaker(const DecodedBlob& decoded, std::uint64_t seed);
@@ -23,11 +30,17 @@ public:
     Moving<Sphere> random_sphere();
     Moving<Capsule> random_capsule();
     Moving<Box> random_box();
+    Moving<OrientedBox> random_oriented_box();
+    Moving<OwnedHull> random_hull();
     /// Grazing a vertex, starting on one, in a triangle's plane, along an axis, from 10^4 sizes away, without a way or
     /// a size.
     Moving<Sphere> awkward_sphere();
     Moving<Capsule> awkward_capsule();
     Moving<Box> awkward_box();
+    /// Also flat, sheared or along the axes.
+    Moving<OrientedBox> awkward_oriented_box();
+    /// Also of few or of most vertices, of repeated ones, in one plane, or a triangle of the mesh.
+    Moving<OwnedHull> awkward_hull();
 
 private:
     struct Path {
@@ -36,6 +49,7 @@ private:
     };
     Vec3 some_place();
     Vec3 some_vertex();
+    std::vector<Vec3> some_triangle();
     float some_radius();
     Path random_path();
     Path awkward_path(float radius);
@@ -51,5 +65,7 @@ private:
 std::string describe(const Moving<Sphere>& moving);
 std::string describe(const Moving<Capsule>& moving);
 std::string describe(const Moving<Box>& moving);
+std::string describe(const Moving<OrientedBox>& moving);
+std::string describe(const Moving<OwnedHull>& moving);
 
 }  // namespace espalier::tests
