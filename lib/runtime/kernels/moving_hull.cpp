@@ -34,6 +34,12 @@ class Differences {
 public:
     Differences(const MovingHull& hull, const IntegerTriangle& triangle) : hull_(hull), triangle_(triangle) {}
 
+    [[nodiscard]] const Integer3& lowest_corner(const Integer3& axis) const {
+        const Integer3* lowest = &triangle_.corner[0];
+        for (unsigned i = 1; i < 3; ++i)
+            if (dot<Int128>(axis, triangle_.corner[i]) < dot<Int128>(axis, *lowest)) lowest = &triangle_.corner[i];
+        return *lowest;
+    }
     /// Returns the one that is least far along an axis, the first of several.
     [[nodiscard]] Difference lowest(const Integer3& axis) const {
         unsigned corner = 0, point = 0;
@@ -143,11 +149,12 @@ public:
             Difference next;
             if (count < most_exchanges_by_depth) {
                 next = differences_.lowest(normal_);
-                const Int128 level = dot<Int128>(normal_, next.at);
-                if (multiply(speed_, std::int64_t{most}) < level << tick_bits) return End::too_late;
-                if (!(level < level_)) return End::first;
+                bound_ = dot<Int128>(normal_, next.at);
+                if (is_too_late(most)) return End::too_late;
+                if (!(bound_ < level_)) return End::first;
             } else if (!differences_.first_below(normal_, level_, next)) {
                 // Taking the first ends in any case (Bland 1977).
+                bound_ = level_;
                 return is_too_late(most) ? End::too_late : End::first;
             }
             exchange(next);
@@ -170,6 +177,10 @@ public:
         while (!is_reached(ticks)) ++ticks;
         return static_cast<SweepStep>(ticks);
     }
+    /// The normal along which nothing is earlier than the contact, or than the step.
+    [[nodiscard]] PlaneAhead plane() const {
+        return {normal_, dot<Int128>(normal_, differences_.lowest_corner(normal_)) - bound_, speed_};
+    }
     [[nodiscard]] SweepContact contact() const {
         Int128 weight[3] = {0, 0, 0};
         for (unsigned i = 0; i < 3; ++i) {
@@ -182,7 +193,7 @@ public:
     }
 
 private:
-    static constexpr unsigned most_exchanges_by_depth = 64;
+    static constexpr unsigned most_exchanges_by_depth = 16;
 
     enum class Side { apart, along, beside };
 
@@ -223,7 +234,7 @@ private:
         speed_ = dot<Int128>(normal_, way_);
     }
     [[nodiscard]] bool is_too_late(SweepStep most) const {
-        return multiply(speed_, std::int64_t{most}) < level_ << tick_bits;
+        return multiply(speed_, std::int64_t{most}) < bound_ << tick_bits;
     }
     /// Of a corner where the line meets the plane, times speed_.
     [[nodiscard]] Int128 weight_of(unsigned i) const {
@@ -268,17 +279,31 @@ private:
     Integer3 normal_{};
     Int128 level_ = 0;  ///< of the plane along the normal: that of the line grows by speed_ on the whole way
     Int128 speed_ = 0;  ///< above 0
+    Int128 bound_ = 0;  ///< the level of the difference that is least far along the normal
 };
+
+/// Whether the hull reaches the triangle along the plane's normal after that step.
+bool is_late_for(const PlaneAhead& plane, const IntegerTriangle& triangle, SweepStep most) {
+    if (plane.speed.is_zero()) return false;
+    const Int128 reached = multiply(plane.speed, std::int64_t{most});
+    for (const Integer3& corner : triangle.corner)
+        if (!(reached < (dot<Int128>(plane.normal, corner) - plane.hull_end) << tick_bits)) return false;
+    return true;
+}
 
 }  // namespace
 
-SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most) noexcept {
+SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most,
+                        PlaneAhead& plane) noexcept {
+    if (takes_shortcut() && is_late_for(plane, triangle, most)) return no_contact;
     Portal portal(hull, triangle);
     if (!portal.open()) return no_contact;
     switch (portal.advance(is_zero(hull.displacement) ? 0 : most)) {
         case Portal::End::first:
+            plane = portal.plane();
             return portal.step();
         case Portal::End::too_late:
+            plane = portal.plane();
             return no_contact;
         case Portal::End::at_start:
             return 0;

@@ -20,9 +20,22 @@ struct MovingHull {
     std::int32_t point[max_hull_vertices][3];
 };
 
+/// A plane behind which a hull stays for a part of its way. One that separated it from a triangle often separates it
+/// from the neighbours too.
+struct PlaneAhead {
+    Integer3 normal{};
+    Int128 hull_end = 0;  ///< how far the hull reaches along the normal at the start
+    Int128 speed = 0;     ///< how far it moves along the normal on the whole way; 0 where there is no plane yet
+};
+
 /// The step at which the hull first touches the triangle, also one without area; no_contact when it does not, or later
-/// than at step `most`.
-SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most) noexcept;
+/// than at step `most`. Uses the plane that a call for another triangle left, and leaves one: it changes no answer.
+SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most,
+                        PlaneAhead& plane) noexcept;
+inline SweepStep first_contact(const MovingHull& hull, const IntegerTriangle& triangle, SweepStep most) noexcept {
+    PlaneAhead plane;
+    return first_contact(hull, triangle, most, plane);
+}
 
 /// For a first contact at that step, which is not 0: a point of the triangle that the hull touches then, and the normal
 /// of a plane that separates the two until then.

@@ -161,8 +161,9 @@ struct PointShape {
     [[nodiscard]] float farthest(const Node& node, unsigned child) const {
         return farthest_squared(node, blob.bits, child, point);
     }
+    /// Called, not inlined: its variables take no stack of the walk's.
     template <class Leaf>
-    Visit scan(const Leaf& leaf, Answer& answer) const {
+    [[gnu::noinline]] Visit scan(const Leaf& leaf, Answer& answer) const {
         return decide_nearest_first(leaf, point, answer,
                                     [&](unsigned slot) { return offer(leaf, slot, leaf.triangle(slot), answer); });
     }

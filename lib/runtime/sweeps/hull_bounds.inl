@@ -1,5 +1,6 @@
-// Lower bounds of the time at which a moving convex hull first touches triangles, in lanes: none of a few axes
-// separates the two at that time. The axes are the triangle's normal and what is across its sides and the way.
+// Lower bounds of the time at which a moving convex hull first touches triangles, in lanes: none of some axes separates
+// the two at that time. They are the triangle's normal, axes of which the hull's ends are known, and what is across the
+// triangle's sides and the edges of an oriented box, or the way of another hull.
 #ifndef ESPALIER_IN_INSTRUCTION_SET  // parsed alone
 #include <runtime/sweeps/shapes_in_lanes.hpp>
 #include <runtime/sweeps/time_bounds.inl>
@@ -9,9 +10,8 @@
 class HullBounds {
 public:
     explicit HullBounds(const HullInLanes& hull) : hull_(hull), way_(splat_each(hull.way)) {
-        const Floats3 low = splat_each(hull.low), high = splat_each(hull.high);
-        way_length_ = length_bound(way_);
-        size_ = add(way_length_, larger(length_bound(low), length_bound(high)));
+        size_ =
+            add(length_bound(way_), larger(length_bound(splat_each(hull.low)), length_bound(splat_each(hull.high))));
     }
 
     /// Returns a bound for each triangle, whose three corners are seen from the middle of the box around the hull.
@@ -20,42 +20,75 @@ public:
         const Floats3 sides[3] = {subtract(b, a), subtract(c, b), subtract(a, c)};
         const Floats reach = largest_of(length_bound(a), length_bound(b), length_bound(c));
         const Floats far = multiply(add(reach, size_), splat(time_bounds::rounding));
-        Floats enter = splat(0.0f), leave = splat(time_bounds::never);
-        const auto narrow = [&](const Floats3& axis, const Floats3& one, const Floats3& other, Floats error) {
-            const Extent hull = extent_along(axis);
-            const Floats at_one = dot(axis, one), at_other = dot(axis, other);
-            const time_bounds::Interval interval = {splat(0.0f), dot(axis, way_),
-                                                    subtract(smaller(at_one, at_other), hull.high),
-                                                    subtract(larger(at_one, at_other), hull.low), error};
-            enter = larger(enter, interval.entry());
-            leave = smaller(leave, interval.exit());
-        };
-        const Floats product = multiply(length_bound(sides[0]), length_bound(sides[1]));
-        narrow(cross(sides[0], sides[1]), a, a, multiply(product, far));
-        for (int i = 0; i < 3; ++i) {
-            const Floats error = multiply(multiply(length_bound(sides[i]), way_length_), far);
-            narrow(cross(sides[i], way_), corners[i], corners[i == 0 ? 2 : i - 1], error);
+        CommonTime common;
+        for (unsigned i = 0; i < hull_.axis_count; ++i) {
+            const HullInLanes::Axis& axis = hull_.axis[i];
+            const Floats3 along = splat_each(axis.along);
+            const Floats at[3] = {dot(along, a), dot(along, b), dot(along, c)};
+            common.narrow(dot(along, way_), {splat(axis.low), splat(axis.high)},
+                          {smaller(at[0], smaller(at[1], at[2])), largest_of(at[0], at[1], at[2])},
+                          multiply(length_bound(along), far));
         }
-        return where_at_most(enter, leave, enter, splat(time_bounds::never));
+        const Floats product = multiply(length_bound(sides[0]), length_bound(sides[1]));
+        narrow(common, cross(sides[0], sides[1]), a, a, multiply(product, far));
+        for (int i = 0; i < 3; ++i) {
+            const Floats3 &on_side = corners[i], &opposite = corners[i == 0 ? 2 : i - 1];
+            const auto across = [&](const Floats3& edge) {
+                const Floats error = multiply(multiply(length_bound(sides[i]), length_bound(edge)), far);
+                narrow(common, cross(sides[i], edge), on_side, opposite, error);
+            };
+            for (unsigned edge = 0; edge < hull_.edge_count; ++edge) across(splat_each(hull_.half_edge[edge]));
+            if (hull_.edge_count == 0) across(way_);
+        }
+        return common.first();
     }
 
 private:
-    struct Extent {
+    struct Ends {
         Floats low, high;
     };
+    /// When no axis separates hull and triangle.
+    class CommonTime {
+    public:
+        // An initializer of a member would be compiled without the instruction set.
+        CommonTime() : enter_(splat(0.0f)), leave_(splat(time_bounds::never)) {}
+
+        [[gnu::always_inline]] void narrow(Floats way, const Ends& hull, const Ends& triangle, Floats error) {
+            const time_bounds::Interval interval = {splat(0.0f), way, subtract(triangle.low, hull.high),
+                                                    subtract(triangle.high, hull.low), error};
+            enter_ = larger(enter_, interval.entry());
+            leave_ = smaller(leave_, interval.exit());
+        }
+        [[nodiscard]] Floats first() const { return where_at_most(enter_, leave_, enter_, splat(time_bounds::never)); }
+
+    private:
+        Floats enter_, leave_;
+    };
+
+    /// The triangle lies between two of its corners along the axis.
+    [[gnu::always_inline]] void narrow(CommonTime& common, const Floats3& axis, const Floats3& one,
+                                       const Floats3& other, Floats error) const {
+        const Floats at_one = dot(axis, one), at_other = dot(axis, other);
+        common.narrow(dot(axis, way_), ends_along(axis), {smaller(at_one, at_other), larger(at_one, at_other)}, error);
+    }
     /// Grown by what floats may move hull and triangles.
-    [[nodiscard]] Extent extent_along(const Floats3& axis) const {
+    [[nodiscard]] Ends ends_along(const Floats3& axis) const {
+        const Floats slack = multiply(length_bound(axis), splat(lane_slack));
+        if (hull_.edge_count != 0) {
+            Floats reach = slack;
+            for (unsigned i = 0; i < 3; ++i) reach = add(reach, absolute_of(dot(axis, splat_each(hull_.half_edge[i]))));
+            return {negate(reach), reach};
+        }
         Floats low = dot(axis, splat_each(hull_.point[0])), high = low;
         for (unsigned i = 1; i < hull_.point_count; ++i) {
             const Floats at = dot(axis, splat_each(hull_.point[i]));
             low = smaller(low, at);
             high = larger(high, at);
         }
-        const Floats slack = multiply(length_bound(axis), splat(lane_slack));
         return {subtract(low, slack), add(high, slack)};
     }
 
     const HullInLanes& hull_;
     Floats3 way_;
-    Floats way_length_, size_;
+    Floats size_;
 };

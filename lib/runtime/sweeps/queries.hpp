@@ -44,8 +44,13 @@ inline SweepStep first_contact(const CapsuleSweep& sweep, const LatticeTriangle&
 inline SweepStep first_contact(const BoxSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
     return first_contact(sweep, integer_triangle(triangle, sweep.fraction_bits), most);
 }
+inline SweepStep first_contact(const HullSweep& sweep, const LatticeTriangle& triangle, SweepStep most,
+                               PlaneAhead& plane) noexcept {
+    return first_contact(sweep.moving, integer_triangle(triangle, sweep.fraction_bits), most, plane);
+}
 inline SweepStep first_contact(const HullSweep& sweep, const LatticeTriangle& triangle, SweepStep most) noexcept {
-    return first_contact(sweep.moving, integer_triangle(triangle, sweep.fraction_bits), most);
+    PlaneAhead plane;
+    return first_contact(sweep, triangle, most, plane);
 }
 
 inline SweepContact contact_at(const CapsuleSweep& sweep, const LatticeTriangle& triangle, SweepStep step) noexcept {

@@ -46,6 +46,7 @@ struct BoxSweep : LatticeSweep {};
 /// Also of an oriented box: the hull of its corners.
 struct HullSweep : LatticeSweep {
     MovingHull moving;
+    bool is_box;  ///< then corners 1, 2 and 4 are at the other ends of the edges from corner 0
 };
 
 /// Whether the boxes around shape and triangle meet at the start. Out of line, so as not to lie on the stack below a
@@ -160,6 +161,7 @@ inline void set_hull(HullSweep& sweep, const float* way, int bits) {
     }
     if (!(rounder.reach() < hull_sweep_reach)) return QueryStatus::out_of_range;
     const int bits = fraction_bits_for(rounder.reach(), point_grid);
+    sweep.is_box = false;
     sweep.moving.point_count = 0;
     for (const Vec3& vertex : world.vertices) {
         rounder.add_point(vertex, at);
@@ -189,6 +191,7 @@ inline void set_hull(HullSweep& sweep, const float* way, int bits) {
     const int bits = fraction_bits_for(rounder.reach(), point_grid);
     const Integer3 middle = to_grid(center, bits);
     const Integer3 halves[3] = {to_grid(half[0], bits), to_grid(half[1], bits), to_grid(half[2], bits)};
+    sweep.is_box = true;
     sweep.moving.point_count = 8;
     for (unsigned i = 0; i < 8; ++i) {
         Integer3 corner = middle;

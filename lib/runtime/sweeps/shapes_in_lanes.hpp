@@ -31,8 +31,17 @@ struct BoxInLanes : SweepInLanes {
 };
 
 struct HullInLanes : SweepInLanes {
+    /// What the hull takes up along an axis.
+    struct Axis {
+        float along[3];
+        float low, high;
+    };
     unsigned point_count;
     float point[max_hull_vertices][3];  ///< seen from the middle of the box
+    unsigned edge_count;                ///< 3 of an oriented box, else 0
+    float half_edge[3][3];
+    unsigned axis_count;
+    Axis axis[10];  ///< the faces of an oriented box; the diagonals of coordinate axes for other hulls
 };
 
 /// Sets what all shapes share but their box. The point is given in units of the sweep, `size` is the largest coordinate
@@ -94,6 +103,41 @@ inline BoxInLanes in_lanes(const BlobData& blob, const BoxSweep& sweep) {
     return lanes;
 }
 
+/// The ends are grown by what floats may move hull and triangles.
+inline void add_axis(HullInLanes& lanes, const Vec3& along) {
+    HullInLanes::Axis& axis = lanes.axis[lanes.axis_count++];
+    axis = {{along.x, along.y, along.z}, infinity, -infinity};
+    for (unsigned i = 0; i < lanes.point_count; ++i) {
+        const float* const p = lanes.point[i];
+        const float at = along.x * p[0] + along.y * p[1] + along.z * p[2];
+        axis.low = minimum(at, axis.low);
+        axis.high = maximum(at, axis.high);
+    }
+    const float slack = (absolute(along.x) + absolute(along.y) + absolute(along.z)) * lane_slack;
+    axis.low -= slack;
+    axis.high += slack;
+}
+inline void set_faces(const HullSweep& sweep, float scale, HullInLanes& lanes) {
+    const auto& corner = sweep.moving.point;
+    lanes.edge_count = 3;
+    for (unsigned i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            lanes.half_edge[i][k] = to_float(std::int64_t{corner[1u << i][k]} - corner[0][k]) * (scale * 0.5f);
+    for (unsigned i = 0; i < 3; ++i) {
+        const float *a = lanes.half_edge[i == 2 ? 0 : i + 1], *b = lanes.half_edge[i == 0 ? 2 : i - 1];
+        add_axis(lanes, {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+    }
+}
+inline void set_diagonals(HullInLanes& lanes) {
+    for (const float sign : {1.0f, -1.0f}) {
+        add_axis(lanes, {0.0f, 1.0f, sign});
+        add_axis(lanes, {1.0f, 0.0f, sign});
+        add_axis(lanes, {1.0f, sign, 0.0f});
+        add_axis(lanes, {1.0f, 1.0f, sign});
+        add_axis(lanes, {1.0f, -1.0f, sign});
+    }
+}
+
 inline HullInLanes in_lanes(const BlobData& blob, const HullSweep& sweep) {
     HullInLanes lanes;
     const float step = power_of_two(-sweep.fraction_bits);
@@ -109,6 +153,9 @@ inline HullInLanes in_lanes(const BlobData& blob, const HullSweep& sweep) {
         lanes.low[k] = to_float(sweep.low[k] - middle[k]) * scale - lane_slack;
         lanes.high[k] = to_float(sweep.high[k] - middle[k]) * scale + lane_slack;
     }
+    lanes.edge_count = lanes.axis_count = 0;
+    if (sweep.is_box) set_faces(sweep, scale, lanes);
+    else set_diagonals(lanes);
     return lanes;
 }
 

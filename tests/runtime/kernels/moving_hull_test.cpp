@@ -241,4 +241,54 @@ TEST_SUITE("moving hull") {
         for (const std::uint64_t number : seen) CHECK(number > count / 20);
         MESSAGE(decisions_made("hull that moves", decided));
     }
+
+    TEST_CASE("kernel: a moving hull of as many vertices as are allowed touches at the tick of the oracle") {
+        Random random(7);
+        std::uint64_t hits = 0;
+        for (std::uint64_t i = 0; i < scaled(20); ++i) {
+            Case<MovingHull> c{};
+            for (Integer3& corner : c.triangle.corner) {
+                corner.x = random.between(-60, 60);
+                corner.y = random.between(-60, 60);
+                corner.z = random.between(-20, 20);
+            }
+            c.moving.displacement = {random.between(-40, 40), random.between(-40, 40), -120};
+            while (c.moving.point_count < max_hull_vertices) {
+                Integer3 at = {random.between(-50, 50), random.between(-50, 50), random.between(-50, 50)};
+                const std::int64_t squared = at.x * at.x + at.y * at.y + at.z * at.z;
+                at.z += 70;
+                if (squared > 1900 && squared < 2500) add(c.moving, at);
+            }
+            const SweepStep step = first_contact(c.moving, c.triangle, whole_way);
+            const std::optional<Rational> time = exact_first_contact(c);
+            REQUIRE(time.has_value() == (step != no_contact));
+            if (!time || step == 0) continue;
+            REQUIRE(*time <= ticks(step));
+            REQUIRE(*time > ticks(step - 1));
+            ++hits;
+        }
+        if (asks_enough()) CHECK(hits > 0);
+    }
+
+    TEST_CASE("kernel: the plane that a moving hull met before changes no contact") {
+        Random random(8);
+        std::uint64_t late = 0;
+        for (std::uint64_t i = 0; i < scaled(2'000); ++i) {
+            Case<MovingHull> c = some_hull(random);
+            detail::PlaneAhead plane;
+            SweepStep most = whole_way;
+            for (int neighbour = 0; neighbour < 6; ++neighbour) {
+                const SweepStep expected = first_contact(c.moving, c.triangle, most);
+                const bool has_plane = !plane.speed.is_zero();
+                REQUIRE(first_contact(c.moving, c.triangle, most, plane) == expected);
+                if (expected != no_contact) most = expected;
+                late += has_plane && expected == no_contact ? 1u : 0u;
+                // The next one shares two corners, or is a little farther.
+                const std::int64_t size = 1 + random.below(64);
+                Integer3& corner = c.triangle.corner[random.below(3)];
+                corner = random.coin() ? plus(corner, {size, -size, 1}) : plus(corner, {-1, size, size});
+            }
+        }
+        if (asks_enough()) CHECK(late > 1'000);
+    }
 }

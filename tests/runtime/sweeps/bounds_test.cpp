@@ -121,7 +121,8 @@ public:
         const Integer3 start = some_start(way, radius);
         const auto some = [&] { return some_point(-radius, 2 * radius + 1); };
         std::vector<Integer3> points;
-        if (random_.coin()) {
+        sweep.is_box = random_.coin();
+        if (sweep.is_box) {
             const Integer3 half[3] = {random_.below(4) == 0 ? side() : some(), some(), some()};
             for (unsigned i = 0; i < 8; ++i) {
                 Integer3 corner = start;
